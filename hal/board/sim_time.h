@@ -1,0 +1,23 @@
+// The one clock of a simulation. Wall time is never one of its inputs.
+#pragma once
+
+#include <stdint.h>
+
+namespace robosim {
+
+/// Simulated time in nanoseconds since power-on of the world. CPU cycles are converted from their absolute
+/// count, so that nothing drifts; 2^63 ns are 292 years.
+using SimTime = int64_t;
+
+constexpr SimTime kNanosecond = 1;
+constexpr SimTime kMicrosecond = 1000;
+constexpr SimTime kMillisecond = 1000 * kMicrosecond;
+constexpr SimTime kSecond = 1000 * kMillisecond;
+
+/// The step of the world: firmware and world meet at every multiple of it.
+constexpr SimTime kTick = kMillisecond;
+
+/// A time no event ever reaches.
+constexpr SimTime kNever = INT64_MAX;
+
+}  // namespace robosim

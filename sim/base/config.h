@@ -1,0 +1,80 @@
+// TOML as our own small tree, every value with its place, so that messages can point at it. The TOML library is
+// behind config.cpp alone: it takes 450 MB to compile.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/units.h"
+
+namespace robosim {
+
+struct ConfigValue {
+  enum class Kind { boolean, integer, number, string, array, table };
+
+  Kind kind = Kind::table;
+  bool boolean = false;
+  std::int64_t integer = 0;
+  double number = 0.0;  ///< also set for integers
+  std::string string;
+  std::vector<ConfigValue> items;                             ///< of an array
+  std::vector<std::pair<std::string, ConfigValue>> members;   ///< of a table, in the file's order
+  Place place;
+
+  /// The member of that name, or null.
+  const ConfigValue* find(std::string_view key) const;
+};
+
+/// What a kind is called in messages: "a string".
+const char* to_string(ConfigValue::Kind kind);
+
+/// Throws InputError. `first_line` is the line of the file on which `text` begins (front matter).
+ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
+
+/// Reads one table key by key and refuses what nobody asked for.
+///
+///   TableReader reader(table, "[motors]");
+///   const double gear = reader.quantity("gear", Dimension::ratio, 48.0);
+///   reader.finish();  // throws on unknown keys, naming those that exist
+class TableReader {
+ public:
+  /// `what` names the table in messages. Throws InputError if `table` is not a table.
+  TableReader(const ConfigValue& table, std::string what);
+
+  /// The value, or null; the key counts as known from here on.
+  const ConfigValue* find(const char* key);
+  /// The value; throws InputError if it is missing.
+  const ConfigValue& require(const char* key);
+
+  // Each gives `fallback` for a missing key and throws InputError for a value of the wrong kind.
+  std::string string(const char* key, std::string fallback);
+  bool boolean(const char* key, bool fallback);
+  std::int64_t integer(const char* key, std::int64_t fallback, std::int64_t least, std::int64_t most);
+  /// SI; inclusive bounds are SI too.
+  double quantity(const char* key, Dimension dimension, double fallback, double least, double most);
+  /// One of `allowed`.
+  std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
+
+  /// Throws InputError for the first key that was never asked for.
+  void finish() const;
+
+  const ConfigValue& table() const { return table_; }
+
+ private:
+  const ConfigValue& table_;
+  std::string what_;
+  std::vector<std::string> known_;
+};
+
+/// The string in `value`; throws InputError naming `key`.
+const std::string& as_string(const ConfigValue& value, const char* key);
+/// The SI value of a quantity string (or a bare number for ratios), inside the inclusive bounds.
+double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
+std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t least, std::int64_t most);
+bool as_boolean(const ConfigValue& value, const char* key);
+
+}  // namespace robosim

@@ -1,0 +1,64 @@
+// Bad input, told in one sentence: where, what was found, what is allowed.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace robosim {
+
+/// A place in something the user wrote. Line and column count from 1; 0 = not known.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+/// "robot.toml:12:3", as compilers write it; the known parts only.
+std::string to_string(const Place& place);
+
+/// The process's exit statuses: one contract for every command.
+enum class ExitStatus : int {
+  ok = 0,           ///< goal reached, or the check holds
+  failed = 1,       ///< lost, stuck, hung, ended, crashed, over_budget, or a difference found
+  bad_input = 2,    ///< usage, bad file, sketch does not compile
+  internal = 3,     ///< a fault of Robosim's own
+  timeout = 4,      ///< simulated time is up
+  tool_missing = 5, ///< a tool is missing; its remedy is printed
+  interrupted = 130,
+};
+
+/// Something the user gave is wrong. what() reads "PLACE: MESSAGE".
+class InputError : public std::runtime_error {
+ public:
+  InputError(Place place, const std::string& message);
+  explicit InputError(const std::string& message) : InputError(Place{}, message) {}
+  const Place& place() const { return place_; }
+  /// The sentence without its place.
+  const std::string& message() const { return message_; }
+
+ private:
+  Place place_;
+  std::string message_;
+};
+
+/// A program that Robosim needs is not there. The message names the Debian package that brings it.
+class ToolMissing : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "one, two or three": how messages list what is allowed.
+template <typename Names>
+std::string one_of(const Names& names) {
+  std::string text;
+  std::size_t left = std::size(names);
+  for (const auto& name : names) {
+    text += name;
+    --left;
+    if (left) text += left == 1 ? " or " : ", ";
+  }
+  return text;
+}
+
+}  // namespace robosim

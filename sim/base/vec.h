@@ -1,0 +1,42 @@
+// Plane geometry. World frame: x east, y north, metres; headings counter-clockwise from east.
+#pragma once
+
+#include <cmath>
+
+namespace robosim {
+
+struct Vec2 {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator*(Vec2 a, double k) { return {a.x * k, a.y * k}; }
+constexpr Vec2 operator*(double k, Vec2 a) { return a * k; }
+constexpr bool operator==(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
+constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// Positive when b is to the left of a.
+constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+/// A quarter turn counter-clockwise.
+constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
+inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
+/// Where a body is. The heading is kept as a unit vector: it is rotated without trigonometry, which makes a tick
+/// bit-identical on every machine (libm's sine and cosine are not).
+struct Pose {
+  Vec2 position;          ///< m
+  Vec2 heading{1.0, 0.0};  ///< unit vector
+
+  /// A point given in the body's frame (x forward, y left), in the world's.
+  constexpr Vec2 to_world(Vec2 body) const { return position + heading * body.x + left_of(heading) * body.y; }
+  /// The inverse of to_world.
+  constexpr Vec2 to_body(Vec2 world) const {
+    const Vec2 d = world - position;
+    return {dot(heading, d), cross(heading, d)};
+  }
+  /// Radians, -pi..pi. For display and records only: never inside a tick.
+  double yaw() const { return std::atan2(heading.y, heading.x); }
+};
+
+}  // namespace robosim

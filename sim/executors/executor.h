@@ -1,0 +1,57 @@
+// Who executes the firmware. An executor knows pins and time; it knows no robot and no world.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hal/board/board.h"
+
+namespace robosim::executors {
+
+/// A place in the user's sketch; empty and 0 where not known.
+struct SourceLine {
+  std::string function;
+  std::string file;  ///< as the user named it ("Blink.ino")
+  int line = 0;
+};
+
+/// Why firmware can run no further.
+struct Crash {
+  std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
+  SourceLine where;
+};
+
+/// What the firmware did last: lets a verdict say what it waits for.
+struct Activity {
+  SimTime last_call = 0;      ///< when it last called the API (on a chip: accessed I/O outside handlers)
+  std::string call;           ///< that call as the sketch would write it: "digitalRead(2)"
+  Pin pin = kNoPin;           ///< the pin of that call
+  SourceLine where;           ///< where in the sketch the firmware is now
+  std::string stopped_by;     ///< "exit(0)" if the firmware gave up by itself; else empty
+};
+
+class Executor {
+ public:
+  virtual ~Executor() = default;
+
+  /// The seam to the robot. Valid for the executor's whole life, across power cycles.
+  virtual Board& board() = 0;
+
+  /// Loads the firmware afresh and starts it at `t`; all pins are inputs. EEPROM keeps its content.
+  virtual void power_on(SimTime t) = 0;
+  /// Stops the firmware; all pins become inputs without pull-up.
+  virtual void power_off(SimTime t) = 0;
+
+  /// Runs the firmware up to simulated time `t`. Edges and bytes scheduled before arrive at their exact time.
+  /// Returns at once when the firmware is off or has crashed.
+  virtual void run_until(SimTime t) = 0;
+
+  /// Set once the firmware has crashed.
+  virtual const std::optional<Crash>& crash() const = 0;
+  /// Costly (reads debug information): for the end of a run.
+  virtual Activity activity() = 0;
+  /// When the firmware last called the API; cheap.
+  virtual SimTime last_call() const = 0;
+};
+
+}  // namespace robosim::executors

@@ -1,0 +1,105 @@
+// A map: a grid of cells read from text, and what its front matter says. The format is in docs/formats.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace robosim::grid {
+
+enum class Cell : std::uint8_t {
+  floor = 0,
+  line = 1,
+  wall = 2,
+  gap = 3,       ///< part of the line network, but not painted (legend only)
+  obstacle = 4,  ///< line with an obstacle standing on it
+};
+
+constexpr bool is_line(Cell c) { return c == Cell::line || c == Cell::gap || c == Cell::obstacle; }
+
+/// A cell by column and row from the top-left corner, as users type them.
+struct CellAt {
+  int x = 0;
+  int y = 0;
+  bool operator==(const CellAt&) const = default;
+};
+
+/// Clockwise, as they lie on the map (y grows southward).
+enum class Direction : std::uint8_t { east, south, west, north };
+
+constexpr Direction turned_right(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 1) & 3); }
+constexpr Direction turned_left(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 3) & 3); }
+constexpr Direction reversed(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 2) & 3); }
+constexpr CellAt ahead(CellAt c, Direction d) {
+  constexpr int dx[] = {1, 0, -1, 0};
+  constexpr int dy[] = {0, 1, 0, -1};
+  return {c.x + dx[static_cast<int>(d)], c.y + dy[static_cast<int>(d)]};
+}
+/// 'E', 'S', 'W' or 'N'.
+constexpr char letter(Direction d) { return "ESWN"[static_cast<int>(d)]; }
+/// The direction as a unit vector of the world frame (y north).
+constexpr Vec2 heading(Direction d) {
+  constexpr Vec2 of[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}};
+  return of[static_cast<int>(d)];
+}
+
+/// Where a robot begins.
+struct Start {
+  CellAt cell;
+  Direction facing = Direction::east;
+};
+
+/// A station named in the map's front matter.
+struct NamedStation {
+  std::string name;
+  CellAt cell;
+};
+
+struct Map {
+  std::string file;           ///< as the user named it; for messages
+  std::string name;           ///< front matter, else the file's stem
+  int width = 0;              ///< cells
+  int height = 0;             ///< cells
+  std::vector<Cell> cells;    ///< row by row from the top
+  double cell_m = 0.100;      ///< side of a cell
+  double line_m = 0.020;      ///< width of the stripe
+  double corner_m = 0.0;      ///< radius that replaces each bend; 0 = square
+  bool raster = false;        ///< floor = "raster": whole cells are painted, instead of stripes
+  std::optional<Start> start; ///< from [start] or S
+  std::string goal;           ///< the front matter's goal, "" = none
+  std::optional<CellAt> goal_cell;  ///< from G or [goal]
+  std::vector<NamedStation> stations;
+  std::string generator;      ///< name, version and seed, where a generator wrote the map
+  std::string sha256;         ///< of the file's bytes
+
+  bool contains(CellAt c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  /// Outside the map everything is wall.
+  Cell at(CellAt c) const {
+    if (!contains(c)) return Cell::wall;
+    return cells[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x)];
+  }
+  /// The centre of a cell in the world frame: metres, x east, y north, origin at the map's bottom-left corner.
+  Vec2 centre(CellAt c) const { return {(c.x + 0.5) * cell_m, (height - 1 - c.y + 0.5) * cell_m}; }
+};
+
+/// Reads a map file. Throws InputError with file, line, column, what was found and what is allowed.
+Map read_map(const std::filesystem::path& path);
+/// The same from text; `file` is for messages.
+Map parse_map(std::string_view text, const std::string& file);
+
+/// A map by what users type: a path if it holds '/' or '.', else the sample map of that name. Throws InputError
+/// naming the samples that exist.
+std::filesystem::path find_map(const std::string& name);
+
+/// "13,2,E" or "13,2" (then the facing rule applies). Throws InputError.
+Start parse_start(const Map& map, std::string_view text);
+/// The start by DESIGN's rule: [start] or S, else the first dead end in row order, else the first line cell; facing
+/// its only line neighbour, or the first in the order E S W N. Throws InputError if the map has no line.
+Start default_start(const Map& map);
+
+}  // namespace robosim::grid

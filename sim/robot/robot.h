@@ -1,0 +1,62 @@
+// A robot: parts, wired to a board's pins, on a body in the world.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/base/vec.h"
+
+namespace robosim::world {
+class World;
+class Body;
+}  // namespace robosim::world
+
+namespace robosim::robot {
+
+/// How far reality is let in. `ideal`: no noise, no spread, frozen for ever. `typical`: sourced noise and spread.
+enum class Profile { ideal, typical };
+
+/// A robot file, read and checked (description.h, by the owner of sim/robot).
+struct Description;
+
+/// Reads a robot file or a stock robot by name. Throws InputError.
+Description load_description(const std::string& name_or_path);
+
+/// A level for people to look at: noise-free, consumes no sample.
+struct Reading {
+  std::string part;    ///< "S1" … for elements of an array, else the part's name
+  double value;        ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
+};
+
+class Robot {
+ public:
+  /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name).
+  Robot(const Description&, world::World&, std::size_t body, Board&, std::uint64_t seed, Profile,
+        std::uint32_t number = 0);
+
+  /// Step (1) of a tick: parts schedule their edges from the state at `t`.
+  void begin_tick(SimTime t);
+  /// Step (3): motor commands become the time average of their pins over the tick that ends at `t`.
+  void end_tick(SimTime t);
+
+  /// Whether any reflectance sensor's footprint touches the line, without noise.
+  bool sees_line() const;
+  /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here.
+  Vec2 sensor_midpoint() const;
+  /// Whether the last tick's commands drive a motor.
+  bool driven() const;
+
+  // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
+  void press(const std::string& part, SimTime t);
+  void release(const std::string& part, SimTime t);
+  void cover(const std::string& part, bool covered);
+  void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
+
+  std::vector<Reading> readings() const;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,50 @@
+#include "sim/base/config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim {
+namespace {
+
+std::string error_of(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(Config, KeepsTheOrderOfTheFileAndThePlaceOfEachValue) {
+  const ConfigValue v = parse_toml("zebra = 1\napple = \"2 mm\"\n", "f.toml", 5);
+  ASSERT_EQ(v.members.size(), 2u);
+  EXPECT_EQ(v.members[0].first, "zebra");
+  EXPECT_EQ(to_string(v.members[1].second.place), "f.toml:6:9");
+}
+
+TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
+  const ConfigValue v = parse_toml("with = 1\n", "f.toml");
+  EXPECT_EQ(error_of([&] {
+              TableReader r(v, "[map]");
+              r.integer("width", 0, 0, 9);
+              r.finish();
+            }),
+            "f.toml:1:8: unknown key with in [map]; known are width");
+}
+
+TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
+  const ConfigValue v = parse_toml("a = 5\nb = \"5 kg\"\nc = \"5 m\"\nd = []\n", "f.toml");
+  TableReader r(v, "x");
+  const auto length = [&](const char* key) { return error_of([&] { r.quantity(key, Dimension::length, 0, 0, 1); }); };
+  EXPECT_THAT(length("a"), testing::HasSubstr("a is 5 without a unit; write it as a string with one of mm, cm, m or in"));
+  EXPECT_THAT(length("b"), testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
+  EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 in SI units; it must be from 0 to 1"));
+  EXPECT_THAT(length("d"), testing::HasSubstr("d is an array"));
+}
+
+TEST(Config, PointsAtASyntaxError) {
+  EXPECT_THAT(error_of([] { parse_toml("a = \nb = 1\n", "f.toml"); }), testing::HasSubstr("f.toml:1"));
+}
+
+}  // namespace
+}  // namespace robosim

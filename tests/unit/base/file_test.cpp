@@ -1,0 +1,31 @@
+#include "sim/base/file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace robosim {
+
+TEST(File, WritesAndReadsBack) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "robosim_file_test";
+  write_file(path, std::string_view("a\0b\n", 4));
+  EXPECT_EQ(read_file(path), std::string("a\0b\n", 4));
+  std::filesystem::remove(path);
+}
+
+TEST(File, SaysWhichFileCannotBeReadAndWhy) {
+  try {
+    read_file("/nonexistent/x");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "/nonexistent/x: cannot be read: No such file or directory");
+  }
+  EXPECT_THROW(read_file("/"), InputError);
+}
+
+TEST(File, HashesBySha256) {  // FIPS 180-2, appendix B.1
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+}  // namespace robosim
