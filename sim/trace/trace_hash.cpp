@@ -1,0 +1,56 @@
+#include "sim/trace/trace_hash.h"
+
+#define XXH_STATIC_LINKING_ONLY
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <bit>
+
+namespace robosim::trace {
+
+static_assert(std::endian::native == std::endian::little, "trace hashes are defined on little-endian words");
+
+struct TraceHash::State {
+  XXH3_state_t hash;
+};
+
+namespace {
+// Tags keep records of different kinds apart. A pose needs none: it comes once a tick.
+constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
+constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
+}  // namespace
+
+TraceHash::TraceHash() : state_(std::make_unique<State>()) { XXH3_64bits_reset(&state_->hash); }
+TraceHash::~TraceHash() = default;
+
+void TraceHash::pose(const Pose& pose) {
+  word(std::bit_cast<std::uint64_t>(pose.position.x));
+  word(std::bit_cast<std::uint64_t>(pose.position.y));
+  word(std::bit_cast<std::uint64_t>(pose.heading.x));
+  word(std::bit_cast<std::uint64_t>(pose.heading.y));
+}
+
+void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
+  word(kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
+       static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm));
+  word(static_cast<std::uint64_t>(t));
+  word(std::bit_cast<std::uint64_t>(drive.duty));
+  word(drive.tone_hz);
+}
+
+void TraceHash::serial(std::uint8_t byte, SimTime t) {
+  word(kSerialTag | byte);
+  word(static_cast<std::uint64_t>(t));
+}
+
+void TraceHash::flush() {
+  XXH3_64bits_update(&state_->hash, words_.data(), used_ * sizeof words_[0]);
+  used_ = 0;
+}
+
+std::string TraceHash::text() {
+  flush();
+  return fmt::format("1:{:016x}", XXH3_64bits_digest(&state_->hash));
+}
+
+}  // namespace robosim::trace

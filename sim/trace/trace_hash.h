@@ -1,0 +1,44 @@
+// The fingerprint of a run: two runs are the same run if and only if their hashes are equal.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "hal/board/board.h"
+#include "sim/base/vec.h"
+
+namespace robosim::trace {
+
+/// Hashes what a run did: the bits of every pose, every change of a pin or its PWM, every byte sent. Nothing that is
+/// merely observed enters, so recording more never changes it. XXH3-64 over 64-bit little-endian words.
+class TraceHash {
+ public:
+  TraceHash();
+  ~TraceHash();
+
+  /// The pose at the end of a tick. Called once a tick: the hash needs no time for it.
+  void pose(const Pose& pose);
+  void pin(Pin pin, const PinDrive& drive, SimTime t);
+  void serial(std::uint8_t byte, SimTime t);
+
+  /// "1:" and 16 hexadecimal digits; the number is the version of this definition.
+  std::string text();
+
+ private:
+  struct State;
+
+  void word(std::uint64_t value) {
+    words_[used_++] = value;
+    if (used_ == words_.size()) flush();
+  }
+  void flush();
+
+  std::unique_ptr<State> state_;
+  std::array<std::uint64_t, 512> words_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace robosim::trace
