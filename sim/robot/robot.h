@@ -57,6 +57,12 @@ class Robot {
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
 
   std::vector<Reading> readings() const;
+
+  /// Every wired pin, in the order of the robot file.
+  std::vector<WiredPin> wiring() const;
+  /// The last tick's motor commands, -1..1, for display.
+  double left_command() const;
+  double right_command() const;
 };
 
 }  // namespace robosim::robot
