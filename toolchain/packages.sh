@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# toolchain/packages.sh GROUP...: installs what is missing of these groups of packages.txt.
+#
+# With a terminal it prints the command and asks; as root without one (CI, a container) it goes ahead; as anyone else
+# without one it prints the command and ends with status 5, as it does when the installation fails. It says nothing
+# and needs no network when all is there. Its own words and apt's go to stderr.
+set -euo pipefail
+
+list=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/packages.txt
+
+fail() {
+  printf 'robosim: %s\n' "$@" >&2
+  exit 5
+}
+
+packages_of() {  # GROUP...
+  local line word group=
+  while read -r line; do
+    word=${line%%[ #]*}
+    case $word in
+      '') ;;
+      '['*']') group=${word:1:-1} ;;
+      *) [[ " $* " != *" $group "* ]] || printf '%s\n' "$word" ;;
+    esac
+  done <"$list"
+}
+
+missing_of() {  # PACKAGE...
+  local package state installed=' '
+  while read -r package state; do
+    [[ $state != installed ]] || installed+="$package "
+  done < <(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2>/dev/null)
+  for package; do
+    [[ $installed == *" $package "* ]] || printf '%s\n' "$package"
+  done
+}
+
+if ! command -v dpkg-query >/dev/null; then
+  exit 0  # not a Debian: CMake and the build say what they miss
+fi
+mapfile -t wanted < <(packages_of "$@")
+((${#wanted[@]})) || fail "no group '$*' in $list"
+mapfile -t missing < <(missing_of "${wanted[@]}")
+((${#missing[@]})) || exit 0
+
+as_root=()
+((EUID == 0)) || as_root=(sudo)
+install=(apt-get install --no-install-recommends "${missing[@]}")
+printf 'robosim: these packages are missing; this installs them:\n\n  %s\n\n' "${as_root[*]:+${as_root[*]} }${install[*]}" >&2
+
+if [[ -t 0 && -t 2 ]]; then
+  ((EUID == 0)) || command -v sudo >/dev/null || fail 'there is no sudo here: run that command as root, then try again'
+  read -r -p 'Install them now? [Y/n] ' answer || answer=no
+  case $answer in
+    '' | [Yy]*) ;;
+    *) fail 'nothing was installed: run that command yourself, then try again' ;;
+  esac
+elif ((EUID != 0)); then
+  fail 'there is no terminal to ask on: run that command yourself, then try again'
+fi
+
+# Without a network these end within seconds; another apt at work is waited for for a minute.
+options=(-y -o Acquire::Retries=1 -o Acquire::http::Timeout=8 -o Acquire::https::Timeout=8 -o DPkg::Lock::Timeout=60)
+environment=(env DEBIAN_FRONTEND=noninteractive 'RES_OPTIONS=timeout:2 attempts:1')
+run_apt() {
+  # A failing update is no failure yet: the lists that are here may do.
+  "${as_root[@]}" "${environment[@]}" apt-get "${options[@]}" update &&
+    "${as_root[@]}" "${environment[@]}" "${install[0]}" "${options[@]}" "${install[@]:1}"
+}
+
+if [[ -t 2 ]]; then
+  run_apt </dev/null >&2 || fail "apt-get could not install them (is there a network?): ${missing[*]}"
+else
+  log=$(mktemp)
+  trap 'rm -f "$log"' EXIT
+  run_apt </dev/null >"$log" 2>&1 || {
+    tail -n 15 "$log" >&2
+    fail "apt-get could not install them (is there a network?): ${missing[*]}"
+  }
+fi
