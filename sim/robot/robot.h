@@ -56,6 +56,11 @@ class Robot {
   void cover(const std::string& part, bool covered);
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
 
+  // Whether the calls above would be accepted: they throw the same InputError, and change nothing.
+  void check_press(const std::string& part) const;
+  void check_cover(const std::string& part) const;
+  void check_fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments) const;
+
   std::vector<Reading> readings() const;
 
   /// Every wired pin, in the order of the robot file.
