@@ -13,6 +13,7 @@
 namespace robosim::world {
 class World;
 class Body;
+struct BodyParams;
 }  // namespace robosim::world
 
 namespace robosim::robot {
@@ -25,6 +26,9 @@ struct Description;
 
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& name_or_path);
+
+/// The body of this robot, with its spread drawn from (seed, number). Include sim/world/body.h to use it.
+world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 /// A level for people to look at: noise-free, consumes no sample.
 struct Reading {
@@ -45,6 +49,8 @@ class Robot {
 
   /// Whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
+  /// Whether it has any reflectance sensor.
+  bool has_line_sensors() const;
   /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here.
   Vec2 sensor_midpoint() const;
   /// Whether the last tick's commands drive a motor.
