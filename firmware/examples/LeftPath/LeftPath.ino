@@ -1,0 +1,22 @@
+// Tours a floor of lines with three digital sensors: at each junction it takes the left branch if there is one, and at the end
+// of a line it turns round. Without closed loops it so visits every station and comes home.
+
+#include <LineKit.h>
+
+const uint8_t SENSOR_PINS[] = {A0, A1, A2};  // left, middle, right: HIGH on the line
+
+DigitalLineSensors sensors(SENSOR_PINS, HIGH);
+DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));
+PathFollower path(PathFollower::Side::left, PathFollower::Settings());
+
+void setup() {
+  sensors.begin();
+  motors.begin();
+}
+
+void loop() {
+  sensors.read();
+  path.update(sensors.onLine(0), sensors.onLine(1), sensors.onLine(2), millis());
+  motors.drive(path.leftSpeed(), path.rightSpeed());
+  delay(2);
+}

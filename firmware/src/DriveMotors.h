@@ -1,0 +1,93 @@
+// The two motors of a robot with a wheel on each side.
+//
+// A motor driver (H-bridge) takes two things for each motor: a direction and a duty, the share of time for
+// which the motor gets the battery. There are two common ways to wire it, told apart here by how many pins
+// you name:
+//
+//   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
+//                              TB6612: the same, its PWM pin being `en`; its STBY pin must be HIGH (see
+//                              DriveMotors).
+//   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is forward, on
+//   IN2 backward.
+//
+// Pins that get PWM must have it: 3, 5, 6, 9, 10, 11 on an Uno.
+//
+// Speeds are -255 (full backward) .. 255 (full forward); more is cut off, not wrapped round. They are duties,
+// not metres per second: a motor also needs a smallest duty to turn at all (an L298N about 30 to 60).
+// setSmallestDuty() tells it, and then speed 1 just turns and 255 is full speed:
+//
+//   duty = smallest + (255 - smallest) * speed / 255
+//
+// If a motor runs the wrong way, swap its two wires, its two pins here, or call setReversed(true).
+//
+// Example:
+//
+//   DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));
+//   void setup() { motors.begin(); motors.drive(150, 150); delay(500); motors.stop(); }
+#ifndef LINEKIT_DRIVE_MOTORS_H
+#define LINEKIT_DRIVE_MOTORS_H
+
+#include <Arduino.h>
+
+class DriveMotor {
+ public:
+  static const uint8_t kNoPin = 255;
+
+  /// Driver with an enable (or PWM) pin and two direction pins.
+  DriveMotor(uint8_t enable, uint8_t in1, uint8_t in2) : enable_(enable), in1_(in1), in2_(in2) {}
+  /// Driver with PWM on its two inputs.
+  DriveMotor(uint8_t in1, uint8_t in2) : enable_(kNoPin), in1_(in1), in2_(in2) {}
+
+  void setReversed(bool reversed) { reversed_ = reversed; }
+  /// The duty, 0..254, at which the motor just turns.
+  void setSmallestDuty(uint8_t duty) { smallest_ = duty < 255 ? duty : 254; }
+
+  /// Makes the pins outputs, the motor off.
+  void begin();
+  /// -255..255; 0 lets the motor run out.
+  void drive(int16_t speed);
+  /// Shorts the motor, which stops it sooner than drive(0).
+  void brake();
+
+  /// The duty for a speed of 0..255, see above.
+  static uint8_t dutyFor(uint8_t speed, uint8_t smallest);
+
+ private:
+  uint8_t enable_, in1_, in2_;
+  uint8_t smallest_ = 0;
+  bool reversed_ = false;
+};
+
+class DriveMotors {
+ public:
+  /// `standby` is a TB6612's STBY (or a DRV8833's SLEEP) pin, which begin() makes HIGH; leave it out if it is
+  /// wired to 5 V.
+  DriveMotors(const DriveMotor& left, const DriveMotor& right, uint8_t standby = DriveMotor::kNoPin)
+      : left_(left), right_(right), standby_(standby) {}
+
+  void begin();
+  /// -255..255 each, see above. Equal speeds drive straight on, opposite ones turn on the spot.
+  void drive(int16_t left, int16_t right) {
+    left_.drive(left);
+    right_.drive(right);
+  }
+  void stop() { drive(0, 0); }
+  void brake() {
+    left_.brake();
+    right_.brake();
+  }
+  void setReversed(bool left, bool right) {
+    left_.setReversed(left);
+    right_.setReversed(right);
+  }
+  void setSmallestDuty(uint8_t duty) {
+    left_.setSmallestDuty(duty);
+    right_.setSmallestDuty(duty);
+  }
+
+ private:
+  DriveMotor left_, right_;
+  uint8_t standby_;
+};
+
+#endif

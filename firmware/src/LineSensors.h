@@ -1,0 +1,155 @@
+// Reflectance sensors that look for a line on the floor.
+//
+// Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. Three kinds are sold,
+// which differ in how the chip reads them:
+//
+//   AnalogLineSensors    a voltage, by analogRead. Shades of grey, so the line's position is known between
+//   two sensors. RcLineSensors        a time: the pin charges a small capacitor, then the phototransistor
+//   drains it, quickly over white,
+//                        slowly over black. Shades of grey on any digital pin, but slower (up to `timeout_us`
+//                        per reading).
+//   DigitalLineSensors   a comparator's yes or no, by digitalRead. Robust, but the line is only "here" or
+//   "not here".
+//
+// Pins are listed from the LEFT end of the robot to the RIGHT.
+//
+// Values. read() turns every raw reading into 0 (floor) .. 1000 (line), by the sensor's own two ends of the
+// scale, because no two sensors are alike and light and height above the floor differ:
+//
+//   value = 1000 * (raw - floor) / (line - floor),   cut off at 0 and 1000
+//
+// Tell the ends by setRange(), or let calibrate() find them while the robot is moved across the line for a
+// second or two.
+//
+// Position. The mean place of the line, each sensor weighing as much as it sees:
+//
+//   position = sum(value * place) / sum(value),   place of sensor i = 1000 * i - 500 * (count - 1)
+//
+// in thousandths of the distance between two sensors: 0 is the middle of the array, negative left, positive
+// right. With five sensors it goes from -2000 to 2000. If no sensor sees the line, position() is the end of
+// the array where the line was last, so that a robot that has run off turns back.
+//
+// The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno ends at
+// 32,767.
+//
+// Example:
+//
+//   const uint8_t pins[] = {A0, A1, A2, A3, A4};
+//   AnalogLineSensors sensors(pins);
+//   void setup() { sensors.begin(); sensors.setRange(100, 800); }
+//   void loop() { sensors.read(); Serial.println(sensors.position()); delay(50); }
+#ifndef LINEKIT_LINE_SENSORS_H
+#define LINEKIT_LINE_SENSORS_H
+
+#include <Arduino.h>
+
+class LineSensors {
+ public:
+  static const uint8_t kMaxSensors = 8;
+  static const uint16_t kFullScale = 1000;
+  /// Values below this do not weigh in the position: reflections of the bare floor are never quite 0.
+  static const uint16_t kFaint = 50;
+  /// With no value of at least this, no sensor sees the line.
+  static const uint16_t kSeen = 200;
+  /// From this on, a sensor stands on the line rather than beside it.
+  static const uint16_t kOnLine = 500;
+
+  /// Sets the pins' modes. Call it in setup().
+  void begin();
+  /// A pin that switches the sensors' lamps on (CTRL, LEDON); call before begin(), which switches them on.
+  void setEmitterPin(uint8_t pin) { emitter_ = pin; }
+
+  /// What all sensors read on the bare floor and on the line. `line` may be the smaller one: that is how a
+  /// white line on a black floor, or a sensor that gives less voltage over black, is told.
+  void setRange(uint16_t floor, uint16_t line);
+  /// The same for one sensor.
+  void setRange(uint8_t sensor, uint16_t floor, uint16_t line);
+
+  /// Forgets the range, so that calibrate() starts anew. `line_reads_high`: whether the line gives the larger
+  /// readings.
+  void startCalibration(bool line_reads_high = true);
+  /// Reads once and widens each sensor's range to what it saw. Call it many times while all sensors cross the
+  /// line.
+  void calibrate();
+
+  /// Reads all sensors.
+  void read();
+
+  uint8_t count() const { return count_; }
+  uint16_t raw(uint8_t sensor) const { return raw_[sensor]; }
+  uint16_t value(uint8_t sensor) const { return value_[sensor]; }  ///< 0 floor .. 1000 line
+  bool onLine(uint8_t sensor) const { return value_[sensor] >= kOnLine; }
+  bool seesLine() const { return seen_; }  ///< whether any sensor does
+  int16_t position() const { return position_; }
+
+  /// The formulas above, for any values.
+  static uint16_t scaled(uint16_t raw, uint16_t floor, uint16_t line);
+  static int16_t weightedPosition(const uint16_t* values, uint8_t count, int16_t if_not_seen);
+
+ protected:
+  LineSensors(const uint8_t* pins, uint8_t count, uint16_t floor, uint16_t line);
+  virtual void beginPin(uint8_t pin) = 0;
+  /// Fills `raw`, one for each of pins_.
+  virtual void readRaw(uint16_t* raw) = 0;
+
+  uint8_t pins_[kMaxSensors];
+  uint8_t count_;
+
+ private:
+  uint8_t emitter_ = 255;
+  bool line_reads_high_ = true;
+  bool seen_ = false;
+  int16_t position_ = 0;
+  uint16_t floor_[kMaxSensors];
+  uint16_t line_[kMaxSensors];
+  uint16_t raw_[kMaxSensors];
+  uint16_t value_[kMaxSensors];
+};
+
+/// Read by analogRead: 0..1023.
+class AnalogLineSensors : public LineSensors {
+ public:
+  template <uint8_t N>
+  explicit AnalogLineSensors(const uint8_t (&pins)[N]) : LineSensors(pins, N, 0, 1023) {
+    static_assert(N <= kMaxSensors, "at most 8 sensors");
+  }
+
+ protected:
+  void beginPin(uint8_t pin) override;
+  void readRaw(uint16_t* raw) override;
+};
+
+/// Read by digitalRead: raw 0 or 1.
+class DigitalLineSensors : public LineSensors {
+ public:
+  /// `on_line`: the level that means "line", HIGH or LOW. Sold modules have either.
+  template <uint8_t N>
+  explicit DigitalLineSensors(const uint8_t (&pins)[N], uint8_t on_line = HIGH)
+      : LineSensors(pins, N, on_line == HIGH ? 0 : 1, on_line == HIGH ? 1 : 0) {
+    static_assert(N <= kMaxSensors, "at most 8 sensors");
+  }
+
+ protected:
+  void beginPin(uint8_t pin) override;
+  void readRaw(uint16_t* raw) override;
+};
+
+/// Read by timing the discharge: raw is microseconds, at most `timeout_us`.
+class RcLineSensors : public LineSensors {
+ public:
+  /// `timeout_us`: what takes longer counts as black; 1000..3000 is useful, 2500 usual.
+  template <uint8_t N>
+  explicit RcLineSensors(const uint8_t (&pins)[N], uint16_t timeout_us = 2500)
+      : LineSensors(pins, N, 0, timeout_us), timeout_us_(timeout_us) {
+    static_assert(N <= kMaxSensors, "at most 8 sensors");
+  }
+
+ protected:
+  void beginPin(uint8_t pin) override;
+  void readRaw(uint16_t* raw) override;
+
+ private:
+  uint16_t timeout_us_;
+};
+
+#endif

@@ -1,0 +1,64 @@
+// A PID controller: how hard to steer against an error.
+//
+//   output = kp * e  +  ki * integral of e dt  +  kd * de/dt,   limited to [lowest, highest]
+//
+//   kp   reacts to how far off you are now. Too much of it and the robot swings.
+//   kd   reacts to how fast that changes, and damps the swing.
+//   ki   removes what stays, such as one motor being weaker than the other. Line followers need little or
+//   none.
+//
+// Units: whatever the error has; time in seconds. With an error in sensor pitches and an output in PWM steps,
+// kp is PWM steps per pitch, ki PWM steps per pitch and second, kd PWM steps per pitch per second.
+//
+// Two things that a textbook formula forgets and a robot needs:
+// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or the
+// robot keeps turning
+//   long after the error is gone. Here the integral waits ("conditional integration").
+// - The first call has no previous error, so it has no derivative. Call reset() whenever control begins anew.
+//
+// Example: steer by the line's position every 5 ms.
+//
+//   PidController pid(60, 0, 4);
+//   void setup() { pid.setLimits(-150, 150); }
+//   void loop() {
+//     sensors.read();
+//     float turn = pid.update(sensors.position() / 1000.0, 0.005);
+//     motors.drive(180 + turn, 180 - turn);
+//     delay(5);
+//   }
+#ifndef LINEKIT_PID_CONTROLLER_H
+#define LINEKIT_PID_CONTROLLER_H
+
+class PidController {
+ public:
+  PidController(float kp, float ki, float kd) : kp_(kp), ki_(ki), kd_(kd) {}
+
+  void setGains(float kp, float ki, float kd);
+  /// Bounds of the output; no bounds until this is called. If they are given the wrong way round they are
+  /// swapped.
+  void setLimits(float lowest, float highest);
+  /// Smooths the derivative over about `seconds`, against noisy sensors; 0 (the default) = no smoothing.
+  void setDerivativeSmoothing(float seconds) { smoothing_ = seconds > 0 ? seconds : 0; }
+
+  /// One step: the new output. `dt` is the time since the last call, in seconds; with 0 or less there is no
+  /// time for integral and derivative to change.
+  float update(float error, float dt);
+
+  /// Forgets integral and derivative, as if never called.
+  void reset();
+
+  float integral() const { return integral_; }  ///< error * seconds
+
+ private:
+  float limited(float output) const;
+
+  float kp_, ki_, kd_;
+  float lowest_ = -3.4e38f, highest_ = 3.4e38f;
+  float smoothing_ = 0;
+  float integral_ = 0;
+  float last_error_ = 0;
+  float slope_ = 0;
+  bool started_ = false;
+};
+
+#endif

@@ -1,0 +1,59 @@
+// A push button, debounced, that never makes the program wait.
+//
+// Contacts bounce: for some milliseconds after a press the pin goes up and down. So a new level counts only
+// once it has stayed for the debounce time. update() looks at the pin once; call it in every loop(), as often
+// as you like.
+//
+// Wiring: between the pin and ground (the default: the chip's own pull-up keeps the pin HIGH, a press makes
+// it LOW), or with `PushButton::PressedIs::high` between the pin and 5 V with a resistor of 10 kilohm from
+// the pin to ground.
+//
+// Example:
+//
+//   PushButton start_button(2);
+//   void setup() { start_button.begin(); }
+//   void loop() {
+//     start_button.update();
+//     if (start_button.wasPressed()) running = !running;
+//   }
+#ifndef LINEKIT_PUSH_BUTTON_H
+#define LINEKIT_PUSH_BUTTON_H
+
+#include <Arduino.h>
+
+class PushButton {
+ public:
+  enum class PressedIs : uint8_t { low, high };
+
+  /// `debounce_ms`: how long a level must stay before it counts; 20 ms suits most buttons.
+  explicit PushButton(uint8_t pin, PressedIs pressed_is = PressedIs::low, uint8_t debounce_ms = 20)
+      : pin_(pin), debounce_ms_(debounce_ms), pressed_is_(pressed_is) {}
+
+  /// Sets the pin's mode and takes its present level as the state, so that a button held at power-on is
+  /// pressed at once.
+  void begin();
+  /// Looks at the pin.
+  void update();
+
+  bool isPressed() const { return pressed_; }
+  /// True once for each press, that is, until update() is called again.
+  bool wasPressed() const { return changed_ && pressed_; }
+  /// True once for each release.
+  bool wasReleased() const { return changed_ && !pressed_; }
+  /// How long the present state has lasted, in ms.
+  uint32_t heldFor() const { return millis() - changed_at_; }
+
+ private:
+  bool look() const { return (digitalRead(pin_) == HIGH) == (pressed_is_ == PressedIs::high); }
+
+  uint8_t pin_;
+  uint8_t debounce_ms_;
+  PressedIs pressed_is_;
+  bool pressed_ = false;
+  bool changed_ = false;
+  bool candidate_ = false;
+  uint32_t candidate_since_ = 0;
+  uint32_t changed_at_ = 0;
+};
+
+#endif
