@@ -1,0 +1,168 @@
+// What a runner is asked, and what it says: docs/runner-protocol.md as C++ values.
+//
+// Times are simulated. Lengths are millimetres, angles radians; world coordinates have x east and y north,
+// with the origin at the map's bottom-left corner.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace robosim::client {
+
+/// Who answers at the other end of the pipe.
+struct Hello {
+  std::string program;  ///< "robosim-host"
+  int protocol = 0;
+  std::string version;  ///< of Robosim: "0.1.0"
+  std::string target;   ///< "host"
+};
+
+/// A robot as a client may see it.
+struct RobotInfo {
+  struct Board {
+    std::string name;   ///< "uno"
+    std::string fqbn;   ///< "arduino:avr:uno"
+    std::string macro;  ///< "ARDUINO_AVR_UNO"
+  };
+  struct Sensor {
+    std::string name;
+    double x_mm = 0.0;  ///< forward of the axle's centre
+    double y_mm = 0.0;  ///< left of it
+  };
+  struct Part {
+    std::string name;
+    std::string type;  ///< "motor"
+    std::vector<std::pair<std::string, std::string>>
+        pins;  ///< what the pin is for, and the pin: {"in1", "8"}
+  };
+  std::string name;
+  std::string file;
+  std::string sha256;
+  Board board;
+  std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
+  std::vector<Sensor> sensors;
+  std::vector<Part> parts;
+};
+
+/// One simulation.
+struct RunRequest {
+  std::string image;                      ///< path of the firmware image
+  std::string map;                        ///< path
+  std::string robot;                      ///< name or path
+  std::string start;                      ///< "X,Y,DIR"; empty = the map's
+  std::string goal;                       ///< empty = the map's
+  std::int64_t for_ns = 600'000'000'000;  ///< simulated time
+  std::uint64_t seed = 1;
+  std::string profile = "typical";     ///< or "ideal"
+  std::string script;                  ///< text of a scenario
+  std::string script_file = "script";  ///< its name in messages
+  std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
+  bool pins = false;                   ///< stream pin changes
+  bool serial = false;                 ///< stream what the firmware prints
+  bool notes = false;                  ///< stream what happens: "station 2 visited"
+};
+
+/// Sent once, before everything else.
+struct Started {
+  struct Station {
+    int id = 0;
+    std::string name;
+    int x = 0;  ///< column, from the left
+    int y = 0;  ///< row, from the top
+  };
+  int x = 0;  ///< start: column
+  int y = 0;  ///< start: row
+  char facing = 'E';
+  std::string goal;
+  std::vector<Station> stations;
+  std::vector<std::string> readings;  ///< names of Sample::readings
+};
+
+struct Sample {
+  std::int64_t t_us = 0;
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double yaw_rad = 0.0;
+  double speed_mm_s = 0.0;
+  double cross_track_mm = 0.0;
+  double left = 0.0;             ///< command of the left motor, -1..1
+  double right = 0.0;            ///< command of the right motor, -1..1
+  std::vector<double> readings;  ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
+};
+
+struct PinChange {
+  std::int64_t t_ns = 0;
+  std::string pin;   ///< "D5"
+  std::string mode;  ///< "input", "input_pullup" or "output"
+  bool level = false;
+  bool pwm = false;
+  double duty = 0.0;
+};
+
+struct SerialText {
+  std::int64_t t_ns = 0;
+  std::string text;
+};
+
+struct Note {
+  std::int64_t t_ns = 0;
+  std::string text;
+};
+
+using Event = std::variant<Started, Sample, PinChange, SerialText, Note>;
+/// Called for every event, in the order of simulated time. While it does not return, the runner is held up by
+/// the full pipe; no result depends on that.
+using OnEvent = std::function<void(const Event&)>;
+
+/// Figures of a run; docs/formats.md says how each is measured.
+struct Metrics {
+  double distance_m = 0.0;
+  std::vector<double> laps_s;
+  double cross_track_rms_mm = 0.0;
+  double cross_track_max_mm = 0.0;
+  double off_line_s = 0.0;
+  int collisions = 0;
+  double energy_j = 0.0;
+  std::vector<std::string> stations;  ///< visited ones, by name, in the order of the first visit
+  int junctions = 0;
+};
+
+/// Where and why the firmware crashed; empty and 0 where not known.
+struct Crash {
+  std::string reason;
+  std::string function;
+  std::string file;
+  int line = 0;
+};
+
+struct RunResult {
+  struct Entry {
+    double t_s = 0.0;
+    std::string text;
+  };
+  std::string verdict;  ///< "reached", "lost", …
+  std::string why;      ///< one sentence
+  std::string next;     ///< what to try next; may be empty
+  int status = 0;       ///< exit status that belongs to the verdict
+  double time_s = 0.0;
+  std::string goal;
+  double for_s = 0.0;
+  std::uint64_t seed = 1;
+  std::string profile;
+  Metrics metrics;
+  std::optional<Crash> crash;
+  std::vector<Entry> events;  ///< the last ones
+  std::string serial;
+  std::string trace_hash;
+  std::string map_sha256;
+  std::string robot_sha256;
+  std::string image_sha256;
+};
+
+}  // namespace robosim::client

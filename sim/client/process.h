@@ -1,0 +1,45 @@
+// A child process that is spoken with by lines.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace robosim::client {
+
+/// Starts a program with its standard input and output in our hands, in a process group of its own, so that
+/// Ctrl-C in a terminal reaches us alone. Standard error is shared with it. Nothing else of ours is
+/// inherited. The destructor ends the program and whatever it forked, and leaves no zombie.
+class Process {
+ public:
+  /// Throws std::system_error if the program cannot be started.
+  explicit Process(const std::filesystem::path& program);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// False if the program no longer listens.
+  bool write(std::string_view text);
+  /// The next line without its line feed, valid until the next call; nothing at the end of the output (an
+  /// unfinished last line is dropped) or when `timeout_ms` of wall time have passed; -1 = wait for ever.
+  std::optional<std::string_view> read_line(int timeout_ms = -1);
+
+  /// Sends a signal to the program's whole process group. Async-signal-safe.
+  void signal(int number) const;
+  /// No more input. Waits for the end, at most a second; then kills. Says how it ended: "ended with status
+  /// 3", "was ended by signal 11 (Segmentation fault)".
+  std::string finish();
+
+ private:
+  std::string ending_;
+  pid_t pid_ = -1;
+  int requests_ = -1;  // socket to its standard input
+  int answers_ = -1;   // pipe from its standard output
+  std::string buffer_;
+  std::size_t next_ = 0;  // where in buffer_ the next line begins
+};
+
+}  // namespace robosim::client

@@ -1,0 +1,38 @@
+// Lines of the runner protocol from and to values. Everything that knows JSON keys is in protocol.cpp.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "sim/client/messages.h"
+
+namespace robosim::client {
+
+/// The runner broke the protocol, or died: a fault of Robosim's own (exit status 3).
+class RunnerError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `{"id": 1, "error": …}`.
+struct ErrorAnswer {
+  std::string kind;  ///< "input", "tool" or "internal"
+  std::string message;
+};
+
+/// One line of a runner.
+struct Line {
+  long long id = -1;  ///< of the request that it answers; -1 = none (hello)
+  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult> content;
+};
+
+/// Throws RunnerError, quoting the line, if it is none of the protocol's.
+Line parse_line(std::string_view text);
+
+/// Each with its final line feed.
+std::string describe_robot_line(long long id, const std::string& robot);
+std::string run_line(long long id, const RunRequest& request);
+
+}  // namespace robosim::client

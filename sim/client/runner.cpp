@@ -1,0 +1,118 @@
+#include "sim/client/runner.h"
+
+#include <signal.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/client/process.h"
+
+namespace robosim::client {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kProtocol = 1;
+// Wall time; generous, since a runner may be emulated itself (qemu-user).
+constexpr int kHelloPatience_ms = 30'000;
+
+std::string program_of(const std::string& target) {
+  const fs::path program = helper_folder() / ("robosim-" + target);
+  std::error_code error;
+  if (!fs::exists(program, error)) {
+    throw ToolMissing("the runner of target " + target + " is not there: " + program.string() +
+                      ". This version has " + one_of(available_targets()) + ".");
+  }
+  return program.string();
+}
+
+}  // namespace
+
+const std::vector<std::string>& available_targets() {
+  static const std::vector<std::string> targets{"host"};
+  return targets;
+}
+
+Runner::Runner(const std::string& target) : Runner(Program{program_of(target)}) {}
+
+Runner Runner::from_program(const std::string& path) { return Runner(Program{path}); }
+
+Runner::Runner(const Program& program) : name_(fs::path(program.path).filename().string()) {
+  try {
+    process_ = std::make_unique<Process>(program.path);
+  } catch (const std::system_error& error) {
+    throw RunnerError(error.what());
+  }
+  const auto text = process_->read_line(kHelloPatience_ms);
+  if (!text) throw RunnerError("the runner " + name_ + " did not say hello: it " + process_->finish());
+  const Line line = parse_line(*text);
+  if (!std::holds_alternative<Hello>(line.content))
+    throw RunnerError("the runner " + name_ + " did not say hello");
+  hello_ = std::get<Hello>(line.content);
+  if (hello_.protocol != kProtocol) {
+    throw RunnerError("the runner " + name_ + " speaks protocol " + std::to_string(hello_.protocol) +
+                      ", and this program speaks " + std::to_string(kProtocol) +
+                      ": they are of different versions of Robosim");
+  }
+}
+
+Runner::~Runner() = default;
+Runner::Runner(Runner&&) noexcept = default;
+Runner& Runner::operator=(Runner&&) noexcept = default;
+
+Line Runner::next_line() {
+  const auto text = process_->read_line();
+  if (!text) {
+    throw RunnerError("the runner " + name_ + " " + process_->finish() +
+                      " before it answered; this is a fault of Robosim, not of your sketch");
+  }
+  return parse_line(*text);
+}
+
+template <typename Answer>
+Answer Runner::await(long long id, const OnEvent& on_event) {
+  bool answered = false;
+  try {
+    for (;;) {
+      Line line = next_line();
+      if (line.id != id) {
+        throw RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
+                          " instead of " + std::to_string(id));
+      }
+      if (auto* answer = std::get_if<Answer>(&line.content)) return std::move(*answer);
+      if (const auto* event = std::get_if<Event>(&line.content)) {
+        if (on_event) on_event(*event);
+        continue;
+      }
+      answered = true;
+      const auto* error = std::get_if<ErrorAnswer>(&line.content);
+      if (!error) throw RunnerError("the runner " + name_ + " answered something that was not asked");
+      if (error->kind == "input") throw InputError(error->message);
+      if (error->kind == "tool") throw ToolMissing(error->message);
+      throw RunnerError(error->message);
+    }
+  } catch (...) {
+    if (!answered) kill();  // it may be in the middle of a run, with more to say than anyone will read
+    throw;
+  }
+}
+
+RobotInfo Runner::describe_robot(const std::string& robot) {
+  const long long id = ++last_id_;
+  process_->write(describe_robot_line(id, robot));
+  return await<RobotInfo>(id, {});
+}
+
+RunResult Runner::run(const RunRequest& request, const OnEvent& on_event) {
+  const long long id = ++last_id_;
+  process_->write(run_line(id, request));
+  return await<RunResult>(id, on_event);
+}
+
+void Runner::interrupt() noexcept { process_->signal(SIGINT); }
+
+void Runner::kill() noexcept { process_->signal(SIGKILL); }
+
+}  // namespace robosim::client

@@ -1,0 +1,68 @@
+// Starts a runner and speaks with it.
+//
+//   robosim::client::Runner runner("host");
+//   const auto robot = runner.describe_robot("uno5");
+//   robosim::client::RunRequest request;
+//   request.image = …; request.map = …; request.robot = "uno5";
+//   const auto result = runner.run(request);        // result.verdict == "reached"
+//
+// One runner serves any number of runs, one after the other; use several runners for runs side by side.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/client/messages.h"
+#include "sim/client/protocol.h"
+
+namespace robosim::client {
+
+/// The targets that this version has runners for: "host".
+const std::vector<std::string>& available_targets();
+
+class Process;
+
+class Runner {
+ public:
+  /// Starts the runner of a target. Throws ToolMissing if its program is not there, RunnerError if it does
+  /// not say hello or speaks another version of the protocol.
+  explicit Runner(const std::string& target);
+  /// Starts the given program instead (for tests).
+  static Runner from_program(const std::string& path);
+  ~Runner();
+  Runner(Runner&&) noexcept;
+  Runner& operator=(Runner&&) noexcept;
+
+  const Hello& hello() const { return hello_; }
+
+  /// A stock robot's name, or a path. Throws InputError.
+  RobotInfo describe_robot(const std::string& robot);
+
+  /// Runs to the verdict. Throws InputError for bad input, ToolMissing, and RunnerError when the runner dies
+  /// without an answer, breaks the protocol or meets a fault of its own; after a RunnerError this runner is
+  /// of no more use. What `on_event` throws ends the runner and passes through.
+  RunResult run(const RunRequest& request, const OnEvent& on_event = {});
+
+  /// Ends the current run with the verdict `interrupted`; run() still returns. May be called from a signal
+  /// handler or from within `on_event`.
+  void interrupt() noexcept;
+  /// Ends the runner at once; run() throws RunnerError. May be called from a signal handler.
+  void kill() noexcept;
+
+ private:
+  struct Program {
+    std::string path;
+  };
+  explicit Runner(const Program& program);
+  Line next_line();
+  template <typename Answer>
+  Answer await(long long id, const OnEvent& on_event);
+
+  std::string name_;
+  std::unique_ptr<Process> process_;
+  Hello hello_;
+  long long last_id_ = 0;
+};
+
+}  // namespace robosim::client
