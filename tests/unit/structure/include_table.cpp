@@ -1,0 +1,130 @@
+#include "tests/unit/structure/include_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::structure {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_below(std::string_view path, std::string_view folder) {
+  return folder == "*" ||
+         (path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/'));
+}
+
+bool is_below_any(std::string_view path, const std::vector<std::string>& folders) {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const auto& folder) { return is_below(path, folder); });
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::optional<std::string> resolve(const std::string& header, const std::string& file,
+                                   const IncludeTable& table, const Files& files) {
+  std::vector<fs::path> folders{fs::path(file).parent_path()};
+  folders.insert(folders.end(), table.search.begin(), table.search.end());
+  for (const fs::path& folder : folders) {
+    const std::string path = (folder / header).lexically_normal().string();
+    if (files.count(path)) return path;
+  }
+  return std::nullopt;
+}
+
+const std::pair<const std::string, std::vector<std::string>>* row_of(const std::string& file,
+                                                                     const IncludeTable& table) {
+  const std::pair<const std::string, std::vector<std::string>>* longest = nullptr;
+  for (const auto& row : table.rows) {
+    if (is_below(file, row.first) && (!longest || row.first.size() > longest->first.size())) longest = &row;
+  }
+  return longest;
+}
+
+}  // namespace
+
+IncludeTable read_include_table(const std::string& file, std::string_view text) {
+  IncludeTable table;
+  std::istringstream stream{std::string(text)};
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line.erase(std::min(line.find('#'), line.size()));
+    if (words_of(line).empty()) continue;
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) throw InputError({file, number}, "expected 'FOLDER: FOLDERS'");
+    const std::string key = line.substr(0, colon);
+    const std::vector<std::string> folders = words_of(line.substr(colon + 1));
+    if (key == "search") {
+      table.search = folders;
+    } else if (key.starts_with('<')) {
+      table.alone[key.substr(1)] = folders;
+    } else {
+      table.rows[key] = folders;
+    }
+  }
+  return table;
+}
+
+std::vector<std::string> broken_rules(const IncludeTable& table, const Files& files) {
+  static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+  std::vector<std::string> broken;
+  for (const auto& [file, content] : files) {
+    const auto* row = row_of(file, table);
+    if (!row) {
+      broken.push_back(fmt::format("{}: its folder has no row in the table", file));
+      continue;
+    }
+    std::istringstream stream(content);
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      const std::string header = match[2];
+      if (const auto target = resolve(header, file, table, files)) {
+        if (is_below(*target, row->first) || is_below_any(*target, row->second)) continue;
+        broken.push_back(fmt::format(
+            "{}:{}: includes {}; {} may include, besides its own files: {}", file, number, *target,
+            row->first, row->second.empty() ? "nothing" : fmt::format("{}", fmt::join(row->second, ", "))));
+        continue;
+      }
+      if (match[1] == "\"" && is_below_any(header, {"sim", "hal", "firmware", "tests"})) {
+        broken.push_back(fmt::format("{}:{}: includes {}, and there is no such file", file, number, header));
+      }
+      for (const auto& [start, folders] : table.alone) {
+        if (header.starts_with(start) && !is_below_any(file, folders)) {
+          broken.push_back(fmt::format("{}:{}: includes {}; only these may: {}", file, number, header,
+                                       fmt::join(folders, ", ")));
+        }
+      }
+    }
+  }
+  return broken;
+}
+
+Files read_sources(const std::string& root) {
+  Files files;
+  for (const char* folder : {"hal", "firmware", "sim", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(root) / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (!entry.is_regular_file()) continue;
+      if (extension != ".h" && extension != ".c" && extension != ".cpp" && extension != ".ino") continue;
+      files[entry.path().lexically_relative(root).string()] = read_file(entry.path());
+    }
+  }
+  return files;
+}
+
+}  // namespace robosim::structure
