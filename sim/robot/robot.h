@@ -36,6 +36,14 @@ struct Reading {
   double value;        ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
+/// A pin of the board and what is wired to it; lets a verdict name things ("pin 2, the button start").
+struct WiredPin {
+  std::string part;  ///< "start"
+  std::string type;  ///< "button", "motor", "reflectance-array" …
+  std::string role;  ///< "in1", "pwm"; may be empty
+  Pin pin = kNoPin;
+};
+
 class Robot {
  public:
   /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name).
