@@ -13,7 +13,6 @@
 namespace robosim::world {
 class World;
 class Body;
-struct BodyParams;
 }  // namespace robosim::world
 
 namespace robosim::robot {
@@ -26,9 +25,6 @@ struct Description;
 
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& name_or_path);
-
-/// The body of this robot, with its spread drawn from (seed, number). Include sim/world/body.h to use it.
-world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 /// A level for people to look at: noise-free, consumes no sample.
 struct Reading {
