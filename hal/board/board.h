@@ -2,9 +2,10 @@
 //
 //   firmware ──► executor ──► Board ◄── robot's parts
 //
-// The executor (host, AVR, STM32) speaks for the firmware: it says how each pin is driven, and asks what a pin
-// reads, always with the exact time. The parts of the robot answer (PinSource) and watch (PinWatcher). Neither
-// knows the other, and nothing else crosses. No function here blocks, and none looks at the wall clock.
+// The executor (host, AVR, STM32) speaks for the firmware: it says how each pin is driven, and asks what a
+// pin reads, always with the exact time. The parts of the robot answer (PinSource) and watch (PinWatcher).
+// Neither knows the other, and nothing else crosses. No function here blocks, and none looks at the wall
+// clock.
 //
 // C++14, no standard library: this header is compiled into firmware images too.
 #pragma once
@@ -29,19 +30,20 @@ enum class PinMode : uint8_t { input, input_pullup, output };
 /// How the microcontroller drives one pin. All zero is what a reset leaves: input, no pull-up.
 struct PinDrive {
   PinMode mode = PinMode::input;
-  bool level = false;     ///< output latch; meaningful for `output` without PWM
-  bool pwm = false;       ///< a timer drives the pin: `duty` holds, `level` does not
-  double duty = 0.0;      ///< fraction of time high, 0..1; equals `level` where `pwm` is false
-  uint32_t tone_hz = 0;   ///< square wave by tone(), in Hz; 0 = none
+  bool level = false;    ///< output latch; meaningful for `output` without PWM
+  bool pwm = false;      ///< a timer drives the pin: `duty` holds, `level` does not
+  double duty = 0.0;     ///< fraction of time high, 0..1; equals `level` where `pwm` is false
+  uint32_t tone_hz = 0;  ///< square wave by tone(), in Hz; 0 = none
 };
 
 inline bool operator==(const PinDrive& a, const PinDrive& b) {
-  return a.mode == b.mode && a.level == b.level && a.pwm == b.pwm && a.duty == b.duty && a.tone_hz == b.tone_hz;
+  return a.mode == b.mode && a.level == b.level && a.pwm == b.pwm && a.duty == b.duty &&
+         a.tone_hz == b.tone_hz;
 }
 inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b); }
 
-/// What the robot puts on a pin. Asked only when firmware looks, with a time inside the current tick; the answer
-/// is extrapolated from the world's state at the tick's start.
+/// What the robot puts on a pin. Asked only when firmware looks, with a time inside the current tick; the
+/// answer is extrapolated from the world's state at the tick's start.
 class PinSource {
  public:
   /// The voltage against ground, in volts. May consume a sample of noise.
@@ -79,11 +81,12 @@ class Board {
   virtual ~Board() = default;
   virtual const BoardSpec& spec() const = 0;
 
-  // --- the firmware's side: called by executors -------------------------------------------------------------
+  // --- the firmware's side: called by executors
+  // -------------------------------------------------------------
   /// The firmware changes how it drives `pin`. Watchers hear of it if it differs from before.
   virtual void set_drive(Pin pin, const PinDrive& drive, SimTime t) = 0;
-  /// What a digital read of `pin` gives: its source; an output reads back its own level; an unconnected pin reads
-  /// high with a pull-up and low without.
+  /// What a digital read of `pin` gives: its source; an output reads back its own level; an unconnected pin
+  /// reads high with a pull-up and low without.
   virtual bool read_level(Pin pin, SimTime t) = 0;
   /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
   virtual double read_volts(Pin pin, SimTime t) = 0;
@@ -91,7 +94,8 @@ class Board {
   /// Non-volatile memory, of spec().eeprom_bytes; 0xFF when new. Survives power cycles.
   virtual uint8_t* eeprom() = 0;
 
-  // --- the robot's side: called by parts and by the simulation ----------------------------------------------
+  // --- the robot's side: called by parts and by the simulation
+  // ----------------------------------------------
   virtual const PinDrive& drive(Pin pin) const = 0;
   /// One source a pin; the source must outlive the board's use of it.
   virtual void connect(Pin pin, PinSource& source) = 0;

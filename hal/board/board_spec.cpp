@@ -4,20 +4,25 @@ namespace robosim {
 namespace {
 
 constexpr PinSpec kNanoPins[] = {
-    {"D0", "PD0", -1, false, -1, true},  {"D1", "PD1", -1, false, -1, true},  {"D2", "PD2", -1, false, 0, true},
-    {"D3", "PD3", -1, true, 1, true},    {"D4", "PD4", -1, false, -1, true},  {"D5", "PD5", -1, true, -1, true},
-    {"D6", "PD6", -1, true, -1, true},   {"D7", "PD7", -1, false, -1, true},  {"D8", "PB0", -1, false, -1, true},
-    {"D9", "PB1", -1, true, -1, true},   {"D10", "PB2", -1, true, -1, true},  {"D11", "PB3", -1, true, -1, true},
-    {"D12", "PB4", -1, false, -1, true}, {"D13", "PB5", -1, false, -1, true}, {"A0", "PC0", 0, false, -1, true},
-    {"A1", "PC1", 1, false, -1, true},   {"A2", "PC2", 2, false, -1, true},   {"A3", "PC3", 3, false, -1, true},
-    {"A4", "PC4", 4, false, -1, true},   {"A5", "PC5", 5, false, -1, true},   {"A6", "ADC6", 6, false, -1, false},
-    {"A7", "ADC7", 7, false, -1, false},
+    {"D0", "PD0", -1, false, -1, true},  {"D1", "PD1", -1, false, -1, true},
+    {"D2", "PD2", -1, false, 0, true},   {"D3", "PD3", -1, true, 1, true},
+    {"D4", "PD4", -1, false, -1, true},  {"D5", "PD5", -1, true, -1, true},
+    {"D6", "PD6", -1, true, -1, true},   {"D7", "PD7", -1, false, -1, true},
+    {"D8", "PB0", -1, false, -1, true},  {"D9", "PB1", -1, true, -1, true},
+    {"D10", "PB2", -1, true, -1, true},  {"D11", "PB3", -1, true, -1, true},
+    {"D12", "PB4", -1, false, -1, true}, {"D13", "PB5", -1, false, -1, true},
+    {"A0", "PC0", 0, false, -1, true},   {"A1", "PC1", 1, false, -1, true},
+    {"A2", "PC2", 2, false, -1, true},   {"A3", "PC3", 3, false, -1, true},
+    {"A4", "PC4", 4, false, -1, true},   {"A5", "PC5", 5, false, -1, true},
+    {"A6", "ADC6", 6, false, -1, false}, {"A7", "ADC7", 7, false, -1, false},
 };
 
 // The Uno is the same chip in a package without ADC6 and ADC7. The Blue Pill is added with its executor.
 constexpr BoardSpec kBoards[] = {
-    {"uno", "arduino:avr:uno", "ARDUINO_AVR_UNO", 20, kNanoPins, 14, 5.0, 1024, 16000000, 32256, 2048, 1024, 13},
-    {"nano", "arduino:avr:nano", "ARDUINO_AVR_NANO", 22, kNanoPins, 14, 5.0, 1024, 16000000, 30720, 2048, 1024, 13},
+    {"uno", "arduino:avr:uno", "ARDUINO_AVR_UNO", 20, kNanoPins, 14, 5.0, 1024, 16000000, 32256, 2048, 1024,
+     13},
+    {"nano", "arduino:avr:nano", "ARDUINO_AVR_NANO", 22, kNanoPins, 14, 5.0, 1024, 16000000, 30720, 2048,
+     1024, 13},
 };
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }

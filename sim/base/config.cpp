@@ -61,7 +61,8 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
     value.kind = ConfigValue::Kind::boolean;
     value.boolean = boolean->get();
   } else {
-    throw InputError(place, "dates and times have no meaning here; allowed are strings, numbers, true and false");
+    throw InputError(place,
+                     "dates and times have no meaning here; allowed are strings, numbers, true and false");
   }
   value.place = place;
   return value;
@@ -83,12 +84,18 @@ const ConfigValue* ConfigValue::find(std::string_view key) const {
 
 const char* to_string(ConfigValue::Kind kind) {
   switch (kind) {
-    case ConfigValue::Kind::boolean: return "true or false";
-    case ConfigValue::Kind::integer: return "a whole number";
-    case ConfigValue::Kind::number: return "a number";
-    case ConfigValue::Kind::string: return "a string";
-    case ConfigValue::Kind::array: return "an array";
-    case ConfigValue::Kind::table: return "a table";
+    case ConfigValue::Kind::boolean:
+      return "true or false";
+    case ConfigValue::Kind::integer:
+      return "a whole number";
+    case ConfigValue::Kind::number:
+      return "a number";
+    case ConfigValue::Kind::string:
+      return "a string";
+    case ConfigValue::Kind::array:
+      return "an array";
+    case ConfigValue::Kind::table:
+      return "a table";
   }
   return "";
 }
@@ -118,24 +125,27 @@ bool as_boolean(const ConfigValue& value, const char* key) {
 std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t least, std::int64_t most) {
   if (value.kind != ConfigValue::Kind::integer) wrong_kind(value, key, "a whole number");
   if (value.integer < least || value.integer > most)
-    throw InputError(value.place, fmt::format("{} is {}; it must be from {} to {}", key, value.integer, least, most));
+    throw InputError(value.place,
+                     fmt::format("{} is {}; it must be from {} to {}", key, value.integer, least, most));
   return value.integer;
 }
 
-double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least, double most) {
+double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least,
+                   double most) {
   double si = value.number;
   const bool bare = value.kind == ConfigValue::Kind::integer || value.kind == ConfigValue::Kind::number;
   if (value.kind == ConfigValue::Kind::string) {
     const auto parsed = parse_quantity(value.string, dimension);
     if (!parsed)
-      throw InputError(value.place, fmt::format("{} is \"{}\"; it must be a number with a unit: {}", key, value.string,
-                                                unit_names(dimension)));
+      throw InputError(value.place, fmt::format("{} is \"{}\"; it must be a number with a unit: {}", key,
+                                                value.string, unit_names(dimension)));
     si = *parsed;
   } else if (!bare) {
     wrong_kind(value, key, "a quantity such as \"20 mm\"");
   } else if (dimension != Dimension::ratio) {
-    throw InputError(value.place, fmt::format("{} is {:g} without a unit; write it as a string with one of {}", key, si,
-                                              unit_names(dimension)));
+    throw InputError(value.place,
+                     fmt::format("{} is {:g} without a unit; write it as a string with one of {}", key, si,
+                                 unit_names(dimension)));
   }
   if (!(si >= least && si <= most))
     throw InputError(value.place,
@@ -167,17 +177,20 @@ bool TableReader::boolean(const char* key, bool fallback) {
   return value ? as_boolean(*value, key) : fallback;
 }
 
-std::int64_t TableReader::integer(const char* key, std::int64_t fallback, std::int64_t least, std::int64_t most) {
+std::int64_t TableReader::integer(const char* key, std::int64_t fallback, std::int64_t least,
+                                  std::int64_t most) {
   const ConfigValue* value = find(key);
   return value ? as_integer(*value, key, least, most) : fallback;
 }
 
-double TableReader::quantity(const char* key, Dimension dimension, double fallback, double least, double most) {
+double TableReader::quantity(const char* key, Dimension dimension, double fallback, double least,
+                             double most) {
   const ConfigValue* value = find(key);
   return value ? as_quantity(*value, key, dimension, least, most) : fallback;
 }
 
-std::string TableReader::choice(const char* key, std::string fallback, const std::vector<std::string>& allowed) {
+std::string TableReader::choice(const char* key, std::string fallback,
+                                const std::vector<std::string>& allowed) {
   const ConfigValue* value = find(key);
   if (!value) return fallback;
   const std::string& chosen = as_string(*value, key);
@@ -189,7 +202,8 @@ std::string TableReader::choice(const char* key, std::string fallback, const std
 void TableReader::finish() const {
   for (const auto& [key, value] : table_.members) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    throw InputError(value.place, fmt::format("unknown key {} in {}; known are {}", key, what_, one_of(known_)));
+    throw InputError(value.place,
+                     fmt::format("unknown key {} in {}; known are {}", key, what_, one_of(known_)));
   }
 }
 

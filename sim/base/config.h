@@ -1,5 +1,5 @@
-// TOML as our own small tree, every value with its place, so that messages can point at it. The TOML library is
-// behind config.cpp alone: it takes 450 MB to compile.
+// TOML as our own small tree, every value with its place, so that messages can point at it. The TOML library
+// is behind config.cpp alone: it takes 450 MB to compile.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct ConfigValue {
   std::int64_t integer = 0;
   double number = 0.0;  ///< also set for integers
   std::string string;
-  std::vector<ConfigValue> items;                             ///< of an array
-  std::vector<std::pair<std::string, ConfigValue>> members;   ///< of a table, in the file's order
+  std::vector<ConfigValue> items;                            ///< of an array
+  std::vector<std::pair<std::string, ConfigValue>> members;  ///< of a table, in the file's order
   Place place;
 
   /// The member of that name, or null.

@@ -19,12 +19,12 @@ std::string to_string(const Place& place);
 
 /// The process's exit statuses: one contract for every command.
 enum class ExitStatus : int {
-  ok = 0,           ///< goal reached, or the check holds
-  failed = 1,       ///< lost, stuck, hung, ended, crashed, over_budget, or a difference found
-  bad_input = 2,    ///< usage, bad file, sketch does not compile
-  internal = 3,     ///< a fault of Robosim's own
-  timeout = 4,      ///< simulated time is up
-  tool_missing = 5, ///< a tool is missing; its remedy is printed
+  ok = 0,            ///< goal reached, or the check holds
+  failed = 1,        ///< lost, stuck, hung, ended, crashed, over_budget, or a difference found
+  bad_input = 2,     ///< usage, bad file, sketch does not compile
+  internal = 3,      ///< a fault of Robosim's own
+  timeout = 4,       ///< simulated time is up
+  tool_missing = 5,  ///< a tool is missing; its remedy is printed
   interrupted = 130,
 };
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "sim/base/error.h"
 
@@ -37,7 +38,7 @@ fs::path executable_folder() {
 std::string read_file(const fs::path& path) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.fd < 0) fail(path, "read", errno);
-  struct stat info{};
+  struct stat info {};
   if (::fstat(file.fd, &info) != 0) fail(path, "read", errno);
   if (S_ISDIR(info.st_mode)) fail(path, "read", EISDIR);
   std::string content(static_cast<std::size_t>(info.st_size), '\0');
@@ -82,6 +83,24 @@ std::string sha256(std::string_view bytes) {
   SHA2_CTX context;
   SHA256Init(&context);
   SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  char hex[SHA256_DIGEST_STRING_LENGTH];
+  SHA256End(&context, hex);
+  return hex;
+}
+
+std::string sha256_of_file(const fs::path& path) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.fd < 0) fail(path, "read", errno);
+  SHA2_CTX context;
+  SHA256Init(&context);
+  std::vector<std::uint8_t> chunk(256 * 1024);
+  for (;;) {
+    const ssize_t n = ::read(file.fd, chunk.data(), chunk.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(path, "read", errno);
+    if (n == 0) break;
+    SHA256Update(&context, chunk.data(), static_cast<std::size_t>(n));
+  }
   char hex[SHA256_DIGEST_STRING_LENGTH];
   SHA256End(&context, hex);
   return hex;

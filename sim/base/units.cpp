@@ -47,7 +47,7 @@ constexpr Unit kUnits[] = {
     {Dimension::torque, "mN m", 1e-3},
     {Dimension::torque, "N m", 1.0},
     {Dimension::torque, "kg cm", kGravity * 1e-2},
-    {Dimension::torque, "oz in", kOunce * kGravity * kInch},
+    {Dimension::torque, "oz in", kOunce* kGravity* kInch},
     {Dimension::rotation_rate, "rpm", 2.0 * std::numbers::pi / 60.0},
     {Dimension::rotation_rate, "rad/s", 1.0},
     {Dimension::rotation_rate, "deg/s", std::numbers::pi / 180.0},

@@ -26,8 +26,8 @@ enum class Dimension {
 /// The unit names of a dimension, as messages list them: "mm, cm, m or in".
 std::string unit_names(Dimension dimension);
 
-/// The SI value of `text`; nothing if it is not a finite number followed by a unit of `dimension` (white space
-/// between them does not matter). A bare number is taken for `ratio` only.
+/// The SI value of `text`; nothing if it is not a finite number followed by a unit of `dimension` (white
+/// space between them does not matter). A bare number is taken for `ratio` only.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
 
 /// As parse_quantity in exact nanoseconds, for command lines and scripts; rejects negative times.

@@ -22,10 +22,10 @@ constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// Where a body is. The heading is kept as a unit vector: it is rotated without trigonometry, which makes a tick
-/// bit-identical on every machine (libm's sine and cosine are not).
+/// Where a body is. The heading is kept as a unit vector: it is rotated without trigonometry, which makes a
+/// tick bit-identical on every machine (libm's sine and cosine are not).
 struct Pose {
-  Vec2 position;          ///< m
+  Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector
 
   /// A point given in the body's frame (x forward, y left), in the world's.
