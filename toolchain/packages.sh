@@ -59,22 +59,25 @@ elif ((EUID != 0)); then
   fail 'there is no terminal to ask on: run that command yourself, then try again'
 fi
 
-# Without a network these end within seconds; another apt at work is waited for for a minute.
-options=(-y -o Acquire::Retries=1 -o Acquire::http::Timeout=8 -o Acquire::https::Timeout=8 -o DPkg::Lock::Timeout=60)
-environment=(env DEBIAN_FRONTEND=noninteractive 'RES_OPTIONS=timeout:2 attempts:1')
-run_apt() {
-  # A failing update is no failure yet: the lists that are here may do.
-  "${as_root[@]}" "${environment[@]}" apt-get "${options[@]}" update &&
-    "${as_root[@]}" "${environment[@]}" "${install[0]}" "${options[@]}" "${install[@]:1}"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 'RES_OPTIONS=timeout:2 attempts:1' "$@" \
+    -y -o Acquire::http::Timeout=8 -o Acquire::https::Timeout=8 -o DPkg::Lock::Timeout=60 </dev/null
+}
+no_packages() {
+  fail "apt-get could not install these (is there a network?): ${missing[*]}"
 }
 
+# One server that answers will do: lists that are here already may be new enough.
+apt apt-get update -o Acquire::Retries=0 >"$log" 2>&1 || :
+if ! grep -qE '^(Get|Hit):' "$log"; then
+  tail -n 15 "$log" >&2
+  no_packages
+fi
 if [[ -t 2 ]]; then
-  run_apt </dev/null >&2 || fail "apt-get could not install them (is there a network?): ${missing[*]}"
-else
-  log=$(mktemp)
-  trap 'rm -f "$log"' EXIT
-  run_apt </dev/null >"$log" 2>&1 || {
-    tail -n 15 "$log" >&2
-    fail "apt-get could not install them (is there a network?): ${missing[*]}"
-  }
+  apt "${install[@]}" -o Acquire::Retries=2 >&2 || no_packages
+elif ! apt "${install[@]}" -o Acquire::Retries=2 >"$log" 2>&1; then
+  tail -n 15 "$log" >&2
+  no_packages
 fi
