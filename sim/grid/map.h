@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/base/vec.h"
 
 namespace robosim::grid {
@@ -32,7 +33,9 @@ struct CellAt {
 /// Clockwise, as they lie on the map (y grows southward).
 enum class Direction : std::uint8_t { east, south, west, north };
 
-constexpr Direction turned_right(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 1) & 3); }
+constexpr Direction turned_right(Direction d) {
+  return static_cast<Direction>((static_cast<int>(d) + 1) & 3);
+}
 constexpr Direction turned_left(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 3) & 3); }
 constexpr Direction reversed(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 2) & 3); }
 constexpr CellAt ahead(CellAt c, Direction d) {
@@ -61,45 +64,81 @@ struct NamedStation {
 };
 
 struct Map {
-  std::string file;           ///< as the user named it; for messages
-  std::string name;           ///< front matter, else the file's stem
-  int width = 0;              ///< cells
-  int height = 0;             ///< cells
-  std::vector<Cell> cells;    ///< row by row from the top
-  double cell_m = 0.100;      ///< side of a cell
-  double line_m = 0.020;      ///< width of the stripe
-  double corner_m = 0.0;      ///< radius that replaces each bend; 0 = square
-  bool raster = false;        ///< floor = "raster": whole cells are painted, instead of stripes
-  std::optional<Start> start; ///< from [start] or S
-  std::string goal;           ///< the front matter's goal, "" = none
-  std::optional<CellAt> goal_cell;  ///< from G or [goal]
+  std::string file;            ///< as the user named it; for messages
+  std::string name;            ///< front matter, else the file's stem
+  int width = 0;               ///< cells
+  int height = 0;              ///< cells
+  std::vector<Cell> cells;     ///< row by row from the top
+  double cell_m = 0.100;       ///< side of a cell
+  double line_m = 0.020;       ///< width of the stripe
+  double corner_m = 0.0;       ///< radius that replaces each bend; 0 = square
+  bool raster = false;         ///< floor = "raster": whole cells are painted, instead of stripes
+  std::optional<Start> start;  ///< from [start] or S
+  /// The front matter's goal, "" = none. A map with a goal cell and no goal of its own gets "station:NAME",
+  /// NAME being the station on that cell ("goal", unless [stations] names it).
+  std::string goal;
+  Place goal_place;                 ///< where `goal` was written
+  std::optional<CellAt> goal_cell;  ///< from G or [goal]; it is among `stations` too
   std::vector<NamedStation> stations;
-  std::string generator;      ///< name, version and seed, where a generator wrote the map
-  std::string sha256;         ///< of the file's bytes
+  std::string generator;  ///< name, version and seed, where a generator wrote the map
+  std::string sha256;     ///< of the text; read_map leaves it empty for large files: see sha256_of
 
   bool contains(CellAt c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   /// Outside the map everything is wall.
   Cell at(CellAt c) const {
     if (!contains(c)) return Cell::wall;
-    return cells[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x)];
+    return cells[index_of(c)];
   }
-  /// The centre of a cell in the world frame: metres, x east, y north, origin at the map's bottom-left corner.
+  /// The place of a cell of the map in `cells`.
+  std::size_t index_of(CellAt c) const {
+    return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+  }
+  /// The inverse of index_of.
+  CellAt cell_at(std::size_t index) const {
+    const auto columns = static_cast<std::size_t>(width);
+    return {static_cast<int>(index % columns), static_cast<int>(index / columns)};
+  }
+  /// The centre of a cell in the world frame: metres, x east, y north, origin at the map's bottom-left
+  /// corner.
   Vec2 centre(CellAt c) const { return {(c.x + 0.5) * cell_m, (height - 1 - c.y + 0.5) * cell_m}; }
 };
 
-/// Reads a map file. Throws InputError with file, line, column, what was found and what is allowed.
+/// A map has at most this many columns and rows, and cells in all.
+constexpr int kMaxSide = 100'000;
+constexpr std::size_t kMaxCells = 1'000'000'000;
+
+/// Reads a map file, in one pass and at one byte a cell. Throws InputError with file, line, column, what was
+/// found and what is allowed.
 Map read_map(const std::filesystem::path& path);
 /// The same from text; `file` is for messages.
 Map parse_map(std::string_view text, const std::string& file);
 
-/// A map by what users type: a path if it holds '/' or '.', else the sample map of that name. Throws InputError
-/// naming the samples that exist.
+/// SHA-256 of the map's text. Hashing takes several times as long as reading, so read_map hashes small files
+/// only (up to 256 KB); for a larger one this reads the file again. Throws InputError if it is gone.
+std::string sha256_of(const Map& map);
+
+/// A map by what users type: a path if it holds '/' or '.', else the sample map of that name. Throws
+/// InputError naming the samples that exist.
 std::filesystem::path find_map(const std::string& name);
+
+/// The directions in which a cell has a line cell beside it: bit 1 << Direction.
+inline unsigned line_neighbours(const Map& map, CellAt c) {
+  unsigned mask = 0;
+  for (int d = 0; d < 4; ++d)
+    if (is_line(map.at(ahead(c, static_cast<Direction>(d))))) mask |= 1u << d;
+  return mask;
+}
+
+constexpr bool has(unsigned mask, Direction d) { return (mask >> static_cast<int>(d) & 1u) != 0; }
+
+/// How a robot put on a line cell faces: towards its only line neighbour, or the first in the order E S W N.
+Direction default_facing(const Map& map, CellAt cell);
 
 /// "13,2,E" or "13,2" (then the facing rule applies). Throws InputError.
 Start parse_start(const Map& map, std::string_view text);
-/// The start by DESIGN's rule: [start] or S, else the first dead end in row order, else the first line cell; facing
-/// its only line neighbour, or the first in the order E S W N. Throws InputError if the map has no line.
+/// The start by DESIGN's rule: [start] or S, else the first dead end in row order, else the first line cell;
+/// facing its only line neighbour, or the first in the order E S W N. Throws InputError if the map has no
+/// line.
 Start default_start(const Map& map);
 
 }  // namespace robosim::grid

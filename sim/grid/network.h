@@ -9,18 +9,18 @@
 namespace robosim::grid {
 
 struct Station {
-  int id = 0;         ///< from 1, in the order of the right-hand walk from the start, as v1 numbers them
-  std::string name;   ///< the map's, else the id as text
+  int id = 0;        ///< from 1, in the order of the right-hand walk from the start, as v1 numbers them
+  std::string name;  ///< the map's, else the id as text
   CellAt cell;
 };
 
 /// What can be reached along the line from one start.
 struct Network {
-  std::vector<Station> stations;     ///< dead ends in numbering order, then named places that are none
-  std::vector<CellAt> junctions;     ///< nodes of degree 3 or 4, in the order of the walk
-  std::vector<CellAt> unreachable;   ///< dead ends that no line (free of obstacles) joins to the start
-  /// If the reachable network is one closed loop (every node of degree 2, or of degree 4 and crossed straight): its
-  /// nodes in the order of travel from the start. Otherwise empty.
+  std::vector<Station> stations;    ///< dead ends in numbering order, then named places that are none
+  std::vector<CellAt> junctions;    ///< nodes of degree 3 or 4, in the order of the walk
+  std::vector<CellAt> unreachable;  ///< dead ends that no line (free of obstacles) joins to the start
+  /// If the reachable network is one closed loop (every node of degree 2, or of degree 4 and crossed
+  /// straight): its nodes in the order of travel from the start. Otherwise empty.
   std::vector<CellAt> loop;
 };
 

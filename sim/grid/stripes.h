@@ -1,54 +1,80 @@
-// The painted lines of a map as geometry: segments between centres of line cells, and arcs where `corner` rounds
-// a bend. The floor's reflectance and the cross-track error are both measured against these.
+// The painted lines of a map as geometry: segments between centres of line cells, and arcs where `corner`
+// rounds a bend. The floor's reflectance and the cross-track error are both measured against these.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "sim/grid/map.h"
+#include "sim/grid/stripe_index.h"
 
 namespace robosim::grid {
 
 /// A piece of centre line, in the world frame (m).
+///
+/// A segment is parallel to an axis, from its smaller to its larger coordinate; a and b are equal where a
+/// line is a single cell. An arc is at most a quarter of a circle, counter-clockwise from a to b, and tangent
+/// to the segments it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
   Vec2 centre;          ///< of the arc's circle
   double radius = 0.0;  ///< of the arc; 0 = a straight segment
-  bool painted = true;  ///< false across gap cells: part of the line that is followed, but not visible
+  /// False across gap cells: part of the line that is followed, but not visible. A gap is as long as its
+  /// cells: the stripes beside it end line/2 earlier, as the paint around an end reaches line/2 beyond it.
+  bool painted = true;
 };
+
+/// Distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
+inline double distance(const Stripe& s, Vec2 p) {
+  if (s.radius == 0.0) {
+    const double dx = std::max(std::max(s.a.x - p.x, p.x - s.b.x), 0.0);
+    const double dy = std::max(std::max(s.a.y - p.y, p.y - s.b.y), 0.0);
+    return std::sqrt(dx * dx + dy * dy);
+  }
+  const Vec2 w = p - s.centre;
+  if (cross(s.a - s.centre, w) >= 0.0 && cross(w, s.b - s.centre) >= 0.0)
+    return std::fabs(length(w) - s.radius);
+  const Vec2 pa = p - s.a;
+  const Vec2 pb = p - s.b;
+  return std::sqrt(std::min(dot(pa, pa), dot(pb, pb)));
+}
 
 /// A bend whose legs are too short for the map's corner radius; it was left with a smaller one.
 struct TightBend {
   CellAt cell;
-  double radius_m;  ///< what fits
+  double radius_m;  ///< what fits: a leg between two bends is shared equally
 };
 
-/// All stripes, and for each cell those that pass within reach of it.
+/// The tight bends of a map in row order, without building its stripes.
+std::vector<TightBend> tight_bends(const Map& map);
+
+/// All stripes, and for each cell those that pass within reach of it. Takes time and memory in proportion to
+/// the map's line: built for driven robots only.
 class Stripes {
  public:
-  /// `reach_m`: a query point in a cell finds every stripe that is at most this far from the point.
+  /// `reach_m`: a query point in a cell finds every stripe that is at most this far from the point. The map
+  /// must outlive this. Throws InputError if the map has too much line for one index (4 thousand million
+  /// entries).
   Stripes(const Map& map, double reach_m);
 
   std::span<const Stripe> all() const { return stripes_; }
-  /// Indices into all() of the stripes within reach of any point of the cell; empty outside the map.
-  std::span<const std::uint32_t> near(CellAt cell) const;
-  /// The point of the centre line that stands for a line cell: its centre, or where an arc cuts the corner, the
-  /// arc's nearest point to it.
+  /// Indices into all(), ascending, of the stripes within reach of any point of the cell; empty outside the
+  /// map.
+  std::span<const std::uint32_t> near(CellAt cell) const { return index_.near(cell); }
+  /// The point of the centre line that stands for a line cell: its centre, or where an arc cuts the corner,
+  /// the arc's nearest point to it.
   Vec2 point_of(CellAt cell) const;
   const std::vector<TightBend>& tight_bends() const { return tight_; }
 
  private:
   std::vector<Stripe> stripes_;
-  std::vector<std::uint32_t> first_;  // CSR: per cell, the beginning of its slice of index_
-  std::vector<std::uint32_t> index_;
   std::vector<TightBend> tight_;
+  StripeIndex index_;
   const Map* map_;
 };
-
-/// Distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
-double distance(const Stripe& stripe, Vec2 p);
 
 }  // namespace robosim::grid

@@ -1,0 +1,29 @@
+// A bend: a line cell with two neighbours at a right angle, and the radius its arc gets. Behind Stripes.
+#pragma once
+
+#include <optional>
+
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+struct Bend {
+  CellAt cell;
+  Direction first;    ///< the legs; the arc runs counter-clockwise from the first to the second
+  Direction second;   ///< = first turned right
+  double radius = 0;  ///< m; 0 = square
+
+  /// Along a leg, how far from the corner the arc's middle is: (1 - 1/sqrt 2) radius.
+  double middle() const { return radius * 0.29289321881345243; }
+};
+
+/// Nothing if the cell is no bend. Takes time in proportion to the legs, up to twice the corner radius.
+std::optional<Bend> bend_at(const Map& map, CellAt cell);
+
+/// The bend whose arc replaces the centre of a line cell, if any.
+std::optional<Bend> bend_over(const Map& map, CellAt cell);
+
+/// Whether the legs left less than the map's corner radius.
+bool is_tight(const Map& map, const Bend& bend);
+
+}  // namespace robosim::grid

@@ -1,0 +1,163 @@
+#include "sim/grid/front_matter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "sim/base/config.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr double kMinCell = 0.001;  // m
+constexpr double kMaxCell = 10.0;
+constexpr double kMaxCorner = 100.0;
+
+const char* name_of(Cell cell) {
+  switch (cell) {
+    case Cell::floor:
+      return "floor";
+    case Cell::line:
+      return "line";
+    case Cell::wall:
+      return "wall";
+    case Cell::gap:
+      return "gap";
+    case Cell::obstacle:
+      return "obstacle";
+  }
+  return "";
+}
+
+CellAt read_cell(const ConfigValue& x, const ConfigValue& y) {
+  return {static_cast<int>(as_integer(x, "the column", 0, kMaxSide - 1)),
+          static_cast<int>(as_integer(y, "the row", 0, kMaxSide - 1))};
+}
+
+FrontMatter::PlacedStart read_start(const ConfigValue& value) {
+  TableReader table(value, "[start]");
+  FrontMatter::PlacedStart start;
+  start.place = value.place;
+  const ConfigValue* x = table.find("x");
+  const ConfigValue* y = table.find("y");
+  if (x || y) start.cell = read_cell(x ? *x : table.require("x"), y ? *y : table.require("y"));
+  const std::string facing = table.choice("facing", "", {"E", "S", "W", "N"});
+  if (!facing.empty()) start.facing = static_cast<Direction>(std::string_view("ESWN").find(facing));
+  table.finish();
+  return start;
+}
+
+bool is_goal(std::string_view goal) {
+  for (const char* word : {"tour", "still", "none"})
+    if (goal == word) return true;
+  constexpr std::string_view laps = "laps:";
+  constexpr std::string_view station = "station:";
+  if (goal.starts_with(station)) return goal.size() > station.size();
+  if (!goal.starts_with(laps)) return false;
+  goal.remove_prefix(laps.size());
+  int n = 0;
+  const auto [end, error] = std::from_chars(goal.data(), goal.data() + goal.size(), n);
+  return error == std::errc() && end == goal.data() + goal.size() && n >= 1;
+}
+
+void read_goal(const ConfigValue& value, FrontMatter& front) {
+  if (value.kind == ConfigValue::Kind::table) {
+    TableReader table(value, "[goal]");
+    const ConfigValue& x = table.require("x");
+    front.goal_cell = FrontMatter::PlacedCell{read_cell(x, table.require("y")), value.place};
+    table.finish();
+    return;
+  }
+  front.settings.goal = as_string(value, "goal");
+  front.settings.goal_place = value.place;
+  if (!is_goal(front.settings.goal))
+    throw InputError(value.place,
+                     fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, still or none",
+                                 front.settings.goal));
+}
+
+bool is_station_name(std::string_view name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto digit = [](char c) { return (c >= '0' && c <= '9') || c == '-'; };
+  return !name.empty() && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+}
+
+void read_stations(const ConfigValue& value, FrontMatter& front) {
+  if (value.kind != ConfigValue::Kind::table)
+    throw InputError(value.place,
+                     fmt::format("stations is {}; it must be a table: [stations], then lines such as "
+                                 "dock = [13, 2]",
+                                 to_string(value.kind)));
+  for (const auto& [name, cell] : value.members) {
+    if (!is_station_name(name))
+      throw InputError(cell.place,
+                       fmt::format("station name \"{}\"; a name begins with a letter and holds letters, "
+                                   "digits, - and _",
+                                   name));
+    if (cell.kind != ConfigValue::Kind::array || cell.items.size() != 2)
+      throw InputError(cell.place, fmt::format("station {} must be [column, row], such as [13, 2]", name));
+    front.stations.push_back({{name, read_cell(cell.items[0], cell.items[1])}, cell.place});
+  }
+}
+
+void read_legend(const ConfigValue& value, FrontMatter& front) {
+  if (value.kind != ConfigValue::Kind::table)
+    throw InputError(value.place,
+                     fmt::format("legend is {}; it must be a table: [legend], then lines such as "
+                                 "3 = \"gap\"",
+                                 to_string(value.kind)));
+  for (const auto& [key, meaning] : value.members) {
+    if (key.size() != 1 || key[0] < '3' || key[0] > '9')
+      throw InputError(meaning.place, fmt::format("[legend] names `{}`; it may name the digits 3 to 9", key));
+    const std::string& word = as_string(meaning, key.c_str());
+    std::optional<Cell>& cell = front.legend[static_cast<std::size_t>(key[0] - '0')];
+    for (const Cell c : {Cell::floor, Cell::line, Cell::wall, Cell::gap, Cell::obstacle})
+      if (word == name_of(c)) cell = c;
+    if (!cell)
+      throw InputError(
+          meaning.place,
+          fmt::format("{} is \"{}\"; allowed are floor, line, wall, gap or obstacle", key, word));
+  }
+}
+
+}  // namespace
+
+FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line) {
+  const ConfigValue root = parse_toml(text, file, first_line);
+  TableReader table(root, "the front matter");
+  FrontMatter front;
+  Map& map = front.settings;
+  map.name = table.string("name", "");
+  map.cell_m = table.quantity("cell", Dimension::length, map.cell_m, kMinCell, kMaxCell);
+  map.line_m =
+      table.quantity("line", Dimension::length, std::min(map.line_m, map.cell_m), kMinCell, kMaxCell);
+  if (map.line_m > map.cell_m)
+    throw InputError(
+        table.require("line").place,
+        fmt::format("line is {:g} mm, but a cell only {:g} mm; a line is at most as wide as a cell",
+                    map.line_m * 1e3, map.cell_m * 1e3));
+  map.corner_m = table.quantity("corner", Dimension::length, map.corner_m, 0.0, kMaxCorner);
+  map.raster = table.choice("floor", "stripes", {"stripes", "raster"}) == "raster";
+  map.generator = table.string("generator", "");
+  if (const ConfigValue* goal = table.find("goal")) read_goal(*goal, front);
+  if (const ConfigValue* start = table.find("start")) front.start = read_start(*start);
+  if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);
+  if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);
+  table.finish();
+  return front;
+}
+
+void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what) {
+  if (!map.contains(cell))
+    throw InputError(place,
+                     fmt::format("{} at column {}, row {} is outside the map, which has columns 0 to {} and "
+                                 "rows 0 to {}",
+                                 what, cell.x, cell.y, map.width - 1, map.height - 1));
+  if (!is_line(map.at(cell)))
+    throw InputError(place, fmt::format("{} at column {}, row {} is not on a line: that cell is {}", what,
+                                        cell.x, cell.y, name_of(map.at(cell))));
+}
+
+}  // namespace robosim::grid

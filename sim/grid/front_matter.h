@@ -1,0 +1,45 @@
+// The TOML between the two +++ lines of a map file.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+/// What the front matter says, with places, before it is held against the cells.
+struct FrontMatter {
+  struct PlacedCell {
+    CellAt cell;
+    Place place;
+  };
+  struct PlacedStart {
+    std::optional<CellAt> cell;  ///< absent: the S in the map
+    std::optional<Direction> facing;
+    Place place;
+  };
+  struct PlacedStation {
+    NamedStation station;
+    Place place;
+  };
+
+  Map settings;  ///< name, cell_m, line_m, corner_m, raster, goal, goal_place and generator are set
+  std::optional<PlacedStart> start;
+  std::optional<PlacedCell> goal_cell;
+  std::vector<PlacedStation> stations;
+  std::array<std::optional<Cell>, 10> legend;  ///< by digit; 0 to 2 are never set
+};
+
+/// Reads the text between the +++ lines; `first_line` is the file's line on which it begins. Throws
+/// InputError.
+FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line);
+
+/// "13, 2 is outside the map" and "13, 2 is floor, not line" are errors at `place`.
+void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what);
+
+}  // namespace robosim::grid

@@ -1,0 +1,109 @@
+#include "sim/grid/map.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "sim/base/file.h"
+#include "sim/grid/map_parser.h"
+
+namespace robosim::grid {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kChunk = 256 * 1024;  // stays in the second-level cache
+
+class MapFile {
+ public:
+  explicit MapFile(const fs::path& path) : path_(path), fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    struct stat info {};
+    if (fd_ < 0 || ::fstat(fd_, &info) != 0) fail(errno);
+    if (S_ISDIR(info.st_mode)) {
+      ::close(fd_);
+      fail(EISDIR);
+    }
+    size_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+  }
+  MapFile(const MapFile&) = delete;
+  MapFile& operator=(const MapFile&) = delete;
+  ~MapFile() { ::close(fd_); }
+
+  /// 0 = not known.
+  std::size_t size() const { return size_; }
+
+  /// Fills the buffer as far as the file reaches; less than all of it only at the file's end.
+  std::string_view read(std::vector<char>& buffer) {
+    std::size_t got = 0;
+    while (got < buffer.size()) {
+      const ssize_t n = ::read(fd_, buffer.data() + got, buffer.size() - got);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) fail(errno);
+      if (n == 0) break;
+      got += static_cast<std::size_t>(n);
+    }
+    return {buffer.data(), got};
+  }
+
+ private:
+  [[noreturn]] void fail(int error) const {
+    throw InputError({path_.string()}, std::string("cannot be read: ") + std::strerror(error));
+  }
+
+  fs::path path_;
+  int fd_;
+  std::size_t size_ = 0;
+};
+
+std::string stem(const std::string& file) { return fs::path(file).stem().string(); }
+
+}  // namespace
+
+Map read_map(const fs::path& path) {
+  MapFile file(path);
+  MapParser parser(path.string(), file.size());
+  std::vector<char> buffer(kChunk);
+  std::string_view chunk = file.read(buffer);
+  const std::string hash = chunk.size() < kChunk ? sha256(chunk) : "";
+  while (!chunk.empty()) {
+    parser.feed(chunk);
+    chunk = chunk.size() < kChunk ? std::string_view() : file.read(buffer);
+  }
+  Map map = parser.finish();
+  map.sha256 = hash;
+  if (map.name.empty()) map.name = stem(map.file);
+  return map;
+}
+
+Map parse_map(std::string_view text, const std::string& file) {
+  MapParser parser(file, text.size());
+  parser.feed(text);
+  Map map = parser.finish();
+  map.sha256 = sha256(text);
+  if (map.name.empty()) map.name = stem(file);
+  return map;
+}
+
+std::string sha256_of(const Map& map) { return map.sha256.empty() ? sha256_of_file(map.file) : map.sha256; }
+
+fs::path find_map(const std::string& name) {
+  if (name.find_first_of("/.") != std::string::npos) return name;
+  const fs::path folder = data_folder() / "maps";
+  const fs::path sample = folder / (name + ".map");
+  std::error_code error;
+  if (!name.empty() && fs::exists(sample, error)) return sample;
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".map") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  throw InputError(fmt::format("there is no sample map \"{}\"; there are {} (a name with / or . is a file)",
+                               name, one_of(names)));
+}
+
+}  // namespace robosim::grid

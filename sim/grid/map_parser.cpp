@@ -1,0 +1,306 @@
+#include "sim/grid/map_parser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "sim/grid/utf8.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr std::string_view kFence = "+++";
+constexpr std::size_t kMaxFrontMatter = 1 << 20;  // bytes
+
+// Reads a row of floor, line and wall only; false if it holds anything else. Written so that compilers turn
+// it into vector code: large maps are read at the speed of memory.
+bool read_plain(std::string_view row, Cell* out) {
+  unsigned char strange = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto c = static_cast<unsigned char>(row[i]);
+    const auto line = static_cast<unsigned char>((c == '1') | (c == '.'));
+    const auto wall = static_cast<unsigned char>((c == '2') | (c == '#'));
+    const auto floor = static_cast<unsigned char>((c == '0') | (c == ' ') | (c == '_'));
+    out[i] = static_cast<Cell>(line | wall << 1);
+    strange |= static_cast<unsigned char>((line | wall | floor) ^ 1);
+  }
+  return strange == 0;
+}
+
+// What a character other than S and G means; nothing if it means nothing.
+std::optional<Cell> meaning(char c, const std::array<std::optional<Cell>, 10>& legend) {
+  switch (c) {
+    case '0':
+    case ' ':
+    case '_':
+      return Cell::floor;
+    case '1':
+    case '.':
+    case 'S':
+    case 'G':
+      return Cell::line;
+    case '2':
+    case '#':
+      return Cell::wall;
+    case 'x':
+      return Cell::obstacle;
+    default:
+      break;
+  }
+  if (c >= '3' && c <= '9') return legend[static_cast<std::size_t>(c - '0')];
+  return std::nullopt;
+}
+
+}  // namespace
+
+MapParser::MapParser(std::string file, std::size_t size_hint) : size_hint_(size_hint) {
+  map_.file = std::move(file);
+}
+
+void MapParser::feed(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const void* end = std::memchr(bytes.data(), '\n', bytes.size());
+    const std::size_t length =
+        end ? static_cast<std::size_t>(static_cast<const char*>(end) - bytes.data()) : bytes.size();
+    if (!end || !carry_.empty()) carry_.append(bytes.substr(0, length));
+    if (!end) {
+      if (section_ != Section::front_matter && carry_.size() > kMaxSide + std::size_t{1}) take_line(carry_);
+      if (section_ == Section::front_matter) limit_front_matter(carry_.size());
+      return;
+    }
+    take_line(carry_.empty() ? bytes.substr(0, length) : std::string_view(carry_));
+    carry_.clear();
+    bytes.remove_prefix(length + 1);
+  }
+}
+
+void MapParser::take_line(std::string_view line) {
+  ++line_;
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  switch (section_) {
+    case Section::beginning:
+      if (line == kFence) {
+        section_ = Section::front_matter;
+        return;
+      }
+      section_ = Section::grid;
+      break;
+    case Section::front_matter:
+      if (line == kFence) {
+        end_front_matter();
+        return;
+      }
+      limit_front_matter(line.size());
+      front_text_.append(line).push_back('\n');
+      return;
+    case Section::grid:
+      break;
+  }
+  take_row(line);
+}
+
+void MapParser::limit_front_matter(std::size_t further) const {
+  if (front_text_.size() + further > kMaxFrontMatter)
+    throw InputError({map_.file, 1, 1},
+                     "the front matter that begins here is longer than 1 MB; is its closing +++ missing?");
+}
+
+void MapParser::end_front_matter() {
+  front_ = read_front_matter(front_text_, map_.file, 2);
+  Map settings = std::move(front_.settings);
+  settings.file = std::move(map_.file);
+  map_ = std::move(settings);
+  section_ = Section::grid;
+}
+
+void MapParser::take_row(std::string_view row) {
+  if (map_.height == 0) {
+    first_row_line_ = line_;
+    if (row.empty())
+      throw InputError({map_.file, line_, 1},
+                       "an empty line where the map's first row should be; delete it, or draw floor as `_`");
+    if (row.size() > kMaxSide) {
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (!meaning(row[i], front_.legend)) refuse_character(row, i);
+      throw InputError({map_.file, line_, kMaxSide + 1},
+                       fmt::format("this row is longer than {} cells, the most a map may have", kMaxSide));
+    }
+    map_.width = static_cast<int>(row.size());
+    row_.resize(row.size());
+    map_.cells.reserve(std::min(size_hint_, kMaxCells));
+  }
+  const auto width = static_cast<std::size_t>(map_.width);
+  if (row.size() != width) refuse_length(row);
+  if (map_.height == kMaxSide || map_.cells.size() + width > kMaxCells)
+    throw InputError(
+        {map_.file, line_, 1},
+        fmt::format("the map goes on after {} rows of {} cells; at most {} rows and {} cells are allowed",
+                    map_.height, width, kMaxSide, kMaxCells));
+  if (!read_plain(row, row_.data())) take_marked_row(row);
+  count_for_swap(row);
+  map_.cells.insert(map_.cells.end(), row_.begin(), row_.end());
+  ++map_.height;
+}
+
+void MapParser::take_marked_row(std::string_view row) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::optional<Cell> cell = meaning(row[i], front_.legend);
+    if (!cell) refuse_character(row, i);
+    row_[i] = *cell;
+    const CellAt at{static_cast<int>(i), map_.height};
+    if (row[i] == 'S') mark(start_mark_, at, 'S');
+    if (row[i] == 'G') mark(goal_mark_, at, 'G');
+  }
+}
+
+void MapParser::mark(std::optional<CellAt>& which, CellAt cell, char c) {
+  if (which) {
+    const Place first = place_of(*which);
+    throw InputError(place_of(cell),
+                     fmt::format("a second `{}`; the first is in line {}, column {}, and a map has at "
+                                 "most one",
+                                 c, first.line, first.column));
+  }
+  which = cell;
+}
+
+void MapParser::count_for_swap(std::string_view row) {
+  if (std::memchr(row.data(), '.', row.size()))
+    dots_ += static_cast<std::size_t>(std::count(row.begin(), row.end(), '.'));
+  if (hashes_ == 0) hashes_ += static_cast<std::size_t>(std::count(row.begin(), row.end(), '#'));
+}
+
+void MapParser::refuse_character(std::string_view row, std::size_t column) const {
+  const Place place{map_.file, line_, static_cast<int>(column) + 1};
+  if (row.starts_with(kFence)) {
+    if (line_ != 1)
+      throw InputError(place, "found +++; front matter may only begin on the first line of the file");
+    const std::size_t next = row.size() > kFence.size() ? kFence.size() : 0;
+    throw InputError({map_.file, line_, static_cast<int>(next) + 1},
+                     fmt::format("found {} after +++; the line that begins front matter holds nothing else",
+                                 describe_character(row, next)));
+  }
+  std::string legend;
+  for (char digit = '3'; digit <= '9'; ++digit)
+    if (front_.legend[static_cast<std::size_t>(digit - '0')]) legend += fmt::format(" `{}`", digit);
+  std::string found = describe_character(row, column);
+  if (row[column] >= '3' && row[column] <= '9') found += ", which no [legend] in the front matter explains";
+  throw InputError(
+      place,
+      fmt::format("found {}; allowed are `0`, space or `_` for floor, `1` or `.` for line, `2` or "
+                  "`#` for wall, `S`, `G`, `x`{}",
+                  found, legend.empty() ? " and the digits of a [legend]" : " and the legend's" + legend));
+}
+
+void MapParser::refuse_length(std::string_view row) const {
+  const auto width = static_cast<std::size_t>(map_.width);
+  for (std::size_t i = 0; i < std::min(row.size(), width + 1); ++i)
+    if (!meaning(row[i], front_.legend)) refuse_character(row, i);
+  const std::string cells = fmt::format("{} cell{}", row.size(), row.size() == 1 ? "" : "s");
+  if (row.empty())
+    throw InputError(
+        {map_.file, line_, 1},
+        fmt::format("an empty line; every row must have {} cells, as the first has: trailing spaces "
+                    "stripped? use `_`, or delete the line",
+                    width));
+  if (row.size() < width)
+    throw InputError(
+        {map_.file, line_, static_cast<int>(row.size()) + 1},
+        fmt::format("this row has {}, but the first row has {}: trailing spaces stripped? use `_`", cells,
+                    width));
+  throw InputError(
+      {map_.file, line_, map_.width + 1},
+      fmt::format("this row has {}, but the first row has {}; all rows must be equally long: trailing "
+                  "spaces stripped there? use `_`",
+                  cells, width));
+}
+
+Map MapParser::finish() {
+  if (!carry_.empty()) take_line(std::exchange(carry_, {}));
+  if (line_ == 0) throw InputError({map_.file}, "the file is empty; a map has at least one row of cells");
+  if (section_ == Section::front_matter)
+    throw InputError({map_.file, 1, 1},
+                     "the front matter that begins here never ends; close it with a line +++");
+  if (map_.height == 0)
+    throw InputError({map_.file, line_, 1}, "no cells follow the front matter; a map has at least one row");
+  check_swap();
+  settle_start();
+  settle_stations();
+  return std::move(map_);
+}
+
+CellAt MapParser::first_cell_of(Cell kind) const {
+  const auto found = std::find(map_.cells.begin(), map_.cells.end(), kind);
+  return map_.cell_at(static_cast<std::size_t>(found - map_.cells.begin()));
+}
+
+void MapParser::check_swap() const {
+  if (hashes_ == 0 || dots_ * 2 <= map_.cells.size()) return;
+  throw InputError(
+      place_of(first_cell_of(Cell::line)),
+      fmt::format("{} of {} cells are line, written `.`, and `#` is wall: were `.` and `#` swapped? If so "
+                  "much line is meant, write it as `1`",
+                  dots_, map_.cells.size()));
+}
+
+void MapParser::settle_start() {
+  std::optional<CellAt> cell = start_mark_;
+  Place place = start_mark_ ? place_of(*start_mark_) : Place{};
+  if (front_.start) {
+    if (front_.start->cell && start_mark_ && *front_.start->cell != *start_mark_)
+      throw InputError(front_.start->place,
+                       fmt::format("[start] is column {}, row {}, but the map has an `S` in line "
+                                   "{}, column {}; remove one of them",
+                                   front_.start->cell->x, front_.start->cell->y, place.line, place.column));
+    place = front_.start->place;
+    if (front_.start->cell) cell = front_.start->cell;
+    if (!cell)
+      throw InputError(place, "[start] needs x and y (column and row from 0), as the map has no `S`");
+  }
+  if (!cell) return;
+  require_line(map_, *cell, place, "the start");
+  if (map_.at(*cell) == Cell::obstacle) throw InputError(place, "the start is a cell with an obstacle");
+  const bool facing = front_.start && front_.start->facing;
+  map_.start = Start{*cell, facing ? *front_.start->facing : default_facing(map_, *cell)};
+}
+
+void MapParser::settle_stations() {
+  for (const auto& [station, place] : front_.stations) {
+    require_line(map_, station.cell, place, "station " + station.name);
+    for (const NamedStation& other : map_.stations)
+      if (other.cell == station.cell)
+        throw InputError(
+            place, fmt::format("station {} is on the same cell as station {}", station.name, other.name));
+    map_.stations.push_back(station);
+  }
+  map_.goal_cell = goal_mark_;
+  if (front_.goal_cell) {
+    const auto& [cell, place] = *front_.goal_cell;
+    if (goal_mark_ && *goal_mark_ != cell)
+      throw InputError(
+          place, fmt::format("[goal] is column {}, row {}, but the map has a `G` in line {}, column {}; "
+                             "remove one of them",
+                             cell.x, cell.y, place_of(*goal_mark_).line, place_of(*goal_mark_).column));
+    require_line(map_, cell, place, "the goal");
+    map_.goal_cell = cell;
+  }
+  if (!map_.goal_cell) return;
+  const Place place = front_.goal_cell ? front_.goal_cell->place : place_of(*goal_mark_);
+  auto station = std::find_if(map_.stations.begin(), map_.stations.end(),
+                              [&](const NamedStation& s) { return s.cell == *map_.goal_cell; });
+  if (station == map_.stations.end()) {
+    for (const NamedStation& other : map_.stations)
+      if (other.name == "goal")
+        throw InputError(place,
+                         "the goal is not on the station that is named goal; give that station another name");
+    station = map_.stations.insert(station, {"goal", *map_.goal_cell});
+  }
+  if (map_.goal.empty()) {
+    map_.goal = "station:" + station->name;
+    map_.goal_place = place;
+  }
+}
+
+}  // namespace robosim::grid

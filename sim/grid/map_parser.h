@@ -1,0 +1,59 @@
+// Turns the text of a map file, fed in pieces of any size, into a Map. Behind read_map and parse_map.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/grid/front_matter.h"
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+class MapParser {
+ public:
+  /// `size_hint`: how many bytes will be fed, as far as known; memory for the cells is reserved by it.
+  MapParser(std::string file, std::size_t size_hint);
+
+  /// Throws InputError as soon as something is wrong.
+  void feed(std::string_view bytes);
+  /// The map, once everything is fed. Throws InputError.
+  Map finish();
+
+ private:
+  enum class Section { beginning, front_matter, grid };
+
+  void take_line(std::string_view line);
+  void limit_front_matter(std::size_t further) const;
+  void end_front_matter();
+  void take_row(std::string_view row);
+  /// Rows with characters beyond floor, line and wall.
+  void take_marked_row(std::string_view row);
+  void mark(std::optional<CellAt>& which, CellAt cell, char c);
+  void count_for_swap(std::string_view row);
+  [[noreturn]] void refuse_character(std::string_view row, std::size_t column) const;
+  [[noreturn]] void refuse_length(std::string_view row) const;
+  void check_swap() const;
+  void settle_start();
+  void settle_stations();
+  Place place_of(CellAt cell) const { return {map_.file, first_row_line_ + cell.y, cell.x + 1}; }
+  CellAt first_cell_of(Cell kind) const;
+
+  Map map_;
+  FrontMatter front_;
+  std::size_t size_hint_;
+  Section section_ = Section::beginning;
+  int line_ = 0;            // of the last line taken
+  int first_row_line_ = 0;  // the line of row 0
+  std::string carry_;       // a line whose end has not been fed yet
+  std::string front_text_;
+  std::vector<Cell> row_;
+  std::optional<CellAt> start_mark_;
+  std::optional<CellAt> goal_mark_;
+  std::size_t dots_ = 0;    // cells written `.`
+  std::size_t hashes_ = 0;  // cells written `#`
+};
+
+}  // namespace robosim::grid

@@ -1,0 +1,85 @@
+#include "sim/grid/map_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/units.h"
+
+namespace robosim::grid {
+namespace {
+
+// The length in mm, or in m where millimetres would round.
+std::string length_text(double m) {
+  const std::string mm = fmt::format("{} mm", m * 1e3);
+  return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
+}
+
+// As a TOML basic string.
+std::string toml_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      quoted += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+// `1` for lines where `.` beside `#` would look swapped: see docs/formats.md.
+char line_character(const Map& map) {
+  const auto lines = static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), Cell::line));
+  return lines * 2 > map.cells.size() ? '1' : '.';
+}
+
+// Keys of the top level, then tables; "" if all is as it is without front matter.
+std::string front_matter(const Map& map, bool mark_goal) {
+  const Map defaults;
+  std::string text;
+  if (!map.name.empty()) text += fmt::format("name = {}\n", toml_string(map.name));
+  if (map.cell_m != defaults.cell_m) text += fmt::format("cell = \"{}\"\n", length_text(map.cell_m));
+  if (map.line_m != std::min(defaults.line_m, map.cell_m))
+    text += fmt::format("line = \"{}\"\n", length_text(map.line_m));
+  if (map.corner_m != defaults.corner_m) text += fmt::format("corner = \"{}\"\n", length_text(map.corner_m));
+  if (map.raster) text += "floor = \"raster\"\n";
+  if (!map.generator.empty()) text += fmt::format("generator = {}\n", toml_string(map.generator));
+
+  std::string stations;
+  std::string goal_station;
+  for (const NamedStation& s : map.stations) {
+    const bool is_goal = map.goal_cell && s.cell == *map.goal_cell;
+    if (is_goal) goal_station = s.name;
+    if (!is_goal || s.name != "goal") stations += fmt::format("{} = [{}, {}]\n", s.name, s.cell.x, s.cell.y);
+  }
+  if (!map.goal.empty() && (!map.goal_cell || map.goal != "station:" + goal_station))
+    text += fmt::format("goal = {}\n", toml_string(map.goal));
+  if (map.start)
+    text += fmt::format("[start]\nx = {}\ny = {}\nfacing = \"{}\"\n", map.start->cell.x, map.start->cell.y,
+                        letter(map.start->facing));
+  if (map.goal_cell && !mark_goal)
+    text += fmt::format("[goal]\nx = {}\ny = {}\n", map.goal_cell->x, map.goal_cell->y);
+  if (!stations.empty()) text += "[stations]\n" + stations;
+  if (std::find(map.cells.begin(), map.cells.end(), Cell::gap) != map.cells.end())
+    text += "[legend]\n3 = \"gap\"\n";
+  return text;
+}
+
+}  // namespace
+
+std::string write_map(const Map& map) {
+  const bool mark_goal = map.goal_cell && map.at(*map.goal_cell) == Cell::line;
+  std::string text = front_matter(map, mark_goal);
+  if (!text.empty()) text = "+++\n" + text + "+++\n";
+  const char symbols[] = {'_', line_character(map), '#', '3', 'x'};
+  for (CellAt c; c.y < map.height; ++c.y) {
+    for (c.x = 0; c.x < map.width; ++c.x)
+      text += mark_goal && c == *map.goal_cell ? 'G' : symbols[static_cast<std::size_t>(map.at(c))];
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace robosim::grid

@@ -1,0 +1,14 @@
+// Writes a map as a file that read_map reads back: floor `_`, line `.`, wall `#`, and front matter for whatever is
+// not the default.
+#pragma once
+
+#include <string>
+
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+/// The text of a map file. Reading it gives an equal map, but for `file`, `sha256` and the place of the goal.
+std::string write_map(const Map& map);
+
+}  // namespace robosim::grid

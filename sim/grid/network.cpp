@@ -1,0 +1,134 @@
+#include "sim/grid/network.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace robosim::grid {
+namespace {
+
+// Ways out of a cell for a robot that faces `d`, in the order in which the right-hand walk takes them.
+std::array<Direction, 4> right_hand_order(Direction d) {
+  return {turned_right(d), d, turned_left(d), reversed(d)};
+}
+
+bool passable(const Map& map, CellAt c) { return is_line(map.at(c)) && map.at(c) != Cell::obstacle; }
+
+class Walk {
+ public:
+  Walk(const Map& map, const Start& start) : map_(map), reached_(map.cells.size()) { explore(start); }
+
+  bool reached(CellAt c) const { return reached_[map_.index_of(c)]; }
+  const std::vector<CellAt>& dead_ends() const { return dead_ends_; }
+  const std::vector<CellAt>& junctions() const { return junctions_; }
+
+  /// Nodes in order of travel if the reached network is one closed loop.
+  std::vector<CellAt> loop(const Start& start) const {
+    if (!only_loops_ || edge_ends_ == 0) return {};
+    std::vector<CellAt> nodes;
+    const Direction first = first_step(start);
+    CellAt cell = start.cell;
+    Direction d = first;
+    do {
+      nodes.push_back(cell);
+      cell = ahead(cell, d);
+      d = onward(cell, d);
+    } while (cell != start.cell || d != first);
+    return nodes.size() * 2 == edge_ends_ ? nodes : std::vector<CellAt>{};
+  }
+
+ private:
+  // Depth first, the rightmost way first: on a tree, the order in which v1 meets its stations. A way that
+  // leads to a cell reached meanwhile is dropped, so that cycles and crossings end.
+  void explore(const Start& start) {
+    struct Way {
+      CellAt to;
+      Direction facing;
+    };
+    std::vector<Way> pending{{start.cell, start.facing}};
+    while (!pending.empty()) {
+      const auto [cell, facing] = pending.back();
+      pending.pop_back();
+      if (!passable(map_, cell) || reached(cell)) continue;
+      reached_[map_.index_of(cell)] = true;
+      const unsigned lines = line_neighbours(map_, cell);
+      note(cell, lines);
+      const auto order = right_hand_order(facing);
+      for (auto d = order.rbegin(); d != order.rend(); ++d)
+        if (has(lines, *d) && !reached(ahead(cell, *d))) pending.push_back({ahead(cell, *d), *d});
+    }
+  }
+
+  void note(CellAt cell, unsigned lines) {
+    const int degree = std::popcount(lines);
+    edge_ends_ += static_cast<std::size_t>(degree);
+    if (degree <= 1) dead_ends_.push_back(cell);
+    if (degree >= 3) junctions_.push_back(cell);
+    if (degree != 2 && degree != 4) only_loops_ = false;
+    for (int d = 0; d < 4; ++d)
+      if (map_.at(ahead(cell, static_cast<Direction>(d))) == Cell::obstacle) only_loops_ = false;
+  }
+
+  // On a loop: straight where possible at the start, straight over crossings, round bends.
+  Direction first_step(const Start& start) const {
+    const unsigned lines = line_neighbours(map_, start.cell);
+    for (const Direction d :
+         {start.facing, turned_right(start.facing), turned_left(start.facing), reversed(start.facing)})
+      if (has(lines, d)) return d;
+    return start.facing;
+  }
+  Direction onward(CellAt cell, Direction d) const {
+    const unsigned lines = line_neighbours(map_, cell);
+    if (has(lines, d)) return d;
+    return has(lines, turned_right(d)) ? turned_right(d) : turned_left(d);
+  }
+
+  const Map& map_;
+  std::vector<bool> reached_;
+  std::vector<CellAt> dead_ends_;
+  std::vector<CellAt> junctions_;
+  std::size_t edge_ends_ = 0;
+  bool only_loops_ = true;
+};
+
+// All dead ends of the map that the walk did not reach, in row order.
+std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
+  std::vector<CellAt> cells;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (!is_line(map.cells[i])) continue;
+    const CellAt c = map.cell_at(i);
+    if (!walk.reached(c) && std::popcount(line_neighbours(map, c)) <= 1) cells.push_back(c);
+  }
+  return cells;
+}
+
+}  // namespace
+
+Network trace_network(const Map& map, const Start& start) {
+  const Walk walk(map, start);
+  Network network;
+  const auto add = [&](CellAt cell, std::string name) {
+    const int id = static_cast<int>(network.stations.size()) + 1;
+    network.stations.push_back({id, name.empty() ? std::to_string(id) : std::move(name), cell});
+  };
+  const auto name_at = [&](CellAt cell) {
+    for (const NamedStation& named : map.stations)
+      if (named.cell == cell) return named.name;
+    return std::string();
+  };
+  for (const CellAt cell : walk.dead_ends()) add(cell, name_at(cell));
+  network.unreachable = unreached_dead_ends(map, walk);
+  for (const NamedStation& named : map.stations) {
+    const bool dead_end = std::popcount(line_neighbours(map, named.cell)) <= 1;
+    if (dead_end) continue;
+    if (walk.reached(named.cell))
+      add(named.cell, named.name);
+    else
+      network.unreachable.push_back(named.cell);
+  }
+  network.junctions = walk.junctions();
+  network.loop = walk.loop(start);
+  return network;
+}
+
+}  // namespace robosim::grid

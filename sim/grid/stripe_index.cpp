@@ -1,0 +1,78 @@
+#include "sim/grid/stripe_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/grid/stripes.h"
+
+namespace robosim::grid {
+namespace {
+
+// Rounding must never hide a stripe that is exactly within reach.
+constexpr double kSlack = 1e-9;  // m
+
+// Calls visit(cell) for every cell of the map that has a point within reach of the stripe.
+template <typename Visit>
+void visit_cells(const Map& map, const Stripe& s, double reach, Visit visit) {
+  const double west = std::min(s.a.x, s.b.x);
+  const double east = std::max(s.a.x, s.b.x);
+  const double south = std::min(s.a.y, s.b.y);
+  const double north = std::max(s.a.y, s.b.y);
+  const double c = map.cell_m;
+  const auto column = [&](double x) {
+    return static_cast<int>(std::clamp(std::floor(x / c), 0.0, static_cast<double>(map.width - 1)));
+  };
+  const auto row = [&](double y) {
+    return map.height - 1 -
+           static_cast<int>(std::clamp(std::floor(y / c), 0.0, static_cast<double>(map.height - 1)));
+  };
+  const double half_diagonal = c * 0.70710678118654757;
+  CellAt cell;
+  for (cell.y = row(north + reach); cell.y <= row(south - reach); ++cell.y) {
+    for (cell.x = column(west - reach); cell.x <= column(east + reach); ++cell.x) {
+      const Vec2 middle = map.centre(cell);
+      const double dx = std::max({west - (middle.x + c / 2), middle.x - c / 2 - east, 0.0});
+      const double dy = std::max({south - (middle.y + c / 2), middle.y - c / 2 - north, 0.0});
+      if (dx * dx + dy * dy > reach * reach) continue;
+      if (s.radius > 0.0 && distance(s, middle) > reach + half_diagonal) continue;
+      visit(cell);
+    }
+  }
+}
+
+}  // namespace
+
+StripeIndex::StripeIndex(const Map& map, std::span<const Stripe> stripes, double reach_m)
+    : width_(map.width),
+      height_(map.height),
+      block_columns_(static_cast<std::size_t>((map.width + kSide - 1) >> kShift)),
+      blocks_(block_columns_ * static_cast<std::size_t>((map.height + kSide - 1) >> kShift), kEmpty) {
+  const double reach = reach_m + kSlack;
+  std::size_t total = 0;
+  std::uint32_t used = 0;
+  for (const Stripe& stripe : stripes)
+    visit_cells(map, stripe, reach, [&](CellAt cell) {
+      std::uint32_t& block = blocks_[block_of(cell)];
+      if (block == kEmpty) {
+        block = used++;
+        first_.resize(first_.size() + kSide * kSide);
+      }
+      ++first_[slot_of(block, cell)];
+      ++total;
+    });
+  if (total >= kEmpty || stripes.size() >= kEmpty)
+    throw InputError({map.file},
+                     "the map has too much line to be driven on; the cell engine can still walk it");
+
+  // Counts become ends, and filling from the back turns ends into beginnings.
+  std::uint32_t end = 0;
+  for (std::uint32_t& slot : first_) slot = end += slot;
+  first_.push_back(end);
+  entries_.resize(total);
+  for (std::size_t i = stripes.size(); i-- > 0;)
+    visit_cells(map, stripes[i], reach, [&](CellAt cell) {
+      entries_[--first_[slot_of(blocks_[block_of(cell)], cell)]] = static_cast<std::uint32_t>(i);
+    });
+}
+
+}  // namespace robosim::grid

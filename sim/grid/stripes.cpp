@@ -1,0 +1,178 @@
+#include "sim/grid/stripes.h"
+
+#include "sim/grid/bend.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr double kNothing = 1e-9;  // m; shorter pieces are rounding
+
+// A stretch of a leg that is not painted, by distance from the leg's first cell.
+struct Gap {
+  double from;
+  double to;
+};
+
+// The first point of a leg plus a direction: cells counted from 0, distances in metres.
+struct Leg {
+  const Map& map;
+  CellAt first;
+  Direction d;
+
+  CellAt cell(int n) const {
+    const CellAt step = ahead({0, 0}, d);
+    return {first.x + n * step.x, first.y + n * step.y};
+  }
+  Vec2 point(double t) const { return map.centre(first) + heading(d) * t; }
+
+  /// The gaps among its first `count` cells, in order, not overlapping. Paint reaches line/2 beyond a
+  /// stripe's end, so a gap takes that much from the stripes beside it; of a single painted cell something
+  /// always remains.
+  std::vector<Gap> gaps(int count) const {
+    const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
+    std::vector<Gap> found;
+    for (int n = 0; n < count; ++n) {
+      if (map.at(cell(n)) != Cell::gap) continue;
+      const double from = (n - 0.5) * map.cell_m - beside;
+      const double to = (n + 0.5) * map.cell_m + beside;
+      if (!found.empty() && found.back().to > from)
+        found.back().to = to;
+      else
+        found.push_back({from, to});
+    }
+    return found;
+  }
+};
+
+// Calls piece(from, to, painted) for the parts into which gaps cut a stretch of a leg, in order.
+template <typename Piece>
+void cut(double from, double to, const std::vector<Gap>& gaps, Piece piece) {
+  const auto part = [&](double begin, double end, bool painted) {
+    if (end - begin > kNothing) piece(begin, end, painted);
+  };
+  for (const Gap& gap : gaps) {
+    const double begin = std::clamp(gap.from, from, to);
+    const double end = std::clamp(gap.to, from, to);
+    part(from, begin, true);
+    part(begin, end, false);
+    from = end;
+  }
+  part(from, to, true);
+}
+
+class Builder {
+ public:
+  Builder(const Map& map, std::vector<Stripe>& stripes) : map_(map), stripes_(stripes) {}
+
+  // The run of line cells that begins at `first` and goes east or north, less what arcs take at its ends.
+  void add_run(CellAt first, Direction d) {
+    const Leg leg{map_, first, d};
+    int last = 1;
+    while (is_line(map_.at(leg.cell(last + 1)))) ++last;
+    const double begin = radius_at(first);
+    const double end = last * map_.cell_m - radius_at(leg.cell(last));
+    const Vec2 far = map_.centre(leg.cell(last));
+    cut(begin, end, leg.gaps(last + 1), [&](double from, double to, bool painted) {
+      const bool whole = to == last * map_.cell_m;
+      stripes_.push_back({leg.point(from), whole ? far : leg.point(to), {}, 0.0, painted});
+    });
+  }
+
+  void add_arc(const Bend& bend) {
+    const Leg first{map_, bend.cell, bend.first};
+    const Leg second{map_, bend.cell, bend.second};
+    const double r = bend.radius;
+    const Vec2 centre = map_.centre(bend.cell) + (heading(bend.first) + heading(bend.second)) * r;
+    const int cells = static_cast<int>(r / map_.cell_m) + 2;
+    const std::size_t begun = stripes_.size();
+    const auto add = [&](Vec2 a, Vec2 b, bool painted) {
+      if (stripes_.size() > begun && stripes_.back().painted == painted)
+        stripes_.back().b = b;
+      else
+        stripes_.push_back({a, b, centre, r, painted});
+    };
+
+    // A half of the arc lies beside each leg and is painted where the leg is. At distance t from the corner,
+    // the arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
+    const auto at = [&](const Leg& leg, const Leg& other, double t) {
+      const double side = r - std::sqrt(std::max(r * r - (r - t) * (r - t), 0.0));
+      return leg.point(t) + heading(other.d) * side;
+    };
+    struct Piece {
+      double from;
+      double to;
+      bool painted;
+    };
+    std::vector<Piece> pieces;
+    cut(bend.middle(), r, first.gaps(cells), [&](double from, double to, bool painted) {
+      pieces.push_back({from, to, painted});
+    });
+    for (auto p = pieces.rbegin(); p != pieces.rend(); ++p)
+      add(at(first, second, p->to), at(first, second, p->from), p->painted);
+    cut(bend.middle(), r, second.gaps(cells), [&](double from, double to, bool painted) {
+      add(at(second, first, from), at(second, first, to), painted);
+    });
+  }
+
+  void add_dot(CellAt cell) {
+    const Vec2 p = map_.centre(cell);
+    stripes_.push_back({p, p, {}, 0.0, map_.at(cell) != Cell::gap});
+  }
+
+ private:
+  double radius_at(CellAt cell) const {
+    if (map_.corner_m <= 0.0) return 0.0;
+    const auto bend = bend_at(map_, cell);
+    return bend ? bend->radius : 0.0;
+  }
+
+  const Map& map_;
+  std::vector<Stripe>& stripes_;
+};
+
+template <typename Visit>
+void for_each_line_cell(const Map& map, Visit visit) {
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (is_line(map.cells[i])) visit(map.cell_at(i));
+}
+
+}  // namespace
+
+std::vector<TightBend> tight_bends(const Map& map) {
+  std::vector<TightBend> tight;
+  if (map.corner_m <= 0.0) return tight;
+  for_each_line_cell(map, [&](CellAt cell) {
+    const auto bend = bend_at(map, cell);
+    if (bend && is_tight(map, *bend)) tight.push_back({cell, bend->radius});
+  });
+  return tight;
+}
+
+Stripes::Stripes(const Map& map, double reach_m) : map_(&map) {
+  Builder builder(map, stripes_);
+  for_each_line_cell(map, [&](CellAt cell) {
+    const unsigned lines = line_neighbours(map, cell);
+    if (lines == 0) builder.add_dot(cell);
+    if (has(lines, Direction::east) && !has(lines, Direction::west)) builder.add_run(cell, Direction::east);
+    if (has(lines, Direction::north) && !has(lines, Direction::south))
+      builder.add_run(cell, Direction::north);
+    if (map.corner_m <= 0.0) return;
+    const auto bend = bend_at(map, cell);
+    if (!bend) return;
+    builder.add_arc(*bend);
+    if (is_tight(map, *bend)) tight_.push_back({cell, bend->radius});
+  });
+  index_ = StripeIndex(map, stripes_, reach_m);
+}
+
+Vec2 Stripes::point_of(CellAt cell) const {
+  const Vec2 p = map_->centre(cell);
+  const auto bend = bend_over(*map_, cell);
+  if (!bend) return p;
+  const Vec2 centre =
+      map_->centre(bend->cell) + (heading(bend->first) + heading(bend->second)) * bend->radius;
+  const Vec2 spoke = p - centre;
+  return centre + spoke * (bend->radius / length(spoke));
+}
+
+}  // namespace robosim::grid
