@@ -1,0 +1,190 @@
+// The wrapper `robosim` in a checkout of its own, where the tools it calls are scripts that write down how.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "sim/base/file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using robosim::read_file;
+using robosim::write_file;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Result {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+class Wrapper : public testing::Test {
+ protected:
+  Wrapper() {
+    std::string name = (fs::temp_directory_path() / "wrapper.XXXXXX").string();
+    folder_ = fs::canonical(::mkdtemp(name.data()));
+    const fs::path source = ROBOSIM_SOURCE_DIR;
+    for (const char* part : {"checkout/toolchain", "checkout/hal", "checkout/sim", "bin", "elsewhere"})
+      fs::create_directories(folder_ / part);
+    for (const char* file : {"robosim", "CMakeLists.txt", "CMakePresets.json", "toolchain/packages.sh"})
+      fs::copy(source / file, checkout() / file);
+    write_file(checkout() / "toolchain/packages.txt",
+               "[host]\nplenty\nscarce  # why\n[test]\ncheck-kit\n[avr]\nchip\n");
+    tool("dpkg-query", "printf '%s installed\\n' plenty check-kit $(cat have 2>/dev/null)");
+    tool("sudo", "exec \"$@\"");
+    tool("apt-get", "case \" $* \" in *' update '*) echo Hit:1;; *) echo scarce >have;; esac");
+    tool("ctest", "pwd");
+    tool("cmake", R"(
+      case $1 in
+        --version) echo 'cmake version 3.25.1' ;;
+        --preset) mkdir -p build/$2; touch build/$2/build.ninja
+                  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
+                  echo 'ROBOSIM_TESTS:BOOL='${3#*=} >>build/$2/CMakeCache.txt ;;
+        --build) echo compiling
+                 printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim ;;
+      esac)");
+    write_file(folder_ / "have", "scarce\n");
+  }
+  ~Wrapper() override {
+    std::error_code error;
+    fs::remove_all(folder_, error);
+  }
+
+  fs::path checkout() const { return folder_ / "checkout"; }
+
+  // A script in place of a tool: it notes its arguments in `calls`, then does `body` there.
+  void tool(const std::string& name, const std::string& body) const {
+    const fs::path file = folder_ / "bin" / name;
+    const std::string note = "echo \"" + name + " $*\" >>'" + folder_.string() + "/calls'\n";
+    // Only cmake and ctest care where they are called; the others keep their state in the folder.
+    const std::string place = name == "cmake" || name == "ctest" ? "" : "cd '" + folder_.string() + "'\n";
+    write_file(file, "#!/bin/sh\n" + note + place + body + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+  }
+
+  // Runs a command line in `elsewhere`, without a terminal.
+  Result run(const std::string& command) const {
+    const std::string line = "cd '" + (folder_ / "elsewhere").string() + "' && env -i PATH='" +
+                             (folder_ / "bin").string() + ":/usr/bin:/bin' " + command +
+                             " </dev/null >../out 2>../err";
+    const int status = std::system(line.c_str());
+    return {WEXITSTATUS(status), read_file(folder_ / "out"), read_file(folder_ / "err")};
+  }
+
+  // What the tools were asked since the last time.
+  std::string calls() const {
+    const fs::path file = folder_ / "calls";
+    if (!fs::exists(file)) return "";
+    const std::string content = read_file(file);
+    fs::remove(file);
+    return content;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Wrapper, HandsItsArgumentsToTheBuiltCommandInTheUsersFolder) {
+  fs::create_symlink(checkout() / "robosim", folder_ / "link");
+  const Result result = run("../link run 'my sketch' --json");
+  EXPECT_EQ(result.out, (folder_ / "elsewhere").string() + "\n<run><my sketch><--json>");
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.status, 4) << "the command's own";
+}
+
+TEST_F(Wrapper, BuildsOnlyWhatACommandNeedsAndOnlyOnce) {
+  run("../checkout/robosim");
+  EXPECT_THAT(calls(), testing::AllOf(HasSubstr("cmake --preset release -DROBOSIM_TESTS=OFF\n"),
+                                      testing::ContainsRegex("cmake --build .*/build/release -j [1-9][0-9]* "
+                                                             "--target robosim robosim-host\n")));
+  run("../checkout/robosim");
+  EXPECT_EQ(calls(), "");
+}
+
+TEST_F(Wrapper, BuildsAgainAfterAChange) {
+  run("../checkout/robosim");
+  calls();
+  write_file(checkout() / "sim/new.cpp", "");
+  fs::last_write_time(checkout() / "sim/new.cpp", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  run("../checkout/robosim");
+  EXPECT_THAT(calls(), HasSubstr("cmake --build"));
+}
+
+TEST_F(Wrapper, ConfiguresAMovedCheckoutAfresh) {
+  run("../checkout/robosim");
+  calls();
+  fs::rename(checkout(), folder_ / "moved");
+  run("../moved/robosim");
+  EXPECT_THAT(calls(), HasSubstr("cmake --preset release"));
+}
+
+TEST_F(Wrapper, BuildsAndRunsTheTests) {
+  run("../checkout/robosim");
+  calls();
+  const Result result = run("../checkout/robosim test -R Golden");
+  EXPECT_EQ(result.out, checkout().string() + "\n");
+  const std::string asked = calls();
+  EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit\n"));
+  EXPECT_THAT(asked, HasSubstr("cmake --preset release -DROBOSIM_TESTS=ON\n"));
+  EXPECT_THAT(asked, Not(HasSubstr("--target")));
+  EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -R Golden\n"));
+}
+
+TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserHasChecks) {
+  write_file(folder_ / "elsewhere/checks.toml", "");
+  EXPECT_THAT(run("../checkout/robosim test").out, EndsWith("<test>"));
+}
+
+TEST_F(Wrapper, InstallsWhatIsMissingAsRootAndOtherwiseSaysHow) {
+  fs::remove(folder_ / "have");
+  const Result result = run("../checkout/robosim");
+  EXPECT_THAT(result.err, HasSubstr("apt-get install --no-install-recommends scarce\n"));
+  const std::string asked = calls();
+  if (::geteuid() == 0) {
+    EXPECT_EQ(result.status, 4);
+    EXPECT_THAT(asked, HasSubstr("apt-get install --no-install-recommends scarce -"));
+  } else {
+    EXPECT_EQ(result.status, 5);
+    EXPECT_THAT(asked, Not(testing::AnyOf(HasSubstr("sudo"), HasSubstr("apt-get"))));
+  }
+  EXPECT_EQ(result.out.find("apt-get"), std::string::npos);
+}
+
+TEST_F(Wrapper, NamesThePackagesWhereNoServerAnswers) {
+  fs::remove(folder_ / "have");
+  tool("apt-get", "echo Err:1");
+  const Result result = run("../checkout/robosim run --json");
+  EXPECT_EQ(result.status, 5);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("scarce\n"));
+  EXPECT_THAT(calls(), Not(testing::AnyOf(HasSubstr("cmake"), HasSubstr("apt-get install"))));
+}
+
+TEST_F(Wrapper, ShowsTheEndOfAFailedBuildOnStderr) {
+  tool("cmake",
+       "case $1 in --version) echo cmake version 3.30.2;; --build) echo 'map.cpp:3: error'; exit 1;; esac");
+  const Result result = run("../checkout/robosim run --json");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, StartsWith("map.cpp:3: error\nrobosim: the build failed"));
+}
+
+TEST_F(Wrapper, ExplainsAnOldCMakeAndAnUnknownPreset) {
+  EXPECT_EQ(run("ROBOSIM_PRESET=fast ../checkout/robosim").err,
+            "robosim: ROBOSIM_PRESET: there is no preset 'fast'\n");
+  tool("cmake", "echo cmake version 3.9.6");
+  const Result result = run("../checkout/robosim");
+  EXPECT_EQ(result.status, 5);
+  EXPECT_THAT(result.err, HasSubstr("is version 3.9.6, and Robosim needs 3.25 or later"));
+}
+
+}  // namespace
