@@ -17,7 +17,8 @@ class Body;
 
 namespace robosim::robot {
 
-/// How far reality is let in. `ideal`: no noise, no spread, frozen for ever. `typical`: sourced noise and spread.
+/// How far reality is let in. `ideal`: no noise, no spread, frozen for ever. `typical`: sourced noise and
+/// spread.
 enum class Profile { ideal, typical };
 
 /// A robot file, read and checked (description.h, by the owner of sim/robot).
@@ -28,8 +29,8 @@ Description load_description(const std::string& name_or_path);
 
 /// A level for people to look at: noise-free, consumes no sample.
 struct Reading {
-  std::string part;    ///< "S1" … for elements of an array, else the part's name
-  double value;        ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
+  std::string part;  ///< "S1" … for elements of an array, else the part's name
+  double value;      ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
 /// A pin of the board and what is wired to it; lets a verdict name things ("pin 2, the button start").
@@ -42,9 +43,14 @@ struct WiredPin {
 
 class Robot {
  public:
-  /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name).
+  /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name). The
+  /// description, the world and the board must outlive the robot. The body's parameters are body_params() of
+  /// describe.h.
   Robot(const Description&, world::World&, std::size_t body, Board&, std::uint64_t seed, Profile,
         std::uint32_t number = 0);
+  ~Robot();
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
 
   /// Step (1) of a tick: parts schedule their edges from the state at `t`.
   void begin_tick(SimTime t);
@@ -55,22 +61,29 @@ class Robot {
   bool sees_line() const;
   /// Whether it has any reflectance sensor.
   bool has_line_sensors() const;
-  /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here.
+  /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here. (0,
+  /// 0) without any.
   Vec2 sensor_midpoint() const;
   /// Whether the last tick's commands drive a motor.
   bool driven() const;
 
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
+  /// Holds a button down from `t` on, or lets go of it; `t` is not before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
+  /// A finger on a sensor, or on all of an array: it sees black.
   void cover(const std::string& part, bool covered);
+  /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
+  /// Kinds and arguments are in docs/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
 
   // Whether the calls above would be accepted: they throw the same InputError, and change nothing.
   void check_press(const std::string& part) const;
   void check_cover(const std::string& part) const;
-  void check_fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments) const;
+  void check_fault(const std::string& part, const std::string& kind,
+                   const std::vector<std::string>& arguments) const;
 
+  /// Sensors first, then what else there is to see, each in the order of the robot file.
   std::vector<Reading> readings() const;
 
   /// Every wired pin, in the order of the robot file.
@@ -78,6 +91,10 @@ class Robot {
   /// The last tick's motor commands, -1..1, for display.
   double left_command() const;
   double right_command() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> in_;
 };
 
 }  // namespace robosim::robot

@@ -1,0 +1,70 @@
+#include "sim/robot/describe.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+namespace {
+
+// Of a uniform plate of that shape, about the origin, for each kilogram (m2).
+double plate_inertia(const Chassis& chassis) {
+  if (chassis.polygon.empty())
+    return 0.5 * chassis.circle_radius * chassis.circle_radius +
+           dot(chassis.circle_centre, chassis.circle_centre);
+  double area2 = 0.0;
+  double moment = 0.0;
+  const std::size_t n = chassis.polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 a = chassis.polygon[i];
+    const Vec2 b = chassis.polygon[(i + 1) % n];
+    const double c = cross(a, b);
+    area2 += c;
+    moment += c * (dot(a, a) + dot(a, b) + dot(b, b));
+  }
+  return moment / (6.0 * area2);
+}
+
+}  // namespace
+
+world::BodyParams body_params(const Description& robot, std::uint64_t seed, Profile profile,
+                              std::uint32_t number) {
+  const Individual individual(seed, profile, number);
+  const auto chassis = [&](const Number& figure, const char* key) {
+    return individual.draw(figure, "chassis", key);
+  };
+  const Chassis& c = robot.chassis;
+  const Motors& m = robot.motors;
+  world::BodyParams params = world::default_body_params();
+  for (const Side side : {world::left, world::right}) {
+    const char* name = side == world::left ? "left wheel" : "right wheel";
+    const auto each = [&](const Number& figure, const char* key) {
+      return individual.draw(figure, name, key);
+    };
+    world::WheelParams& wheel = params.wheel[side];
+    wheel.nominal_volts = individual.draw(m.voltage, "motors", "voltage");
+    wheel.no_load_rate = each(m.no_load, "no_load");
+    wheel.no_load_current = each(m.no_load_current, "no_load_current");
+    wheel.stall_torque = each(m.stall_torque, "stall_torque");
+    wheel.stall_current = each(m.stall_current, "stall_current");
+    wheel.static_friction = each(m.static_friction, "static_friction");
+    wheel.gear_ratio = individual.draw(m.gear, "motors", "gear");
+    wheel.rotor_inertia_kgm2 = individual.draw(m.rotor_inertia, "motors", "rotor_inertia");
+    wheel.wheel_inertia_kgm2 = chassis(c.wheel_inertia, "wheel_inertia");
+    wheel.radius_m = 0.5 * each(c.wheel, "wheel");
+  }
+  params.supply_volts = individual.draw(m.supply, "motors", "supply");
+  params.driver_drop_volts = individual.draw(robot.driver.drop, "driver", "drop");
+  params.driver_ohms = individual.draw(robot.driver.resistance, "driver", "resistance");
+  params.track_m = chassis(c.track, "track");
+  params.mass_kg = chassis(c.mass, "mass");
+  params.yaw_inertia_kgm2 =
+      c.inertia.value > 0.0 ? chassis(c.inertia, "inertia") : params.mass_kg * plate_inertia(c);
+  params.load_share = chassis(c.load_share, "load_share");
+  params.rolling_resistance = chassis(c.rolling, "rolling");
+  params.grip = chassis(c.grip, "grip");
+  params.wall_friction = chassis(c.wall_friction, "wall_friction");
+  params.outline = c.polygon;
+  params.radius_m = c.circle_radius;
+  params.centre = c.circle_centre;
+  return params;
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "sim/base/file.h"
+#include "sim/robot/description.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/button.h"
+#include "sim/robot/parts/encoder.h"
+#include "sim/robot/parts/indicator.h"
+#include "sim/robot/parts/motor.h"
+#include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/voltage.h"
+
+namespace robosim::robot {
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path stock_folder() {
+  const fs::path data = data_folder();
+  std::error_code error;
+  const fs::path installed = data / "robots";
+  return fs::is_directory(installed, error) ? installed : data / "sim/robot/stock";
+}
+
+}  // namespace
+
+std::vector<std::string> stock_robots() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(stock_folder(), error))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path find_robot(const std::string& name_or_path) {
+  if (name_or_path.find_first_of("/.") != std::string::npos) return name_or_path;
+  const std::vector<std::string> names = stock_robots();
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end())
+    throw InputError("no robot is called \"" + name_or_path + "\"; there are " + one_of(names) +
+                     ", or give the path of a file (with a '/' or '.')");
+  return stock_folder() / (name_or_path + ".toml");
+}
+
+const std::vector<PartType>& part_types() {
+  static const std::vector<PartType> types = {
+      {"motor", read_motor},
+      {"reflectance", read_reflectance},
+      {"reflectance-array", read_reflectance_array},
+      {"button", read_button},
+      {"led", read_led},
+      {"buzzer", read_buzzer},
+      {"encoder", read_encoder},
+      {"voltage", read_voltage},
+  };
+  return types;
+}
+
+const std::vector<DriverChip>& driver_chips() {
+  using enum Bridge;
+  // Sources: the makers' datasheets. L298N (ST DS0218): total drop 1.8 V typical at 1 A; L293D (TI
+  // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
+  // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two are bipolar: the drop is there at
+  // any current.
+  static const std::vector<DriverChip> chips = {
+      // EN low: open. EN high: the two half bridges follow IN1 and IN2.
+      {"l298n", 1.4, 0.4, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
+      {"l293d", 1.9, 1.2, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
+      // "EN" is PWM. PWM low brakes, unless both inputs are low, which opens the bridge.
+      {"tb6612", 0.0, 0.5, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
+      // IN/IN only; "EN" is nSLEEP.
+      {"drv8833", 0.0, 0.36, {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
+      // PHASE/ENABLE: ENABLE low brakes. IN/IN: as drv8833.
+      {"drv8835", 0.0, 0.305, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
+      // One transistor a motor, with a diode: no reverse, no brake.
+      {"transistor", 0.1, 0.1, {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
+  };
+  return chips;
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,36 @@
+// What clients are told of a robot (docs/runner-protocol.md: describe_robot), and what the world needs of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/robot/description.h"
+#include "sim/robot/robot.h"
+#include "sim/world/body.h"
+
+namespace robosim::robot {
+
+struct PartSummary {
+  std::string name;
+  std::string type;
+  std::vector<std::pair<std::string, Pin>> pins;  ///< role and pin
+};
+
+struct Summary {
+  std::string name;
+  std::string file;
+  std::string sha256;
+  const BoardSpec* board = nullptr;
+  std::vector<Vec2> outline;         ///< m; a circle as 24 corners
+  std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
+  std::vector<PartSummary> parts;
+};
+
+Summary describe(const Description&);
+
+/// The body of one robot of this description: spread is drawn from (seed, number) in the profile `typical`.
+world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
+
+}  // namespace robosim::robot

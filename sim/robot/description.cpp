@@ -1,0 +1,347 @@
+#include "sim/robot/description.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "sim/base/config.h"
+#include "sim/base/file.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/robot.h"
+
+namespace robosim::robot {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostBases = 8;
+constexpr std::size_t kMostParts = 64;
+constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
+
+struct Source {
+  ConfigValue tree;
+  std::string bytes;  // its own, then its bases'
+};
+
+ConfigValue* member(ConfigValue& table, std::string_view key) {
+  for (auto& [name, value] : table.members)
+    if (name == key) return &value;
+  return nullptr;
+}
+
+void set(ConfigValue& table, const std::string& key, const ConfigValue& value) {
+  if (ConfigValue* old = member(table, key))
+    *old = value;
+  else
+    table.members.emplace_back(key, value);
+}
+
+void override_members(ConfigValue& table, const ConfigValue& with) {
+  for (const auto& [key, value] : with.members) set(table, key, value);
+  table.place = with.place;
+}
+
+std::vector<ConfigValue>& parts_of(ConfigValue& tree) {
+  ConfigValue* parts = member(tree, "part");
+  if (!parts) {
+    tree.members.emplace_back("part", ConfigValue{.kind = ConfigValue::Kind::array});
+    parts = &tree.members.back().second;
+  }
+  if (parts->kind != ConfigValue::Kind::array)
+    throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
+  return parts->items;
+}
+
+std::string text_of(const ConfigValue& table, const char* key) {
+  const ConfigValue* value = table.find(key);
+  return value && value->kind == ConfigValue::Kind::string ? value->string : "";
+}
+
+// The part of that name; end() if there is none.
+std::vector<ConfigValue>::iterator find_part(std::vector<ConfigValue>& parts, const std::string& name) {
+  return std::find_if(parts.begin(), parts.end(),
+                      [&](const ConfigValue& p) { return text_of(p, "name") == name; });
+}
+
+std::string part_names(const std::vector<ConfigValue>& parts) {
+  std::vector<std::string> names;
+  for (const ConfigValue& part : parts) names.push_back(text_of(part, "name"));
+  return names.empty() ? "nothing" : one_of(names);
+}
+
+void remove_parts(std::vector<ConfigValue>& parts, const ConfigValue& list) {
+  if (list.kind != ConfigValue::Kind::array)
+    throw InputError(list.place, "remove must be a list of part names, such as [\"buzzer\"]");
+  for (const ConfigValue& item : list.items) {
+    const auto part = find_part(parts, as_string(item, "remove"));
+    if (part == parts.end())
+      throw InputError(item.place, fmt::format("remove names \"{}\", which the base does not have; it has {}",
+                                               item.string, part_names(parts)));
+    parts.erase(part);
+  }
+}
+
+void override_parts(std::vector<ConfigValue>& parts, std::vector<ConfigValue>& own) {
+  const std::size_t inherited = parts.size();
+  for (ConfigValue& part : own) {
+    const auto base_end = parts.begin() + static_cast<std::ptrdiff_t>(inherited);
+    const auto old = std::find_if(parts.begin(), base_end, [&](const ConfigValue& p) {
+      return text_of(p, "name") == text_of(part, "name");
+    });
+    if (old == base_end || part.kind != ConfigValue::Kind::table) {
+      parts.push_back(part);
+    } else if (const std::string type = text_of(part, "type");
+               !type.empty() && type != text_of(*old, "type")) {
+      *old = part;
+    } else {
+      override_members(*old, part);
+    }
+  }
+}
+
+// Whether `key` is a table of the robot file of which a derived file may give single keys.
+bool merged(const std::string& key) { return key == "chassis" || key == "motors" || key == "driver"; }
+
+// `own` on top of `base`: tables key by key, parts by name.
+ConfigValue derive(ConfigValue base, ConfigValue own) {
+  std::vector<ConfigValue> own_parts = parts_of(own);
+  if (const ConfigValue* list = own.find("remove")) remove_parts(parts_of(base), *list);
+  override_parts(parts_of(base), own_parts);
+  for (auto& [key, value] : own.members) {
+    ConfigValue* old = member(base, key);
+    const bool both_tables =
+        old && old->kind == ConfigValue::Kind::table && value.kind == ConfigValue::Kind::table;
+    if (key == "part" || key == "remove" || key == "base") continue;
+    if (both_tables && merged(key))
+      override_members(*old, value);
+    else
+      set(base, key, value);
+  }
+  base.place = own.place;
+  return base;
+}
+
+// A stock robot by name, else a file beside the one that names it.
+fs::path find_base(const ConfigValue& base, const fs::path& from) {
+  const std::string& name = as_string(base, "base");
+  if (name.find_first_of("/.") != std::string::npos) return from.parent_path() / name;
+  try {
+    return find_robot(name);
+  } catch (const InputError& error) {
+    throw InputError(base.place, error.message());
+  }
+}
+
+Source load_source(std::string_view text, const fs::path& file, int depth) {
+  Source source{parse_toml(text, file.string()), std::string(text)};
+  const ConfigValue* base = source.tree.find("base");
+  if (!base) {
+    if (const ConfigValue* list = source.tree.find("remove"))
+      throw InputError(list->place, "remove needs a base to remove from");
+    return source;
+  }
+  if (depth == kMostBases)
+    throw InputError(
+        base->place,
+        fmt::format("more than {} robots are based on each other: is one its own base?", kMostBases));
+  const fs::path path = find_base(*base, file);
+  std::string base_text;
+  try {
+    base_text = read_file(path);
+  } catch (const InputError& error) {
+    throw InputError(base->place, fmt::format("base is \"{}\", but {}", base->string, error.what()));
+  }
+  Source below = load_source(base_text, path, depth + 1);
+  source.tree = derive(std::move(below.tree), std::move(source.tree));
+  source.bytes += below.bytes;
+  return source;
+}
+
+const BoardSpec& read_board(TableReader& reader) {
+  const ConfigValue& value = reader.require("board");
+  const BoardSpec* board = find_board(as_string(value, "board").c_str());
+  if (board) return *board;
+  std::vector<std::string> names;
+  for (int i = 0; board_at(i); ++i) names.emplace_back(board_at(i)->name);
+  throw InputError(value.place, fmt::format("board is \"{}\"; allowed are {}", value.string, one_of(names)));
+}
+
+// Twice the signed area of the triangle a b c; positive if it turns left.
+double turn(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - b); }
+
+void read_outline(TableReader& reader, Chassis& chassis) {
+  const ConfigValue& value = reader.require("outline");
+  if (value.kind == ConfigValue::Kind::table) {
+    TableReader circle(value, "outline");
+    chassis.circle_radius = as_quantity(circle.require("radius"), "radius", Dimension::length, 0.01, 0.5);
+    if (const ConfigValue* at = circle.find("at")) chassis.circle_centre = as_point(*at, "at");
+    circle.finish();
+    return;
+  }
+  if (value.kind != ConfigValue::Kind::array || value.items.size() < 3 || value.items.size() > 32)
+    throw InputError(
+        value.place,
+        "outline must be { radius = \"90 mm\" }, or 3 to 32 corners such as [[\"80 mm\", \"50 mm\"], …]");
+  std::vector<Vec2>& corners = chassis.polygon;
+  for (const ConfigValue& corner : value.items) corners.push_back(as_point(corner, "outline"));
+  const std::size_t n = corners.size();
+  double area = 0.0;
+  for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
+  if (area < 0.0) std::reverse(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < n; ++i)
+    if (turn(corners[i], corners[(i + 1) % n], corners[(i + 2) % n]) <= 0.0 || std::abs(area) < 2e-4)
+      throw InputError(value.place,
+                       "outline must be convex and larger than 1 cm2, its corners in order around the robot");
+}
+
+Chassis read_chassis(const ConfigValue& table) {
+  TableReader reader(table, "[chassis]");
+  for (const char* key : {"mass", "track", "wheel"}) reader.require(key);
+  Chassis chassis;
+  chassis.mass = read_figure(reader, "mass", Dimension::mass, {}, 0.02, 5.0);
+  chassis.inertia = read_figure(reader, "inertia", Dimension::inertia, {}, 1e-6, 0.5);
+  chassis.load_share = read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 1.0);
+  chassis.track = read_figure(reader, "track", Dimension::length, {}, 0.02, 0.5);
+  chassis.wheel = read_figure(reader, "wheel", Dimension::length, {}, 0.01, 0.3);
+  chassis.wheel_inertia = read_figure(reader, "wheel_inertia", Dimension::inertia, {1e-6, 0.0}, 1e-9, 1e-2);
+  chassis.grip = read_figure(reader, "grip", Dimension::ratio, {0.8, 0.0}, 0.05, 3.0);
+  chassis.rolling = read_figure(reader, "rolling", Dimension::ratio, {0.02, 0.0}, 0.0, 0.5);
+  chassis.wall_friction = read_figure(reader, "wall_friction", Dimension::ratio, {0.3, 0.0}, 0.0, 2.0);
+  read_outline(reader, chassis);
+  reader.finish();
+  return chassis;
+}
+
+Motors read_motors(const ConfigValue& table) {
+  TableReader reader(table, "[motors]");
+  for (const char* key : {"voltage", "no_load", "stall_torque", "supply"}) reader.require(key);
+  const ConfigValue& stall_current = reader.require("stall_current");
+  Motors motors;
+  motors.voltage = read_figure(reader, "voltage", Dimension::voltage, {}, 1.0, 30.0);
+  motors.no_load = read_figure(reader, "no_load", Dimension::rotation_rate, {}, 5 * kRpm, 6000 * kRpm);
+  motors.no_load_current = read_figure(reader, "no_load_current", Dimension::current, {0.0, 0.0}, 0.0, 5.0);
+  motors.stall_torque = read_figure(reader, "stall_torque", Dimension::torque, {}, 1e-4, 10.0);
+  motors.stall_current = read_figure(reader, "stall_current", Dimension::current, {}, 0.02, 50.0);
+  motors.static_friction = read_figure(reader, "static_friction", Dimension::ratio, {1.5, 0.0}, 1.0, 10.0);
+  motors.gear = read_figure(reader, "gear", Dimension::ratio, {1.0, 0.0}, 0.1, 2000.0);
+  motors.rotor_inertia = read_figure(reader, "rotor_inertia", Dimension::inertia, {1e-8, 0.0}, 0.0, 1e-3);
+  motors.supply = read_figure(reader, "supply", Dimension::voltage, {}, 1.0, 30.0);
+  reader.finish();
+  const double most_friction = motors.no_load_current.value + motors.no_load_current.spread;
+  if (most_friction * 1.25 > motors.stall_current.value - motors.stall_current.spread)
+    throw InputError(stall_current.place,
+                     "stall_current must be well above no_load_current (by a quarter at least)");
+  return motors;
+}
+
+Driver read_driver(const ConfigValue& table, const BoardSpec& board, std::vector<Wire>& wires) {
+  TableReader reader(table, "[driver]");
+  std::vector<std::string> names;
+  for (const DriverChip& chip : driver_chips()) names.emplace_back(chip.name);
+  reader.require("chip");
+  const std::string name = reader.choice("chip", "", names);
+  Driver driver;
+  for (const DriverChip& chip : driver_chips())
+    if (chip.name == name) driver.chip = &chip;
+  driver.drop = read_figure(reader, "drop", Dimension::voltage, {driver.chip->drop, 0.0}, 0.0, 10.0);
+  driver.resistance =
+      read_figure(reader, "resistance", Dimension::resistance, {driver.chip->resistance, 0.0}, 0.0, 100.0);
+  if (const ConfigValue* standby = reader.find("standby")) {
+    driver.standby = as_pin(*standby, "standby", board, PinUse::digital);
+    wires.push_back({"standby", driver.standby, standby->place});
+  }
+  reader.finish();
+  return driver;
+}
+
+std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Description& robot) {
+  PartReader reader(table, *robot.board, robot.driver);
+  std::vector<std::string> names;
+  for (const PartType& type : part_types()) {
+    if (reader.type() == type.name) return type.read(reader);
+    names.emplace_back(type.name);
+  }
+  throw InputError(table.find("type")->place,
+                   fmt::format("type is \"{}\"; allowed are {}", reader.type(), one_of(names)));
+}
+
+std::string pin_text(const BoardSpec& board, Pin pin) {
+  return pin < board.analog_pin_0 ? std::to_string(pin) : board.pins[pin].name;
+}
+
+// Two parts on one pin, two names alike, two motors on one wheel.
+void check_together(const Description& robot, const std::vector<Wire>& driver_wires) {
+  struct User {
+    const Wire* wire;
+    std::string part;
+  };
+  std::vector<User> users;
+  const auto take = [&](const Wire& wire, const std::string& part) {
+    for (const User& user : users)
+      if (user.wire->pin == wire.pin)
+        throw InputError(wire.place,
+                         fmt::format("pin {} is taken: {} of {} uses it ({}:{}); every pin serves one part",
+                                     pin_text(*robot.board, wire.pin), user.wire->role, user.part,
+                                     user.wire->place.file, user.wire->place.line));
+    users.push_back({&wire, part});
+  };
+  for (const Wire& wire : driver_wires) take(wire, "[driver]");
+  std::vector<std::string> names;
+  const PartSpec* motor[2] = {nullptr, nullptr};
+  for (const auto& part : robot.parts) {
+    for (const Wire& wire : part->wires) take(wire, part->name);
+    std::vector<std::string> own{part->name};
+    for (const SensorPlace& sensor : part->sensors())
+      if (sensor.name != part->name) own.push_back(sensor.name);
+    for (const std::string& name : own) {
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        throw InputError(
+            part->place,
+            fmt::format("the name {} is there twice; every part and sensor needs its own", name));
+      names.push_back(name);
+    }
+    const int wheel = part->driven_wheel();
+    if (wheel < 0) continue;
+    if (motor[wheel])
+      throw InputError(part->place,
+                       fmt::format("motors {} and {} drive the same wheel; give one of them wheel = \"{}\"",
+                                   motor[wheel]->name, part->name, wheel == world::left ? "right" : "left"));
+    motor[wheel] = part.get();
+  }
+}
+
+}  // namespace
+
+Description parse_description(std::string_view text, const fs::path& file) {
+  const Source source = load_source(text, file, 0);
+  TableReader reader(source.tree, "a robot file");
+  Description robot;
+  robot.name = file.stem().string();
+  robot.file = file;
+  robot.sha256 = sha256(source.bytes);
+  reader.find("base");
+  reader.find("remove");
+  robot.board = &read_board(reader);
+  robot.chassis = read_chassis(reader.require("chassis"));
+  robot.motors = read_motors(reader.require("motors"));
+  std::vector<Wire> driver_wires;
+  robot.driver = read_driver(reader.require("driver"), *robot.board, driver_wires);
+  if (const ConfigValue* parts = reader.find("part")) {
+    if (parts->kind != ConfigValue::Kind::array)
+      throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
+    if (parts->items.size() > kMostParts)
+      throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
+    for (const ConfigValue& part : parts->items) robot.parts.push_back(read_part(part, robot));
+  }
+  reader.finish();
+  check_together(robot, driver_wires);
+  return robot;
+}
+
+Description load_description(const std::string& name_or_path) {
+  const fs::path file = find_robot(name_or_path);
+  return parse_description(read_file(file), file);
+}
+
+}  // namespace robosim::robot

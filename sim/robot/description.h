@@ -1,0 +1,130 @@
+// A robot file (robot.toml), read and checked. docs/robots.md lists every key with unit, range and default.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+#include "sim/robot/number.h"
+#include "sim/world/body.h"
+
+namespace robosim::robot {
+
+class Part;
+class Setting;
+
+/// Which wheel a motor turns and an encoder counts.
+using world::Side;
+
+/// [chassis]: what is rigid.
+struct Chassis {
+  Number mass;     ///< kg, of the whole robot
+  Number inertia;  ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform plate
+                   ///< of the outline's shape
+  Number load_share;          ///< 0..1 of the weight on the driven wheels
+  Number track;               ///< m, between the two wheels' contact points
+  Number wheel;               ///< m, a wheel's diameter; drawn for each wheel
+  Number wheel_inertia;       ///< kg m2 of a wheel with its tyre
+  Number grip;                ///< coefficient of friction between tyre and floor
+  Number rolling;             ///< force / weight of tyres and caster
+  Number wall_friction;       ///< coefficient of friction between outline and wall
+  Vec2 circle_centre;         ///< m; the outline, if it is a circle
+  double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
+  std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex
+};
+
+/// [motors]: both motors with their gears. What they do with these figures: sim/world/body.h.
+struct Motors {
+  Number voltage;          ///< V, at which the following four hold
+  Number no_load;          ///< rad/s at the wheel, drawn for each motor
+  Number no_load_current;  ///< A: friction in motor and gear; drawn for each motor
+  Number stall_torque;     ///< N m at the wheel, drawn for each motor
+  Number stall_current;    ///< A, drawn for each motor
+  Number static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
+  Number gear;             ///< motor turns for each turn of the wheel
+  Number rotor_inertia;    ///< kg m2 of the motor's rotor
+  Number supply;           ///< V of the battery
+};
+
+/// What one combination of a driver's inputs does to the motor.
+enum class Bridge : unsigned char { open, shorted, forward, reverse };
+
+/// A motor driver chip, as data. `action[en][in1][in2]`.
+struct DriverChip {
+  const char* name;   ///< as robot files write it
+  double drop;        ///< V lost in the bridge at small currents
+  double resistance;  ///< ohm of the bridge, in series with the motor
+  Bridge action[2][2][2];
+};
+
+/// [driver]
+struct Driver {
+  const DriverChip* chip = nullptr;
+  Number drop;           ///< V
+  Number resistance;     ///< ohm
+  Pin standby = kNoPin;  ///< high = working; kNoPin = tied to the supply
+};
+
+/// One wire between a part and the board.
+struct Wire {
+  std::string role;  ///< what the part calls it: "en", "pin"; of an array the element's name
+  Pin pin = kNoPin;
+  Place place;  ///< where the file says so
+};
+
+/// A sensor that looks at the floor, for people and pages.
+struct SensorPlace {
+  std::string name;
+  Vec2 at;  ///< m, in the body's frame
+};
+
+/// One [[part]]: what its type's reader made of it. Immutable; shared by all robots of the description.
+class PartSpec {
+ public:
+  std::string name;
+  std::string type;
+  Place place;
+  std::vector<Wire> wires;
+
+  virtual ~PartSpec() = default;
+  /// The part of one robot.
+  virtual std::unique_ptr<Part> make(Setting&) const = 0;
+  /// The floor sensors it brings.
+  virtual std::vector<SensorPlace> sensors() const { return {}; }
+  /// The wheel it sits on, if it is a motor: left or right; else -1.
+  virtual int driven_wheel() const { return -1; }
+};
+
+struct Description {
+  std::string name;  ///< the file's stem
+  std::filesystem::path file;
+  std::string sha256;  ///< of the file's bytes, followed by those of its bases
+  const BoardSpec* board = nullptr;
+  Chassis chassis;
+  Motors motors;
+  Driver driver;
+  std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
+};
+
+/// The file of a robot by what users type: a path if it holds '/' or '.', else the stock robot of that name.
+/// Throws InputError naming the stock robots.
+std::filesystem::path find_robot(const std::string& name_or_path);
+
+/// The names of the stock robots, sorted.
+std::vector<std::string> stock_robots();
+
+/// Reads a robot file or a stock robot by name. Throws InputError with file and line.
+Description load_description(const std::string& name_or_path);
+
+/// The same from text; `file` is for messages, and `base` is looked for beside it.
+Description parse_description(std::string_view text, const std::filesystem::path& file);
+
+/// The driver chips that exist.
+const std::vector<DriverChip>& driver_chips();
+
+}  // namespace robosim::robot

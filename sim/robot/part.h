@@ -1,0 +1,70 @@
+// One part of a robot: wired to pins, it answers and watches the board.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/robot/description.h"
+#include "sim/robot/robot.h"
+
+namespace robosim::robot {
+
+class ButtonPart;
+class MotorPart;
+class Sensor;
+
+/// One way in which a thing can fail.
+struct FaultKind {
+  enum class Argument { none, number, sensor };
+
+  const char* name;
+  const char* meaning;  ///< one clause, for lists
+  Argument argument = Argument::none;
+  double least = 0.0;  ///< bounds of a number, inclusive
+  double most = 0.0;
+};
+
+/// A fault to be: its argument read and checked.
+struct Fault {
+  const FaultKind& kind;
+  double number = 0.0;
+  Sensor* sensor = nullptr;
+};
+
+/// A thing with a name that scripts can break: a sensor, a motor, …
+class Breakable {
+ public:
+  virtual const std::string& name() const = 0;
+  virtual std::span<const FaultKind> fault_kinds() const = 0;
+  /// `fault.kind` is one of fault_kinds(); it replaces the fault before.
+  virtual void fail(const Fault& fault) = 0;
+
+ protected:
+  ~Breakable() = default;
+};
+
+class Part;
+
+/// What the robot's parts offer; each part enters itself.
+struct Roster {
+  std::vector<Part*> ticking;    ///< want begin_tick
+  std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
+  std::vector<Breakable*> breakable;
+  std::vector<ButtonPart*> buttons;
+  MotorPart* motor[2] = {nullptr, nullptr};  ///< by world::Side
+};
+
+class Part {
+ public:
+  virtual ~Part() = default;
+  /// Called once, when all parts exist.
+  virtual void join(Roster&) = 0;
+  /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
+  virtual void begin_tick(SimTime) {}
+  /// Appends what people want to see of it beside floor sensors. Consumes no noise.
+  virtual void read(std::vector<Reading>&) const {}
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,187 @@
+#include "sim/robot/part_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robosim::robot {
+namespace {
+
+constexpr double kFarthest = 0.5;  // m: no part is farther from the axle than this
+
+// A spread: a share of the value ("5 %"), or an amount in the value's unit.
+double as_spread(const ConfigValue& value, const char* key, Dimension dimension, double of) {
+  if (value.kind == ConfigValue::Kind::string && value.string.find('%') != std::string::npos)
+    return std::abs(of) * as_quantity(value, key, Dimension::ratio, 0.0, 10.0);
+  return as_quantity(value, key, dimension, 0.0, 1e12);
+}
+
+std::string analog_pins(const BoardSpec& board) {
+  std::vector<std::string> names;
+  for (int pin = 0; pin < board.pin_count; ++pin)
+    if (board.pins[pin].analog_channel >= 0) names.emplace_back(board.pins[pin].name);
+  return one_of(names);
+}
+
+std::string written(const ConfigValue& value) {
+  return value.kind == ConfigValue::Kind::string ? '"' + value.string + '"' : std::to_string(value.integer);
+}
+
+}  // namespace
+
+Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most) {
+  if (value.kind != ConfigValue::Kind::table) return {as_quantity(value, key, dimension, least, most), 0.0};
+  TableReader reader(value, key);
+  Number number;
+  number.value = as_quantity(reader.require("value"), key, dimension, least, most);
+  if (const ConfigValue* spread = reader.find("spread")) {
+    number.spread = as_spread(*spread, fmt::format("the spread of {}", key).c_str(), dimension, number.value);
+    if (number.value - number.spread < least || number.value + number.spread > most)
+      throw InputError(
+          spread->place,
+          fmt::format("the spread of {} reaches from {:g} to {:g} in SI units; allowed is {:g} to {:g}", key,
+                      number.value - number.spread, number.value + number.spread, least, most));
+  }
+  reader.finish();
+  return number;
+}
+
+Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
+                   double most) {
+  const ConfigValue* value = reader.find(key);
+  return value ? as_figure(*value, key, dimension, least, most) : fallback;
+}
+
+Vec2 as_point(const ConfigValue& value, const char* key) {
+  if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
+    throw InputError(value.place,
+                     fmt::format("{} must be two lengths, forward and left of the axle's centre, such as "
+                                 "[\"70 mm\", \"0 mm\"]",
+                                 key));
+  return {as_quantity(value.items[0], key, Dimension::length, -kFarthest, kFarthest),
+          as_quantity(value.items[1], key, Dimension::length, -kFarthest, kFarthest)};
+}
+
+Pin as_pin(const ConfigValue& value, const char* key, const BoardSpec& board, PinUse use) {
+  Pin pin = kNoPin;
+  if (value.kind == ConfigValue::Kind::integer) {
+    if (value.integer >= 0 && value.integer < board.pin_count) pin = static_cast<Pin>(value.integer);
+  } else if (value.kind == ConfigValue::Kind::string) {
+    pin = find_pin(board, value.string.c_str());
+  } else {
+    throw InputError(value.place, fmt::format("{} is {}; it must be a pin such as 5 or \"A0\"", key,
+                                              to_string(value.kind)));
+  }
+  if (pin == kNoPin)
+    throw InputError(value.place,
+                     fmt::format("{} is {}, which board {} does not have; its pins are 0 to {} and {}", key,
+                                 written(value), board.name, board.analog_pin_0 - 1, analog_pins(board)));
+  const PinSpec& spec = board.pins[pin];
+  if (use == PinUse::analog && spec.analog_channel < 0)
+    throw InputError(
+        value.place,
+        fmt::format("{} is {}, which has no analog input on board {}; those that have one are {}", key,
+                    written(value), board.name, analog_pins(board)));
+  if (use == PinUse::digital && !spec.digital)
+    throw InputError(value.place,
+                     fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
+                                 key, written(value), board.name, board.analog_pin_0 + 5));
+  return pin;
+}
+
+PartReader::PartReader(const ConfigValue& table, const BoardSpec& board, const Driver& driver)
+    : table_(table, "[[part]]"), board_(board), driver_(driver) {
+  const ConfigValue& name = table_.require("name");
+  name_ = as_string(name, "name");
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  };
+  if (name_.empty() || name_.size() > 40 || !std::all_of(name_.begin(), name_.end(), plain))
+    throw InputError(name.place,
+                     "name must be 1 to 40 letters, digits, '_', '-' or '.', without spaces: scripts use it");
+  type_ = as_string(table_.require("type"), "type");
+}
+
+Vec2 PartReader::point(const char* key, Vec2 fallback) {
+  const ConfigValue* value = table_.find(key);
+  return value ? as_point(*value, key) : fallback;
+}
+
+Pin PartReader::pin(const char* key, PinUse use) {
+  const ConfigValue& value = table_.require(key);
+  wires_.push_back({key, as_pin(value, key, board_, use), value.place});
+  return wires_.back().pin;
+}
+
+Pin PartReader::optional_pin(const char* key, PinUse use) {
+  const ConfigValue* value = table_.find(key);
+  return value ? pin(key, use) : kNoPin;
+}
+
+std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most) {
+  const ConfigValue& value = table_.require("pins");
+  if (value.kind != ConfigValue::Kind::array || value.items.empty() || value.items.size() > most)
+    throw InputError(value.place,
+                     fmt::format("pins must be a list of 1 to {} pins, such as [\"A0\", \"A1\"]", most));
+  std::vector<Pin> pins;
+  for (const ConfigValue& item : value.items) {
+    pins.push_back(as_pin(item, "pins", board_, use));
+    wires_.push_back({name_ + std::to_string(pins.size()), pins.back(), item.place});
+  }
+  return pins;
+}
+
+std::vector<Pin> PartReader::pin_table(const std::vector<std::vector<const char*>>& groups,
+                                       std::size_t& chosen) {
+  const ConfigValue& value = table_.require("pins");
+  std::vector<std::string> allowed;
+  for (const auto& group : groups) {
+    std::string names = "{";
+    for (const char* role : group) names += fmt::format("{}{} = …", names.size() > 1 ? ", " : " ", role);
+    allowed.push_back(names + " }");
+  }
+  if (value.kind == ConfigValue::Kind::table) {
+    for (chosen = 0; chosen < groups.size(); ++chosen) {
+      const auto& group = groups[chosen];
+      if (group.size() != value.members.size()) continue;
+      if (!std::all_of(group.begin(), group.end(), [&](const char* role) { return value.find(role); }))
+        continue;
+      std::vector<Pin> pins;
+      for (const char* role : group) {
+        const ConfigValue& item = *value.find(role);
+        pins.push_back(as_pin(item, role, board_, PinUse::digital));
+        wires_.push_back({role, pins.back(), item.place});
+      }
+      return pins;
+    }
+  }
+  throw InputError(value.place,
+                   fmt::format("pins must be a table of exactly these pins: {}", one_of(allowed)));
+}
+
+Side PartReader::wheel() {
+  std::string fallback;
+  for (const char* side : {"left", "right"})
+    if (name_.find(side) != std::string::npos) fallback = fallback.empty() ? side : "";
+  const std::string wheel = table_.choice("wheel", fallback, {"left", "right"});
+  if (wheel.empty())
+    throw InputError(table_.table().place,
+                     fmt::format("{} {} needs the key wheel: \"left\" or \"right\"", type_, name_));
+  return wheel == "left" ? world::left : world::right;
+}
+
+bool PartReader::high(const char* key, bool fallback) {
+  return table_.choice(key, fallback ? "high" : "low", {"high", "low"}) == "high";
+}
+
+std::shared_ptr<const PartSpec> PartReader::finish(std::shared_ptr<PartSpec> spec) {
+  table_.finish();
+  spec->name = name_;
+  spec->type = type_;
+  spec->place = table_.table().place;
+  spec->wires = std::move(wires_);
+  return spec;
+}
+
+}  // namespace robosim::robot

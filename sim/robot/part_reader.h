@@ -1,0 +1,81 @@
+// Reads one [[part]] table key by key.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/config.h"
+#include "sim/robot/description.h"
+
+namespace robosim::robot {
+
+/// What a wire needs of its pin.
+enum class PinUse {
+  digital,  ///< any pin but an analog input only
+  analog,   ///< a pin with an ADC channel
+};
+
+/// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }. The whole range
+/// must lie within the inclusive bounds. Throws InputError.
+Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
+Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
+                   double most);
+/// ["70 mm", "0 mm"]. Throws InputError.
+Vec2 as_point(const ConfigValue& value, const char* key);
+/// A pin by number or name. Throws InputError if the board has none such or it does not serve `use`.
+Pin as_pin(const ConfigValue& value, const char* key, const BoardSpec& board, PinUse use);
+
+/// A table reader that knows board and motor driver, and notes the part's wires.
+class PartReader {
+ public:
+  PartReader(const ConfigValue& table, const BoardSpec& board, const Driver& driver);
+
+  const std::string& name() const { return name_; }
+  const std::string& type() const { return type_; }
+  const BoardSpec& board() const { return board_; }
+  const Driver& driver() const { return driver_; }
+  TableReader& table() { return table_; }
+
+  Number figure(const char* key, Dimension dimension, Number fallback, double least, double most) {
+    return read_figure(table_, key, dimension, fallback, least, most);
+  }
+  Vec2 point(const char* key, Vec2 fallback);
+  /// The wire of that key, which must be there.
+  Pin pin(const char* key, PinUse use);
+  /// The same, or kNoPin.
+  Pin optional_pin(const char* key, PinUse use);
+  /// Key `pins` as an array; the roles are the part's name followed by 1, 2, …
+  std::vector<Pin> pin_list(PinUse use, std::size_t most);
+  /// Key `pins` as a table of roles, of which one of `groups` must be there exactly. The pins are in the
+  /// group's order; `chosen` is its index.
+  std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen);
+
+  /// What the keys `wheel` and, failing that, the part's name say: left or right.
+  Side wheel();
+  /// Key `key` as "high" or "low": whether it is "high".
+  bool high(const char* key, bool fallback);
+
+  /// Ends the reading (unknown keys throw), and fills in what all parts have in common.
+  std::shared_ptr<const PartSpec> finish(std::shared_ptr<PartSpec> spec);
+
+ private:
+  TableReader table_;
+  const BoardSpec& board_;
+  const Driver& driver_;
+  std::string name_;
+  std::string type_;
+  std::vector<Wire> wires_;
+};
+
+/// One part type: its name in robot files, and what reads its table.
+struct PartType {
+  const char* name;
+  std::shared_ptr<const PartSpec> (*read)(PartReader&);
+};
+
+/// All part types.
+const std::vector<PartType>& part_types();
+
+}  // namespace robosim::robot

@@ -1,0 +1,96 @@
+#include "sim/robot/parts/button.h"
+
+#include <algorithm>
+
+namespace robosim::robot {
+namespace {
+
+constexpr int kMostBounces = 4;
+
+constexpr FaultKind kFaults[] = {
+    {"ok", "works again"},
+    {"pressed", "its contact is always closed"},
+    {"released", "its contact never closes"},
+};
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_button(PartReader& reader) {
+  auto spec = std::make_shared<ButtonSpec>();
+  spec->pin = reader.pin("pin", PinUse::digital);
+  spec->active_high = reader.high("active", false);
+  spec->resistor = reader.table().boolean("resistor", spec->active_high);
+  spec->bounce = reader.figure("bounce", Dimension::time, {1.6e-3, 0.0}, 0.0, 0.05);
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> ButtonSpec::make(Setting& setting) const {
+  return std::make_unique<ButtonPart>(*this, setting);
+}
+
+ButtonPart::ButtonPart(const ButtonSpec& spec, Setting& setting)
+    : spec_(spec),
+      setting_(setting),
+      stream_(setting.individual.noise(spec.name, "bounce")),
+      bounce_(setting.individual.ideal() ? 0.0
+                                         : setting.individual.draw(spec.bounce, spec.name, "bounce time")),
+      supply_(setting.description.board->supply_volts) {}
+
+void ButtonPart::join(Roster& roster) {
+  setting_.board.connect(spec_.pin, *this);
+  roster.ticking.push_back(this);
+  roster.buttons.push_back(this);
+  roster.breakable.push_back(this);
+}
+
+void ButtonPart::hold(bool down, SimTime t) {
+  if (down == down_) return;
+  was_closed_ = closed(t);
+  down_ = down;
+  flips_.clear();
+  announced_ = 0;
+  if (was_closed_ != down) flips_.push_back(t);
+  const std::uint64_t draws = moves_++ * (2 * kMostBounces + 1);
+  const auto bounces = bounce_ > 0.0 ? static_cast<int>(stream_.uniform(draws) * (kMostBounces + 1)) : 0;
+  for (int i = 0; i < 2 * bounces; ++i)
+    flips_.push_back(
+        t + static_cast<SimTime>(stream_.uniform(draws + 1 + static_cast<std::uint64_t>(i)) * bounce_ * 1e9));
+  std::sort(flips_.begin(), flips_.end());
+}
+
+bool ButtonPart::closed(SimTime t) const {
+  const auto passed = std::upper_bound(flips_.begin(), flips_.end(), t) - flips_.begin();
+  return was_closed_ != ((passed & 1) != 0);
+}
+
+bool ButtonPart::level(SimTime t) {
+  if (stuck_ == Stuck::no ? closed(t) : stuck_ == Stuck::pressed) return spec_.active_high;
+  if (spec_.resistor) return !spec_.active_high;
+  if (setting_.board.drive(spec_.pin).mode == PinMode::input_pullup) return true;
+  if (setting_.individual.ideal()) return false;
+  return setting_.individual.noise(spec_.name, "floating")
+             .bits(static_cast<std::uint64_t>(t / kMillisecond)) &
+         1;
+}
+
+void ButtonPart::begin_tick(SimTime t) {
+  if (announced_ == flips_.size()) return;
+  const bool wanted = setting_.board.wants_edges(spec_.pin);
+  for (; announced_ < flips_.size() && flips_[announced_] < t + kTick; ++announced_) {
+    const SimTime at = std::max(flips_[announced_], t);
+    if (wanted) setting_.board.schedule_edge(spec_.pin, level(at), at);
+  }
+}
+
+void ButtonPart::read(std::vector<Reading>& readings) const {
+  readings.push_back({spec_.name, down_ ? 1.0 : 0.0});
+}
+
+std::span<const FaultKind> ButtonPart::fault_kinds() const { return kFaults; }
+
+void ButtonPart::fail(const Fault& fault) {
+  const std::string_view name = fault.kind.name;
+  stuck_ = name == "pressed" ? Stuck::pressed : name == "released" ? Stuck::released : Stuck::no;
+}
+
+}  // namespace robosim::robot

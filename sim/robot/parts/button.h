@@ -1,0 +1,65 @@
+// type = "button": a push button between a pin and ground (active = "low") or the supply (active = "high").
+//
+// Pressed, it drives the pin. Released, a resistor of its own does (resistor = true), or the pin's pull-up,
+// or nothing: then the pin floats, and reads low in the profile `ideal`, and in `typical` a new random level
+// every millisecond. In `typical` a contact bounces: after each press and release it opens and closes up to 4
+// times more within `bounce` (drawn anew each time; 1.6 ms is the mean of 18 switches in J. Ganssle, "A Guide
+// to Debouncing").
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_button(PartReader&);
+
+class ButtonSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  bool active_high = false;
+  bool resistor = false;
+  Number bounce;  ///< s
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+class ButtonPart final : public Part, public PinSource, public Breakable {
+ public:
+  ButtonPart(const ButtonSpec&, Setting&);
+
+  /// Held down from `t` on, or let go.
+  void hold(bool down, SimTime t);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
+  bool level(SimTime t) override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  enum class Stuck { no, pressed, released };
+
+  /// Whether the contact is closed at `t`.
+  bool closed(SimTime t) const;
+
+  const ButtonSpec& spec_;
+  Setting& setting_;
+  NoiseStream stream_;
+  std::uint64_t moves_ = 0;
+  double bounce_;
+  double supply_;
+  bool down_ = false;
+  bool was_closed_ = false;     // before the first of flips_
+  std::vector<SimTime> flips_;  // when the contact changes, after the last hold
+  std::size_t announced_ = 0;   // so many of flips_ have been scheduled
+  Stuck stuck_ = Stuck::no;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,111 @@
+#include "sim/robot/parts/encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace robosim::robot {
+namespace {
+
+constexpr FaultKind kFaults[] = {
+    {"ok", "works again"},
+    {"dead", "its levels never change"},
+};
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_encoder(PartReader& reader) {
+  auto spec = std::make_shared<EncoderSpec>();
+  spec->wheel = reader.wheel();
+  spec->periods = as_quantity(reader.table().require("periods"), "periods", Dimension::ratio, 1.0, 20000.0);
+  spec->reversed = reader.table().boolean("reversed", false);
+  std::size_t wiring = 0;
+  const std::vector<Pin> pins = reader.pin_table({{"a", "b"}, {"a"}}, wiring);
+  spec->a = pins[0];
+  if (wiring == 0) spec->b = pins[1];
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> EncoderSpec::make(Setting& setting) const {
+  return std::make_unique<EncoderPart>(*this, setting);
+}
+
+EncoderPart::EncoderPart(const EncoderSpec& spec, Setting& setting)
+    : spec_(spec),
+      setting_(setting),
+      a_(*this, 0),
+      b_(*this, 3),
+      quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)),
+      supply_(setting.description.board->supply_volts) {}
+
+void EncoderPart::join(Roster& roster) {
+  setting_.board.connect(spec_.a, a_);
+  if (spec_.b != kNoPin) setting_.board.connect(spec_.b, b_);
+  roster.ticking.push_back(this);
+  roster.breakable.push_back(this);
+}
+
+void EncoderPart::look(SimTime tick_start) {
+  const world::Body& body = *setting_.view.body;
+  start_ = tick_start;
+  at_ = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
+  per_ns_ = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
+}
+
+std::int64_t EncoderPart::quarter(SimTime t) const {
+  return static_cast<std::int64_t>(std::floor(at_ + per_ns_ * static_cast<double>(t - start_)));
+}
+
+void EncoderPart::begin_tick(SimTime t) {
+  if (dead_) return;
+  look(t);
+  const std::int64_t end = quarter(t + kTick - 1);
+  if (end != last_) announce(last_, end, t);
+  last_ = end;
+}
+
+void EncoderPart::announce(std::int64_t from, std::int64_t to, SimTime tick_start) {
+  const bool a = setting_.board.wants_edges(spec_.a);
+  const bool b = spec_.b != kNoPin && setting_.board.wants_edges(spec_.b);
+  if (!a && !b) return;
+  const bool forward = to > from;
+  for (std::int64_t q = from; q != to;) {
+    const std::int64_t next = forward ? q + 1 : q - 1;
+    const SimTime at = time_of(next, forward, tick_start);
+    if (a && a_.level_of(next) != a_.level_of(q))
+      setting_.board.schedule_edge(spec_.a, a_.level_of(next), at);
+    if (b && b_.level_of(next) != b_.level_of(q))
+      setting_.board.schedule_edge(spec_.b, b_.level_of(next), at);
+    q = next;
+  }
+}
+
+SimTime EncoderPart::time_of(std::int64_t edge, bool forward, SimTime tick_start) const {
+  if (per_ns_ == 0.0) return tick_start;
+  const double border = static_cast<double>(forward ? edge : edge + 1);
+  const double ns = std::clamp((border - at_) / per_ns_, 0.0, static_cast<double>(kTick - 1));
+  SimTime t = tick_start + static_cast<SimTime>(ns);
+  const auto beyond = [&](SimTime time) { return forward ? quarter(time) >= edge : quarter(time) <= edge; };
+  while (t > tick_start && beyond(t - 1)) --t;
+  while (t < tick_start + kTick - 1 && !beyond(t)) ++t;
+  return t;
+}
+
+void EncoderPart::read(std::vector<Reading>& readings) const {
+  readings.push_back({spec_.name, a_.level_of(quarter(start_)) ? 1.0 : 0.0});
+}
+
+std::span<const FaultKind> EncoderPart::fault_kinds() const { return kFaults; }
+
+void EncoderPart::fail(const Fault& fault) {
+  dead_ = std::string_view(fault.kind.name) == "dead";
+  if (dead_) {
+    at_ = static_cast<double>(last_) + 0.5;
+    per_ns_ = 0.0;
+  } else {
+    look(setting_.view.tick_start);
+    last_ = quarter(setting_.view.tick_start);
+  }
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,73 @@
+// type = "encoder": counts a wheel's turning, on one channel or on two in quadrature.
+//
+// In quarter periods, with the wheel's angle a (rad) and `periods` for each turn of the wheel:
+//   q = 4 periods a / (2 pi) + 1.5
+//   channel A is high where floor(q) mod 4 is 0 or 1, channel B where it is 1 or 2
+// so that forward A leads B, and a wheel that has never turned has both high. A wheel's rate is constant
+// within a tick: every edge has its exact time, to the nanosecond.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_encoder(PartReader&);
+
+class EncoderSpec final : public PartSpec {
+ public:
+  Side wheel = world::left;
+  double periods = 0.0;  ///< of one channel, for each turn of the wheel
+  Pin a = kNoPin;
+  Pin b = kNoPin;  ///< kNoPin = a single channel
+  bool reversed = false;
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+class EncoderPart final : public Part, public Breakable {
+ public:
+  EncoderPart(const EncoderSpec&, Setting&);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  class Channel final : public PinSource {
+   public:
+    Channel(EncoderPart& encoder, int shift) : encoder_(encoder), shift_(shift) {}
+    double volts(SimTime t) override { return level(t) ? encoder_.supply_ : 0.0; }
+    bool level(SimTime t) override { return level_of(encoder_.quarter(t)); }
+    bool level_of(std::int64_t quarter) const { return ((quarter + shift_) & 2) == 0; }
+
+   private:
+    EncoderPart& encoder_;
+    int shift_;
+  };
+
+  std::int64_t quarter(SimTime t) const;
+  void announce(std::int64_t from, std::int64_t to, SimTime tick_start);
+  /// The first nanosecond at which quarter() is at or beyond `edge`, in the direction of travel.
+  SimTime time_of(std::int64_t edge, bool forward, SimTime tick_start) const;
+  void look(SimTime tick_start);
+
+  const EncoderSpec& spec_;
+  Setting& setting_;
+  Channel a_;
+  Channel b_;
+  double quarters_per_rad_;
+  double supply_;
+  double at_ = 1.5;      // q at the start of the tick ...
+  double per_ns_ = 0.0;  // ... and its slope
+  SimTime start_ = 0;
+  std::int64_t last_ = 1;  // quarter() at the end of the last tick
+  bool dead_ = false;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,37 @@
+#include "sim/robot/parts/indicator.h"
+
+#include "sim/robot/parts/motor_driver.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_led(PartReader& reader) {
+  auto spec = std::make_shared<IndicatorSpec>();
+  spec->pin = reader.pin("pin", PinUse::digital);
+  spec->active_high = reader.high("active", true);
+  return reader.finish(spec);
+}
+
+std::shared_ptr<const PartSpec> read_buzzer(PartReader& reader) {
+  auto spec = std::make_shared<IndicatorSpec>();
+  spec->pin = reader.pin("pin", PinUse::digital);
+  spec->needs_tone = reader.table().boolean("passive", true);
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> IndicatorSpec::make(Setting& setting) const {
+  return std::make_unique<IndicatorPart>(*this, setting);
+}
+
+void IndicatorPart::read(std::vector<Reading>& readings) const {
+  const PinDrive& drive = setting_.board.drive(spec_.pin);
+  double value = 0.0;
+  if (spec_.needs_tone) {
+    const bool oscillates = drive.tone_hz || (drive.pwm && drive.duty > 0.0 && drive.duty < 1.0);
+    value = drive.mode == PinMode::output && oscillates ? 1.0 : 0.0;
+  } else if (drive.mode == PinMode::output) {
+    value = spec_.active_high ? high_share(drive) : 1.0 - high_share(drive);
+  }
+  readings.push_back({spec_.name, value});
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,35 @@
+// type = "led" and "buzzer": what people see and hear. They act on nothing.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_led(PartReader&);
+std::shared_ptr<const PartSpec> read_buzzer(PartReader&);
+
+class IndicatorSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  bool active_high = true;
+  bool needs_tone = false;  ///< a passive buzzer: silent on a constant level
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+/// Its reading is its brightness, or 1 while it sounds.
+class IndicatorPart final : public Part {
+ public:
+  IndicatorPart(const IndicatorSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+
+  void join(Roster&) override {}
+  void read(std::vector<Reading>&) const override;
+
+ private:
+  const IndicatorSpec& spec_;
+  Setting& setting_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,112 @@
+#include "sim/robot/parts/motor.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+namespace {
+
+constexpr FaultKind kFaults[] = {
+    {"ok", "works again"},
+    {"dead", "a lead is off: it turns freely"},
+    {"weak", "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0, 1.0},
+    {"reversed", "its leads are swapped"},
+};
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_motor(PartReader& reader) {
+  auto spec = std::make_shared<MotorSpec>();
+  spec->wheel = reader.wheel();
+  spec->reversed = reader.table().boolean("reversed", false);
+  std::size_t wiring = 0;
+  if (std::strcmp(reader.driver().chip->name, "transistor") == 0) {
+    spec->en = reader.pin_table({{"en"}}, wiring)[0];
+    return reader.finish(spec);
+  }
+  const std::vector<Pin> pins =
+      reader.pin_table({{"en", "in1", "in2"}, {"in1", "in2"}, {"en", "phase"}}, wiring);
+  spec->phase = wiring == 2;
+  if (wiring == 1) {
+    spec->in1 = pins[0];
+    spec->in2 = pins[1];
+  } else {
+    spec->en = pins[0];
+    spec->in1 = pins[1];
+    if (wiring == 0) spec->in2 = pins[2];
+  }
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> MotorSpec::make(Setting& setting) const {
+  return std::make_unique<MotorPart>(*this, setting);
+}
+
+MotorPart::MotorPart(const MotorSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+
+void MotorPart::join(Roster& roster) {
+  roster.motor[spec_.wheel] = this;
+  roster.breakable.push_back(this);
+  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, setting_.description.driver.standby})
+    if (pin != kNoPin) setting_.board.watch(pin, *this);
+  update();
+}
+
+void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) {
+  account(t);
+  update();
+}
+
+void MotorPart::update() {
+  const auto share = [this](Pin pin, double unwired) {
+    return pin == kNoPin ? unwired : high_share(setting_.board.drive(pin));
+  };
+  const Driver& driver = setting_.description.driver;
+  now_ = {};
+  const double awake = share(driver.standby, 1.0);
+  if (awake > 0.0) {
+    now_ = bridge_command(*driver.chip,
+                          {share(spec_.en, 1.0), share(spec_.in1, 0.0), share(spec_.in2, 0.0), spec_.phase});
+    now_.drive *= spec_.reversed ? -awake : awake;
+    now_.brake *= awake;
+  }
+}
+
+void MotorPart::account(SimTime t) {
+  if (!changed_) {
+    changed_ = true;
+    sum_ = {};
+    since_ = setting_.view.tick_start;
+  }
+  const auto lasted = static_cast<double>(std::max<SimTime>(t - since_, 0));
+  sum_.drive += now_.drive * lasted;
+  sum_.brake += now_.brake * lasted;
+  since_ = std::max(since_, t);
+}
+
+world::WheelCommand MotorPart::average(SimTime tick_start, SimTime t) {
+  account(t);
+  changed_ = false;
+  const auto tick = static_cast<double>(std::max<SimTime>(t - tick_start, 1));
+  return {sum_.drive / tick, sum_.brake / tick};
+}
+
+void MotorPart::spoil(world::WheelCommand& command) const {
+  command.drive *= strength_;
+  if (dead_) command = {};
+}
+
+std::span<const FaultKind> MotorPart::fault_kinds() const { return kFaults; }
+
+void MotorPart::fail(const Fault& fault) {
+  const std::string_view name = fault.kind.name;
+  strength_ = 1.0;
+  dead_ = name == "dead";
+  if (name == "reversed") strength_ = -1.0;
+  if (name == "weak") strength_ = fault.number;
+  broken_ = name != "ok";
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,62 @@
+// type = "motor": a wheel's motor, wired to a half of the driver in one of the usual ways.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/motor_driver.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_motor(PartReader&);
+
+class MotorSpec final : public PartSpec {
+ public:
+  Side wheel = world::left;
+  bool reversed = false;  ///< the motor's two leads are swapped
+  bool phase = false;     ///< PHASE/ENABLE: `in1` is PHASE
+  Pin en = kNoPin;        ///< kNoPin = tied high
+  Pin in1 = kNoPin;
+  Pin in2 = kNoPin;
+
+  std::unique_ptr<Part> make(Setting&) const override;
+  int driven_wheel() const override { return wheel; }
+};
+
+/// The command of a tick is the time average of what the pins said during it.
+class MotorPart final : public Part, public PinWatcher, public Breakable {
+ public:
+  MotorPart(const MotorSpec&, Setting&);
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+
+  /// The command of the tick that ends at `t`.
+  world::WheelCommand take(SimTime tick_start, SimTime t) {
+    world::WheelCommand command = now_;
+    if (changed_) command = average(tick_start, t);
+    if (broken_) spoil(command);
+    return command;
+  }
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  void update();
+  void account(SimTime t);
+  world::WheelCommand average(SimTime tick_start, SimTime t);
+  void spoil(world::WheelCommand&) const;
+
+  const MotorSpec& spec_;
+  Setting& setting_;
+  world::WheelCommand now_;  // since `since_`
+  world::WheelCommand sum_;  // times nanoseconds, before
+  SimTime since_ = 0;
+  bool changed_ = false;  // since the tick began
+  bool broken_ = false;
+  double strength_ = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
+  bool dead_ = false;
+};
+
+}  // namespace robosim::robot

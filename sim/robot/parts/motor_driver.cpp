@@ -1,0 +1,39 @@
+#include "sim/robot/parts/motor_driver.h"
+
+#include <algorithm>
+
+namespace robosim::robot {
+
+double high_share(const PinDrive& drive) {
+  switch (drive.mode) {
+    case PinMode::input:
+      return 0.0;
+    case PinMode::input_pullup:
+      return 1.0;
+    case PinMode::output:
+      break;
+  }
+  if (drive.tone_hz) return 0.5;
+  if (drive.pwm) return drive.duty;
+  return drive.level ? 1.0 : 0.0;
+}
+
+world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {
+  double ends[4] = {inputs.en, inputs.in1, inputs.in2, 1.0};
+  std::sort(ends, ends + 3);
+  double share[4] = {0.0, 0.0, 0.0, 0.0};
+  double begin = 0.0;
+  for (const double end : ends) {
+    if (end <= begin) continue;
+    const bool in1 = begin < inputs.in1;
+    const bool in2 = inputs.phase ? !in1 : begin < inputs.in2;
+    share[static_cast<int>(chip.action[begin < inputs.en][in1][in2])] += end - begin;
+    begin = end;
+  }
+  const double forward = share[static_cast<int>(Bridge::forward)];
+  const double reverse = share[static_cast<int>(Bridge::reverse)];
+  const double shorted = share[static_cast<int>(Bridge::shorted)];
+  return {forward - reverse, shorted + 2.0 * std::min(forward, reverse)};
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,228 @@
+#include "sim/robot/parts/reflectance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/robot/parts/motor_driver.h"
+#include "sim/robot/parts/reflectance_rc.h"
+
+namespace robosim::robot {
+namespace {
+
+using Read = ReflectanceSpec::Read;
+
+constexpr double kBestHeight = 0.003;  // m: Pololu, QTR-8A and QTR-8RC user's guide
+constexpr std::size_t kMostElements = 16;
+
+constexpr FaultKind kFaults[] = {
+    {"ok", "works again"},
+    {"stuck", "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
+     FaultKind::Argument::number, 0.0, 1e6},
+    {"dead", "its emitter is dark: it sees black everywhere"},
+    {"swapped", "its wire and that sensor's are exchanged", FaultKind::Argument::sensor},
+    {"noisy", "noise of this standard deviation, as a share of white to black, comes on top",
+     FaultKind::Argument::number, 0.0, 1.0},
+    {"offset", "this share of white to black is added", FaultKind::Argument::number, -1.0, 1.0},
+};
+
+void read_common(PartReader& reader, ReflectanceSpec& spec) {
+  const std::string read = reader.table().choice("read", "analog", {"analog", "digital", "rc"});
+  spec.read = read == "analog" ? Read::analog : read == "digital" ? Read::digital : Read::rc;
+  spec.noise = reader.figure("noise", Dimension::ratio, {0.005, 0.0}, 0.0, 0.5);
+  spec.ambient = reader.figure("ambient", Dimension::ratio, {0.0, 0.0}, 0.0, 0.9);
+  spec.height = reader.figure("height", Dimension::length, {kBestHeight, 0.0}, 0.0005, 0.03);
+  spec.footprint = reader.figure("footprint", Dimension::length, {}, 0.0005, 0.03);
+  spec.emitter = reader.optional_pin("emitter", PinUse::digital);
+  if (spec.read == Read::rc) {
+    spec.white_time = reader.figure("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1);
+    spec.black_time = reader.figure("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1);
+    if (spec.white_time.value + spec.white_time.spread >= spec.black_time.value - spec.black_time.spread)
+      throw InputError(
+          reader.table().table().place,
+          fmt::format("{}: white_time must be shorter than black_time, spread included", reader.name()));
+    return;
+  }
+  spec.black_high = reader.high("black", true);
+  if (spec.read == Read::digital) {
+    spec.threshold = reader.figure("threshold", Dimension::ratio, {0.5, 0.0}, 0.02, 0.98);
+    spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
+    return;
+  }
+  const double supply = reader.board().supply_volts;
+  const Number light{0.08 * supply, 0.0};
+  const Number dark{0.9 * supply, 0.0};
+  spec.white_volts =
+      reader.figure("white_volts", Dimension::voltage, spec.black_high ? light : dark, 0.0, supply);
+  spec.black_volts =
+      reader.figure("black_volts", Dimension::voltage, spec.black_high ? dark : light, 0.0, supply);
+  if ((spec.black_volts.value > spec.white_volts.value) != spec.black_high)
+    throw InputError(reader.table().table().place,
+                     fmt::format("{}: black = \"{}\" does not go with white_volts and black_volts",
+                                 reader.name(), spec.black_high ? "high" : "low"));
+}
+
+PinUse use_of(const ReflectanceSpec& spec) {
+  return spec.read == Read::analog ? PinUse::analog : PinUse::digital;
+}
+
+class ReflectancePart final : public Part {
+ public:
+  ReflectancePart(const ReflectanceSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {
+    for (const ReflectanceSpec::Element& element : spec.elements) {
+      switch (spec.read) {
+        case Read::analog:
+          add<AnalogSensor>(element);
+          break;
+        case Read::digital:
+          add<DigitalSensor>(element);
+          break;
+        case Read::rc:
+          add<RcSensor>(element);
+          break;
+      }
+    }
+  }
+
+  void join(Roster& roster) override {
+    if (spec_.read != Read::analog) roster.ticking.push_back(this);
+    if (spec_.emitter != kNoPin) {
+      setting_.board.watch(spec_.emitter, emitter_);
+      emitter_.pin_changed(spec_.emitter, setting_.board.drive(spec_.emitter), 0);
+    }
+    for (std::size_t i = 0; i < sensors_.size(); ++i) {
+      sensors_[i]->join(setting_.board, spec_.elements[i].pin);
+      roster.sensors.push_back(sensors_[i].get());
+      roster.breakable.push_back(sensors_[i].get());
+    }
+  }
+
+  void begin_tick(SimTime t) override {
+    for (const auto& sensor : sensors_) sensor->begin_tick(t);
+  }
+
+ private:
+  template <typename Kind>
+  void add(const ReflectanceSpec::Element& element) {
+    sensors_.push_back(std::make_unique<Kind>(spec_, element, setting_, emitter_));
+  }
+
+  const ReflectanceSpec& spec_;
+  Setting& setting_;
+  Emitter emitter_;
+  std::vector<std::unique_ptr<Sensor>> sensors_;
+};
+
+double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_reflectance(PartReader& reader) {
+  auto spec = std::make_shared<ReflectanceSpec>();
+  read_common(reader, *spec);
+  reader.table().require("at");
+  const Vec2 at = reader.point("at", {});
+  spec->elements.push_back({reader.name(), at, reader.pin("pin", use_of(*spec))});
+  return reader.finish(spec);
+}
+
+std::shared_ptr<const PartSpec> read_reflectance_array(PartReader& reader) {
+  auto spec = std::make_shared<ReflectanceSpec>();
+  read_common(reader, *spec);
+  reader.table().require("at");
+  const Vec2 at = reader.point("at", {});
+  const double pitch = as_quantity(reader.table().require("pitch"), "pitch", Dimension::length, 0.002, 0.1);
+  const bool from_left = reader.table().choice("first", "left", {"left", "right"}) == "left";
+  const std::vector<Pin> pins = reader.pin_list(use_of(*spec), kMostElements);
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    const double places = 0.5 * static_cast<double>(pins.size() - 1) - static_cast<double>(i);
+    const double y = places * pitch;
+    spec->elements.push_back(
+        {reader.name() + std::to_string(i + 1), at + Vec2{0.0, from_left ? y : -y}, pins[i]});
+  }
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> ReflectanceSpec::make(Setting& setting) const {
+  return std::make_unique<ReflectancePart>(*this, setting);
+}
+
+std::vector<SensorPlace> ReflectanceSpec::sensors() const {
+  std::vector<SensorPlace> places;
+  for (const Element& element : elements) places.push_back({element.name, element.at});
+  return places;
+}
+
+void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime) {
+  brightness_ = drive.mode == PinMode::output ? high_share(drive) : 1.0;
+}
+
+Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element, const Setting& setting,
+               const Emitter& emitter)
+    : setting_(setting), name_(element.name), part_(spec.name), emitter_(emitter), at_(element.at) {
+  const auto draw = [&](const Number& figure, const char* key) {
+    return setting.individual.draw(figure, name_, key);
+  };
+  const double height = draw(spec.height, "height");
+  const double footprint = draw(spec.footprint, "footprint");
+  footprint_ = footprint > 0.0 ? footprint : 2.0 * height;
+  const double far = kBestHeight / height;
+  healthy_light_ = light_ = far < 1.0 ? far * far : 1.0;
+  healthy_shift_ = shift_ = -draw(spec.ambient, "ambient");
+  healthy_noise_ = noise_ = setting.individual.ideal() ? 0.0 : draw(spec.noise, "noise");
+  stream_ = setting.individual.noise(name_, "reading");
+}
+
+double Sensor::shown() const {
+  if (stuck()) return clamp01(stuck_blackness());
+  return clamp01(1.0 - light_ * emitter_.brightness() * (1.0 - (covered_ ? 1.0 : coverage())) + shift_);
+}
+
+std::span<const FaultKind> Sensor::fault_kinds() const { return kFaults; }
+
+void Sensor::fail(const Fault& fault) {
+  const std::string_view name = fault.kind.name;
+  if (name == "swapped") return std::swap(at_, fault.sensor->at_);
+  stuck_ = name == "stuck" ? fault.number : -1.0;
+  noise_ = healthy_noise_ + (name == "noisy" ? fault.number : 0.0);
+  shift_ = healthy_shift_ + (name == "offset" ? fault.number : 0.0);
+  light_ = name == "dead" ? 0.0 : healthy_light_;
+}
+
+AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
+                           const Setting& setting, const Emitter& emitter)
+    : Sensor(spec, element, setting, emitter) {
+  const BoardSpec& board = *setting.description.board;
+  white_ = setting.individual.draw(spec.white_volts, name(), "white_volts");
+  span_ = setting.individual.draw(spec.black_volts, name(), "black_volts") - white_;
+  supply_ = board.supply_volts;
+  step_volts_ = supply_ / board.adc_steps;
+}
+
+void AnalogSensor::join(Board& board, Pin pin) { board.connect(pin, *this); }
+
+DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
+                             const Setting& setting, const Emitter& emitter)
+    : Sensor(spec, element, setting, emitter),
+      supply_(setting.description.board->supply_volts),
+      black_high_(spec.black_high) {
+  const double threshold = setting.individual.draw(spec.threshold, name(), "threshold");
+  const double half = 0.5 * setting.individual.draw(spec.hysteresis, name(), "hysteresis");
+  rises_ = threshold + half;
+  falls_ = threshold - half;
+}
+
+void DigitalSensor::join(Board& board, Pin pin) {
+  board_ = &board;
+  pin_ = pin;
+  board.connect(pin, *this);
+}
+
+void DigitalSensor::begin_tick(SimTime t) {
+  if (!board_->wants_edges(pin_)) return;
+  const bool now = level(t);
+  if (now != last_level_) board_->schedule_edge(pin_, now, t);
+  last_level_ = now;
+}
+
+}  // namespace robosim::robot

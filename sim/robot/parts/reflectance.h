@@ -1,0 +1,162 @@
+// type = "reflectance" and "reflectance-array": infra-red sensors that look at the floor.
+//
+// An element at `at` with footprint f sees c, the share of its footprint on the line
+// (world::Floor::coverage). Its blackness is what its phototransistor makes of it:
+//   b = 1 - e s (1 - c) - ambient + noise g
+// e: brightness of the emitter (1, or what its pin says); s = min(1, (3 mm / height)^2): light lost by
+// height; ambient: stray light; g: standard normal, a new sample for every read. Then, by `read`:
+//   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
+//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its state
+//   between
+//            reads. black = "high" or "low" says what it answers over black
+//   rc       a capacitor: see reflectance_rc.h
+// Nothing happens unless firmware reads.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
+std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
+
+class ReflectanceSpec final : public PartSpec {
+ public:
+  enum class Read { analog, digital, rc };
+  struct Element {
+    std::string name;
+    Vec2 at;  ///< m
+    Pin pin;
+  };
+
+  Read read = Read::analog;
+  bool black_high = true;
+  Number white_volts;  ///< analog
+  Number black_volts;  ///< analog
+  Number threshold;    ///< digital: of blackness
+  Number hysteresis;   ///< digital: of blackness, full width
+  Number white_time;   ///< rc, s
+  Number black_time;   ///< rc, s
+  Number noise;        ///< standard deviation of blackness
+  Number ambient;      ///< of blackness
+  Number height;       ///< m
+  Number footprint;    ///< m; 0 = twice the height
+  Pin emitter = kNoPin;
+  std::vector<Element> elements;
+
+  std::unique_ptr<Part> make(Setting&) const override;
+  std::vector<SensorPlace> sensors() const override;
+};
+
+/// The emitter LEDs of a part: full brightness unless their pin drives them otherwise (their transistor's
+/// gate is pulled up on the board).
+class Emitter final : public PinWatcher {
+ public:
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  double brightness() const { return brightness_; }
+
+ private:
+  double brightness_ = 1.0;
+};
+
+/// One element, without its output stage.
+class Sensor : public Breakable {
+ public:
+  Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  virtual ~Sensor() = default;
+
+  const std::string& name() const override { return name_; }
+  /// The name of the part it belongs to.
+  const std::string& part() const { return part_; }
+  Vec2 at() const { return at_; }
+  void cover(bool covered) { covered_ = covered; }
+  /// The share of the footprint on the line at the start of the tick.
+  double coverage() const {
+    return setting_.view.floor->coverage(setting_.view.body->pose().to_world(at_), footprint_);
+  }
+  /// What people are shown: 0 white .. 1 black.
+  double shown() const;
+  virtual void join(Board&, Pin) = 0;
+  virtual void begin_tick(SimTime) {}
+
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ protected:
+  /// Takes a sample of noise.
+  double blackness(SimTime t) {
+    const Pose pose = setting_.view.pose_at(t);
+    const double c = covered_ ? 1.0 : setting_.view.floor->coverage(pose.to_world(at_), footprint_);
+    double b = 1.0 - light_ * emitter_.brightness() * (1.0 - c) + shift_;
+    if (noise_ > 0.0) b += noise_ * stream_.gauss(samples_++);
+    return b;
+  }
+  bool stuck() const { return stuck_ >= 0.0; }
+  /// The number after `fault NAME stuck`.
+  double stuck_at() const { return stuck_; }
+  /// The blackness of which `stuck_at` is the output; for people.
+  virtual double stuck_blackness() const = 0;
+
+  const Setting& setting_;
+
+ private:
+  const std::string& name_;
+  const std::string& part_;
+  const Emitter& emitter_;
+  Vec2 at_;
+  double footprint_;
+  double light_, healthy_light_;  // light that comes back from white
+  double shift_, healthy_shift_;  // of blackness
+  double noise_, healthy_noise_;
+  double stuck_ = -1.0;
+  NoiseStream stream_;
+  std::uint64_t samples_ = 0;
+  bool covered_ = false;
+};
+
+/// Reads with `read = "analog"`.
+class AnalogSensor final : public Sensor, public PinSource {
+ public:
+  AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  void join(Board&, Pin) override;
+  double volts(SimTime t) override {
+    if (stuck()) return (stuck_at() + 0.5) * step_volts_;
+    const double v = white_ + span_ * blackness(t);
+    return v < 0.0 ? 0.0 : v > supply_ ? supply_ : v;
+  }
+  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+
+ private:
+  double stuck_blackness() const override { return ((stuck_at() + 0.5) * step_volts_ - white_) / span_; }
+
+  double white_, span_, supply_, step_volts_;
+};
+
+/// Reads with `read = "digital"`.
+class DigitalSensor final : public Sensor, public PinSource {
+ public:
+  DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  void join(Board&, Pin) override;
+  void begin_tick(SimTime) override;
+  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
+  bool level(SimTime t) override {
+    if (stuck()) return stuck_at() > 0.0;
+    dark_ = blackness(t) > (dark_ ? falls_ : rises_);
+    return dark_ == black_high_;
+  }
+
+ private:
+  double stuck_blackness() const override { return (stuck_at() > 0.0) == black_high_ ? 1.0 : 0.0; }
+
+  double rises_, falls_, supply_;
+  bool black_high_;
+  bool dark_ = false;
+  bool last_level_ = false;
+  Board* board_ = nullptr;
+  Pin pin_ = kNoPin;
+};
+
+}  // namespace robosim::robot

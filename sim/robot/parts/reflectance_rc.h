@@ -1,0 +1,43 @@
+// read = "rc": a reflectance sensor that is read by timing the discharge of its capacitor.
+//
+//   pin an output, high   charges: full after 10 us (QTR-8RC: 10 nF through 220 ohm has a time constant
+//   of 2.2 us) pin an output, low    empties it in the same way pin an input          the phototransistor
+//   discharges it with a constant current; the pin reads high until the
+//                         voltage is at the input's threshold, half the supply. From full that takes
+//     T = 1 / (b / black_time + (1 - b) / white_time)
+// b, the blackness, is sampled once, when the pin becomes an input. The pin's own pull-up does not matter
+// beside the phototransistor's current. Times are exact in nanoseconds.
+#pragma once
+
+#include "sim/robot/parts/reflectance.h"
+
+namespace robosim::robot {
+
+class RcSensor final : public Sensor, public PinSource, public PinWatcher {
+ public:
+  RcSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  void join(Board&, Pin) override;
+  void begin_tick(SimTime) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  double volts(SimTime) override;
+  bool level(SimTime t) override { return t < falls_at_; }
+
+ private:
+  double charge(SimTime t) const;
+  void announce(SimTime from, SimTime to);
+  double stuck_blackness() const override;
+
+  double white_rate_, black_rate_;  // 1/s: white_time and black_time, inverted
+  double supply_;
+  Board* board_ = nullptr;
+  Pin pin_ = kNoPin;
+  // The capacitor's charge, 0..1, at `since_`, and its slope from there on, in 1/ns.
+  double charge_ = 0.0;
+  double slope_ = 0.0;
+  SimTime since_ = 0;
+  SimTime falls_at_ = 0;  // when the level falls; kNever while the pin charges
+  bool driven_ = false;
+  bool announced_ = true;
+};
+
+}  // namespace robosim::robot

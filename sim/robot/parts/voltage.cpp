@@ -1,0 +1,40 @@
+#include "sim/robot/parts/voltage.h"
+
+#include <algorithm>
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_voltage(PartReader& reader) {
+  auto spec = std::make_shared<VoltageSpec>();
+  spec->pin = reader.pin("pin", PinUse::analog);
+  spec->volts = reader.figure("volts", Dimension::voltage, {}, 0.0, reader.board().supply_volts);
+  spec->share = reader.figure("share", Dimension::ratio, {}, 0.0, 1.0);
+  spec->noise = reader.figure("noise", Dimension::voltage, {}, 0.0, 1.0);
+  const ConfigValue& table = reader.table().table();
+  if ((table.find("volts") != nullptr) == (table.find("share") != nullptr))
+    throw InputError(table.place, reader.name() + " needs either volts, or share (of the battery's voltage)");
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> VoltageSpec::make(Setting& setting) const {
+  return std::make_unique<VoltagePart>(*this, setting);
+}
+
+VoltagePart::VoltagePart(const VoltageSpec& spec, Setting& setting)
+    : spec_(spec), setting_(setting), stream_(setting.individual.noise(spec.name, "reading")) {
+  const Individual& individual = setting.individual;
+  supply_ = setting.description.board->supply_volts;
+  const double battery = individual.draw(setting.description.motors.supply, "motors", "supply");
+  volts_ = individual.draw(spec.volts, spec.name, "volts") +
+           individual.draw(spec.share, spec.name, "share") * battery;
+  noise_ = individual.ideal() ? 0.0 : individual.draw(spec.noise, spec.name, "noise");
+}
+
+void VoltagePart::join(Roster&) { setting_.board.connect(spec_.pin, *this); }
+
+double VoltagePart::volts(SimTime) {
+  const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(samples_++) : 0.0;
+  return std::clamp(volts_ + noise, 0.0, supply_);
+}
+
+}  // namespace robosim::robot

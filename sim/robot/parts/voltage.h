@@ -1,0 +1,41 @@
+// type = "voltage": a constant voltage on a pin: a battery's divider, a potentiometer, a jumper.
+//
+//   volts = `volts`, or `share` of the battery ([motors] supply); at most the board's supply. Plus noise g.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_voltage(PartReader&);
+
+class VoltageSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  Number volts;  ///< V; not used if share is not 0
+  Number share;  ///< of the battery's voltage
+  Number noise;  ///< V, standard deviation
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+class VoltagePart final : public Part, public PinSource {
+ public:
+  VoltagePart(const VoltageSpec&, Setting&);
+
+  void join(Roster&) override;
+  double volts(SimTime) override;
+  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+
+ private:
+  const VoltageSpec& spec_;
+  Setting& setting_;
+  NoiseStream stream_;
+  std::uint64_t samples_ = 0;
+  double volts_, noise_, supply_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,212 @@
+#include "sim/robot/robot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/error.h"
+#include "sim/base/units.h"
+#include "sim/robot/description.h"
+#include "sim/robot/part.h"
+#include "sim/robot/parts/button.h"
+#include "sim/robot/parts/motor.h"
+#include "sim/robot/parts/reflectance.h"
+#include "sim/robot/setting.h"
+#include "sim/world/world.h"
+
+namespace robosim::robot {
+namespace {
+
+template <typename Things>
+std::string names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto* thing : things) names.push_back(thing->name());
+  return names.empty() ? "none" : one_of(names);
+}
+
+template <typename Things>
+auto find_named(const Things& things, const std::string& name) {
+  const auto found =
+      std::find_if(things.begin(), things.end(), [&](const auto* t) { return t->name() == name; });
+  return found == things.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+struct Robot::Inside {
+  Inside(const Description& d, world::World& world, std::size_t body_number, Board& board, std::uint64_t seed,
+         Profile profile, std::uint32_t number)
+      : description(d),
+        body(world.body(body_number)),
+        individual(seed, profile, number),
+        view{&world.floor(), &body, 0},
+        setting(d, board, view, individual) {}
+
+  ButtonPart& button(const std::string& name) const;
+  std::vector<Sensor*> covered_by(const std::string& name) const;
+  Breakable& breakable(const std::string& name) const;
+  Fault read_fault(const Breakable&, const std::string& kind,
+                   const std::vector<std::string>& arguments) const;
+
+  const Description& description;
+  world::Body& body;
+  Individual individual;
+  View view;
+  Setting setting;
+  std::vector<std::unique_ptr<Part>> parts;
+  Roster roster;
+  world::WheelCommand command[2];
+  mutable std::size_t last_seen = 0;  // the sensor that saw the line last
+};
+
+ButtonPart& Robot::Inside::button(const std::string& name) const {
+  if (ButtonPart* part = find_named(roster.buttons, name)) return *part;
+  throw InputError(fmt::format("robot {} has no button {}; its buttons: {}", description.name, name,
+                               names_of(roster.buttons)));
+}
+
+std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
+  std::vector<Sensor*> sensors;
+  for (Sensor* sensor : roster.sensors)
+    if (sensor->name() == name || sensor->part() == name) sensors.push_back(sensor);
+  if (!sensors.empty()) return sensors;
+  throw InputError(fmt::format("robot {} has no reflectance sensor {}; its sensors: {}", description.name,
+                               name, names_of(roster.sensors)));
+}
+
+Breakable& Robot::Inside::breakable(const std::string& name) const {
+  if (Breakable* thing = find_named(roster.breakable, name)) return *thing;
+  throw InputError(fmt::format("robot {} has nothing called {} that can break; it has {}", description.name,
+                               name, names_of(roster.breakable)));
+}
+
+Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_name,
+                                const std::vector<std::string>& arguments) const {
+  using enum FaultKind::Argument;
+  const auto kinds = thing.fault_kinds();
+  const auto kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const FaultKind& k) { return k.name == kind_name; });
+  if (kind == kinds.end()) {
+    std::vector<std::string> names;
+    for (const FaultKind& k : kinds) names.emplace_back(k.name);
+    throw InputError(fmt::format("{} has no fault {}; there are {}", thing.name(), kind_name, one_of(names)));
+  }
+  const std::string what = fmt::format("fault {} {}", thing.name(), kind_name);
+  if (arguments.size() != (kind->argument == none ? 0u : 1u))
+    throw InputError(fmt::format("{} takes {} ({})", what,
+                                 kind->argument == none     ? "nothing more"
+                                 : kind->argument == number ? "one number"
+                                                            : "the name of another sensor",
+                                 kind->meaning));
+  Fault fault{*kind};
+  if (kind->argument == number) {
+    const auto value = parse_quantity(arguments[0], Dimension::ratio);
+    if (!value || *value < kind->least || *value > kind->most)
+      throw InputError(fmt::format("{} {}: allowed is a number from {:g} to {:g} ({})", what, arguments[0],
+                                   kind->least, kind->most, kind->meaning));
+    fault.number = *value;
+  } else if (kind->argument == sensor) {
+    fault.sensor = find_named(roster.sensors, arguments[0]);
+    if (!fault.sensor || fault.sensor->name() == thing.name())
+      throw InputError(
+          fmt::format("{} {}: allowed is another one of {}", what, arguments[0], names_of(roster.sensors)));
+  }
+  return fault;
+}
+
+Robot::Robot(const Description& description, world::World& world, std::size_t body, Board& board,
+             std::uint64_t seed, Profile profile, std::uint32_t number)
+    : in_(std::make_unique<Inside>(description, world, body, board, seed, profile, number)) {
+  for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->setting));
+  for (const auto& part : in_->parts) part->join(in_->roster);
+}
+
+Robot::~Robot() = default;
+
+void Robot::begin_tick(SimTime t) {
+  in_->view.tick_start = t;
+  for (Part* part : in_->roster.ticking) part->begin_tick(t);
+}
+
+void Robot::end_tick(SimTime t) {
+  for (const Side side : {world::left, world::right}) {
+    MotorPart* motor = in_->roster.motor[side];
+    if (!motor) continue;
+    in_->command[side] = motor->take(in_->view.tick_start, t);
+    in_->body.command(side, in_->command[side]);
+  }
+}
+
+bool Robot::sees_line() const {
+  const auto& sensors = in_->roster.sensors;
+  if (in_->last_seen < sensors.size() && sensors[in_->last_seen]->coverage() > 0.0) return true;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (sensors[i]->coverage() <= 0.0) continue;
+    in_->last_seen = i;
+    return true;
+  }
+  return false;
+}
+
+bool Robot::has_line_sensors() const { return !in_->roster.sensors.empty(); }
+
+Vec2 Robot::sensor_midpoint() const {
+  Vec2 sum;
+  double count = 0.0;
+  for (const auto& part : in_->description.parts)
+    for (const SensorPlace& sensor : part->sensors()) {
+      sum = sum + sensor.at;
+      count += 1.0;
+    }
+  return count > 0.0 ? sum * (1.0 / count) : Vec2{};
+}
+
+bool Robot::driven() const {
+  return in_->command[world::left].drive != 0.0 || in_->command[world::right].drive != 0.0;
+}
+
+double Robot::left_command() const { return in_->command[world::left].drive; }
+
+double Robot::right_command() const { return in_->command[world::right].drive; }
+
+void Robot::press(const std::string& part, SimTime t) { in_->button(part).hold(true, t); }
+
+void Robot::release(const std::string& part, SimTime t) { in_->button(part).hold(false, t); }
+
+void Robot::cover(const std::string& part, bool covered) {
+  for (Sensor* sensor : in_->covered_by(part)) sensor->cover(covered);
+}
+
+void Robot::fault(const std::string& part, const std::string& kind,
+                  const std::vector<std::string>& arguments) {
+  Breakable& thing = in_->breakable(part);
+  thing.fail(in_->read_fault(thing, kind, arguments));
+}
+
+void Robot::check_press(const std::string& part) const { in_->button(part); }
+
+void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
+
+void Robot::check_fault(const std::string& part, const std::string& kind,
+                        const std::vector<std::string>& arguments) const {
+  in_->read_fault(in_->breakable(part), kind, arguments);
+}
+
+std::vector<Reading> Robot::readings() const {
+  std::vector<Reading> readings;
+  for (const Sensor* sensor : in_->roster.sensors) readings.push_back({sensor->name(), sensor->shown()});
+  for (const auto& part : in_->parts) part->read(readings);
+  return readings;
+}
+
+std::vector<WiredPin> Robot::wiring() const {
+  std::vector<WiredPin> pins;
+  if (in_->description.driver.standby != kNoPin)
+    pins.push_back(
+        {"driver", in_->description.driver.chip->name, "standby", in_->description.driver.standby});
+  for (const auto& part : in_->description.parts)
+    for (const Wire& wire : part->wires) pins.push_back({part->name, part->type, wire.role, wire.pin});
+  return pins;
+}
+
+}  // namespace robosim::robot

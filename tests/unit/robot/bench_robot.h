@@ -1,0 +1,73 @@
+// A robot on a straight line, with a board that tests play: the bench on which parts are tried.
+#pragma once
+
+#include <string>
+
+#include "sim/robot/describe.h"
+#include "sim/robot/description.h"
+#include "sim/robot/robot.h"
+#include "sim/world/world.h"
+#include "tests/unit/robot/fake_board.h"
+
+namespace robosim::robot {
+
+/// A small robot file without parts; tests append theirs.
+inline const std::string kBareRobot = R"(
+board = "nano"
+[chassis]
+outline = { radius = "60 mm" }
+mass = "300 g"
+track = "100 mm"
+wheel = "32 mm"
+[motors]
+voltage = "6 V"
+no_load = "625 rpm"
+stall_torque = "15 oz in"
+stall_current = "1.6 A"
+supply = "6 V"
+[driver]
+chip = "tb6612"
+)";
+
+/// The line is 20 mm wide and runs east through the origin of `line()`.
+class BenchRobot {
+ public:
+  explicit BenchRobot(const std::string& parts, Profile profile = Profile::ideal, std::uint64_t seed = 1)
+      : BenchRobot(parse_description(kBareRobot + parts, "bench.toml"), profile, seed) {}
+  explicit BenchRobot(Description d, Profile profile = Profile::ideal, std::uint64_t seed = 1)
+      : description(std::move(d)),
+        map(grid::parse_map("___________\n___________\n_111111111_\n___________\n___________\n",
+                            "bench.map")),
+        world(map),
+        number(world.add_body(body_params(description, seed, profile), {line(), {1.0, 0.0}})),
+        board(*description.board),
+        robot(description, world, number, board, seed, profile) {
+    robot.begin_tick(0);
+  }
+
+  /// A point in the middle of the line.
+  Vec2 line() const { return map.centre({4, 2}); }
+  world::Body& body() { return world.body(number); }
+  /// Ends the running tick, and begins the next.
+  void tick() {
+    robot.end_tick(now + kTick);
+    world.step();
+    now += kTick;
+    robot.begin_tick(now);
+  }
+  void ticks(int count) {
+    for (int i = 0; i < count; ++i) tick();
+  }
+  double volts(Pin pin) { return board.read_volts(pin, now); }
+  bool level(Pin pin) { return board.read_level(pin, now); }
+
+  Description description;
+  grid::Map map;
+  world::World world;
+  std::size_t number;
+  FakeBoard board;
+  Robot robot;
+  SimTime now = 0;
+};
+
+}  // namespace robosim::robot

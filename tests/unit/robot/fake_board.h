@@ -1,0 +1,68 @@
+// A board without firmware: tests say how pins are driven and ask what they read.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "hal/board/board_spec.h"
+
+namespace robosim::robot {
+
+class FakeBoard final : public Board {
+ public:
+  explicit FakeBoard(const BoardSpec& spec) : spec_(spec) {}
+
+  struct Edge {
+    Pin pin;
+    bool level;
+    SimTime at;
+    bool operator==(const Edge&) const = default;
+  };
+  std::vector<Edge> edges;    ///< all that were scheduled
+  bool edges_wanted = false;  ///< what wants_edges answers
+
+  void output(Pin pin, bool level, SimTime t) {
+    set_drive(pin, {PinMode::output, level, false, level ? 1.0 : 0.0, 0}, t);
+  }
+  void pwm(Pin pin, double duty, SimTime t) { set_drive(pin, {PinMode::output, false, true, duty, 0}, t); }
+  void input(Pin pin, bool pullup, SimTime t) {
+    PinDrive drive;
+    drive.mode = pullup ? PinMode::input_pullup : PinMode::input;
+    set_drive(pin, drive, t);
+  }
+  bool connected(Pin pin) const { return sources_[pin] != nullptr; }
+
+  const BoardSpec& spec() const override { return spec_; }
+  void set_drive(Pin pin, const PinDrive& drive, SimTime t) override {
+    if (drives_[pin] == drive) return;
+    drives_[pin] = drive;
+    for (PinWatcher* watcher : watchers_[pin]) watcher->pin_changed(pin, drive, t);
+  }
+  bool read_level(Pin pin, SimTime t) override {
+    return sources_[pin] ? sources_[pin]->level(t) : pulled_up(pin);
+  }
+  double read_volts(Pin pin, SimTime t) override {
+    return sources_[pin] ? sources_[pin]->volts(t) : pulled_up(pin) ? spec_.supply_volts : 0.0;
+  }
+  void send_byte(uint8_t, SimTime) override {}
+  uint8_t* eeprom() override { return nullptr; }
+  const PinDrive& drive(Pin pin) const override { return drives_[pin]; }
+  void connect(Pin pin, PinSource& source) override { sources_[pin] = &source; }
+  void watch(Pin pin, PinWatcher& watcher) override { watchers_[pin].push_back(&watcher); }
+  void watch_serial(SerialWatcher&) override {}
+  void schedule_edge(Pin pin, bool level, SimTime at) override { edges.push_back({pin, level, at}); }
+  bool wants_edges(Pin) const override { return edges_wanted; }
+  void receive_byte(uint8_t, SimTime) override {}
+
+ private:
+  bool pulled_up(Pin pin) const { return drives_[pin].mode == PinMode::input_pullup; }
+
+  const BoardSpec& spec_;
+  std::array<PinDrive, kMaxPins> drives_{};
+  std::array<PinSource*, kMaxPins> sources_{};
+  std::array<std::vector<PinWatcher*>, kMaxPins> watchers_;
+};
+
+}  // namespace robosim::robot

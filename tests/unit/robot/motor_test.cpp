@@ -1,0 +1,152 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/robot/parts/motor_driver.h"
+#include "tests/unit/robot/bench_robot.h"
+
+namespace robosim::robot {
+namespace {
+
+constexpr const char* kMotors = R"(
+[[part]]
+name = "left"
+type = "motor"
+pins = { en = 5, in1 = 7, in2 = 8 }
+[[part]]
+name = "right"
+type = "motor"
+pins = { en = 6, in1 = 9, in2 = 10 }
+)";
+
+const DriverChip& chip(const std::string& name) {
+  for (const DriverChip& chip : driver_chips())
+    if (chip.name == name) return chip;
+  throw InputError(name);
+}
+
+void expect_command(const world::WheelCommand& command, double drive, double brake) {
+  EXPECT_NEAR(command.drive, drive, 1e-12);
+  EXPECT_NEAR(command.brake, brake, 1e-12);
+}
+
+TEST(MotorDriver, L298nCoastsBetweenPulsesOnEnable) {
+  expect_command(bridge_command(chip("l298n"), {0.3, 1, 0}), 0.3, 0.0);
+  expect_command(bridge_command(chip("l298n"), {0.3, 0, 1}), -0.3, 0.0);
+}
+
+TEST(MotorDriver, L298nBrakesWhenBothInputsAreAlikeAndEnableIsHigh) {
+  expect_command(bridge_command(chip("l298n"), {1, 1, 1}), 0.0, 1.0);
+  expect_command(bridge_command(chip("l298n"), {1, 0, 0}), 0.0, 1.0);
+  expect_command(bridge_command(chip("l298n"), {0, 1, 1}), 0.0, 0.0);
+}
+
+TEST(MotorDriver, L298nWithPwmOnItsInputsBrakesBetweenPulses) {
+  expect_command(bridge_command(chip("l298n"), {1, 0.4, 0}), 0.4, 0.6);
+  expect_command(bridge_command(chip("l298n"), {1, 0, 0.4}), -0.4, 0.6);
+}
+
+TEST(MotorDriver, Tb6612BrakesBetweenPulsesAndCoastsWithBothInputsLow) {
+  expect_command(bridge_command(chip("tb6612"), {0.3, 1, 0}), 0.3, 0.7);
+  expect_command(bridge_command(chip("tb6612"), {0.3, 0, 0}), 0.0, 0.0);
+}
+
+TEST(MotorDriver, Drv8833CoastsWithOneInputPulsedAndTheOtherLow) {
+  expect_command(bridge_command(chip("drv8833"), {1, 0.4, 0}), 0.4, 0.0);
+  expect_command(bridge_command(chip("drv8833"), {1, 1, 0.6}), 0.4, 0.6);
+}
+
+TEST(MotorDriver, PhaseAndEnable) {
+  expect_command(bridge_command(chip("drv8835"), {0.25, 1, 0, true}), 0.25, 0.75);
+  expect_command(bridge_command(chip("drv8835"), {0.25, 0, 0, true}), -0.25, 0.75);
+}
+
+TEST(MotorDriver, LockedAntiphaseAtHalfDutyHoldsTheMotor) {
+  expect_command(bridge_command(chip("l298n"), {1, 0.5, 0, true}), 0.0, 1.0);
+  expect_command(bridge_command(chip("l298n"), {1, 0.75, 0, true}), 0.5, 0.5);
+}
+
+TEST(Motor, ForwardOnBothDrivesForward) {
+  BenchRobot bench(kMotors);
+  for (const Pin pin : {5, 7, 6, 9}) bench.board.output(pin, true, 0);
+  bench.ticks(200);
+  EXPECT_GT(bench.body().speed(), 0.5);
+  EXPECT_NEAR(bench.body().turn_rate(), 0.0, 1e-9);
+  EXPECT_TRUE(bench.robot.driven());
+}
+
+TEST(Motor, TheCommandIsTheTimeAverageOverTheTick) {
+  BenchRobot bench(kMotors);
+  bench.board.output(7, true, 0);
+  bench.board.pwm(5, 0.5, 250 * kMicrosecond);
+  bench.board.pwm(5, 0.1, 750 * kMicrosecond);
+  bench.tick();
+  EXPECT_NEAR(bench.robot.left_command(), 0.5 * 0.5 + 0.25 * 0.1, 1e-12);
+  bench.tick();
+  EXPECT_NEAR(bench.robot.left_command(), 0.1, 1e-12);
+  EXPECT_EQ(bench.robot.right_command(), 0.0);
+}
+
+TEST(Motor, InputsThatNobodyDrivesAreLow) {
+  BenchRobot bench(kMotors);
+  bench.tick();
+  EXPECT_FALSE(bench.robot.driven());
+}
+
+TEST(Motor, AnUnpoweredBoardStopsTheMotors) {
+  BenchRobot bench(kMotors);
+  for (const Pin pin : {5, 7, 6, 9}) bench.board.output(pin, true, 0);
+  bench.tick();
+  for (const Pin pin : {5, 7, 6, 9}) bench.board.input(pin, false, bench.now);
+  bench.tick();
+  EXPECT_FALSE(bench.robot.driven());
+}
+
+TEST(Motor, StandbyLowOpensBothBridges) {
+  Description robot = parse_description(kBareRobot + "standby = 4\n" + kMotors, "bench.toml");
+  BenchRobot bench(robot);
+  for (const Pin pin : {5, 7}) bench.board.output(pin, true, 0);
+  bench.tick();
+  EXPECT_FALSE(bench.robot.driven());
+  bench.board.output(4, true, bench.now);
+  bench.tick();
+  EXPECT_EQ(bench.robot.left_command(), 1.0);
+}
+
+TEST(Motor, ReversedAndSwappedAreProperties) {
+  BenchRobot bench(R"(
+[[part]]
+name = "a"
+type = "motor"
+wheel = "right"
+reversed = true
+pins = { in1 = 5, in2 = 6 }
+[[part]]
+name = "b"
+type = "motor"
+wheel = "left"
+pins = { en = 9, phase = 10 }
+)");
+  bench.board.pwm(5, 0.5, 0);
+  bench.board.pwm(9, 0.25, 0);
+  bench.tick();
+  EXPECT_EQ(bench.robot.right_command(), -0.5);
+  EXPECT_EQ(bench.robot.left_command(), -0.25);
+}
+
+TEST(Motor, Faults) {
+  BenchRobot bench(kMotors);
+  for (const Pin pin : {5, 7}) bench.board.output(pin, true, 0);
+  const auto with = [&](const char* kind, std::vector<std::string> arguments) {
+    bench.robot.fault("left", kind, arguments);
+    bench.tick();
+    return bench.robot.left_command();
+  };
+  EXPECT_EQ(with("dead", {}), 0.0);
+  EXPECT_EQ(with("weak", {"80%"}), 0.8);
+  EXPECT_EQ(with("reversed", {}), -1.0);
+  EXPECT_EQ(with("ok", {}), 1.0);
+}
+
+}  // namespace
+}  // namespace robosim::robot
