@@ -1,11 +1,31 @@
 // The floor a robot drives on: how dark it is, and how far the line.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
 
 namespace robosim::world {
 
+/// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
+/// map says `floor = "raster"`): each painted line cell is dark as a whole.
+///
+/// One byte a cell says what a query inside it can meet, so that most queries are one load and one square
+/// root:
+///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has, and
+///   whether
+///                   they are painted; no stripe of another cell is nearer than cell / 2
+///   round corners:  whether any stripe is near; if so, a list of those few, made at set-up
+///   raster:         which cells of a 2x2 neighbourhood are dark
 class Floor {
  public:
   /// The map must outlive the floor.
@@ -13,14 +33,99 @@ class Floor {
 
   /// The share of a sensor's footprint (diameter `footprint_m`) that lies on painted line, 0..1:
   ///   clamp((line/2 + f/2 - d) / f, 0, 1),  d = distance to the nearest painted centre line.
-  /// Within 0.026 of the exact area of a disc on a straight edge.
+  /// Within 0.026 of the exact area of a disc on a straight edge. On a raster floor: the exact share of a
+  /// square of side f.
   double coverage(Vec2 p, double footprint_m) const;
 
-  /// Distance from p to the nearest centre line (painted or not), m; kFar or more where none is near.
+  /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
   double distance_to_line(Vec2 p) const;
 
-  /// distance_to_line is exact at least up to this, m.
-  double far_m() const;
+  /// distance_to_line is exact up to this, m: three cells.
+  double far_m() const { return kFarCells * cell_; }
+
+ private:
+  static constexpr int kFarCells = 3;
+
+  // A horizontal and a vertical segment about a cell's centre, m.
+  struct Arms {
+    double west, east, south, north;
+    double square(double x, double y) const {
+      const double dx = x - std::min(std::max(x, west), east);
+      const double dy = y - std::min(std::max(y, south), north);
+      return std::min(dx * dx + y * y, x * x + dy * dy);
+    }
+  };
+  // What one value of a cell's byte stands for.
+  struct Kind {
+    Arms line;     // the centre lines in the cell, painted or not
+    Arms painted;  // those that are painted: shorter towards a gap
+    bool is_line, is_painted;
+  };
+
+  // The cell of a point; false outside the map. Rows count from the bottom.
+  bool locate(Vec2 p, int& column, int& row, double& x, double& y) const {
+    const double u = p.x * per_cell_, v = p.y * per_cell_;
+    if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) return false;
+    column = static_cast<int>(u);
+    row = static_cast<int>(v);
+    x = p.x - (column + 0.5) * cell_;
+    y = p.y - (row + 0.5) * cell_;
+    return true;
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column);
+  }
+  static double ramp(double distance, double reach, double footprint) {
+    const double t = (reach - distance) / footprint;
+    return 0.5 * (std::fabs(t) - std::fabs(t - 1.0) + 1.0);  // clamp to 0..1 without a branch
+  }
+
+  void read_stripes(const grid::Map& map);
+  void read_raster(const grid::Map& map);
+  double search(Vec2 p, bool painted_only) const;
+  double square_in(int column, int row, Vec2 p, bool painted_only) const;
+  double coverage_round(Vec2 p, double footprint) const;
+  double coverage_raster(Vec2 p, double footprint) const;
+
+  int width_, height_;
+  double columns_, rows_;
+  double cell_, per_cell_, half_line_;
+  const grid::Map* map_;
+  std::array<Kind, 98> kinds_;
+  std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
+  double stripes_reach_ = 0.0;
+  std::unique_ptr<grid::Stripes> stripes_;  // round corners
+  std::vector<std::uint8_t> quads_;         // raster: bits SW SE NW NE; a row and a column more than the map
 };
+
+inline double Floor::coverage(Vec2 p, double footprint_m) const {
+  const double footprint = std::max(footprint_m, 1e-9);
+  if (!quads_.empty()) return coverage_raster(p, footprint);
+  const double reach = half_line_ + 0.5 * footprint;
+  if (stripes_ && reach <= stripes_reach_) return coverage_round(p, footprint);
+  if (reach > 0.5 * cell_) return ramp(search(p, true), reach, footprint);
+  int column, row;
+  double x, y;
+  if (!locate(p, column, row, x, y)) return 0.0;
+  const Kind& kind = kinds_[cells_[index(column, row)]];
+  if (!kind.is_painted) return 0.0;
+  const double square = kind.painted.square(x, y);
+  if (square >= reach * reach) return 0.0;
+  return ramp(std::sqrt(square), reach, footprint);
+}
+
+inline double Floor::distance_to_line(Vec2 p) const {
+  int column, row;
+  double x, y;
+  if (!stripes_ && locate(p, column, row, x, y)) {
+    const Kind& kind = kinds_[cells_[index(column, row)]];
+    if (kind.is_line) {
+      const double square = kind.line.square(x, y);
+      if (square <= 0.25 * cell_ * cell_) return std::sqrt(square);
+    }
+  }
+  return search(p, false);
+}
 
 }  // namespace robosim::world

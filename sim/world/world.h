@@ -25,7 +25,8 @@ class World {
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }
 
-  /// Puts a round obstacle on the floor: it stops bodies, sensors of the floor do not see it. Its number, from 1.
+  /// Puts a round obstacle on the floor: it stops bodies, sensors of the floor do not see it. Its number,
+  /// from 1.
   int add_obstacle(Vec2 centre, double radius_m) { return walls_.add(centre, radius_m); }
   /// Takes it away; nothing happens if there is none such.
   void remove_obstacle(int number) { walls_.remove(number); }

@@ -1,0 +1,446 @@
+#include "sim/world/body.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "hal/board/sim_time.h"
+#include "sim/world/walls.h"
+
+namespace robosim::world {
+
+namespace {
+
+constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
+constexpr double kGravity = 9.80665;  // m/s2
+// Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
+constexpr double kStill = 1e-6;  // m/s, rad/s
+// No motor reaches them; they keep a step finite for any parameters.
+constexpr double kMaxSpeed = 100.0;  // m/s
+constexpr double kMaxTurn = 500.0;   // rad/s
+// Of the grip that is left for each of both directions while the body skids: 1 / sqrt(2).
+constexpr double kSkidShare = 0.70710678118654752;
+
+double bounded(double x, double bound) {
+  if (x > bound) return bound;
+  if (x < -bound) return -bound;
+  return x == x ? x : 0.0;
+}
+
+// What is left of an impulse after friction that can hold up to `friction`.
+double after_friction(double impulse, double friction) {
+  if (impulse > friction) return impulse - friction;
+  if (impulse < -friction) return impulse + friction;
+  return 0.0;
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("BodyParams: ") + what);
+}
+
+bool positive(double x) { return x > 0.0 && std::isfinite(x); }
+bool not_negative(double x) { return x >= 0.0 && std::isfinite(x); }
+
+void check(const BodyParams& p) {
+  for (const WheelParams& w : p.wheel) {
+    require(positive(w.nominal_volts), "nominal_volts must be more than 0");
+    require(positive(w.no_load_rate), "no_load_rate must be more than 0");
+    require(not_negative(w.no_load_current), "no_load_current must not be negative");
+    require(positive(w.stall_torque), "stall_torque must be more than 0");
+    require(positive(w.stall_current) && w.stall_current > w.no_load_current,
+            "stall_current must be more than no_load_current");
+    require(w.static_friction >= 1.0 && std::isfinite(w.static_friction),
+            "static_friction must be at least 1");
+    require(positive(w.gear_ratio), "gear_ratio must be more than 0");
+    require(not_negative(w.rotor_inertia_kgm2), "rotor_inertia_kgm2 must not be negative");
+    require(positive(w.wheel_inertia_kgm2), "wheel_inertia_kgm2 must be more than 0");
+    require(positive(w.radius_m), "the wheel's radius_m must be more than 0");
+  }
+  require(positive(p.supply_volts), "supply_volts must be more than 0");
+  require(not_negative(p.driver_drop_volts), "driver_drop_volts must not be negative");
+  require(not_negative(p.driver_ohms), "driver_ohms must not be negative");
+  require(positive(p.track_m), "track_m must be more than 0");
+  require(positive(p.mass_kg), "mass_kg must be more than 0");
+  require(positive(p.yaw_inertia_kgm2), "yaw_inertia_kgm2 must be more than 0");
+  require(p.load_share > 0.0 && p.load_share <= 1.0, "load_share must be more than 0 and at most 1");
+  require(not_negative(p.rolling_resistance), "rolling_resistance must not be negative");
+  require(positive(p.grip), "grip must be more than 0");
+  require(not_negative(p.wall_friction), "wall_friction must not be negative");
+  if (p.outline.empty()) {
+    require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");
+    return;
+  }
+  require(p.outline.size() >= 3, "outline needs at least 3 corners");
+  for (std::size_t i = 0, n = p.outline.size(); i < n; ++i) {
+    const Vec2 a = p.outline[i], b = p.outline[(i + 1) % n], c = p.outline[(i + 2) % n];
+    require(cross(b - a, c - b) > 0.0, "outline must be convex and counter-clockwise");
+  }
+}
+
+}  // namespace
+
+BodyParams default_body_params() {
+  WheelParams wheel;
+  wheel.nominal_volts = 6.0;
+  wheel.no_load_rate = 20.94;
+  wheel.no_load_current = 0.16;
+  wheel.stall_torque = 0.0785;
+  wheel.stall_current = 1.5;
+  wheel.static_friction = 1.5;
+  wheel.gear_ratio = 48.0;
+  wheel.rotor_inertia_kgm2 = 4e-8;
+  wheel.wheel_inertia_kgm2 = 1.6e-5;
+  wheel.radius_m = 0.0325;
+
+  BodyParams p;
+  p.wheel[left] = p.wheel[right] = wheel;
+  p.supply_volts = 7.4;
+  p.driver_drop_volts = 1.8;
+  p.track_m = 0.130;
+  p.mass_kg = 0.5;
+  p.yaw_inertia_kgm2 = 0.0014;
+  p.load_share = 0.8;
+  p.rolling_resistance = 0.02;
+  p.grip = 0.8;
+  p.wall_friction = 0.3;
+  p.radius_m = 0.080;
+  return p;
+}
+
+Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(params) {
+  check(params_);
+  const double m = params_.mass_kg;
+  for (int side = 0; side < 2; ++side) {
+    const WheelParams& w = params_.wheel[side];
+    Unit& unit = unit_[side];
+    unit = {};
+    unit.radius = w.radius_m;
+    unit.per_radius = 1.0 / w.radius_m;
+    const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
+    unit.inertia = inertia * unit.per_radius * unit.per_radius;
+    const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current);
+    const double force =
+        per_ampere * w.no_load_current * unit.per_radius + params_.rolling_resistance * m * kGravity * 0.5;
+    unit.friction[0] = force * kDt;
+    unit.friction[1] = force * kDt * w.static_friction;
+    command(static_cast<Side>(side), {});
+  }
+  half_track_ = params_.track_m * 0.5;
+  per_track_ = 1.0 / params_.track_m;
+  const double turning = params_.yaw_inertia_kgm2 * per_track_ * per_track_;
+  mass_own_ = m * 0.25 + turning;
+  mass_cross_ = m * 0.25 - turning;
+  per_mass_ = 1.0 / m;
+  per_inertia_ = 1.0 / params_.yaw_inertia_kgm2;
+  grip_limit_ = params_.grip * params_.load_share * m * kGravity * 0.5 * kDt;
+  if (params_.outline.empty()) {
+    bound_centre_ = params_.centre;
+    bound_radius_ = params_.radius_m;
+  } else {
+    Vec2 low = params_.outline[0], high = low;
+    for (const Vec2 p : params_.outline) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    bound_centre_ = (low + high) * 0.5;
+    for (const Vec2 p : params_.outline) bound_radius_ = std::max(bound_radius_, length(p - bound_centre_));
+  }
+}
+
+void Body::command(Side side, WheelCommand command) {
+  const WheelParams& w = params_.wheel[side];
+  Unit& unit = unit_[side];
+  const double drive = bounded(command.drive, 1.0);
+  const double brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(drive));
+  const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current);
+  const double winding = w.nominal_volts / w.stall_current;
+  const double per_rate = (w.nominal_volts - winding * w.no_load_current) / w.no_load_rate;
+  const double volts = std::max(params_.supply_volts - params_.driver_drop_volts, 0.0);
+  const double ohms = winding + params_.driver_ohms;
+  const double impulse_per_volt = per_ampere / ohms * unit.per_radius * kDt;
+  const double volts_per_speed = per_rate * unit.per_radius;
+
+  const double share = std::fabs(drive);
+  unit.sign = drive < 0.0 ? -1.0 : 1.0;
+  unit.push = share * impulse_per_volt * volts * unit.sign;
+  unit.drag = share * impulse_per_volt * volts_per_speed;
+  unit.push_until = share > 0.0 ? volts / volts_per_speed : -kMaxSpeed * 2.0;
+  unit.brake_push = brake * impulse_per_volt * params_.driver_drop_volts;
+  unit.brake_drag = brake * impulse_per_volt * volts_per_speed;
+  unit.brake_from = brake > 0.0 ? params_.driver_drop_volts / volts_per_speed : kMaxSpeed * 2.0;
+  unit.joule0 = share * params_.supply_volts * volts / ohms * kDt;
+  unit.joule1 = share * params_.supply_volts * volts_per_speed / ohms * kDt;
+  driven_ = unit_[left].joule0 > 0.0 || unit_[right].joule0 > 0.0;
+}
+
+void Body::place(const Pose& pose) {
+  pose_ = pose;
+  const double norm = length(pose.heading);
+  pose_.heading = norm > 0.0 ? pose.heading * (1.0 / norm) : Vec2{1.0, 0.0};
+  v_ = u_ = omega_ = 0.0;
+  surface_[left] = surface_[right] = 0.0;
+  slips_ = touched_ = near_ = in_contact_ = false;
+}
+
+bool Body::covers(Vec2 p) const {
+  const Vec2 q = pose_.to_body(p);
+  if (params_.outline.empty()) {
+    const Vec2 d = q - params_.centre;
+    return dot(d, d) <= params_.radius_m * params_.radius_m;
+  }
+  for (std::size_t i = 0, n = params_.outline.size(); i < n; ++i) {
+    const Vec2 a = params_.outline[i], b = params_.outline[i + 1 < n ? i + 1 : 0];
+    if (cross(b - a, q - a) < 0.0) return false;
+  }
+  return true;
+}
+
+double Body::kinetic_energy() const {
+  return 0.5 * (params_.mass_kg * (v_ * v_ + u_ * u_) + params_.yaw_inertia_kgm2 * omega_ * omega_ +
+                unit_[left].inertia * surface_[left] * surface_[left] +
+                unit_[right].inertia * surface_[right] * surface_[right]);
+}
+
+Body::Motor Body::motor(Side side) const {
+  const Unit& unit = unit_[side];
+  const double speed = surface_[side];
+  Motor m{0.0, 0.0};
+  if (speed * unit.sign < unit.push_until) m = {unit.push, unit.drag};
+  if (std::fabs(speed) > unit.brake_from) {
+    m.push += speed > 0.0 ? unit.brake_push : -unit.brake_push;
+    m.drag += unit.brake_drag;
+  }
+  return m;
+}
+
+void Body::draw_energy() {
+  for (int side = 0; side < 2; ++side) {
+    const Unit& unit = unit_[side];
+    energy_ += std::max(unit.joule0 - unit.joule1 * surface_[side] * unit.sign, 0.0);
+  }
+}
+
+void Body::advance(double dt) {
+  const Pose next = pose_after(dt);
+  const double cosine = dot(pose_.heading, next.heading), sine = cross(pose_.heading, next.heading);
+  const double along = along_free_, side = side_free_;
+  along_free_ = cosine * along + sine * side;
+  side_free_ = cosine * side - sine * along;
+  pose_ = next;
+  angle_[left] += surface_[left] * unit_[left].per_radius * dt;
+  angle_[right] += surface_[right] * unit_[right].per_radius * dt;
+  wheel_travel_ += 0.5 * (std::fabs(surface_[left]) + std::fabs(surface_[right])) * dt;
+  distance_ += (u_ == 0.0 ? std::fabs(v_) : std::sqrt(v_ * v_ + u_ * u_)) * dt;
+}
+
+// Both wheels roll: (mass_own + inertia + drag) speed_i + mass_cross speed_j = impulse_i - friction_i, where
+// friction holds a wheel, or opposes its turning. The unique minimum of a convex function, found by descent
+// along each coordinate.
+void Body::solve_friction(double* speed, const double* impulse, const double* friction,
+                          const Motor* m) const {
+  const double own[2] = {mass_own_ + unit_[left].inertia + m[left].drag,
+                         mass_own_ + unit_[right].inertia + m[right].drag};
+  double y[2] = {0.0, 0.0};
+  for (int round = 0; round < 30; ++round) {
+    const double before[2] = {y[0], y[1]};
+    y[0] = after_friction(impulse[0] - mass_cross_ * y[1], friction[0]) / own[0];
+    y[1] = after_friction(impulse[1] - mass_cross_ * y[0], friction[1]) / own[1];
+    if (y[0] == before[0] && y[1] == before[1]) break;
+  }
+  speed[left] = y[0];
+  speed[right] = y[1];
+}
+
+// At least one tyre slips, or nearly: ground and tread have speeds of their own, joined by traction of at
+// most `limit`. Wheel by wheel, the other's traction given, until nothing changes.
+void Body::solve_slip(const Motor* m, const double* friction, double limit) {
+  const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
+  const double turning = half_track_ * half_track_ * per_inertia_;
+  const double give_own = per_mass_ + turning, give_cross = per_mass_ - turning;
+  double traction[2] = {0.0, 0.0}, tread[2] = {surface_[0], surface_[1]};
+  bool slips = false;
+  for (int round = 0; round < 20; ++round) {
+    const double before[2] = {traction[0], traction[1]};
+    slips = false;
+    for (int i = 0; i < 2; ++i) {
+      const double base = ground[i] + give_cross * traction[1 - i];
+      const double impulse = unit_[i].inertia * surface_[i] + m[i].push;
+      const double own = unit_[i].inertia + m[i].drag;
+      double y = after_friction(impulse + base / give_own, friction[i]) / (own + 1.0 / give_own);
+      double t = (y - base) / give_own;
+      if (std::fabs(t) > limit) {
+        slips = true;
+        t = t > 0.0 ? limit : -limit;
+        y = after_friction(impulse - t, friction[i]) / own;
+      }
+      traction[i] = t;
+      tread[i] = y;
+    }
+    if (traction[0] == before[0] && traction[1] == before[1]) break;
+  }
+  slips_ = slips;
+  v_ = bounded(v_ + (traction[0] + traction[1]) * per_mass_, kMaxSpeed);
+  omega_ = bounded(omega_ + (traction[1] - traction[0]) * half_track_ * per_inertia_, kMaxTurn);
+  surface_[0] = bounded(tread[0], kMaxSpeed);
+  surface_[1] = bounded(tread[1], kMaxSpeed);
+}
+
+void Body::accelerate() {
+  const Motor m[2] = {motor(left), motor(right)};
+  const double s0 = surface_[0], s1 = surface_[1];
+  const double friction[2] = {unit_[0].friction[s0 == 0.0], unit_[1].friction[s1 == 0.0]};
+
+  // Sideways: the tyres take what the turn of the frame leaves, up to their grip.
+  const double sideways = -side_free_ * params_.mass_kg;
+  double limit = grip_limit_;
+  bool skids = false;
+  if (std::fabs(sideways) <= 2.0 * kSkidShare * grip_limit_) {
+    u_ = 0.0;
+  } else {
+    skids = true;
+    limit = kSkidShare * grip_limit_;
+    u_ = bounded(side_free_ + (sideways > 0.0 ? 2.0 : -2.0) * limit * per_mass_, kMaxSpeed);
+    v_ = along_free_;
+  }
+
+  const double ground0 = v_ - omega_ * half_track_, ground1 = v_ + omega_ * half_track_;
+  const double momentum0 = mass_own_ * ground0 + mass_cross_ * ground1;
+  const double momentum1 = mass_cross_ * ground0 + mass_own_ * ground1;
+  const double impulse[2] = {momentum0 + unit_[0].inertia * s0 + m[0].push,
+                             momentum1 + unit_[1].inertia * s1 + m[1].push};
+  const double own0 = mass_own_ + unit_[0].inertia + m[0].drag;
+  const double own1 = mass_own_ + unit_[1].inertia + m[1].drag;
+  const double per_determinant = 1.0 / (own0 * own1 - mass_cross_ * mass_cross_);
+  const double p0 = impulse[0] - std::copysign(friction[0], s0);
+  const double p1 = impulse[1] - std::copysign(friction[1], s1);
+  double y[2] = {(own1 * p0 - mass_cross_ * p1) * per_determinant,
+                 (own0 * p1 - mass_cross_ * p0) * per_determinant};
+  // Where a wheel stands, or would turn back within the tick, its friction may hold it.
+  if (!(y[0] * s0 > 0.0 && y[1] * s1 > 0.0)) solve_friction(y, impulse, friction, m);
+
+  const double traction0 = mass_own_ * y[0] + mass_cross_ * y[1] - momentum0;
+  const double traction1 = mass_cross_ * y[0] + mass_own_ * y[1] - momentum1;
+  const double most = skids ? limit * limit : limit * limit - 0.25 * sideways * sideways;
+  if (traction0 * traction0 <= most && traction1 * traction1 <= most) {
+    slips_ = skids;
+    surface_[0] = bounded(y[0], kMaxSpeed);
+    surface_[1] = bounded(y[1], kMaxSpeed);
+    v_ = 0.5 * (surface_[0] + surface_[1]);
+    omega_ = bounded((surface_[1] - surface_[0]) * per_track_, kMaxTurn);
+  } else {
+    solve_slip(m, friction, std::sqrt(std::max(most, 0.0)));
+    slips_ |= skids;
+  }
+}
+
+void Body::step(const Walls& walls) {
+  if (v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 &&
+      std::fabs(motor(left).push) <= unit_[left].friction[1] &&
+      std::fabs(motor(right).push) <= unit_[right].friction[1]) {
+    if (driven_) draw_energy();
+    if (in_contact_ || !walls.discs().empty()) collide(walls);
+    return;
+  }
+  const double travel = (std::fabs(v_) + std::fabs(u_) + std::fabs(omega_) * bound_radius_) * kDt;
+  const double stride = walls.stride(bound_radius_);
+  along_free_ = v_;
+  side_free_ = u_;
+  if (travel <= stride) {
+    advance(kDt);
+  } else {
+    const int parts = static_cast<int>(std::min(travel / stride, 1e6)) + 1;
+    for (int part = 0; part < parts; ++part) {
+      advance(kDt / parts);
+      if (part + 1 < parts) collide(walls);
+    }
+  }
+  accelerate();
+  draw_energy();
+  if (!driven_ && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&
+      std::fabs(surface_[0]) < kStill && std::fabs(surface_[1]) < kStill) {
+    v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
+  }
+  collide(walls);
+}
+
+void Body::collide(const Walls& walls) {
+  const Vec2 centre = circle_centre();
+  const double reach = bound_radius_ + Walls::kNear;
+  const bool clear =
+      walls.clearance(centre) > reach && !(walls.discs().size() && walls.near_disc(centre, reach));
+  if (clear) return;
+  // Two walls of a corner are met one after the other; more cannot hold a convex body in a tick.
+  for (int round = 0; round < 4; ++round) {
+    std::optional<Contact> contact;
+    if (params_.outline.empty()) {
+      contact = walls.touch(circle_centre(), bound_radius_);
+    } else {
+      thread_local std::vector<Vec2> corners;
+      corners.clear();
+      for (const Vec2 p : params_.outline) corners.push_back(pose_.to_world(p));
+      contact = walls.touch(corners, circle_centre(), bound_radius_);
+    }
+    if (!contact) return;
+    near_ = true;
+    if (contact->depth <= 0.0) return;
+    touched_ = true;
+    push_out(*contact);
+  }
+}
+
+void Body::push_out(const Contact& contact) {
+  if (contact.embedded) {
+    v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
+    return;
+  }
+  pose_.position = pose_.position + contact.normal * contact.depth;
+  const Vec2 n = contact.normal, t = left_of(n);
+  const Vec2 arm = contact.point - pose_.position;
+  Vec2 velocity = this->velocity();
+  const double arm_n = cross(arm, n), arm_t = cross(arm, t);
+  const double into = dot(velocity, n) + omega_ * arm_n;
+  if (!(into < 0.0)) return;
+  const double push = -into / (per_mass_ + arm_n * arm_n * per_inertia_);
+  velocity = velocity + n * (push * per_mass_);
+  omega_ += arm_n * push * per_inertia_;
+  const double along = dot(velocity, t) + omega_ * arm_t;
+  const double rub =
+      bounded(-along / (per_mass_ + arm_t * arm_t * per_inertia_), params_.wall_friction * push);
+  velocity = velocity + t * (rub * per_mass_);
+  omega_ = bounded(omega_ + arm_t * rub * per_inertia_, kMaxTurn);
+  set_velocity(velocity);
+}
+
+void Body::meet(Vec2 normal, double depth, double approach) {
+  pose_.position = pose_.position + normal * depth;
+  if (approach > 0.0) set_velocity(velocity() + normal * approach);
+}
+
+void Body::set_velocity(Vec2 velocity) {
+  v_ = along_free_ = bounded(dot(velocity, pose_.heading), kMaxSpeed);
+  u_ = side_free_ = bounded(dot(velocity, left_of(pose_.heading)), kMaxSpeed);
+  grip_after_contact();
+}
+
+// The wall has stopped the body; as far as grip goes, the floor stops the treads too. What they push the body
+// with the wall takes up.
+void Body::grip_after_contact() {
+  const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
+  for (int i = 0; i < 2; ++i) {
+    const double most = grip_limit_ / unit_[i].inertia;
+    const double slip = ground[i] - surface_[i];
+    if (std::fabs(slip) <= most) {
+      surface_[i] = ground[i];
+    } else {
+      surface_[i] += slip > 0.0 ? most : -most;
+    }
+  }
+}
+
+void Body::settle_contact() {
+  if (touched_ && !in_contact_) ++collisions_;
+  in_contact_ = touched_ || (in_contact_ && near_);
+  touched_ = near_ = false;
+}
+
+}  // namespace robosim::world

@@ -1,0 +1,199 @@
+// One robot's body: two driven wheels, a caster, an outline. Differential drive with motors, friction and
+// grip.
+//
+// A tick of dt = 1 ms from the state at its start (v forward, u to the left, omega counter-clockwise, wheel
+// rates w):
+//   1. the pose moves on with these velocities, along their arc (exactly what pose_after(1 ms) says);
+//   2. motors, friction and grip change the velocities;
+//   3. walls, obstacles and other bodies push the outline out and take its velocity against them.
+// Velocities are therefore constant inside a tick: whatever sensors extrapolate from its start is what
+// happens.
+//
+// Each wheel, with all torques at the wheel's axle (motor.h of a data sheet turns into these five lines):
+//   R    = nominal_volts / stall_current                                   terminal resistance
+//   k_t  = stall_torque / (stall_current - no_load_current)                torque for each ampere
+//   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts for each rad/s
+//   T_c  = k_t no_load_current + rolling_resistance m g r / 2              friction while it turns
+//   T_s  = static_friction T_c                                             friction that holds it at rest
+// so that at nominal_volts it turns freely at no_load_rate, and stalls at stall_torque.
+//   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
+//   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
+//   open (the rest):                     i = 0
+//   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
+// F is what the wheel exerts on the ground:
+//   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
+//   F^2 + S^2 <= (grip load_share m g / 2)^2, S the sideways force, halved between the wheels
+// While F stays below that limit the wheel rolls (r w = ground speed); at the limit it slips, and wheel and
+// ground speed differ. Where S alone exceeds its part, the body skids sideways. Time is implicit in the
+// velocities, so that no parameter makes a step unstable.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace robosim::world {
+
+class Walls;
+struct Contact;
+
+/// What a motor driver makes of its pins, averaged over one tick.
+struct WheelCommand {
+  double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
+  double brake =
+      0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
+};
+
+enum Side { left = 0, right = 1 };
+
+/// One wheel and its gear motor; rates and torques are the gear's output, as data sheets give them.
+struct WheelParams {
+  double nominal_volts = 0.0;    ///< V, at which the following four hold
+  double no_load_rate = 0.0;     ///< rad/s
+  double no_load_current = 0.0;  ///< A; what friction in motor and gear takes
+  double stall_torque = 0.0;     ///< N m
+  double stall_current = 0.0;    ///< A; more than no_load_current
+  double static_friction = 0.0;  ///< T_s / T_c, at least 1: friction at rest against friction while turning
+  double gear_ratio = 0.0;       ///< motor turns for each turn of the wheel
+  double rotor_inertia_kgm2 = 0.0;  ///< of the motor's rotor
+  double wheel_inertia_kgm2 = 0.0;  ///< of the wheel about its axle
+  double radius_m = 0.0;            ///< of the wheel
+};
+
+/// Everything about a body. Zero is not a value: start from default_body_params() or set every field.
+struct BodyParams {
+  WheelParams wheel[2];  ///< left, right
+  double supply_volts =
+      0.0;  ///< V at the driver's supply pin; a battery's sag and discharge are not modelled
+  double driver_drop_volts =
+      0.0;                        ///< V lost in bipolar switches, whatever the current (L298N 1.8, MOSFETs 0)
+  double driver_ohms = 0.0;       ///< ohm of MOSFET switches, both together (TB6612 0.5, L298N 0)
+  double track_m = 0.0;           ///< m between the wheels' contact points
+  double mass_kg = 0.0;           ///< kg, all; its centre is taken to be the axle's centre
+  double yaw_inertia_kgm2 = 0.0;  ///< kg m2 about the axle's centre, without the wheels' own spin
+  double load_share =
+      0.0;  ///< 0..1 of the weight on the driven wheels, half on each; the rest is on the caster
+  double rolling_resistance = 0.0;  ///< force / weight: tyres and caster
+  double grip = 0.0;                ///< friction coefficient between tyre and floor
+  double wall_friction = 0.0;       ///< friction coefficient between outline and wall
+  /// Outline in the body's frame (x forward, y left, axle's centre at 0,0): a convex polygon,
+  /// counter-clockwise; or empty for a circle of `radius_m` about `centre`.
+  std::vector<Vec2> outline;
+  double radius_m = 0.0;  ///< m, of the circle; not used with a polygon
+  Vec2 centre;            ///< m, of the circle; not used with a polygon
+};
+
+/// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
+/// docs/models.md.
+BodyParams default_body_params();
+
+class Body {
+ public:
+  /// Throws std::invalid_argument for values that have no meaning (see BodyParams), not for unusual ones.
+  Body(const BodyParams&, const Pose&);
+
+  const BodyParams& params() const { return params_; }
+
+  /// State at the beginning of the current tick.
+  const Pose& pose() const { return pose_; }
+  /// The pose `dt_s` into the current tick, extrapolated with constant velocities: an arc of angle a = omega
+  /// dt,
+  ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega,
+  /// sine and cosine as polynomials (error below a^5 / 120 of the way), the heading renormalised.
+  Pose pose_after(double dt_s) const;
+  double speed() const { return v_; }                     ///< m/s, forward
+  double side_speed() const { return u_; }                ///< m/s, to the left; 0 unless it skids
+  double turn_rate() const { return omega_; }             ///< rad/s, counter-clockwise
+  double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
+  /// rad/s; holds for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
+  double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
+  /// Whether the wheel's speed and the ground's differ.
+  bool slips() const { return slips_; }
+  double distance() const { return distance_; }  ///< m travelled by the axle's centre, always growing
+  /// m the wheels have turned through, mean of both, always growing: also when they slip or spin.
+  double wheel_travel() const { return wheel_travel_; }
+  double energy() const { return energy_; }  ///< J drawn from the battery by the motors
+  /// Contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
+  int collisions() const { return collisions_; }
+  bool in_contact() const { return in_contact_; }
+  /// Whether the body's outline covers a point of the floor.
+  bool covers(Vec2 p) const;
+  /// Kinetic energy of body and wheels, J.
+  double kinetic_energy() const;
+
+  void command(Side, WheelCommand);  ///< holds until the next call; values beyond ±1 and 0..1 are cut
+  void place(const Pose&);           ///< lifted and put down, at rest
+
+ private:
+  friend class World;
+
+  // What a wheel's parameters amount to: forces at the tyre's tread, speeds of the tread, impulses of one
+  // tick.
+  struct Unit {
+    double radius, per_radius;
+    double inertia;      // kg: J / r^2
+    double friction[2];  // N s of a tick: turning, at rest
+    double push, drag;   // N s and kg: drive's impulse is push - drag * speed ...
+    double push_until;   // ... while the speed in drive's direction is below this, m/s
+    double sign;         // of drive
+    double brake_push, brake_drag, brake_from;
+    double joule0, joule1;  // a tick's energy is joule0 - joule1 * speed
+  };
+  struct Motor {
+    double push, drag;
+  };
+
+  void step(const Walls&);
+  void advance(double dt);
+  void accelerate();
+  Motor motor(Side) const;
+  void solve_friction(double* speed, const double* impulse, const double* friction, const Motor* m) const;
+  void solve_slip(const Motor* m, const double* friction, double limit);
+  void draw_energy();
+  void collide(const Walls&);
+  void push_out(const Contact&);
+  void meet(Vec2 normal, double depth, double approach);
+  Vec2 velocity() const { return pose_.heading * v_ + left_of(pose_.heading) * u_; }
+  void set_velocity(Vec2 velocity);
+  void grip_after_contact();
+  void settle_contact();
+  Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
+
+  Pose pose_;
+  double v_ = 0.0, u_ = 0.0, omega_ = 0.0;
+  double surface_[2] = {0.0, 0.0};  // speed of the treads, m/s: w r
+  double angle_[2] = {0.0, 0.0};
+  Unit unit_[2];
+  double mass_own_, mass_cross_;  // kg: what one wheel's ground speed costs that wheel, and the other
+  double half_track_, per_track_;
+  double grip_limit_;  // N s of a tick, for each wheel
+  double per_mass_, per_inertia_;
+  double bound_radius_;  // of a circle about bound_centre_ that holds the outline
+  Vec2 bound_centre_;
+  bool driven_ = false;
+  bool slips_ = false;
+  bool touched_ = false, near_ = false, in_contact_ = false;
+  int collisions_ = 0;
+  double distance_ = 0.0;
+  double wheel_travel_ = 0.0;
+  double energy_ = 0.0;
+  double side_free_ = 0.0, along_free_ = 0.0;  // u and v as the turned frame of the new pose sees them
+  BodyParams params_;
+};
+
+inline Pose Body::pose_after(double dt_s) const {
+  const double a = omega_ * dt_s;
+  const double a2 = a * a;
+  const double sine = a * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0)));
+  const double cosine = 1.0 - a2 * (0.5 - a2 * (1.0 / 24.0));
+  const double mean_sine = a * (0.5 - a2 * (1.0 / 24.0));                  // (1 - cos a) / a
+  const double mean_cosine = 1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0));  // sin a / a
+  const Vec2 h = pose_.heading;
+  const Vec2 turned = h * cosine + left_of(h) * sine;
+  const double ahead = dt_s * (v_ * mean_cosine - u_ * mean_sine);
+  const double aside = dt_s * (v_ * mean_sine + u_ * mean_cosine);
+  return {pose_.position + h * ahead + left_of(h) * aside, turned * (1.5 - 0.5 * dot(turned, turned))};
+}
+
+}  // namespace robosim::world

@@ -1,0 +1,173 @@
+#include "sim/world/floor.h"
+
+namespace robosim::world {
+
+using grid::Cell;
+
+namespace {
+
+bool is_painted(Cell c) { return c == Cell::line || c == Cell::obstacle; }
+
+// Footprints up to this look at the nearest stripes only, where corners are round, m.
+constexpr double kUsualFootprint = 0.016;
+
+// Numbers of Floor's kinds: 0 no line; then painted cells, each arm 0 none, 1 whole or 2 shortened; then
+// gaps, each arm 0 none or 1 whole.
+constexpr int kFirstPainted = 1, kFirstGap = 82;
+
+}  // namespace
+
+Floor::Floor(const grid::Map& map)
+    : width_(map.width),
+      height_(map.height),
+      columns_(map.width),
+      rows_(map.height),
+      cell_(map.cell_m),
+      per_cell_(1.0 / map.cell_m),
+      half_line_(0.5 * map.line_m),
+      map_(&map),
+      kinds_{} {
+  if (map.corner_m > 0.0) {
+    stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
+    stripes_ = std::make_unique<grid::Stripes>(map, stripes_reach_);
+  } else {
+    read_stripes(map);
+  }
+  if (map.raster) read_raster(map);
+}
+
+// As grid::Stripes has it, cell by cell: a gap takes line/2 from the painted stripes beside it.
+void Floor::read_stripes(const grid::Map& map) {
+  const double whole = 0.5 * cell_;
+  const double shortened = whole - std::min(half_line_, 0.45 * cell_);
+  const double lengths[] = {0.0, whole, shortened};
+  const auto arms = [&](int e, int s, int w, int n) {
+    return Arms{-lengths[w], lengths[e], -lengths[s], lengths[n]};
+  };
+  for (int code = 0; code < 81; ++code) {
+    const int e = code % 3, s = code / 3 % 3, w = code / 9 % 3, n = code / 27;
+    kinds_[kFirstPainted + code] = {arms(e > 0, s > 0, w > 0, n > 0), arms(e, s, w, n), true, true};
+  }
+  for (int code = 0; code < 16; ++code) {
+    kinds_[kFirstGap + code] = {arms(code & 1, code >> 1 & 1, code >> 2 & 1, code >> 3), {}, true, false};
+  }
+  cells_.resize(map.cells.size());
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const grid::CellAt at{x, y};
+      const Cell cell = map.at(at);
+      if (!grid::is_line(cell)) continue;
+      int code = 0;
+      for (int d = 3; d >= 0; --d) {
+        const Cell beside = map.at(grid::ahead(at, static_cast<grid::Direction>(d)));
+        if (is_painted(cell)) {
+          code = 3 * code + (beside == Cell::gap ? 2 : grid::is_line(beside));
+        } else {
+          code = 2 * code + grid::is_line(beside);
+        }
+      }
+      const int kind = (is_painted(cell) ? kFirstPainted : kFirstGap) + code;
+      cells_[index(x, height_ - 1 - y)] = static_cast<std::uint8_t>(kind);
+    }
+  }
+}
+
+void Floor::read_raster(const grid::Map& map) {
+  quads_.assign((static_cast<std::size_t>(width_) + 1) * (static_cast<std::size_t>(height_) + 1), 0);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      if (!is_painted(map.at({x, y}))) continue;
+      const std::size_t stride = static_cast<std::size_t>(width_) + 1;
+      std::uint8_t* low =
+          &quads_[static_cast<std::size_t>(height_ - 1 - y) * stride + static_cast<std::size_t>(x)];
+      low[0] |= 8;
+      low[1] |= 4;
+      low[stride] |= 2;
+      low[stride + 1] |= 1;
+    }
+  }
+}
+
+double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
+  double best = std::numeric_limits<double>::infinity();
+  if (stripes_) {
+    for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
+      const grid::Stripe& stripe = stripes_->all()[i];
+      if (painted_only && !stripe.painted) continue;
+      const double away = grid::distance(stripe, p);
+      best = std::min(best, away * away);
+    }
+    return best;
+  }
+  const Kind& kind = kinds_[cells_[index(column, row)]];
+  if (!(painted_only ? kind.is_painted : kind.is_line)) return best;
+  const Arms& arms = painted_only ? kind.painted : kind.line;
+  return arms.square(p.x - (column + 0.5) * cell_, p.y - (row + 0.5) * cell_);
+}
+
+// Ring by ring about the point's cell: what no cell up to ring k has is at least k cells away.
+double Floor::search(Vec2 p, bool painted_only) const {
+  const auto cell_of = [this](double x, double most) {
+    return static_cast<int>(
+        std::floor(std::min(std::max(x * per_cell_, -kFarCells - 1.0), most + kFarCells)));
+  };
+  const int column = cell_of(p.x, columns_), row = cell_of(p.y, rows_);
+  double best = std::numeric_limits<double>::infinity();
+  for (int ring = 0; ring <= kFarCells; ++ring) {
+    for (int r = std::max(row - ring, 0); r <= std::min(row + ring, height_ - 1); ++r) {
+      const bool whole = r == row - ring || r == row + ring;
+      for (int c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring) {
+        if (c >= 0 && c < width_) best = std::min(best, square_in(c, r, p, painted_only));
+      }
+    }
+    const double sure = ring > 0 ? ring * cell_ : stripes_ ? stripes_reach_ : 0.5 * cell_;
+    if (best <= sure * sure) break;
+  }
+  return std::isfinite(best) ? std::sqrt(best) : far_m();
+}
+
+double Floor::coverage_round(Vec2 p, double footprint) const {
+  int column, row;
+  double x, y;
+  if (!locate(p, column, row, x, y)) return 0.0;
+  const double reach = half_line_ + 0.5 * footprint;
+  double nearest = reach;
+  for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
+    const grid::Stripe& stripe = stripes_->all()[i];
+    if (stripe.painted) nearest = std::min(nearest, grid::distance(stripe, p));
+  }
+  return ramp(nearest, reach, footprint);
+}
+
+double Floor::coverage_raster(Vec2 p, double footprint) const {
+  const double wide = footprint * per_cell_;
+  const double u = p.x * per_cell_ - 0.5 * wide + 1.0, v = p.y * per_cell_ - 0.5 * wide + 1.0;
+  if (wide <= 1.0) {
+    if (!(u >= 0.0 && v >= 0.0 && u < columns_ + 1.0 && v < rows_ + 1.0)) return 0.0;
+    const int column = static_cast<int>(u), row = static_cast<int>(v);
+    const unsigned quad = quads_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
+                                 static_cast<std::size_t>(column)];
+    if (quad == 0 || quad == 15) return quad ? 1.0 : 0.0;
+    const double east = std::max(u - column + wide - 1.0, 0.0) / wide, west = 1.0 - east;
+    const double north = std::max(v - row + wide - 1.0, 0.0) / wide, south = 1.0 - north;
+    return south * ((quad & 1 ? west : 0.0) + (quad & 2 ? east : 0.0)) +
+           north * ((quad & 4 ? west : 0.0) + (quad & 8 ? east : 0.0));
+  }
+  // A footprint wider than a cell: cell by cell. In u and v the map begins at 1.
+  const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
+  const auto last = [](double high, double most) {
+    return static_cast<int>(std::min(std::ceil(high) - 1.0, most));
+  };
+  const auto overlap = [wide](double low, int cell) {
+    return std::max(std::min(low + wide, cell + 2.0) - std::max(low, cell + 1.0), 0.0);
+  };
+  double dark = 0.0;
+  for (int row = first(v); row < last(v + wide, rows_); ++row) {
+    for (int column = first(u); column < last(u + wide, columns_); ++column) {
+      if (is_painted(map_->at({column, height_ - 1 - row}))) dark += overlap(u, column) * overlap(v, row);
+    }
+  }
+  return dark / (wide * wide);
+}
+
+}  // namespace robosim::world

@@ -1,0 +1,78 @@
+// What stops a body: wall and obstacle cells, everything beyond the map's edge, round obstacles put down at
+// run time.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/grid/map.h"
+
+namespace robosim::world {
+
+/// Where an outline meets something solid.
+struct Contact {
+  Vec2 point;             ///< m, world
+  Vec2 normal;            ///< unit, away from the solid
+  double depth = 0.0;     ///< m the outline is inside; negative: the gap that is left
+  bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
+};
+
+/// A round obstacle.
+struct Disc {
+  int id = 0;
+  Vec2 centre;
+  double radius_m = 0.0;
+};
+
+class Walls {
+ public:
+  /// A contact is reported, and thought to last, up to this gap: 1 mm.
+  static constexpr double kNear = 0.001;
+
+  /// The map must outlive it.
+  explicit Walls(const grid::Map& map);
+
+  /// A lower bound of the distance from p to the nearest wall (not to discs), m; 0 inside walls and beyond
+  /// the edge. With k = rings of cells free of walls about p's own cell, itself included:
+  ///   (k - 1) cell + distance from p to its own cell's border
+  double clearance(Vec2 p) const {
+    const double x = p.x * per_cell_, y = p.y * per_cell_;
+    if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_)) return 0.0;
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const int rings = rings_[static_cast<std::size_t>(row) * static_cast<std::size_t>(map_->width) +
+                             static_cast<std::size_t>(column)];
+    const double right = x - column, up = y - row;
+    const double border = std::min(std::min(right, 1.0 - right), std::min(up, 1.0 - up));
+    return rings == 0 ? 0.0 : (rings - 1 + border) * map_->cell_m;
+  }
+
+  /// The deepest contact of a disc, or the smallest gap up to kNear.
+  std::optional<Contact> touch(Vec2 centre, double radius) const;
+  /// The same of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius` bound it.
+  std::optional<Contact> touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
+
+  int add(Vec2 centre, double radius_m);
+  /// Nothing happens if there is none such.
+  void remove(int id);
+  std::span<const Disc> discs() const { return discs_; }
+  /// Whether a disc is closer than kNear to the circle.
+  bool near_disc(Vec2 centre, double radius) const;
+
+  /// What a body may move at most between two looks at walls, m, so that it can pass none.
+  double stride(double body_radius) const;
+
+ private:
+  bool solid(int column, int row) const;  // row from the bottom
+
+  const grid::Map* map_;
+  double per_cell_, columns_, rows_;
+  std::vector<std::uint8_t> rings_;  // row by row from the bottom; 255 = that many or more
+  std::vector<Disc> discs_;
+  int next_id_ = 1;
+};
+
+}  // namespace robosim::world

@@ -1,0 +1,43 @@
+#include "sim/world/world.h"
+
+namespace robosim::world {
+
+World::World(const grid::Map& map) : floor_(map), walls_(map) {}
+
+std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
+  bodies_.push_back(std::make_unique<Body>(params, pose));
+  bodies_.back()->place(pose);
+  return bodies_.size() - 1;
+}
+
+void World::step() {
+  for (const auto& body : bodies_) body->step(walls_);
+  if (bodies_.size() > 1) collide_bodies();
+  for (const auto& body : bodies_) body->settle_contact();
+}
+
+// Bodies meet as circles: pushed apart, and their approach cancelled, in proportion to their masses.
+void World::collide_bodies() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (std::size_t j = i + 1; j < bodies_.size(); ++j) {
+      Body &a = *bodies_[i], &b = *bodies_[j];
+      const Vec2 d = b.circle_centre() - a.circle_centre();
+      const double radii = a.bound_radius_ + b.bound_radius_;
+      const double reach = radii + Walls::kNear;
+      const double square = dot(d, d);
+      if (square >= reach * reach) continue;
+      a.near_ = b.near_ = true;
+      if (square >= radii * radii) continue;
+      a.touched_ = b.touched_ = true;
+      const double away = std::sqrt(square);
+      const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
+      const double share = a.per_mass_ / (a.per_mass_ + b.per_mass_);
+      const double approach = dot(a.velocity() - b.velocity(), n);
+      const double depth = radii - away;
+      a.meet(n * -1.0, depth * share, approach * share);
+      b.meet(n, depth * (1.0 - share), approach * (1.0 - share));
+    }
+  }
+}
+
+}  // namespace robosim::world
