@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,8 +22,9 @@ struct ConfigValue {
   std::int64_t integer = 0;
   double number = 0.0;  ///< also set for integers
   std::string string;
-  std::vector<ConfigValue> items;                            ///< of an array
-  std::vector<std::pair<std::string, ConfigValue>> members;  ///< of a table, in the file's order
+  std::vector<ConfigValue> items;  ///< of an array
+  /// Of a table, in the file's order. A list: a vector of pairs with an incomplete type is beyond clang 14.
+  std::list<std::pair<std::string, ConfigValue>> members;
   Place place;
 
   /// The member of that name, or null.

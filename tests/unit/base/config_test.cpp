@@ -18,8 +18,8 @@ std::string error_of(const std::function<void()>& f) {
 TEST(Config, KeepsTheOrderOfTheFileAndThePlaceOfEachValue) {
   const ConfigValue v = parse_toml("zebra = 1\napple = \"2 mm\"\n", "f.toml", 5);
   ASSERT_EQ(v.members.size(), 2u);
-  EXPECT_EQ(v.members[0].first, "zebra");
-  EXPECT_EQ(to_string(v.members[1].second.place), "f.toml:6:9");
+  EXPECT_EQ(v.members.front().first, "zebra");
+  EXPECT_EQ(to_string(v.members.back().second.place), "f.toml:6:9");
 }
 
 TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
