@@ -132,8 +132,11 @@ void Robot::end_tick(SimTime t) {
   for (const Side side : {world::left, world::right}) {
     MotorPart* motor = in_->roster.motor[side];
     if (!motor) continue;
-    in_->command[side] = motor->take(in_->view.tick_start, t);
-    in_->body.command(side, in_->command[side]);
+    const world::WheelCommand command = motor->take(in_->view.tick_start, t);
+    world::WheelCommand& last = in_->command[side];
+    if (command.drive == last.drive && command.brake == last.brake) continue;
+    last = command;
+    in_->body.command(side, command);
   }
 }
 

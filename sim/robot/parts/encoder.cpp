@@ -45,33 +45,36 @@ void EncoderPart::join(Roster& roster) {
   roster.breakable.push_back(this);
 }
 
-void EncoderPart::look(SimTime tick_start) {
-  const world::Body& body = *setting_.view.body;
-  start_ = tick_start;
-  at_ = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
-  per_ns_ = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
-}
-
 std::int64_t EncoderPart::quarter(SimTime t) const {
-  return static_cast<std::int64_t>(std::floor(at_ + per_ns_ * static_cast<double>(t - start_)));
+  const SimTime start = setting_.view.tick_start;
+  if (looked_at_ != start && !dead_) {
+    const world::Body& body = *setting_.view.body;
+    looked_at_ = start;
+    at_ = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
+    per_ns_ = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
+  }
+  return static_cast<std::int64_t>(std::floor(at_ + per_ns_ * static_cast<double>(t - start)));
 }
 
 void EncoderPart::begin_tick(SimTime t) {
-  if (dead_) return;
-  look(t);
-  const std::int64_t end = quarter(t + kTick - 1);
-  if (end != last_) announce(last_, end, t);
-  last_ = end;
+  const bool wanted =
+      setting_.board.wants_edges(spec_.a) || (spec_.b != kNoPin && setting_.board.wants_edges(spec_.b));
+  if (wanted) {
+    if (!followed_) last_ = quarter(t);
+    const std::int64_t end = quarter(t + kTick - 1);
+    if (end != last_) announce(last_, end);
+    last_ = end;
+  }
+  followed_ = wanted;
 }
 
-void EncoderPart::announce(std::int64_t from, std::int64_t to, SimTime tick_start) {
+void EncoderPart::announce(std::int64_t from, std::int64_t to) {
   const bool a = setting_.board.wants_edges(spec_.a);
   const bool b = spec_.b != kNoPin && setting_.board.wants_edges(spec_.b);
-  if (!a && !b) return;
   const bool forward = to > from;
   for (std::int64_t q = from; q != to;) {
     const std::int64_t next = forward ? q + 1 : q - 1;
-    const SimTime at = time_of(next, forward, tick_start);
+    const SimTime at = time_of(next, forward);
     if (a && a_.level_of(next) != a_.level_of(q))
       setting_.board.schedule_edge(spec_.a, a_.level_of(next), at);
     if (b && b_.level_of(next) != b_.level_of(q))
@@ -80,32 +83,31 @@ void EncoderPart::announce(std::int64_t from, std::int64_t to, SimTime tick_star
   }
 }
 
-SimTime EncoderPart::time_of(std::int64_t edge, bool forward, SimTime tick_start) const {
-  if (per_ns_ == 0.0) return tick_start;
-  const double border = static_cast<double>(forward ? edge : edge + 1);
+SimTime EncoderPart::time_of(std::int64_t edge, bool forward) const {
+  const SimTime start = setting_.view.tick_start;
+  if (per_ns_ == 0.0) return start;
+  const auto border = static_cast<double>(forward ? edge : edge + 1);
   const double ns = std::clamp((border - at_) / per_ns_, 0.0, static_cast<double>(kTick - 1));
-  SimTime t = tick_start + static_cast<SimTime>(ns);
+  SimTime t = start + static_cast<SimTime>(ns);
   const auto beyond = [&](SimTime time) { return forward ? quarter(time) >= edge : quarter(time) <= edge; };
-  while (t > tick_start && beyond(t - 1)) --t;
-  while (t < tick_start + kTick - 1 && !beyond(t)) ++t;
+  while (t > start && beyond(t - 1)) --t;
+  while (t < start + kTick - 1 && !beyond(t)) ++t;
   return t;
 }
 
 void EncoderPart::read(std::vector<Reading>& readings) const {
-  readings.push_back({spec_.name, a_.level_of(quarter(start_)) ? 1.0 : 0.0});
+  readings.push_back({spec_.name, a_.level_of(quarter(setting_.view.tick_start)) ? 1.0 : 0.0});
 }
 
 std::span<const FaultKind> EncoderPart::fault_kinds() const { return kFaults; }
 
 void EncoderPart::fail(const Fault& fault) {
+  const std::int64_t now = quarter(setting_.view.tick_start);
   dead_ = std::string_view(fault.kind.name) == "dead";
-  if (dead_) {
-    at_ = static_cast<double>(last_) + 0.5;
-    per_ns_ = 0.0;
-  } else {
-    look(setting_.view.tick_start);
-    last_ = quarter(setting_.view.tick_start);
-  }
+  if (dead_) at_ = static_cast<double>(now) + 0.5;
+  if (dead_) per_ns_ = 0.0;
+  looked_at_ = -1;
+  followed_ = false;
 }
 
 }  // namespace robosim::robot

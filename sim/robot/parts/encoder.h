@@ -51,11 +51,11 @@ class EncoderPart final : public Part, public Breakable {
     int shift_;
   };
 
+  /// floor(q) at `t`, a time inside the current tick.
   std::int64_t quarter(SimTime t) const;
-  void announce(std::int64_t from, std::int64_t to, SimTime tick_start);
-  /// The first nanosecond at which quarter() is at or beyond `edge`, in the direction of travel.
-  SimTime time_of(std::int64_t edge, bool forward, SimTime tick_start) const;
-  void look(SimTime tick_start);
+  /// The first nanosecond of the tick at which quarter() is at or beyond `edge`, in the direction of travel.
+  SimTime time_of(std::int64_t edge, bool forward) const;
+  void announce(std::int64_t from, std::int64_t to);
 
   const EncoderSpec& spec_;
   Setting& setting_;
@@ -63,10 +63,12 @@ class EncoderPart final : public Part, public Breakable {
   Channel b_;
   double quarters_per_rad_;
   double supply_;
-  double at_ = 1.5;      // q at the start of the tick ...
-  double per_ns_ = 0.0;  // ... and its slope
-  SimTime start_ = 0;
-  std::int64_t last_ = 1;  // quarter() at the end of the last tick
+  // q at the start of the tick looked_at_, and its slope; brought up to date when somebody looks.
+  mutable double at_ = 1.5;
+  mutable double per_ns_ = 0.0;
+  mutable SimTime looked_at_ = -1;
+  std::int64_t last_ = 1;  // quarter() up to which edges have been scheduled
+  bool followed_ = false;  // somebody wanted edges in the last tick
   bool dead_ = false;
 };
 
