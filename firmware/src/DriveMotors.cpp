@@ -4,7 +4,7 @@ void DriveMotor::begin() {
   if (enable_ != kNoPin) pinMode(enable_, OUTPUT);
   pinMode(in1_, OUTPUT);
   pinMode(in2_, OUTPUT);
-  drive(0);
+  coast();
 }
 
 uint8_t DriveMotor::dutyFor(uint8_t speed, uint8_t smallest) {
@@ -18,21 +18,21 @@ void DriveMotor::drive(int16_t speed) {
   const bool backward = speed < 0;
   int16_t size = backward ? -(speed < -255 ? -255 : speed) : speed;
   if (size > 255) size = 255;
-  const uint8_t duty = dutyFor(static_cast<uint8_t>(size), smallest_);
+  const uint8_t duty = size == 0 ? 255 : dutyFor(static_cast<uint8_t>(size), smallest_);
   if (enable_ != kNoPin) {
-    digitalWrite(in1_, forward ? HIGH : LOW);
-    digitalWrite(in2_, backward ? HIGH : LOW);
+    digitalWrite(in1_, backward ? LOW : HIGH);
+    digitalWrite(in2_, forward ? LOW : HIGH);
     analogWrite(enable_, duty);
   } else {
-    analogWrite(in1_, forward ? duty : 0);
-    analogWrite(in2_, backward ? duty : 0);
+    analogWrite(in1_, backward ? 0 : duty);
+    analogWrite(in2_, forward ? 0 : duty);
   }
 }
 
-void DriveMotor::brake() {
-  digitalWrite(in1_, HIGH);
-  digitalWrite(in2_, HIGH);
-  if (enable_ != kNoPin) digitalWrite(enable_, HIGH);
+void DriveMotor::coast() {
+  digitalWrite(in1_, LOW);
+  digitalWrite(in2_, LOW);
+  if (enable_ != kNoPin) digitalWrite(enable_, LOW);
 }
 
 void DriveMotors::begin() {

@@ -18,6 +18,8 @@
 //
 //   duty = smallest + (255 - smallest) * speed / 255
 //
+// Speed 0 shorts the motor, which brakes it (an L298N brakes only a fast motor: its own voltage drop is in the way).
+//
 // If a motor runs the wrong way, swap its two wires, its two pins here, or call setReversed(true).
 //
 // Example:
@@ -44,10 +46,10 @@ class DriveMotor {
 
   /// Makes the pins outputs, the motor off.
   void begin();
-  /// -255..255; 0 lets the motor run out.
+  /// -255..255; 0 brakes.
   void drive(int16_t speed);
-  /// Shorts the motor, which stops it sooner than drive(0).
-  void brake();
+  /// Switches the motor off and lets it run out, which takes longer than drive(0).
+  void coast();
 
   /// The duty for a speed of 0..255, see above.
   static uint8_t dutyFor(uint8_t speed, uint8_t smallest);
@@ -72,9 +74,9 @@ class DriveMotors {
     right_.drive(right);
   }
   void stop() { drive(0, 0); }
-  void brake() {
-    left_.brake();
-    right_.brake();
+  void coast() {
+    left_.coast();
+    right_.coast();
   }
   void setReversed(bool left, bool right) {
     left_.setReversed(left);

@@ -74,7 +74,10 @@ void LineSensors::read() {
     if (value_[i] >= kSeen) seen_ = true;
   }
   const int16_t end = static_cast<int16_t>(500 * (count_ - 1));
-  position_ = weightedPosition(value_, count_, position_ < 0 ? -end : end);
+  int16_t if_not_seen = 0;  // a gap
+  if (position_ > end - 1000) if_not_seen = end;
+  if (position_ < 1000 - end) if_not_seen = -end;
+  position_ = weightedPosition(value_, count_, if_not_seen);
 }
 
 void AnalogLineSensors::beginPin(uint8_t pin) { pinMode(pin, INPUT); }

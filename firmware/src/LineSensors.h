@@ -27,7 +27,9 @@
 //
 // in thousandths of the distance between two sensors: 0 is the middle of the array, negative left, positive
 // right. With five sensors it goes from -2000 to 2000. If no sensor sees the line, position() is the end of
-// the array where the line was last, so that a robot that has run off turns back.
+// the array where the line was last, so that a robot that has run off turns back. But if the line was then
+// more than one sensor away from either end, it cannot have gone out there: this is a gap in the line, and
+// position() is 0, so that the robot crosses it without swerving.
 //
 // The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno ends at
 // 32,767.

@@ -1,47 +1,49 @@
 // Follows a line with five analog sensors and a PID controller.
 //
-// Hold the button while switching on to calibrate: the robot turns to and fro over the line for two seconds. Without it the
-// sensors' range is the one below. Then it drives.
+// It starts at once, with the sensor range given below. Hold the button while switching on to measure the range first: the
+// robot turns to and fro over the line for two seconds.
 
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};  // left to right
-const uint8_t BUTTON_PIN = 2;
+const uint8_t BUTTON_PIN = 4;                        // to ground
 
-const int16_t CRUISE = 170;        // of 255
-const int16_t MOST_STEERING = 150; // of 255
 const uint8_t STEP_MS = 5;
+const float CRUISE = 140;   // PWM of 255 while the line is under the middle sensor ...
+const float SLOWER = 40;    // ... less this much for each sensor that the line is off: slower in bends ...
+const float SLOWEST = 60;   // ... but never slower than this
+const float STEERING = 200; // at most
 
 AnalogLineSensors sensors(SENSOR_PINS);
 DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));
 PushButton button(BUTTON_PIN);
-PidController pid(60, 0, 4);  // PWM steps per sensor pitch; the derivative per pitch and second
+PidController pid(80, 0, 3);  // PWM for each sensor that the line is off; its derivative for each per second
 
-// Turns to and fro, so that every sensor sees both floor and line.
-void calibrate() {
+void measure_range() {
   sensors.startCalibration();
   for (int i = 0; i < 400; i++) {
-    bool to_the_left = i < 100 || i >= 300;
-    motors.drive(to_the_left ? -90 : 90, to_the_left ? 90 : -90);
+    int turn = i < 100 || i >= 300 ? 60 : -60;
+    motors.drive(-turn, turn);
     sensors.calibrate();
     delay(STEP_MS);
   }
-  motors.stop();
+  motors.drive(0, 0);
 }
 
 void setup() {
   sensors.begin();
+  sensors.setRange(110, 880);  // on the floor, on the line
   motors.begin();
+  pid.setLimits(-STEERING, STEERING);
   button.begin();
-  pid.setLimits(-MOST_STEERING, MOST_STEERING);
-  sensors.setRange(100, 800);
-  if (button.isPressed()) calibrate();
+  if (button.isPressed()) measure_range();
 }
 
 void loop() {
   sensors.read();
-  float off_centre = sensors.position() / 1000.0;  // in sensor pitches, positive: the line is to the right
-  int16_t steering = pid.update(off_centre, STEP_MS / 1000.0);
-  motors.drive(CRUISE + steering, CRUISE - steering);
+  float off = sensors.position() / 1000.0;  // in sensors; positive: the line is to the right
+  float speed = max(SLOWEST, CRUISE - SLOWER * abs(off));
+  float turn = pid.update(off, STEP_MS / 1000.0);
+  motors.drive(speed + turn, speed - turn);
   delay(STEP_MS);
 }
