@@ -3,16 +3,305 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/file.h"
 #include "sim/robot/describe.h"
+#include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
 namespace {
 
-TEST(Description, EveryStockRobotLoads) {
-  for (const std::string& name : stock_robots()) {
-    SCOPED_TRACE(name);
-    EXPECT_NO_THROW(load_description(name));
+using ::testing::HasSubstr;
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_description(text, "robot.toml");
+  } catch (const InputError& error) {
+    return error.what();
   }
+  return "accepted";
+}
+
+// A bare robot with `from` replaced by `to`.
+std::string changed(std::string from, const std::string& to) {
+  std::string text = kBareRobot;
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+std::string part(const std::string& keys) { return "[[part]]\n" + keys; }
+
+constexpr const char* kEye = "name = \"eye\"\ntype = \"reflectance\"\nat = [\"0 mm\", \"0 mm\"]\n";
+
+struct Case {
+  std::string text;
+  const char* message;
+};
+
+class BadDescription : public ::testing::TestWithParam<Case> {};
+
+TEST_P(BadDescription, IsRefusedWithPlaceAndWhatIsAllowed) {
+  const std::string message = message_of(GetParam().text);
+  EXPECT_THAT(message, HasSubstr(GetParam().message));
+  EXPECT_THAT(message, ::testing::MatchesRegex("robot.toml:[0-9]+.*"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadDescription,
+    ::testing::Values(
+        Case{changed("board = \"nano\"", "bord = \"nano\""), "lacks the key board"},
+        Case{changed("board = \"nano\"", "board = \"teensy\""), "allowed are uno"},
+        Case{changed("mass = \"300 g\"", "mass = 300"), "robot.toml:5:8: mass is 300 without a unit"},
+        Case{changed("mass = \"300 g\"", "mass = \"300 kg\""), "must be from 0.02 to 5"},
+        Case{changed("mass = \"300 g\"", "wieght = \"300 g\""), "lacks the key mass"},
+        Case{kBareRobot + "standby = 99\n", "standby is 99, which board nano does not have"},
+        Case{changed("radius = \"60 mm\"", "radius = \"60 mm\", hight = 3"), "unknown key hight in outline"},
+        Case{changed("outline = { radius = \"60 mm\" }",
+                     "outline = [[\"0 mm\", \"0 mm\"], [\"50 mm\", \"0 mm\"], [\"10 mm\", \"10 mm\"], [\"0 "
+                     "mm\", \"50 mm\"]]"),
+             "must be convex"},
+        Case{changed("outline = { radius = \"60 mm\" }", "outline = [[\"0 mm\", \"0 mm\"]]"),
+             "3 to 32 corners"},
+        Case{changed("mass = \"300 g\"", "mass = { value = \"300 g\", spread = \"99 %\" }"),
+             "the spread of mass"},
+        Case{changed("mass = \"300 g\"", "mass = { value = \"300 g\", spraed = \"5 %\" }"),
+             "unknown key spraed"},
+        Case{changed("chip = \"tb6612\"", "chip = \"tb6613\""), "allowed are l298n"},
+        Case{changed("stall_current = \"1.6 A\"", "stall_current = \"1.6 A\"\nno_load_current = \"1.5 A\""),
+             "well above no_load_current"},
+        Case{kBareRobot + "[[prat]]\nname = \"x\"\n", "unknown key prat in a robot file"},
+        Case{kBareRobot + "[part]\nname = \"x\"\n", "[[part]] tables"},
+        Case{kBareRobot + part("type = \"led\"\npin = 13\n"), "[[part]] lacks the key name"},
+        Case{kBareRobot + part("name = \"my led\"\ntype = \"led\"\npin = 13\n"), "without spaces"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"lamp\"\npin = 13\n"), "allowed are motor"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 22\n"),
+             "pin is 22, which board nano does not have"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = \"A6\"\n"), "an analog input only"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = true\n"), "must be a pin such as 5"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 13\ncolour = \"red\"\n"),
+             "unknown key colour"},
+        Case{kBareRobot + part(kEye) + "pin = 9\n",
+             "no analog input on board nano; those that have one are A0"},
+        Case{kBareRobot + part(kEye) + "pin = \"A0\"\nread = \"quick\"\n",
+             "allowed are analog, digital or rc"},
+        Case{kBareRobot + part(kEye) + "pin = \"A7\"\nread = \"rc\"\n", "an analog input only"},
+        Case{kBareRobot + part(kEye) + "pin = \"A0\"\nread = \"rc\"\nblack = \"low\"\n", "unknown key black"},
+        Case{kBareRobot + part(kEye) + "pin = \"A0\"\nread = \"rc\"\nwhite_time = \"3 ms\"\n",
+             "shorter than black_time"},
+        Case{kBareRobot + part(kEye) +
+                 "pin = \"A0\"\nblack = \"low\"\nwhite_volts = \"1 V\"\nblack_volts = \"2 V\"\n",
+             "does not go with"},
+        Case{kBareRobot + part("name = \"e\"\ntype = \"encoder\"\nperiods = 20\npins = { a = 2 }\n"),
+             "needs the key wheel"},
+        Case{kBareRobot + part("name = \"left\"\ntype = \"motor\"\npins = { in1 = 2 }\n"),
+             "exactly these pins"},
+        Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
+        Case{"base = \"uno9\"\n", "no robot is called \"uno9\"; there are nano8rc, uno2, uno3 or uno5"},
+        Case{"base = \"./none.toml\"\n", "cannot be read"},
+        Case{"base = \"uno5\"\nremove = [\"horn\"]\n", "which the base does not have; it has left"},
+        Case{"remove = [\"horn\"]\n" + kBareRobot, "remove needs a base"},
+        Case{"base = \"uno5\"\nbroad = \"uno\"\n", "unknown key broad"},
+        Case{"board = \n", "not valid TOML"}));
+
+TEST(Description, TwoPartsOnOnePinAreRefusedNamingBoth) {
+  const std::string message = message_of(kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 13\n") +
+                                         part("name = \"y\"\ntype = \"buzzer\"\npin = \"D13\"\n"));
+  EXPECT_THAT(message, HasSubstr("robot.toml:23:7: pin 13 is taken: pin of x uses it (robot.toml:19)"));
+}
+
+TEST(Description, TwoPartsOfOneNameAreRefused) {
+  EXPECT_THAT(message_of(kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 13\n") +
+                         part("name = \"x\"\ntype = \"buzzer\"\npin = 12\n")),
+              HasSubstr("the name x is there twice"));
+}
+
+TEST(Description, TwoMotorsOnOneWheelAreRefused) {
+  EXPECT_THAT(
+      message_of(kBareRobot + part("name = \"left\"\ntype = \"motor\"\npins = { in1 = 2, in2 = 3 }\n") +
+                 part("name = \"b\"\ntype = \"motor\"\nwheel = \"left\"\npins = { in1 = 4, in2 = 5 }\n")),
+      HasSubstr("motors left and b drive the same wheel"));
+}
+
+TEST(Description, PinsHaveTheNamesPeopleUse) {
+  const Description robot =
+      parse_description(kBareRobot + part("name = \"a\"\ntype = \"led\"\npin = \"D5\"\n") +
+                            part("name = \"b\"\ntype = \"led\"\npin = \"A0\"\n") +
+                            part("name = \"c\"\ntype = \"led\"\npin = 15\n"),
+                        "robot.toml");
+  EXPECT_EQ(robot.parts[0]->wires[0].pin, 5);
+  EXPECT_EQ(robot.parts[1]->wires[0].pin, 14);
+  EXPECT_EQ(robot.parts[2]->wires[0].pin, 15);
+}
+
+TEST(Description, ABaseIsInheritedAndItsPartsAreOverriddenByName) {
+  const Description base = load_description("uno5");
+  const Description robot = parse_description(R"(
+base = "uno5"
+remove = ["buzzer"]
+[chassis]
+mass = "400 g"
+[[part]]
+name = "left"
+reversed = true
+[[part]]
+name = "extra"
+type = "led"
+pin = 11
+)",
+                                              "mine.toml");
+  EXPECT_EQ(robot.name, "mine");
+  EXPECT_DOUBLE_EQ(robot.chassis.mass.value, 0.4);
+  EXPECT_EQ(robot.chassis.track.value, base.chassis.track.value);
+  EXPECT_EQ(robot.motors.no_load.value, base.motors.no_load.value);
+  ASSERT_EQ(robot.parts.size(), base.parts.size());
+  EXPECT_EQ(robot.parts[0]->name, "left");
+  EXPECT_EQ(robot.parts[0]->wires.size(), base.parts[0]->wires.size());
+  EXPECT_EQ(robot.parts.back()->name, "extra");
+  EXPECT_NE(robot.sha256, base.sha256);
+}
+
+TEST(Description, APartOfAnotherTypeReplacesTheBasesPart) {
+  const Description robot = parse_description(
+      "base = \"uno5\"\n[[part]]\nname = \"buzzer\"\ntype = \"led\"\npin = 11\nactive = \"low\"\n",
+      "mine.toml");
+  const auto found =
+      std::find_if(robot.parts.begin(), robot.parts.end(), [](const auto& p) { return p->name == "buzzer"; });
+  ASSERT_NE(found, robot.parts.end());
+  EXPECT_EQ((*found)->type, "led");
+}
+
+TEST(Description, ErrorsInABaseNameTheBasesFile) {
+  const auto folder = std::filesystem::temp_directory_path() / "robosim_description_test";
+  std::filesystem::create_directories(folder);
+  write_file(folder / "below.toml", kBareRobot + "[[part]]\nname = \"x\"\ntype = \"led\"\npin = 77\n");
+  write_file(folder / "self.toml", "base = \"./self.toml\"\n");
+  try {
+    parse_description("base = \"./below.toml\"\n", folder / "top.toml");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().file, (folder / "./below.toml").string());
+    EXPECT_EQ(error.place().line, 19);
+  }
+  try {
+    load_description((folder / "self.toml").string());
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("its own base"));
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Description, HashCoversTheBase) {
+  const Description robot = parse_description("base = \"uno5\"\n", "mine.toml");
+  EXPECT_EQ(robot.sha256, sha256("base = \"uno5\"\n" + read_file(find_robot("uno5"))));
+  EXPECT_EQ(load_description("uno5").sha256, sha256(read_file(find_robot("uno5"))));
+}
+
+TEST(StockRobots, AreFourAndLoad) {
+  EXPECT_THAT(stock_robots(), ::testing::ElementsAre("nano8rc", "uno2", "uno3", "uno5"));
+  for (const std::string& name : stock_robots()) EXPECT_NO_THROW(load_description(name)) << name;
+}
+
+TEST(StockRobots, FitACircleOf120MillimetresAboutTheAxle) {
+  for (const std::string& name : stock_robots())
+    for (const Vec2 corner : describe(load_description(name)).outline)
+      EXPECT_LT(length(corner), 0.120) << name;
+}
+
+TEST(StockRobots, UnosShareOnePinPlan) {
+  // The plan of docs/robots.md: motors and buttons are where a sketch for any of them expects them.
+  for (const char* name : {"uno2", "uno3", "uno5", "nano8rc"}) {
+    const Summary robot = describe(load_description(name));
+    const auto pin = [&](const std::string& part_name, const std::string& role) -> int {
+      for (const PartSummary& p : robot.parts)
+        for (const auto& [r, number] : p.pins)
+          if (p.name == part_name && r == role) return number;
+      return -1;
+    };
+    EXPECT_EQ(pin("left", "en"), 5) << name;
+    EXPECT_EQ(pin("left", "in1"), 7) << name;
+    EXPECT_EQ(pin("left", "in2"), 8) << name;
+    EXPECT_EQ(pin("right", "en"), 6) << name;
+    EXPECT_EQ(pin("right", "in1"), 9) << name;
+    EXPECT_EQ(pin("right", "in2"), 10) << name;
+    EXPECT_EQ(pin("start", "pin"), 4) << name;
+    EXPECT_EQ(pin("LED", "pin"), 13) << name;
+  }
+}
+
+TEST(StockRobots, Uno5ReachesSixtyCentimetresPerSecondWithEverySeed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    BenchRobot bench(load_description("uno5"), Profile::typical, seed);
+    for (const Pin pin : {5, 7, 6, 9}) bench.board.output(pin, true, 0);
+    bench.ticks(300);
+    EXPECT_GT(bench.body().speed(), 0.9) << seed;
+  }
+}
+
+TEST(StockRobots, OuterSensorsOfUno3AreOffACentredLineButNearIt) {
+  for (const SensorPlace& sensor : describe(load_description("uno3")).sensors) {
+    if (sensor.name == "middle_sensor") continue;
+    EXPECT_GT(std::abs(sensor.at.y), 0.0125) << "off a line of 20 mm with a footprint of 5 mm";
+    EXPECT_LT(std::abs(sensor.at.y), 0.025) << "or the line could hide between two sensors";
+  }
+}
+
+TEST(BodyParams, AreTheFilesInTheIdealProfile) {
+  const Description robot = load_description("uno5");
+  const world::BodyParams one = body_params(robot, 1, Profile::ideal);
+  EXPECT_EQ(one.mass_kg, robot.chassis.mass.value);
+  EXPECT_EQ(one.wheel[0].no_load_rate, one.wheel[1].no_load_rate);
+  EXPECT_EQ(one.supply_volts, 7.4);
+}
+
+TEST(BodyParams, DifferInsideTheSpreadInTheTypicalProfile) {
+  const Description robot = load_description("uno5");
+  double least = 1e9, most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const world::BodyParams params = body_params(robot, seed, Profile::typical);
+    EXPECT_EQ(params.mass_kg, body_params(robot, seed, Profile::typical).mass_kg);
+    EXPECT_NE(params.wheel[0].no_load_rate, params.wheel[1].no_load_rate);
+    least = std::min(least, params.mass_kg);
+    most = std::max(most, params.mass_kg);
+  }
+  EXPECT_THAT(least, ::testing::AllOf(::testing::Ge(0.28 * 0.97), ::testing::Lt(0.28 * 0.975)));
+  EXPECT_THAT(most, ::testing::AllOf(::testing::Le(0.28 * 1.03), ::testing::Gt(0.28 * 1.025)));
+}
+
+TEST(BodyParams, AMissingInertiaIsThatOfAPlate) {
+  const world::BodyParams disc = body_params(parse_description(kBareRobot, "r.toml"), 1, Profile::ideal);
+  EXPECT_NEAR(disc.yaw_inertia_kgm2, 0.5 * 0.3 * 0.06 * 0.06, 1e-12);
+  const world::BodyParams square = body_params(
+      parse_description(changed("{ radius = \"60 mm\" }",
+                                "[[\"50 mm\", \"50 mm\"], [\"50 mm\", \"-50 mm\"], [\"-50 mm\", \"-50 mm\"], "
+                                "[\"-50 mm\", \"50 mm\"]]"),
+                        "r.toml"),
+      1, Profile::ideal);
+  EXPECT_NEAR(square.yaw_inertia_kgm2, 0.3 * (0.1 * 0.1 + 0.1 * 0.1) / 12.0, 1e-12);
+}
+
+TEST(Describe, SaysWhatClientsNeed) {
+  const Summary robot = describe(load_description("uno5"));
+  EXPECT_EQ(robot.name, "uno5");
+  EXPECT_STREQ(robot.board->fqbn, "arduino:avr:uno");
+  ASSERT_EQ(robot.sensors.size(), 5u);
+  EXPECT_EQ(robot.sensors[0].name, "S1");
+  EXPECT_NEAR(robot.sensors[0].at.y, 0.01905, 1e-12);
+  EXPECT_EQ(robot.parts[0].type, "motor");
+  EXPECT_EQ(robot.parts[0].pins[0], (std::pair<std::string, Pin>{"en", Pin{5}}));
+}
+
+TEST(Robot, TellsItsWiringAndSensorMidpoint) {
+  BenchRobot bench(load_description("nano8rc"));
+  EXPECT_NEAR(bench.robot.sensor_midpoint().x, 0.055, 1e-12);
+  EXPECT_NEAR(bench.robot.sensor_midpoint().y, 0.0, 1e-12);
+  const auto wiring = bench.robot.wiring();
+  ASSERT_FALSE(wiring.empty());
+  EXPECT_EQ(wiring[0].part, "driver");
+  EXPECT_EQ(wiring[0].role, "standby");
+  EXPECT_EQ(wiring[0].pin, 3);
 }
 
 }  // namespace

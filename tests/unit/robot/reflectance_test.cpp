@@ -1,0 +1,309 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "tests/unit/robot/bench_robot.h"
+
+namespace robosim::robot {
+namespace {
+
+constexpr Pin kA0 = 14;
+
+// One sensor at the axle's centre; `keys` go into its table.
+std::string sensor(const std::string& keys) {
+  return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
+         "footprint = \"6 mm\"\n" +
+         keys;
+}
+
+void place_beside_line(BenchRobot& bench, double metres) {
+  bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
+}
+
+TEST(AnalogReflectance, GoesFromWhiteToBlackOverOneFootprint) {
+  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 4.5);
+  place_beside_line(bench, 0.010);
+  EXPECT_NEAR(bench.volts(kA0), 2.5, 1e-9);
+  place_beside_line(bench, 0.0115);
+  EXPECT_NEAR(bench.volts(kA0), 1.5, 1e-9);
+  place_beside_line(bench, 0.030);
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 0.5);
+}
+
+TEST(AnalogReflectance, BlackLowSwapsTheDefaults) {
+  BenchRobot bench(sensor("black = \"low\"\n"));
+  EXPECT_LT(bench.volts(kA0), 1.0);
+  place_beside_line(bench, 0.030);
+  EXPECT_GT(bench.volts(kA0), 4.0);
+}
+
+TEST(AnalogReflectance, ReadsInsideTheTickSeeTheBodyMove) {
+  BenchRobot bench(sensor("") + R"([[part]]
+name = "left"
+type = "motor"
+pins = { in1 = 5, in2 = 6 }
+[[part]]
+name = "right"
+type = "motor"
+pins = { in1 = 9, in2 = 10 }
+)");
+  bench.body().place({bench.line() + Vec2{0.0, -0.025}, {0.0, 1.0}});
+  bench.board.output(5, true, 0);
+  bench.board.output(9, true, 0);
+  while (bench.volts(kA0) < 2.0) bench.tick();
+  const double first = bench.volts(kA0);
+  const double last = bench.board.read_volts(kA0, bench.now + kTick - 1);
+  EXPECT_GT(last, first + 0.05);
+  bench.tick();
+  EXPECT_NEAR(bench.volts(kA0), last, 1e-3) << "the next tick begins where the extrapolation ended";
+}
+
+TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
+  BenchRobot near(sensor("height = \"3 mm\"\n"));
+  BenchRobot far(sensor("height = \"6 mm\"\n"));
+  EXPECT_DOUBLE_EQ(near.volts(kA0), far.volts(kA0));
+  place_beside_line(near, 0.03);
+  place_beside_line(far, 0.03);
+  EXPECT_NEAR(far.volts(kA0), 4.5 - (4.5 - near.volts(kA0)) / 4.0, 1e-9);
+}
+
+TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
+  BenchRobot bench(sensor("emitter = 3\n"));
+  place_beside_line(bench, 0.03);
+  const double lit = bench.volts(kA0);
+  EXPECT_LT(lit, 1.0) << "nobody drives the pin: the emitter is on";
+  bench.board.output(3, false, 0);
+  EXPECT_GT(bench.volts(kA0), 4.0);
+  bench.board.output(3, true, 0);
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), lit);
+}
+
+TEST(AnalogReflectance, TypicalSensorsDifferAndAreNoisy) {
+  const std::string keys = "noise = 0.01\nwhite_volts = { value = \"0.4 V\", spread = \"25 %\" }\n";
+  BenchRobot one(sensor(keys), Profile::typical, 1);
+  BenchRobot other(sensor(keys), Profile::typical, 2);
+  place_beside_line(one, 0.03);
+  place_beside_line(other, 0.03);
+  double sum[2] = {}, squares = 0.0;
+  constexpr int kCount = 4000;
+  for (int i = 0; i < kCount; ++i) {
+    const double v = one.volts(kA0);
+    sum[0] += v;
+    squares += v * v;
+    sum[1] += other.volts(kA0);
+  }
+  const double mean = sum[0] / kCount;
+  EXPECT_NEAR(std::sqrt(squares / kCount - mean * mean), 0.01 * (4.5 - mean), 0.002);
+  EXPECT_GT(std::abs(sum[1] / kCount - mean), 0.002);
+  EXPECT_THAT(mean, ::testing::AllOf(::testing::Gt(0.29), ::testing::Lt(0.51)));
+}
+
+TEST(AnalogReflectance, EqualSeedsGiveEqualReadingsWhateverElseIsOnTheRobot) {
+  BenchRobot alone(sensor("noise = 0.01\n"), Profile::typical, 7);
+  BenchRobot more(
+      "[[part]]\nname = \"other\"\ntype = \"reflectance\"\npin = \"A1\"\nat = [\"5 mm\", \"0 mm\"]\n" +
+          sensor("noise = 0.01\n"),
+      Profile::typical, 7);
+  for (int i = 0; i < 100; ++i) {
+    more.volts(kA0 + 1);
+    EXPECT_EQ(alone.volts(kA0), more.volts(kA0));
+  }
+}
+
+TEST(AnalogReflectance, ArraysRunFromLeftToRight) {
+  BenchRobot bench(R"([[part]]
+name = "S"
+type = "reflectance-array"
+pins = ["A0", "A1", "A2"]
+at = ["0 mm", "0 mm"]
+pitch = "15 mm"
+footprint = "6 mm"
+)");
+  place_beside_line(bench, -0.015);
+  EXPECT_GT(bench.volts(kA0), 4.0) << "the robot stands to the right of the line";
+  EXPECT_LT(bench.volts(kA0 + 1), 1.0);
+  const auto readings = bench.robot.readings();
+  ASSERT_EQ(readings.size(), 3u);
+  EXPECT_EQ(readings[0].part, "S1");
+  EXPECT_EQ(readings[0].value, 1.0);
+  EXPECT_EQ(readings[2].value, 0.0);
+}
+
+TEST(DigitalReflectance, HasTheConfiguredPolarity) {
+  BenchRobot high(sensor("read = \"digital\"\n"));
+  BenchRobot low(sensor("read = \"digital\"\nblack = \"low\"\n"));
+  EXPECT_TRUE(high.level(kA0));
+  EXPECT_FALSE(low.level(kA0));
+  EXPECT_EQ(high.volts(kA0), 5.0);
+  place_beside_line(high, 0.03);
+  place_beside_line(low, 0.03);
+  EXPECT_FALSE(high.level(kA0));
+  EXPECT_TRUE(low.level(kA0));
+}
+
+TEST(DigitalReflectance, HysteresisKeepsTheStateNearTheThreshold) {
+  BenchRobot bench(sensor("read = \"digital\"\nthreshold = 0.5\nhysteresis = 0.4\n"));
+  place_beside_line(bench, 0.03);
+  EXPECT_FALSE(bench.level(kA0));
+  place_beside_line(bench, 0.0094);  // blackness 0.6
+  EXPECT_FALSE(bench.level(kA0));
+  place_beside_line(bench, 0.0);
+  EXPECT_TRUE(bench.level(kA0));
+  place_beside_line(bench, 0.0106);  // blackness 0.4
+  EXPECT_TRUE(bench.level(kA0));
+  place_beside_line(bench, 0.03);
+  EXPECT_FALSE(bench.level(kA0));
+}
+
+TEST(DigitalReflectance, InterruptsSeeItsEdges) {
+  BenchRobot bench(sensor("read = \"digital\"\n"));
+  bench.board.edges_wanted = true;
+  bench.tick();
+  place_beside_line(bench, 0.03);
+  bench.ticks(2);
+  using Edge = FakeBoard::Edge;
+  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(Edge{kA0, true, kTick}, Edge{kA0, false, 2 * kTick}));
+}
+
+class RcReflectance : public ::testing::Test {
+ protected:
+  static std::string keys() {
+    return sensor("read = \"rc\"\nwhite_time = \"200 us\"\nblack_time = \"2500 us\"\n");
+  }
+  // Charges for `charge` and releases the pin; the time until it reads low, exact.
+  static SimTime time_discharge(BenchRobot& bench, SimTime charge = 10 * kMicrosecond) {
+    const SimTime begin = bench.now;
+    bench.board.output(kA0, true, begin);
+    bench.board.input(kA0, false, begin + charge);
+    SimTime low = 0, high = 4 * kMillisecond;
+    while (high - low > 1) {
+      const SimTime middle = (low + high) / 2;
+      (bench.board.read_level(kA0, begin + charge + middle) ? low : high) = middle;
+    }
+    return high;
+  }
+};
+
+TEST_F(RcReflectance, TakesBlackTimeOverBlackAndWhiteTimeOverWhite) {
+  BenchRobot bench(keys());
+  EXPECT_EQ(time_discharge(bench), 2500 * kMicrosecond);
+  place_beside_line(bench, 0.03);
+  bench.ticks(5);
+  EXPECT_EQ(time_discharge(bench), 200 * kMicrosecond);
+}
+
+TEST_F(RcReflectance, HalfwayTheDischargeRatesAverage) {
+  BenchRobot bench(keys());
+  place_beside_line(bench, 0.010);
+  const double expected = 1.0 / (0.5 / 2500e3 + 0.5 / 200e3);
+  EXPECT_NEAR(static_cast<double>(time_discharge(bench)), expected, 2.0);
+}
+
+TEST_F(RcReflectance, AHalfChargedCapacitorIsLowAtOnce) {
+  BenchRobot bench(keys());
+  EXPECT_EQ(time_discharge(bench, 5 * kMicrosecond), 1);
+}
+
+TEST_F(RcReflectance, ThreeQuartersOfTheChargeLastHalfTheTime) {
+  BenchRobot bench(keys());
+  EXPECT_NEAR(static_cast<double>(time_discharge(bench, 7500)), 1250e3, 2.0);
+}
+
+TEST_F(RcReflectance, ReadsHighWhileItIsChargedAndLowBefore) {
+  BenchRobot bench(keys());
+  EXPECT_FALSE(bench.level(kA0));
+  bench.board.output(kA0, true, 0);
+  EXPECT_TRUE(bench.board.read_level(kA0, 5 * kMicrosecond));
+}
+
+TEST_F(RcReflectance, ItsFallIsAnEdgeInTheTickInWhichItHappens) {
+  BenchRobot bench(keys());
+  bench.board.edges_wanted = true;
+  bench.board.output(kA0, true, 0);
+  bench.board.input(kA0, false, 10 * kMicrosecond);
+  EXPECT_TRUE(bench.board.edges.empty()) << "it falls two ticks later";
+  bench.ticks(3);
+  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, 2510 * kMicrosecond}));
+}
+
+TEST(ReflectanceFaults, StuckDeadOffsetAndOk) {
+  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  place_beside_line(bench, 0.03);
+  const auto with = [&](const char* kind, std::vector<std::string> arguments) {
+    bench.robot.fault("eye", kind, arguments);
+    return bench.volts(kA0);
+  };
+  EXPECT_EQ(static_cast<int>(with("stuck", {"1023"}) / 5.0 * 1024), 1023);
+  EXPECT_EQ(static_cast<int>(with("stuck", {"7"}) / 5.0 * 1024), 7);
+  EXPECT_EQ(with("dead", {}), 4.5);
+  EXPECT_NEAR(with("offset", {"25%"}), 1.5, 1e-9);
+  EXPECT_EQ(with("ok", {}), 0.5);
+}
+
+TEST(ReflectanceFaults, NoisyComesOnTopEvenInTheIdealProfile) {
+  BenchRobot bench(sensor("noise = 0.0\n"));
+  place_beside_line(bench, 0.010);
+  const double quiet = bench.volts(kA0);
+  bench.robot.fault("eye", "noisy", {"0.1"});
+  double most = 0.0;
+  for (int i = 0; i < 100; ++i) most = std::max(most, std::abs(bench.volts(kA0) - quiet));
+  EXPECT_GT(most, 0.2);
+}
+
+TEST(ReflectanceFaults, SwappedSensorsSeeEachOthersFloor) {
+  BenchRobot bench(sensor("") +
+                   "[[part]]\nname = \"side\"\ntype = \"reflectance\"\npin = \"A1\"\n"
+                   "at = [\"0 mm\", \"40 mm\"]\n");
+  const double black = bench.volts(kA0), white = bench.volts(kA0 + 1);
+  bench.robot.fault("eye", "swapped", {"side"});
+  EXPECT_EQ(bench.volts(kA0), white);
+  EXPECT_EQ(bench.volts(kA0 + 1), black);
+}
+
+TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
+  BenchRobot bench(sensor(""));
+  const auto message = [&](const char* part, const char* kind, std::vector<std::string> arguments) {
+    try {
+      bench.robot.check_fault(part, kind, arguments);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(message("ear", "dead", {}), ::testing::HasSubstr("eye"));
+  EXPECT_THAT(message("eye", "blind", {}), ::testing::HasSubstr("ok, stuck, dead, swapped, noisy or offset"));
+  EXPECT_THAT(message("eye", "stuck", {}), ::testing::HasSubstr("one number"));
+  EXPECT_THAT(message("eye", "stuck", {"much"}), ::testing::HasSubstr("from 0 to 1e+06"));
+  EXPECT_THAT(message("eye", "swapped", {"eye"}), ::testing::HasSubstr("another"));
+  EXPECT_THAT(message("eye", "dead", {"3"}), ::testing::HasSubstr("nothing more"));
+  EXPECT_EQ(message("eye", "stuck", {"512"}), "accepted");
+  place_beside_line(bench, 0.03);
+  EXPECT_LT(bench.volts(kA0), 1.0) << "checking breaks nothing";
+}
+
+TEST(Reflectance, ACoveredSensorSeesBlack) {
+  BenchRobot bench(sensor(""));
+  place_beside_line(bench, 0.03);
+  const double white = bench.volts(kA0);
+  bench.robot.cover("eye", true);
+  EXPECT_GT(bench.volts(kA0), 4.0);
+  bench.robot.cover("eye", false);
+  EXPECT_EQ(bench.volts(kA0), white);
+  EXPECT_THROW(bench.robot.check_cover("ear"), InputError);
+}
+
+TEST(Reflectance, TheRobotKnowsWhetherItSeesTheLine) {
+  BenchRobot bench(sensor(""));
+  EXPECT_TRUE(bench.robot.has_line_sensors());
+  EXPECT_TRUE(bench.robot.sees_line());
+  place_beside_line(bench, 0.03);
+  EXPECT_FALSE(bench.robot.sees_line());
+  place_beside_line(bench, 0.0125);
+  EXPECT_TRUE(bench.robot.sees_line());
+}
+
+}  // namespace
+}  // namespace robosim::robot
