@@ -29,34 +29,33 @@ bool read_plain(std::string_view row, Cell* out) {
   return strange == 0;
 }
 
-// What a character other than S and G means; nothing if it means nothing.
-std::optional<Cell> meaning(char c, const std::array<std::optional<Cell>, 10>& legend) {
-  switch (c) {
-    case '0':
-    case ' ':
-    case '_':
-      return Cell::floor;
-    case '1':
-    case '.':
-    case 'S':
-    case 'G':
-      return Cell::line;
-    case '2':
-    case '#':
-      return Cell::wall;
-    case 'x':
-      return Cell::obstacle;
-    default:
-      break;
+// std::count, but in vector code: sums that fit a byte.
+std::size_t count(std::string_view row, char c) {
+  constexpr std::size_t kBlock = 128;
+  std::size_t total = 0;
+  std::size_t i = 0;
+  for (; i + kBlock <= row.size(); i += kBlock) {
+    unsigned char found = 0;
+    for (std::size_t j = 0; j < kBlock; ++j) found = static_cast<unsigned char>(found + (row[i + j] == c));
+    total += found;
   }
-  if (c >= '3' && c <= '9') return legend[static_cast<std::size_t>(c - '0')];
-  return std::nullopt;
+  return total +
+         static_cast<std::size_t>(std::count(row.begin() + static_cast<std::ptrdiff_t>(i), row.end(), c));
 }
 
 }  // namespace
 
 MapParser::MapParser(std::string file, std::size_t size_hint) : size_hint_(size_hint) {
   map_.file = std::move(file);
+  meaning_.fill(kNothing);
+  const auto mean = [this](std::string_view characters, Cell cell) {
+    for (const char c : characters) meaning_[static_cast<unsigned char>(c)] = static_cast<std::uint8_t>(cell);
+  };
+  mean("0 _", Cell::floor);
+  mean("1.SG", Cell::line);
+  mean("2#", Cell::wall);
+  mean("x", Cell::obstacle);
+  for (const char c : {'S', 'G'}) meaning_[static_cast<unsigned char>(c)] |= kMark;
 }
 
 void MapParser::feed(std::string_view bytes) {
@@ -112,6 +111,8 @@ void MapParser::end_front_matter() {
   Map settings = std::move(front_.settings);
   settings.file = std::move(map_.file);
   map_ = std::move(settings);
+  for (std::size_t digit = 3; digit <= 9; ++digit)
+    if (front_.legend[digit]) meaning_['0' + digit] = static_cast<std::uint8_t>(*front_.legend[digit]);
   section_ = Section::grid;
 }
 
@@ -123,7 +124,7 @@ void MapParser::take_row(std::string_view row) {
                        "an empty line where the map's first row should be; delete it, or draw floor as `_`");
     if (row.size() > kMaxSide) {
       for (std::size_t i = 0; i < row.size(); ++i)
-        if (!meaning(row[i], front_.legend)) refuse_character(row, i);
+        if (!is_allowed(row[i])) refuse_character(row, i);
       throw InputError({map_.file, line_, kMaxSide + 1},
                        fmt::format("this row is longer than {} cells, the most a map may have", kMaxSide));
     }
@@ -138,17 +139,22 @@ void MapParser::take_row(std::string_view row) {
         {map_.file, line_, 1},
         fmt::format("the map goes on after {} rows of {} cells; at most {} rows and {} cells are allowed",
                     map_.height, width, kMaxSide, kMaxCells));
-  if (!read_plain(row, row_.data())) take_marked_row(row);
+  if (!read_plain(row, row_.data())) take_any_row(row);
   count_for_swap(row);
   map_.cells.insert(map_.cells.end(), row_.begin(), row_.end());
   ++map_.height;
 }
 
-void MapParser::take_marked_row(std::string_view row) {
+void MapParser::take_any_row(std::string_view row) {
+  std::uint8_t seen = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const std::optional<Cell> cell = meaning(row[i], front_.legend);
-    if (!cell) refuse_character(row, i);
-    row_[i] = *cell;
+    const std::uint8_t meaning = meaning_[static_cast<unsigned char>(row[i])];
+    row_[i] = static_cast<Cell>(meaning & ~kMark);
+    seen |= meaning;
+  }
+  if (seen < kMark) return;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!is_allowed(row[i])) refuse_character(row, i);
     const CellAt at{static_cast<int>(i), map_.height};
     if (row[i] == 'S') mark(start_mark_, at, 'S');
     if (row[i] == 'G') mark(goal_mark_, at, 'G');
@@ -167,9 +173,8 @@ void MapParser::mark(std::optional<CellAt>& which, CellAt cell, char c) {
 }
 
 void MapParser::count_for_swap(std::string_view row) {
-  if (std::memchr(row.data(), '.', row.size()))
-    dots_ += static_cast<std::size_t>(std::count(row.begin(), row.end(), '.'));
-  if (hashes_ == 0) hashes_ += static_cast<std::size_t>(std::count(row.begin(), row.end(), '#'));
+  if (!has_hash_) has_hash_ = std::memchr(row.data(), '#', row.size()) != nullptr;
+  if (std::memchr(row.data(), '.', row.size())) dots_ += count(row, '.');
 }
 
 void MapParser::refuse_character(std::string_view row, std::size_t column) const {
@@ -197,7 +202,7 @@ void MapParser::refuse_character(std::string_view row, std::size_t column) const
 void MapParser::refuse_length(std::string_view row) const {
   const auto width = static_cast<std::size_t>(map_.width);
   for (std::size_t i = 0; i < std::min(row.size(), width + 1); ++i)
-    if (!meaning(row[i], front_.legend)) refuse_character(row, i);
+    if (!is_allowed(row[i])) refuse_character(row, i);
   const std::string cells = fmt::format("{} cell{}", row.size(), row.size() == 1 ? "" : "s");
   if (row.empty())
     throw InputError(
@@ -237,7 +242,7 @@ CellAt MapParser::first_cell_of(Cell kind) const {
 }
 
 void MapParser::check_swap() const {
-  if (hashes_ == 0 || dots_ * 2 <= map_.cells.size()) return;
+  if (!has_hash_ || dots_ * 2 <= map_.cells.size()) return;
   throw InputError(
       place_of(first_cell_of(Cell::line)),
       fmt::format("{} of {} cells are line, written `.`, and `#` is wall: were `.` and `#` swapped? If so "

@@ -1,7 +1,9 @@
 // Turns the text of a map file, fed in pieces of any size, into a Map. Behind read_map and parse_map.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +25,9 @@ class MapParser {
   Map finish();
 
  private:
+  static constexpr std::uint8_t kMark = 0x40;
+  static constexpr std::uint8_t kNothing = 0x80;
+
   enum class Section { beginning, front_matter, grid };
 
   void take_line(std::string_view line);
@@ -30,7 +35,7 @@ class MapParser {
   void end_front_matter();
   void take_row(std::string_view row);
   /// Rows with characters beyond floor, line and wall.
-  void take_marked_row(std::string_view row);
+  void take_any_row(std::string_view row);
   void mark(std::optional<CellAt>& which, CellAt cell, char c);
   void count_for_swap(std::string_view row);
   [[noreturn]] void refuse_character(std::string_view row, std::size_t column) const;
@@ -38,12 +43,14 @@ class MapParser {
   void check_swap() const;
   void settle_start();
   void settle_stations();
+  bool is_allowed(char c) const { return meaning_[static_cast<unsigned char>(c)] != kNothing; }
   Place place_of(CellAt cell) const { return {map_.file, first_row_line_ + cell.y, cell.x + 1}; }
   CellAt first_cell_of(Cell kind) const;
 
   Map map_;
   FrontMatter front_;
   std::size_t size_hint_;
+  std::array<std::uint8_t, 256> meaning_;  // of each character: a Cell, with kMark for S and G; or kNothing
   Section section_ = Section::beginning;
   int line_ = 0;            // of the last line taken
   int first_row_line_ = 0;  // the line of row 0
@@ -52,8 +59,8 @@ class MapParser {
   std::vector<Cell> row_;
   std::optional<CellAt> start_mark_;
   std::optional<CellAt> goal_mark_;
-  std::size_t dots_ = 0;    // cells written `.`
-  std::size_t hashes_ = 0;  // cells written `#`
+  std::size_t dots_ = 0;   // cells written `.`
+  bool has_hash_ = false;  // some cell is written `#`
 };
 
 }  // namespace robosim::grid
