@@ -58,13 +58,13 @@ const std::vector<PartType>& part_types() {
 
 const std::vector<DriverChip>& driver_chips() {
   using enum Bridge;
-  // Sources: the makers' datasheets. L298N (ST DS0218): total drop 1.8 V typical at 1 A; L293D (TI
+  // Sources: the makers' datasheets. L298N (ST DS0218): 2.55 V at 1 A, 3.7 V at 2 A, typical; L293D (TI
   // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
   // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two are bipolar: the drop is there at
   // any current.
   static const std::vector<DriverChip> chips = {
       // EN low: open. EN high: the two half bridges follow IN1 and IN2.
-      {"l298n", 1.4, 0.4, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
+      {"l298n", 1.4, 1.15, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
       {"l293d", 1.9, 1.2, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
       // "EN" is PWM. PWM low brakes, unless both inputs are low, which opens the bridge.
       {"tb6612", 0.0, 0.5, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},

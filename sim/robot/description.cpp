@@ -125,7 +125,14 @@ ConfigValue derive(ConfigValue base, ConfigValue own) {
 // A stock robot by name, else a file beside the one that names it.
 fs::path find_base(const ConfigValue& base, const fs::path& from) {
   const std::string& name = as_string(base, "base");
-  if (name.find_first_of("/.") != std::string::npos) return from.parent_path() / name;
+  if (name.find_first_of("/.") != std::string::npos) {
+    const fs::path path = from.parent_path() / name;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+      throw InputError(base.place,
+                       fmt::format("base is \"{}\", but there is no file {}", name, path.string()));
+    return path;
+  }
   try {
     return find_robot(name);
   } catch (const InputError& error) {
@@ -167,8 +174,14 @@ const BoardSpec& read_board(TableReader& reader) {
   throw InputError(value.place, fmt::format("board is \"{}\"; allowed are {}", value.string, one_of(names)));
 }
 
-// Twice the signed area of the triangle a b c; positive if it turns left.
-double turn(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - b); }
+// Whether every corner lies to the left of every side; a star that turns left all the way does not.
+bool convex(const std::vector<Vec2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 2; k < n; ++k)
+      if (cross(corners[(i + 1) % n] - corners[i], corners[(i + k) % n] - corners[i]) <= 0.0) return false;
+  return true;
+}
 
 void read_outline(TableReader& reader, Chassis& chassis) {
   const ConfigValue& value = reader.require("outline");
@@ -189,10 +202,9 @@ void read_outline(TableReader& reader, Chassis& chassis) {
   double area = 0.0;
   for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
   if (area < 0.0) std::reverse(corners.begin(), corners.end());
-  for (std::size_t i = 0; i < n; ++i)
-    if (turn(corners[i], corners[(i + 1) % n], corners[(i + 2) % n]) <= 0.0 || std::abs(area) < 2e-4)
-      throw InputError(value.place,
-                       "outline must be convex and larger than 1 cm2, its corners in order around the robot");
+  if (!convex(corners) || std::abs(area) < 2e-4)
+    throw InputError(value.place,
+                     "outline must be convex and larger than 1 cm2, its corners in order around the robot");
 }
 
 Chassis read_chassis(const ConfigValue& table) {

@@ -99,7 +99,12 @@ INSTANTIATE_TEST_SUITE_P(
              "exactly these pins"},
         Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
         Case{"base = \"uno9\"\n", "no robot is called \"uno9\"; there are nano8rc, uno2, uno3 or uno5"},
-        Case{"base = \"./none.toml\"\n", "cannot be read"},
+        Case{"base = \"./none.toml\"\n", "there is no file ./none.toml"},
+        Case{"base = \"/dev/zero\"\n", "there is no file /dev/zero"},
+        Case{changed("outline = { radius = \"60 mm\" }",
+                     "outline = [[\"0 mm\", \"50 mm\"], [\"29 mm\", \"-40 mm\"], [\"-47 mm\", \"15 mm\"], "
+                     "[\"47 mm\", \"15 mm\"], [\"-29 mm\", \"-40 mm\"]]"),
+             "must be convex"},
         Case{"base = \"uno5\"\nremove = [\"horn\"]\n", "which the base does not have; it has left"},
         Case{"remove = [\"horn\"]\n" + kBareRobot, "remove needs a base"},
         Case{"base = \"uno5\"\nbroad = \"uno\"\n", "unknown key broad"},
