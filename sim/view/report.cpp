@@ -1,0 +1,186 @@
+#include "sim/view/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/view/floor_picture.h"
+#include "sim/view/text.h"
+
+namespace robosim::view {
+namespace {
+
+constexpr int kPictureRows = 20;
+constexpr std::size_t kMostTrailPoints = 8192;
+constexpr std::size_t kSerialLines = 5;
+// What a map cell must get for a picture of the whole map to be of use.
+constexpr double kLeastDotsPerCell = 2.0;
+
+/// The trail and two cells around it, inside the map.
+Area around(const Trail& trail, const grid::Map& map) {
+  Area area{trail.last(), trail.last()};
+  for (const Vec2 p : trail.points()) {
+    area.least = {std::min(area.least.x, p.x), std::min(area.least.y, p.y)};
+    area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
+  }
+  const auto to_cells = [&](double metres, double offset) {
+    return (std::floor(metres / map.cell_m) + offset) * map.cell_m;
+  };
+  const Area all = area_of(map);
+  return {
+      {std::max(all.least.x, to_cells(area.least.x, -2.0)),
+       std::max(all.least.y, to_cells(area.least.y, -2.0))},
+      {std::min(all.most.x, to_cells(area.most.x, 3.0)), std::min(all.most.y, to_cells(area.most.y, 3.0))}};
+}
+
+std::string picture(const Report& report, const grid::Map& map, int columns, Look look) {
+  const Trail& trail = report.trail;
+  Window window = fit(map, area_of(map), columns, kPictureRows);
+  const bool whole = map.cell_m / window.dot_m >= kLeastDotsPerCell;
+  if (!whole) {
+    if (trail.empty()) return "";
+    window = fit(map, around(trail, map), columns, kPictureRows);
+  }
+  FloorPicture floor(map);
+  floor.look_at(window);
+  Vec2 before = trail.empty() ? Vec2{} : trail.points().front();
+  for (const Vec2 p : trail.points()) {
+    floor.add_trail(before, p);
+    before = p;
+  }
+  if (!trail.empty()) floor.add_trail(before, trail.last());
+  auto marks = floor_marks(map, report.started, report.result.metrics.stations);
+  if (!trail.empty()) marks.push_back({trail.last(), {arrow(trail.yaw_rad()), Ink::robot}});
+  Frame frame(window.columns, window.rows);
+  floor.draw(frame, 0, 0, marks, look);
+  return to_text(frame, look) + (whole ? "" : "(the part of the map that the robot saw)\n");
+}
+
+Ink ink_of(const client::RunResult& result) { return result.status == 0 ? Ink::good : Ink::bad; }
+
+/// Writes lines, wrapped and coloured.
+class Writer {
+ public:
+  Writer(int columns, Look look) : columns_(columns), look_(look) {}
+
+  void line(std::string_view text = "", Ink ink = Ink::plain) {
+    if (ink != Ink::plain) text_ += select(ink, look_);
+    for (const char32_t c : printable(text)) append(text_, c, look_.utf8);
+    if (ink != Ink::plain) text_ += select(Ink::plain, look_);
+    text_ += '\n';
+  }
+  /// "label: text", the text's further lines indented by as much.
+  void labelled(std::string_view label, std::string_view text, Ink ink) {
+    const int indent = width_of(label) + 1;
+    std::string start = select(ink, look_) + std::string(label) + select(Ink::plain, look_) + " ";
+    for (const std::string& part : wrap(text, std::max(columns_ - indent, 20))) {
+      text_ += start;
+      line(part);
+      start.assign(static_cast<std::size_t>(indent), ' ');
+    }
+  }
+  std::string take() { return std::move(text_); }
+  std::string& raw() { return text_; }
+
+ private:
+  std::string text_;
+  int columns_;
+  Look look_;
+};
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void write_figures(Writer& out, const Report& report) {
+  const client::RunResult& r = report.result;
+  const client::Metrics& m = r.metrics;
+  const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
+  out.line(fmt::format("time         {}   distance {:.2f} m   mean speed {:.2f} m/s   energy {:.1f} J",
+                       time_text(r.time_s), m.distance_m, mean, m.energy_j));
+  if (!m.laps_s.empty()) {
+    std::string laps;
+    const std::size_t first = m.laps_s.size() > 8 ? m.laps_s.size() - 8 : 0;
+    for (std::size_t i = first; i < m.laps_s.size(); ++i) laps += fmt::format(" {:.2f}", m.laps_s[i]);
+    out.line(fmt::format("laps         {}, each{}{} s", m.laps_s.size(), first ? " … " : "", laps));
+  }
+  out.line(fmt::format("cross-track  {:.1f} mm RMS, {:.1f} mm at most   off the line {:.2f} s",
+                       m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
+  out.line(fmt::format("collisions   {}", m.collisions));
+  if (!report.started.stations.empty()) {
+    out.line(fmt::format("stations     {} of {} visited{}{}   junctions {}", m.stations.size(),
+                         report.started.stations.size(), m.stations.empty() ? "" : ": ", list(m.stations),
+                         m.junctions));
+  }
+}
+
+std::string chip_hint(const Report& report) {
+  return fmt::format(
+      "this ran on the target {}, where int has 32 bits and memory is plenty. An Uno's chip has a 16-bit "
+      "int, 2 KB of "
+      "memory and its own timing: --target avr will run on it, but is not in this version yet.",
+      report.target);
+}
+
+}  // namespace
+
+void Trail::add(const client::Sample& sample) {
+  last_ = {sample.x_mm / 1000.0, sample.y_mm / 1000.0};
+  yaw_rad_ = sample.yaw_rad;
+  if (seen_++ % every_ != 0) return;
+  points_.push_back(last_);
+  if (points_.size() < kMostTrailPoints) return;
+  for (std::size_t i = 0; i < points_.size() / 2; ++i) points_[i] = points_[2 * i];
+  points_.resize(points_.size() / 2);
+  every_ *= 2;
+}
+
+std::vector<Mark> floor_marks(const grid::Map& map, const client::Started& started,
+                              const std::vector<std::string>& visited) {
+  std::vector<Mark> marks{{map.centre({started.x, started.y}), {U'S', Ink::mark}}};
+  for (const client::Started::Station& station : started.stations) {
+    const bool seen = std::find(visited.begin(), visited.end(), station.name) != visited.end();
+    const std::u32string name = printable(station.name);
+    marks.push_back(
+        {map.centre({station.x, station.y}), {name.empty() ? U'?' : name[0], seen ? Ink::good : Ink::mark}});
+  }
+  return marks;
+}
+
+std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look) {
+  const client::RunResult& r = report.result;
+  Writer out(columns, look);
+  if (map) {
+    if (const std::string drawn = picture(report, *map, columns, look); !drawn.empty())
+      out.raw() += drawn + "\n";
+  }
+  out.line(fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", report.sketch, report.robot, report.map,
+                       r.goal, r.seed, r.profile, report.target),
+           Ink::faint);
+  out.labelled(r.verdict + ":", r.why, ink_of(r));
+  out.line();
+  write_figures(out, report);
+  if (report.wall_s) {
+    out.line(fmt::format("wall time    {:.3f} s, {:.0f} times real time", *report.wall_s,
+                         r.time_s / std::max(*report.wall_s, 1e-9)));
+  }
+  if (!r.events.empty()) {
+    out.line();
+    out.line("last events", Ink::strong);
+    for (const auto& event : r.events) out.line(fmt::format("  {:>9.2f} s  {}", event.t_s, event.text));
+  }
+  if (const auto lines = last_lines(r.serial, kSerialLines); !lines.empty()) {
+    out.line();
+    out.line("serial, last lines", Ink::strong);
+    for (const std::string& text : lines) out.line("  " + text);
+  }
+  out.line();
+  if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
+  out.labelled("chip:", chip_hint(report), Ink::faint);
+  return out.take();
+}
+
+}  // namespace robosim::view

@@ -1,0 +1,51 @@
+// The end-of-run screen: what happened, at first sight.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/client/messages.h"
+#include "sim/grid/map.h"
+#include "sim/view/frame.h"
+
+namespace robosim::view {
+
+/// Where the robot was, sampled evenly. As events come in, the spacing grows so that memory stays bounded.
+class Trail {
+ public:
+  void add(const client::Sample& sample);
+  const std::vector<Vec2>& points() const { return points_; }  ///< m, world frame
+  bool empty() const { return points_.empty(); }
+  Vec2 last() const { return last_; }
+  double yaw_rad() const { return yaw_rad_; }
+
+ private:
+  std::vector<Vec2> points_;
+  Vec2 last_;
+  double yaw_rad_ = 0.0;
+  std::size_t every_ = 1, seen_ = 0;
+};
+
+/// What a report is made of.
+struct Report {
+  std::string sketch;  ///< as the user named it
+  std::string map;
+  std::string robot;
+  std::string target;
+  client::Started started;
+  client::RunResult result;
+  Trail trail;
+  std::optional<double> wall_s;  ///< with --timing
+};
+
+/// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.
+std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look);
+
+/// Stations and start as they lie on the floor; visited stations in another ink.
+struct Mark;
+std::vector<Mark> floor_marks(const grid::Map& map, const client::Started& started,
+                              const std::vector<std::string>& visited);
+
+}  // namespace robosim::view
