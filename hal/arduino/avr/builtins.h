@@ -1,0 +1,10 @@
+// avr-gcc's built-in functions that have a meaning here.
+#pragma once
+
+#include "hal/host/registers.h"
+
+#define __builtin_avr_sei() robosim_enable_interrupts()
+#define __builtin_avr_cli() robosim_disable_interrupts()
+#define __builtin_avr_sleep() robosim_sleep()
+#define __builtin_avr_wdr() robosim_watchdog_reset()
+#define __builtin_avr_delay_cycles(cycles) robosim_spend_cycles(cycles)

@@ -1,0 +1,28 @@
+// Interrupts: ISR(TIMER1_COMPA_vect) { ... } defines the handler __vector_11, which the simulated chip calls.
+#pragma once
+
+#include <avr/io.h>
+
+#define sei() robosim_enable_interrupts()
+#define cli() robosim_disable_interrupts()
+#define reti() return
+
+#ifdef __cplusplus
+#define ROBOSIM_HANDLER extern "C"
+#else
+#define ROBOSIM_HANDLER
+#endif
+
+// Attributes such as ISR_NOBLOCK are accepted; a handler is never interrupted here.
+#define ISR(vector, ...)                                   \
+  ROBOSIM_HANDLER void vector(void) __attribute__((used)); \
+  ROBOSIM_HANDLER void vector(void)
+#define SIGNAL(vector) ISR(vector)
+#define EMPTY_INTERRUPT(vector) \
+  ISR(vector) {}
+#define ISR_ALIAS(vector, target)    \
+  ROBOSIM_HANDLER void target(void); \
+  ISR(vector) { target(); }
+#define ISR_BLOCK
+#define ISR_NOBLOCK
+#define ISR_NAKED

@@ -1,0 +1,177 @@
+// Registers of the ATmega328P as a sketch names them: PORTB, TCCR1A, ADC, ...
+//
+// Names, addresses and bits come from avr-libc's own iom328p.h, which is staged beside this header. What is
+// ours is what an access does: it asks the simulated chip (hal/host). A register is therefore not memory. It
+// can be read, assigned and changed by every operator, but its address is no `uint8_t*`; see RegisterPointer.
+#pragma once
+#define _AVR_IO_H_
+
+#include <stdint.h>
+
+#include "hal/host/registers.h"
+
+#define _BV(bit) (1 << (bit))
+#define _VECTOR(number) __vector_##number
+
+#ifdef __cplusplus
+
+namespace robosim_hal {
+
+class RegisterPointer;
+
+/// A register of 8 bits.
+class Register8 {
+ public:
+  explicit constexpr Register8(robosim_register address) : address_(address) {}
+  constexpr Register8(const Register8&) = default;
+
+  operator uint8_t() const { return robosim_read8(address_); }
+  template <typename T>
+  uint8_t operator=(T value) const {
+    return store(static_cast<uint8_t>(value));
+  }
+  uint8_t operator=(const Register8& other) const { return store(other); }
+  template <typename T>
+  uint8_t operator|=(T value) const {
+    return store(static_cast<uint8_t>(load() | static_cast<uint8_t>(value)));
+  }
+  template <typename T>
+  uint8_t operator&=(T value) const {
+    return store(static_cast<uint8_t>(load() & static_cast<uint8_t>(value)));
+  }
+  template <typename T>
+  uint8_t operator^=(T value) const {
+    return store(static_cast<uint8_t>(load() ^ static_cast<uint8_t>(value)));
+  }
+  template <typename T>
+  uint8_t operator+=(T value) const {
+    return store(static_cast<uint8_t>(load() + value));
+  }
+  template <typename T>
+  uint8_t operator-=(T value) const {
+    return store(static_cast<uint8_t>(load() - value));
+  }
+  uint8_t operator<<=(int bits) const { return store(static_cast<uint8_t>(load() << bits)); }
+  uint8_t operator>>=(int bits) const { return store(static_cast<uint8_t>(load() >> bits)); }
+  uint8_t operator++() const { return store(static_cast<uint8_t>(load() + 1)); }
+  uint8_t operator--() const { return store(static_cast<uint8_t>(load() - 1)); }
+  uint8_t operator++(int) const { return static_cast<uint8_t>(++*this - 1); }
+  uint8_t operator--(int) const { return static_cast<uint8_t>(--*this + 1); }
+  constexpr RegisterPointer operator&() const;
+
+ private:
+  uint8_t load() const { return robosim_read8(address_); }
+  uint8_t store(uint8_t value) const {
+    robosim_write8(address_, value);
+    return value;
+  }
+
+  robosim_register address_;
+};
+
+/// What `&PORTB` and portOutputRegister() give. `*p |= mask` works. A `volatile uint8_t*` cannot be made from
+/// it, because no one would notice a write through that: such code is refused by the compiler and is for
+/// `--target avr`.
+class RegisterPointer {
+ public:
+  constexpr RegisterPointer() : address_(0) {}
+  explicit constexpr RegisterPointer(robosim_register address) : address_(address) {}
+  constexpr Register8 operator*() const { return Register8(address_); }
+  explicit constexpr operator bool() const { return address_ != 0; }
+
+ private:
+  robosim_register address_;
+};
+
+constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(address_); }
+
+/// A register pair of 16 bits, read and written at once (the chip's TEMP register sees to that).
+class Register16 {
+ public:
+  explicit constexpr Register16(robosim_register address) : address_(address) {}
+  constexpr Register16(const Register16&) = default;
+
+  operator uint16_t() const { return robosim_read16(address_); }
+  template <typename T>
+  uint16_t operator=(T value) const {
+    return store(static_cast<uint16_t>(value));
+  }
+  uint16_t operator=(const Register16& other) const { return store(other); }
+  template <typename T>
+  uint16_t operator|=(T value) const {
+    return store(static_cast<uint16_t>(load() | static_cast<uint16_t>(value)));
+  }
+  template <typename T>
+  uint16_t operator&=(T value) const {
+    return store(static_cast<uint16_t>(load() & static_cast<uint16_t>(value)));
+  }
+  template <typename T>
+  uint16_t operator^=(T value) const {
+    return store(static_cast<uint16_t>(load() ^ static_cast<uint16_t>(value)));
+  }
+  template <typename T>
+  uint16_t operator+=(T value) const {
+    return store(static_cast<uint16_t>(load() + value));
+  }
+  template <typename T>
+  uint16_t operator-=(T value) const {
+    return store(static_cast<uint16_t>(load() - value));
+  }
+  uint16_t operator<<=(int bits) const { return store(static_cast<uint16_t>(load() << bits)); }
+  uint16_t operator>>=(int bits) const { return store(static_cast<uint16_t>(load() >> bits)); }
+  uint16_t operator++() const { return store(static_cast<uint16_t>(load() + 1)); }
+  uint16_t operator--() const { return store(static_cast<uint16_t>(load() - 1)); }
+  uint16_t operator++(int) const { return static_cast<uint16_t>(++*this - 1); }
+  uint16_t operator--(int) const { return static_cast<uint16_t>(--*this + 1); }
+
+ private:
+  uint16_t load() const { return robosim_read16(address_); }
+  uint16_t store(uint16_t value) const {
+    robosim_write16(address_, value);
+    return value;
+  }
+
+  robosim_register address_;
+};
+
+}  // namespace robosim_hal
+
+#define _SFR_MEM8(address) (robosim_hal::Register8(address))
+#define _SFR_MEM16(address) (robosim_hal::Register16(address))
+
+#else  // C has no operators of our own.
+
+#define _SFR_MEM8(address) robosim_registers_need_a_cpp_file
+#define _SFR_MEM16(address) robosim_registers_need_a_cpp_file
+
+#endif
+
+#define _SFR_IO8(address) _SFR_MEM8((address) + 0x20)
+#define _SFR_IO16(address) _SFR_MEM16((address) + 0x20)
+#define _SFR_BYTE(sfr) (sfr)
+#define _SFR_WORD(sfr) (sfr)
+
+#define bit_is_set(sfr, bit) ((sfr)&_BV(bit))
+#define bit_is_clear(sfr, bit) (!((sfr)&_BV(bit)))
+#define loop_until_bit_is_set(sfr, bit) \
+  do {                                  \
+  } while (bit_is_clear(sfr, bit))
+#define loop_until_bit_is_clear(sfr, bit) \
+  do {                                    \
+  } while (bit_is_set(sfr, bit))
+
+#define SREG _SFR_IO8(0x3F)
+#define SP _SFR_IO16(0x3D)
+#define SPL _SFR_IO8(0x3D)
+#define SPH _SFR_IO8(0x3E)
+#define SREG_C 0
+#define SREG_Z 1
+#define SREG_N 2
+#define SREG_V 3
+#define SREG_S 4
+#define SREG_H 5
+#define SREG_T 6
+#define SREG_I 7
+
+#include <avr/iom328p.h>
+#include <avr/portpins.h>

@@ -1,0 +1,21 @@
+// Power reduction: bits of PRR. A module that is switched off goes on working here.
+#pragma once
+
+#include <avr/io.h>
+
+#define power_adc_enable() (PRR &= ~_BV(PRADC))
+#define power_adc_disable() (PRR |= _BV(PRADC))
+#define power_spi_enable() (PRR &= ~_BV(PRSPI))
+#define power_spi_disable() (PRR |= _BV(PRSPI))
+#define power_twi_enable() (PRR &= ~_BV(PRTWI))
+#define power_twi_disable() (PRR |= _BV(PRTWI))
+#define power_usart0_enable() (PRR &= ~_BV(PRUSART0))
+#define power_usart0_disable() (PRR |= _BV(PRUSART0))
+#define power_timer0_enable() (PRR &= ~_BV(PRTIM0))
+#define power_timer0_disable() (PRR |= _BV(PRTIM0))
+#define power_timer1_enable() (PRR &= ~_BV(PRTIM1))
+#define power_timer1_disable() (PRR |= _BV(PRTIM1))
+#define power_timer2_enable() (PRR &= ~_BV(PRTIM2))
+#define power_timer2_disable() (PRR |= _BV(PRTIM2))
+#define power_all_enable() (PRR = 0)
+#define power_all_disable() (PRR = 0xEF)

@@ -1,0 +1,16 @@
+// Sleep modes. The simulated chip wakes at the next interrupt, whatever the mode; timers run on.
+#pragma once
+
+#include <avr/io.h>
+
+#define set_sleep_mode(mode) (SMCR = (SMCR & ~0x0E) | (mode))
+#define sleep_enable() (SMCR |= 0x01)
+#define sleep_disable() (SMCR &= ~0x01)
+#define sleep_cpu() robosim_sleep()
+#define sleep_bod_disable() ((void)0)
+#define sleep_mode() \
+  do {               \
+    sleep_enable();  \
+    sleep_cpu();     \
+    sleep_disable(); \
+  } while (0)

@@ -1,0 +1,11 @@
+// avr-libc has two error numbers. On this machine nothing sets errno.
+#pragma once
+
+#define EDOM 33
+#define ERANGE 34
+
+#ifdef __cplusplus
+extern "C" int errno;
+#else
+extern int errno;
+#endif

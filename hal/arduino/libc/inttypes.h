@@ -1,0 +1,28 @@
+// Format macros for fixed-width integers, as far as avr-libc has them (up to 32 bits).
+#pragma once
+#include <stdint.h>
+
+#define PRId8 "d"
+#define PRId16 "d"
+#define PRId32 "d"
+#define PRIi8 "i"
+#define PRIi16 "i"
+#define PRIi32 "i"
+#define PRIu8 "u"
+#define PRIu16 "u"
+#define PRIu32 "u"
+#define PRIo8 "o"
+#define PRIo16 "o"
+#define PRIo32 "o"
+#define PRIx8 "x"
+#define PRIx16 "x"
+#define PRIx32 "x"
+#define PRIX8 "X"
+#define PRIX16 "X"
+#define PRIX32 "X"
+#define SCNd16 "hd"
+#define SCNd32 "d"
+#define SCNu16 "hu"
+#define SCNu32 "u"
+#define SCNx16 "hx"
+#define SCNx32 "x"

@@ -1,0 +1,90 @@
+// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides.
+#pragma once
+#ifndef Pins_Arduino_h
+#define Pins_Arduino_h
+
+#include <avr/io.h>
+
+#ifdef ARDUINO_AVR_NANO
+#define NUM_DIGITAL_PINS 20
+#define NUM_ANALOG_INPUTS 8
+#define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
+#else
+#define NUM_DIGITAL_PINS 20
+#define NUM_ANALOG_INPUTS 6
+#define analogInputToDigitalPin(p) ((p) < 6 ? (p) + 14 : -1)
+#endif
+#define EXTERNAL_NUM_INTERRUPTS 2
+
+#define LED_BUILTIN 13
+
+#define PIN_A0 (14)
+#define PIN_A1 (15)
+#define PIN_A2 (16)
+#define PIN_A3 (17)
+#define PIN_A4 (18)
+#define PIN_A5 (19)
+#define PIN_A6 (20)
+#define PIN_A7 (21)
+static const uint8_t A0 = PIN_A0;
+static const uint8_t A1 = PIN_A1;
+static const uint8_t A2 = PIN_A2;
+static const uint8_t A3 = PIN_A3;
+static const uint8_t A4 = PIN_A4;
+static const uint8_t A5 = PIN_A5;
+static const uint8_t A6 = PIN_A6;
+static const uint8_t A7 = PIN_A7;
+
+#define PIN_SPI_SS (10)
+#define PIN_SPI_MOSI (11)
+#define PIN_SPI_MISO (12)
+#define PIN_SPI_SCK (13)
+static const uint8_t SS = PIN_SPI_SS;
+static const uint8_t MOSI = PIN_SPI_MOSI;
+static const uint8_t MISO = PIN_SPI_MISO;
+static const uint8_t SCK = PIN_SPI_SCK;
+
+#define PIN_WIRE_SDA (18)
+#define PIN_WIRE_SCL (19)
+static const uint8_t SDA = PIN_WIRE_SDA;
+static const uint8_t SCL = PIN_WIRE_SCL;
+
+#define SERIAL_PORT_MONITOR Serial
+#define SERIAL_PORT_HARDWARE Serial
+
+#define digitalPinHasPWM(p) ((p) == 3 || (p) == 5 || (p) == 6 || (p) == 9 || (p) == 10 || (p) == 11)
+#define digitalPinToInterrupt(p) ((p) == 2 ? 0 : ((p) == 3 ? 1 : NOT_AN_INTERRUPT))
+
+// Ports are numbered as in the AVR core: B = 2, C = 3, D = 4. Pins 0..7 are port D, 8..13 B, 14..19 C.
+#define digitalPinToPort(p) ((p) < 8 ? 4 : ((p) < 14 ? 2 : ((p) < 20 ? 3 : NOT_A_PORT)))
+#define digitalPinToBitMask(p) (_BV((p) < 8 ? (p) : ((p) < 14 ? (p)-8 : (p)-14)))
+#define analogInPinToBit(p) (p)
+
+#define NOT_ON_TIMER 0
+#define TIMER0A 1
+#define TIMER0B 2
+#define TIMER1A 3
+#define TIMER1B 4
+#define TIMER2A 7
+#define TIMER2B 8
+#define digitalPinToTimer(p) \
+  ((p) == 3    ? TIMER2B     \
+   : (p) == 5  ? TIMER0B     \
+   : (p) == 6  ? TIMER0A     \
+   : (p) == 9  ? TIMER1A     \
+   : (p) == 10 ? TIMER1B     \
+   : (p) == 11 ? TIMER2A     \
+               : NOT_ON_TIMER)
+
+#ifdef __cplusplus
+// A port's PIN, DDR and PORT registers lie one after the other: PINB is 0x23, PINC 0x26, PIND 0x29.
+#define portInputRegister(port) (robosim_hal::RegisterPointer(0x23 + 3 * ((port)-2)))
+#define portModeRegister(port) (robosim_hal::RegisterPointer(0x24 + 3 * ((port)-2)))
+#define portOutputRegister(port) (robosim_hal::RegisterPointer(0x25 + 3 * ((port)-2)))
+#define digitalPinToPCICR(p) ((p) <= 21 ? &PCICR : robosim_hal::RegisterPointer())
+#define digitalPinToPCMSK(p) ((p) <= 7 ? &PCMSK2 : (p) <= 13 ? &PCMSK0 : &PCMSK1)
+#endif
+#define digitalPinToPCICRbit(p) ((p) <= 7 ? 2 : ((p) <= 13 ? 0 : 1))
+#define digitalPinToPCMSKbit(p) ((p) <= 7 ? (p) : ((p) <= 13 ? (p)-8 : (p)-14))
+
+#endif  // Pins_Arduino_h

@@ -1,0 +1,440 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
+
+#include "sim/base/file.h"
+#include "sim/sketch/cache.h"
+#include "sim/sketch/compile.h"
+#include "sim/sketch/elf_size.h"
+#include "sim/sketch/libraries.h"
+#include "sim/sketch/prototypes.h"
+#include "sim/sketch/sketch.h"
+#include "sim/sketch/source.h"
+
+namespace robosim::sketch {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> sources_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// An object and the files it was made of.
+struct Object {
+  fs::path path;
+  std::vector<fs::path> inputs;
+};
+
+std::string join_paths(const std::vector<fs::path>& paths) {
+  std::string text;
+  for (const fs::path& path : paths) text += path.string() + '\n';
+  return text;
+}
+
+std::vector<fs::path> split_paths(const std::string& text) {
+  std::vector<fs::path> paths;
+  for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
+    paths.emplace_back(text.substr(at, end - at));
+  return paths;
+}
+
+/// One build: what has been found and made so far.
+class Build {
+ public:
+  Build(const Sketch& sketch, const Toolchain& toolchain, const Cache& cache, const LibraryFinder& finder,
+        const GenuineCore& core)
+      : sketch_(sketch), toolchain_(toolchain), cache_(cache), finder_(finder), core_(core), work_(cache) {}
+
+  /// Compiles and links; gives the image, still in the work folder.
+  fs::path image() {
+    const Object core = core_object();
+    std::vector<fs::path> objects = {core.path};
+    inputs_.files = core.inputs;
+    compile_all();
+    for (const Object& object : objects_) {
+      objects.push_back(object.path);
+      inputs_.files.insert(inputs_.files.end(), object.inputs.begin(), object.inputs.end());
+    }
+    const fs::path image = work_.path() / (sketch_.name + ".so");
+    const Outcome link = run(link_command(toolchain_, objects, image, work_.path()));
+    const std::string messages = text(link);
+    if (link.status != 0) {
+      for (const char* function : {"setup", "loop"})
+        if (messages.find(fmt::format("undefined reference to `{}'", function)) != std::string::npos)
+          throw CompileError(
+              {sketch_.inos.empty() ? sketch_.name : sketch_.inos[0]},
+              fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()",
+                          function));
+      fail(messages);
+    }
+    inputs_.folders = finder_.listed();
+    for (const Library& library : libraries_)
+      inputs_.folders.insert(inputs_.folders.end(), library.listed.begin(), library.listed.end());
+    return image;
+  }
+
+  const Inputs& inputs() const { return inputs_; }
+  const std::vector<Library>& libraries() const { return libraries_; }
+  const std::string& messages() const { return messages_; }
+
+ private:
+  std::string text(const Outcome& outcome) const {
+    return readable(toolchain_, sketch_.folder, outcome.output);
+  }
+
+  // hal/host comes first: its constructors (Serial's) run before any of the sketch's. All of it is weak, so
+  // that a sketch may define a function of the core anew, as Arduino's archive of the core allows.
+  Object core_object() {
+    const std::string key = "core\n" + recipe(toolchain_);
+    if (const auto entry = cache_.find(key)) return {entry->result, split_paths(entry->facts.at("inputs"))};
+    const auto since = fs::file_time_type::clock::now();
+    std::vector<fs::path> sources;
+    for (const char* folder : {"hal/host", "hal/arduino", "core"})
+      for (const fs::path& source : sources_in(toolchain_.stage / folder)) sources.push_back(source);
+    std::vector<Command> commands;
+    std::vector<fs::path> objects;
+    for (const fs::path& source : sources) {
+      objects.push_back(work_.path() / fmt::format("core{}.o", objects.size()));
+      commands.push_back(compile_command(toolchain_, core_unit(source), objects.back()));
+    }
+    const fs::path merged = work_.path() / "core.o";
+    for (const Outcome& outcome : run(commands)) check(outcome, "the core");
+    check(run(merge_command(toolchain_, objects, merged)), "the core");
+    weaken(merged);
+
+    Inputs inputs;
+    for (const fs::path& object : objects) {
+      const auto files = read_dependencies(object.string() + ".d", toolchain_.stage);
+      inputs.files.insert(inputs.files.end(), files.begin(), files.end());
+    }
+    std::sort(inputs.files.begin(), inputs.files.end());
+    inputs.files.erase(std::unique(inputs.files.begin(), inputs.files.end()), inputs.files.end());
+    inputs.folders = {toolchain_.stage / "hal/host", toolchain_.stage / "hal/arduino"};
+    const Entry entry =
+        cache_.store(key, inputs, merged, "core.o", {{"inputs", join_paths(inputs.files)}}, since);
+    return {entry.result, inputs.files};
+  }
+
+  // Only what is defined: an undefined symbol must still be found, or the link fail.
+  void weaken(const fs::path& object) const {
+    const Outcome names = run(Command{
+        {find_binutil("nm").string(), "--defined-only", "-g", "-j", object.string()}, work_.path(), {}});
+    check(names, "the core");
+    write_file(work_.path() / "names", names.output);
+    check(
+        run(Command{
+            {find_binutil("objcopy").string(), "--weaken-symbols=names", object.string()}, work_.path(), {}}),
+        "the core");
+  }
+
+  Unit core_unit(const fs::path& source) const {
+    Unit unit;
+    unit.kind = Unit::Kind::core;
+    unit.folder = toolchain_.stage;
+    unit.place = "robosim";
+    unit.source = source.string();
+    return unit;
+  }
+
+  static void check(const Outcome& outcome, const char* what) {
+    if (outcome.status != 0)
+      throw std::runtime_error(fmt::format("{} does not compile:\n{}", what, outcome.output));
+  }
+
+  void compile_all() {
+    std::vector<Unit> units;
+    if (!sketch_.inos.empty()) units.push_back(ino_unit());
+    for (const std::string& source : sketch_.sources) {
+      Unit unit = sketch_unit();
+      unit.source = source;
+      units.push_back(unit);
+    }
+    std::size_t libraries_taken = 0;
+    for (;;) {
+      for (; libraries_taken < libraries_.size(); ++libraries_taken)
+        for (const std::string& source : libraries_[libraries_taken].sources)
+          units.push_back(library_unit(libraries_[libraries_taken], source));
+      if (units.empty()) return;
+      units = compile(units);
+    }
+  }
+
+  Unit sketch_unit() const {
+    Unit unit;
+    unit.folder = sketch_.folder;
+    unit.place = ".";
+    unit.includes = {sketch_.folder};
+    return unit;
+  }
+
+  static Unit library_unit(const Library& library, const std::string& source) {
+    Unit unit;
+    unit.kind = Unit::Kind::library;
+    unit.folder = library.folder;
+    unit.place = "libraries/" + library.name;
+    unit.source = (library.folder / source).string();
+    return unit;
+  }
+
+  std::vector<fs::path> include_folders(const Unit& unit) const {
+    std::vector<fs::path> folders;
+    if (unit.kind == Unit::Kind::sketch) folders.push_back(unit.folder);
+    for (const Library& library : libraries_)
+      folders.insert(folders.end(), library.includes.begin(), library.includes.end());
+    return folders;
+  }
+
+  // The .ino files, joined and with prototypes. Preprocessing finds the libraries they include, one at a
+  // time.
+  Unit ino_unit() {
+    const std::string joined = join_inos(sketch_);
+    Unit unit = sketch_unit();
+    unit.input = work_.path() / "joined.cpp";
+    write_file(unit.input, joined);
+    const fs::path preprocessed = work_.path() / "preprocessed.cpp";
+    for (;;) {
+      unit.includes = include_folders(unit);
+      const Outcome outcome = run(preprocess_command(toolchain_, unit, preprocessed));
+      if (outcome.status == 0) break;
+      if (!add_library_for(outcome)) fail(text(outcome));
+    }
+    write_file(unit.input, add_prototypes(joined, read_file(preprocessed), sketch_.inos, work_.path()));
+    return unit;
+  }
+
+  /// Gives the units that are to be compiled again, because they need a library that was found only now.
+  std::vector<Unit> compile(std::vector<Unit> units) {
+    std::vector<Command> commands;
+    std::vector<fs::path> objects;
+    std::vector<std::string> keys;
+    std::vector<std::size_t> slots;
+    std::vector<Unit> started;
+    for (Unit& unit : units) {
+      unit.includes = include_folders(unit);
+      const std::string key = unit_key(unit);
+      const auto entry = unit.input.empty() ? cache_.find(key) : std::nullopt;
+      if (entry) {
+        add_message(entry->facts.at("messages"));
+        objects_.push_back({entry->result, split_paths(entry->facts.at("inputs"))});
+        continue;
+      }
+      slots.push_back(objects_.size());
+      objects_.emplace_back();
+      objects.push_back(work_.path() / fmt::format("{}.o", count_++));
+      commands.push_back(compile_command(toolchain_, unit, objects.back()));
+      keys.push_back(key);
+      started.push_back(unit);
+    }
+    const auto since = fs::file_time_type::clock::now();
+    const std::vector<Outcome> outcomes = run(commands);
+
+    std::vector<Unit> again;
+    std::string errors;
+    std::vector<std::size_t> unused;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const std::string messages = text(outcomes[i]);
+      if (outcomes[i].status == 0) {
+        add_message(messages);
+        objects_[slots[i]] = keep(started[i], keys[i], objects[i], messages, since);
+        continue;
+      }
+      unused.push_back(slots[i]);
+      if (add_library_for(outcomes[i]))
+        again.push_back(started[i]);
+      else
+        errors += messages + '\n';
+    }
+    if (!errors.empty()) fail(errors.substr(0, errors.size() - 1));
+    std::for_each(unused.rbegin(), unused.rend(), [&](std::size_t slot) {
+      objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(slot));
+    });
+    return again;
+  }
+
+  std::string unit_key(const Unit& unit) const {
+    return fmt::format("unit\n{}\n{}\n{}\n{}", recipe(toolchain_), unit.folder.string(), unit.source,
+                       join_paths(unit.includes));
+  }
+
+  Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
+              fs::file_time_type since) {
+    std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
+    if (!unit.input.empty()) return {object, std::move(inputs)};
+    const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
+                                     {{"inputs", join_paths(inputs)}, {"messages", messages}}, since);
+    return {entry.result, std::move(inputs)};
+  }
+
+  void add_message(const std::string& message) {
+    if (message.empty()) return;
+    if (!messages_.empty()) messages_ += '\n';
+    messages_ += message;
+  }
+
+  /// True if the compilation failed for a header whose library has now been added.
+  bool add_library_for(const Outcome& failed) {
+    Place place;
+    const std::string header = missing_header(failed.output, &place);
+    if (header.empty()) return false;
+    place.file = readable(toolchain_, sketch_.folder, place.file);
+    const Library* library = finder_.find(header);
+    if (!library) throw InputError(place, no_library(header));
+    const bool known = std::any_of(libraries_.begin(), libraries_.end(),
+                                   [&](const Library& one) { return one.folder == library->folder; });
+    if (!known) libraries_.push_back(*library);
+    return true;
+  }
+
+  std::string no_library(const std::string& header) const {
+    const LibraryFinder chip({core_.libraries});
+    if (const Library* library = chip.find(header))
+      return fmt::format(
+          "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr",
+          header, library->name);
+    std::string looked = fmt::format("{}", fmt::join(paths_text(finder_.folders()), ", "));
+    return fmt::format(
+        "there is no header {}: neither in the sketch nor in a library below {}; --libraries DIR adds "
+        "a folder of libraries",
+        header, looked);
+  }
+
+  static std::vector<std::string> paths_text(const std::vector<fs::path>& paths) {
+    std::vector<std::string> texts;
+    for (const fs::path& path : paths) texts.push_back(path.string());
+    return texts;
+  }
+
+  const Sketch& sketch_;
+  const Toolchain& toolchain_;
+  const Cache& cache_;
+  const LibraryFinder& finder_;
+  const GenuineCore& core_;
+  WorkFolder work_;
+  std::vector<Library> libraries_;  ///< in the order in which they were found
+  std::vector<Object> objects_;
+  Inputs inputs_;
+  std::string messages_;
+  int count_ = 0;
+};
+
+std::vector<fs::path> library_folders(const Request& request, const Sketch& sketch) {
+  std::vector<fs::path> folders = {sketch.folder / "libraries"};
+  std::vector<fs::path> inner;
+  for (const auto& entry : fs::directory_iterator(sketch.folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name[0] != '.' && name != "src" && name != "libraries" &&
+        (fs::exists(entry.path() / "library.properties") || fs::exists(entry.path() / (name + ".h"))))
+      inner.push_back(entry.path());
+  }
+  std::sort(inner.begin(), inner.end());
+  folders.insert(folders.end(), inner.begin(), inner.end());
+  for (const fs::path& folder : request.libraries) {
+    std::error_code error;
+    const fs::path absolute = fs::canonical(folder, error);
+    if (error || !fs::is_directory(absolute))
+      throw InputError({folder.string()},
+                       "is no folder; --libraries takes a folder of libraries, or one library");
+    folders.push_back(absolute);
+  }
+  folders.push_back(data_folder() / "firmware");
+  if (const char* home = std::getenv("HOME"); home && *home == '/')
+    folders.push_back(fs::path(home) / "Arduino/libraries");
+  return folders;
+}
+
+Image image_of(const Entry& entry, bool from_cache) {
+  Image image;
+  image.image = entry.result;
+  image.sketch_sha256 = entry.facts.at("sketch_sha256");
+  image.image_sha256 = entry.facts.at("image_sha256");
+  image.compiler = entry.facts.at("compiler");
+  for (const fs::path& library : split_paths(entry.facts.at("libraries")))
+    image.libraries.push_back(library.string());
+  image.messages = entry.facts.at("messages");
+  image.text_bytes = std::stoull(entry.facts.at("text_bytes"));
+  image.data_bytes = std::stoull(entry.facts.at("data_bytes"));
+  image.from_cache = from_cache;
+  return image;
+}
+
+std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
+                      const std::vector<fs::path>& folders) {
+  std::string key = fmt::format("image\n{}{}\n", recipe(toolchain), sketch.folder.string());
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
+    key += fmt::format("{}\n", fmt::join(*names, "\n"));
+  return key + join_paths(folders);
+}
+
+}  // namespace
+
+Image build(const Request& request) {
+  if (request.target != "host")
+    throw InputError(fmt::format("there is no target {}; Robosim builds for host", request.target));
+  const Sketch sketch = read_sketch(request.sketch);
+  const std::vector<fs::path> folders = library_folders(request, sketch);
+  const Cache cache(cache_folder());
+  const GenuineCore core = find_core();
+  Toolchain toolchain{find_compiler(), {}, stage(core, cache.folder()), request.board, request.warnings};
+  const std::string key = image_key(toolchain, sketch, folders);
+  if (const auto entry = cache.find(key)) return image_of(*entry, true);
+
+  const auto since = fs::file_time_type::clock::now();
+  toolchain.facts = ask(toolchain.compiler, cache.folder());
+  const std::string sketch_sha256 = content_sha256(sketch);
+  const LibraryFinder finder(folders);
+  Build build(sketch, toolchain, cache, finder, core);
+  const fs::path made = build.image();
+
+  Inputs inputs = build.inputs();
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
+    for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);
+  const std::string bytes = read_file(made);
+  const ElfSize size = elf_size(bytes);
+  std::string libraries;
+  for (const Library& library : build.libraries()) libraries += library.name + '\n';
+  const Entry entry = cache.store(key, inputs, made, sketch.name + ".so",
+                                  {{"sketch_sha256", sketch_sha256},
+                                   {"image_sha256", sha256(bytes)},
+                                   {"compiler", toolchain.facts.name},
+                                   {"libraries", libraries},
+                                   {"messages", build.messages()},
+                                   {"text_bytes", std::to_string(size.text)},
+                                   {"data_bytes", std::to_string(size.data)}},
+                                  since);
+  return image_of(entry, false);
+}
+
+std::vector<std::string> stock_sketches() {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (fs::directory_iterator entry(data_folder() / "firmware/examples", none), end; entry != end; ++entry) {
+    const std::string name = entry->path().filename().string();
+    if (fs::exists(entry->path() / (name + ".ino"))) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path find_sketch(const std::string& name) {
+  std::error_code none;
+  if (name.find_first_of("/.") != std::string::npos) {
+    if (!fs::exists(name, none)) throw InputError({name}, "there is no such sketch");
+    return name;
+  }
+  const fs::path folder = data_folder() / "firmware/examples" / name;
+  if (!name.empty() && fs::exists(folder / (name + ".ino"), none)) return folder;
+  const std::vector<std::string> ours = stock_sketches();
+  throw InputError(
+      fmt::format("there is no sketch {}; Robosim's own are {}{}", name, one_of(ours),
+                  fs::exists(name, none) ? fmt::format("; for the one here write ./{}", name) : ""));
+}
+
+}  // namespace robosim::sketch

@@ -1,0 +1,117 @@
+#include "sim/sketch/libraries.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace robosim::sketch {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_file(const fs::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(path, none);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code none;
+  return fs::is_directory(path, none);
+}
+
+std::vector<fs::path> children(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code none;
+  for (fs::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
+    if (entry->path().filename().string()[0] != '.') paths.push_back(entry->path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+bool is_header(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".hpp"; }
+
+bool is_source(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
+}
+
+void take_sources(Library& library, const fs::path& folder, bool deep) {
+  library.listed.push_back(folder);
+  for (const fs::path& child : children(folder)) {
+    if (deep && is_folder(child)) take_sources(library, child, deep);
+    if (is_source(child) && is_file(child))
+      library.sources.push_back(child.lexically_relative(library.folder).string());
+  }
+}
+
+bool is_library(const fs::path& folder) {
+  if (is_file(folder / "library.properties")) return true;
+  const std::vector<fs::path> files = children(folder);
+  return std::any_of(files.begin(), files.end(), [](const fs::path& file) { return is_header(file); });
+}
+
+Library read_library(const fs::path& folder) {
+  Library library;
+  library.name = folder.filename().string();
+  library.folder = folder;
+  if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
+    library.includes = {folder / "src"};
+    library.listed = {folder};
+    take_sources(library, folder / "src", true);
+  } else {
+    library.includes = {folder};
+    take_sources(library, folder, false);
+    if (is_folder(folder / "utility")) {
+      library.includes.push_back(folder / "utility");
+      take_sources(library, folder / "utility", false);
+    }
+  }
+  std::sort(library.sources.begin(), library.sources.end());
+  return library;
+}
+
+// How well a library's name fits a header: 0 best.
+int rank(const Library& library, const std::string& header) {
+  const std::string wanted = fs::path(header).stem().string();
+  if (library.name == wanted) return 0;
+  return library.name.rfind(wanted, 0) == 0 ? 1 : 2;
+}
+
+}  // namespace
+
+LibraryFinder::LibraryFinder(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+  for (const fs::path& folder : folders_) {
+    std::vector<Library> found;
+    if (is_library(folder)) {
+      found.push_back(read_library(folder));
+    } else {
+      for (const fs::path& child : children(folder))
+        if (is_folder(child) && is_library(child)) found.push_back(read_library(child));
+    }
+    libraries_.push_back(std::move(found));
+  }
+}
+
+const Library* LibraryFinder::find(const std::string& header) const {
+  for (const std::vector<Library>& group : libraries_) {
+    const Library* best = nullptr;
+    for (const Library& library : group)
+      if (is_file(library.includes[0] / header) && (!best || rank(library, header) < rank(*best, header)))
+        best = &library;
+    if (best) return best;
+  }
+  return nullptr;
+}
+
+std::vector<fs::path> LibraryFinder::listed() const {
+  std::vector<fs::path> all = folders_;
+  for (const std::vector<Library>& group : libraries_)
+    for (const Library& library : group) {
+      all.push_back(library.folder);
+      all.push_back(library.includes[0]);
+    }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace robosim::sketch

@@ -1,0 +1,39 @@
+// Arduino libraries, found by the headers that a sketch includes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace robosim::sketch {
+
+/// A library in one of Arduino's two layouts: with `src/` (library.properties names it; sources at any
+/// depth), or flat (sources in its root and in `utility/`).
+struct Library {
+  std::string name;  ///< its folder's name
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> includes;  ///< folders for -I
+  std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
+  std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
+};
+
+/// Where libraries are looked for, in this order. A folder may hold libraries, or be one.
+class LibraryFinder {
+ public:
+  explicit LibraryFinder(std::vector<std::filesystem::path> folders);
+
+  /// The library that has `header` in its include folder. Within one folder of libraries a library of the
+  /// header's own name wins, then one whose name begins with it ("Servo-master"), then the first by name.
+  /// Null if there is none.
+  const Library* find(const std::string& header) const;
+
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  /// All folders whose list of names the answers depend on.
+  std::vector<std::filesystem::path> listed() const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  std::vector<std::vector<Library>> libraries_;  ///< for each of `folders_`
+};
+
+}  // namespace robosim::sketch
