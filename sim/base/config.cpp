@@ -74,6 +74,41 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
 
 std::string bounds(double least, double most) { return fmt::format("from {:g} to {:g}", least, most); }
 
+// Where the first character beyond ASCII stands outside strings and comments, if any. No such character is
+// TOML, and toml++ 3.3 does not survive some of them (U+FB26 to U+FEFE run into its "unreachable" code).
+std::size_t find_stray_character(std::string_view text) {
+  std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark is allowed
+  while (i < text.size()) {
+    const char c = text[i];
+    if (static_cast<unsigned char>(c) >= 0x80) return i;
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (c == '"' || c == '\'') {
+      const std::string_view three = c == '"' ? "\"\"\"" : "\'\'\'";
+      const bool lines = text.substr(i).starts_with(three);
+      i += lines ? 3 : 1;
+      while (i < text.size() &&
+             (lines ? !text.substr(i).starts_with(three) : text[i] != c && text[i] != '\n'))
+        i += c == '"' && text[i] == '\\' ? 2 : 1;
+      i = std::min(i + (lines ? 3 : 1), text.size());
+      for (int more = 0; lines && more < 2 && i < text.size() && text[i] == c; ++more) ++i;  // """a"""" is a"
+    } else {
+      ++i;
+    }
+  }
+  return std::string_view::npos;
+}
+
+void refuse_stray_character(std::string_view text, const std::string& file, int first_line) {
+  const std::size_t stray = find_stray_character(text);
+  if (stray == std::string_view::npos) return;
+  const std::string_view before = text.substr(0, stray);
+  const auto line = std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 on the first line
+  throw InputError({file, first_line + static_cast<int>(line), static_cast<int>(stray - line_begin) + 1},
+                   "not valid TOML: outside quotes and comments only ASCII characters are allowed");
+}
+
 }  // namespace
 
 const ConfigValue* ConfigValue::find(std::string_view key) const {
@@ -101,6 +136,7 @@ const char* to_string(ConfigValue::Kind kind) {
 }
 
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line) {
+  refuse_stray_character(text, file, first_line);
   const Origin origin{file, first_line - 1};
   const toml::parse_result result = toml::parse(text, file);
   if (!result) {

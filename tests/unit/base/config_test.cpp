@@ -35,11 +35,29 @@ TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
 TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
   const ConfigValue v = parse_toml("a = 5\nb = \"5 kg\"\nc = \"5 m\"\nd = []\n", "f.toml");
   TableReader r(v, "x");
-  const auto length = [&](const char* key) { return error_of([&] { r.quantity(key, Dimension::length, 0, 0, 1); }); };
-  EXPECT_THAT(length("a"), testing::HasSubstr("a is 5 without a unit; write it as a string with one of mm, cm, m or in"));
-  EXPECT_THAT(length("b"), testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
+  const auto length = [&](const char* key) {
+    return error_of([&] { r.quantity(key, Dimension::length, 0, 0, 1); });
+  };
+  EXPECT_THAT(length("a"),
+              testing::HasSubstr("a is 5 without a unit; write it as a string with one of mm, cm, m or in"));
+  EXPECT_THAT(length("b"),
+              testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
   EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 in SI units; it must be from 0 to 1"));
   EXPECT_THAT(length("d"), testing::HasSubstr("d is an array"));
+}
+
+TEST(Config, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
+  const auto error = [](const char* text) { return error_of([&] { parse_toml(text, "f.toml"); }); };
+  EXPECT_THAT(error("a = 1\nline\xEF\xBB\xAF = 2\n"),
+              testing::StartsWith("f.toml:2:5: not valid TOML: outside quotes"));
+  EXPECT_THAT(error("a = \"\\\"\"\xC3\xA9\n"),
+              testing::StartsWith("f.toml:1:9: not valid TOML: outside quotes"));
+  EXPECT_THAT(error("a = \"\"\"x\"\"\"\"\xC3\xA9\n"),
+              testing::StartsWith("f.toml:1:13: not valid TOML: outside quotes"));
+  EXPECT_EQ(error("\xEF\xBB\xBF"
+                  "# \xE2\x9A\xA0\xEF\xB8\x8F\na = \"\\\"\xC3\xA9\"\nb = '\xC3\xA9'\n"
+                  "c = \"\"\"\n\xC3\xA9\"\"\"\nd = '''\xC3\xA9\n'''\n"),
+            "no error");
 }
 
 TEST(Config, PointsAtASyntaxError) {
