@@ -23,11 +23,11 @@ struct Crash {
 
 /// What the firmware did last: lets a verdict say what it waits for.
 struct Activity {
-  SimTime last_call = 0;      ///< when it last called the API (on a chip: accessed I/O outside handlers)
-  std::string call;           ///< that call as the sketch would write it: "digitalRead(2)"
-  Pin pin = kNoPin;           ///< the pin of that call
-  SourceLine where;           ///< where in the sketch the firmware is now
-  std::string stopped_by;     ///< "exit(0)" if the firmware gave up by itself; else empty
+  SimTime last_call = 0;   ///< when it last called the API (on a chip: accessed I/O outside handlers)
+  std::string call;        ///< that call as the sketch would write it: "digitalRead(2)"
+  Pin pin = kNoPin;        ///< the pin of that call
+  SourceLine where;        ///< where in the sketch the firmware is now
+  std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
 };
 
 class Executor {

@@ -1,0 +1,49 @@
+// The analog to digital converter (datasheet, chapter 23): 13 ADC clocks a conversion, sampled after 1.5.
+//
+//   code = floor(volts / reference * 1024), 0..1023
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+class Adc {
+ public:
+  uint8_t multiplexer() const { return multiplexer_; }
+  void set_multiplexer(uint8_t value) { multiplexer_ = value; }
+  uint8_t control() const;
+  void set_control(uint8_t value);
+  uint8_t control_b() const { return control_b_; }
+  void set_control_b(uint8_t value) { control_b_ = value; }
+  /// The result as the register ADC holds it: left-adjusted if ADLAR says so.
+  uint16_t data() const { return multiplexer_ & 0x20 ? static_cast<uint16_t>(code_ << 6) : code_; }
+
+  /// Samples the selected channel now: for analogRead, which does its own waiting.
+  uint16_t sample() const;
+  /// One ADC clock.
+  SimTime clock() const;
+  bool on() const { return control_ & 0x80; }
+  void set_code(uint16_t code) { code_ = code; }
+
+  /// Ends the conversion that is due; restarts it when free running.
+  void sync();
+  bool pending() const { return (control_ & 0x18) == 0x18; }
+  SimTime next() const { return converting_ && control_ & 0x08 ? ready_ : kNever; }
+  void acknowledge() { control_ &= ~0x10; }
+
+ private:
+  void start();
+
+  uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
+  bool converting_ = false;
+  uint16_t code_ = 0, result_ = 0;
+  SimTime ready_ = 0;
+};
+
+extern Adc adc;
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,25 @@
+// What every function of the Arduino API begins with: the note of its call, for verdicts that say what
+// firmware waits for.
+#pragma once
+
+#include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
+
+namespace robosim {
+namespace host {
+
+/// Inlined, so that the return address is that of the API function: a place in the sketch.
+__attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
+                                                     int32_t first = 0, int32_t second = 0) {
+  state.place = __builtin_return_address(0);
+  if (in_handler()) return;
+  state.last_call = state.now;
+  state.call.name = name;
+  state.call.argument[0] = first;
+  state.call.argument[1] = second;
+  state.call.arguments = arguments;
+  state.call.pin = pin;
+}
+
+}  // namespace host
+}  // namespace robosim

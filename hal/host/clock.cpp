@@ -1,0 +1,111 @@
+#include "hal/host/clock.h"
+
+#include "hal/host/interrupts.h"
+#include "hal/host/timers.h"
+#include "hal/host/tone.h"
+
+namespace robosim {
+namespace host {
+
+FirmwareState state;
+Board* board;
+Host* executor;
+SimTime deadline;
+
+namespace {
+
+void yield_to_executor(SimTime wake) {
+  state.wake = wake;
+  executor->yield();
+}
+
+}  // namespace
+
+void refresh_deadline() {
+  deadline = state.limit < tone_end() ? state.limit : tone_end();
+  if (!interrupts_enabled()) return;
+  const SimTime due = pending_interrupts() ? state.now : next_interrupt(true);
+  if (due < deadline) deadline = due;
+}
+
+void reach_deadline() {
+  // A low level raises its interrupt again and again: then the firmware's own code still gets a block in
+  // between.
+  for (int served = 0; served < kVectors;) {
+    if (state.now >= state.limit) {
+      yield_to_executor(state.now);
+      continue;
+    }
+    sync_peripherals();
+    if (!serve_interrupt()) break;
+    ++served;
+  }
+  while (state.now >= state.limit) yield_to_executor(state.now);
+  refresh_deadline();
+}
+
+void work(SimTime duration) {
+  while (duration > 0) {
+    const SimTime free = deadline - state.now;
+    const SimTime step = free < 0 ? 0 : free < duration ? free : duration;
+    state.now += step;
+    duration -= step;
+    if (state.now >= deadline) reach_deadline();
+  }
+}
+
+void wait_until(SimTime time) {
+  const bool outer = state.waiting;
+  state.waiting = !in_handler();
+  while (state.now < time) {
+    SimTime next = time < tone_end() ? time : tone_end();
+    if (interrupts_enabled()) {
+      const SimTime due = pending_interrupts() ? state.now : next_interrupt(false);
+      if (due < next) next = due;
+    }
+    if (next >= state.limit) {
+      yield_to_executor(next);
+      continue;
+    }
+    if (next > state.now) state.now = next;
+    timer0_catch_up();
+    sync_peripherals();
+    while (serve_interrupt() && state.now < time) sync_peripherals();
+  }
+  state.waiting = outer;
+  refresh_deadline();
+}
+
+void wait_for_interrupt(bool timer0_counts) {
+  const bool outer = state.waiting;
+  state.waiting = !in_handler();
+  const uint32_t before = handlers_run;
+  while (handlers_run == before) {
+    const SimTime next = next_interrupt(timer0_counts);
+    if (next >= state.limit) {
+      yield_to_executor(next);
+      continue;
+    }
+    if (next > state.now) state.now = next;
+    if (!timer0_counts) timer0_catch_up();
+    sync_peripherals();
+    serve_interrupt();
+  }
+  state.waiting = outer;
+  refresh_deadline();
+}
+
+void stop_for_ever(const char* how) {
+  status_register &= 0x7F;
+  state.stopped_by = how;
+  for (;;) yield_to_executor(kNever);
+}
+
+}  // namespace host
+}  // namespace robosim
+
+extern "C" void __sanitizer_cov_trace_pc() {
+  using namespace robosim::host;
+  state.place = __builtin_return_address(0);
+  spend(cost::kBlock);
+}

@@ -1,0 +1,43 @@
+// Firmware's time: every call and every basic block moves it on, and at its deadline interrupts are served
+// and the executor takes over.
+#pragma once
+
+#include "hal/board/board.h"
+#include "hal/host/costs.h"
+#include "hal/host/image.h"
+
+namespace robosim {
+namespace host {
+
+extern FirmwareState state;
+extern Board* board;
+extern Host* executor;
+/// When something has to be looked at: the limit, or an interrupt that is due before it.
+extern SimTime deadline;
+
+/// Serves what is due, yields at the limit, and sets the next deadline.
+void reach_deadline();
+/// To be called after anything that changes when an interrupt is due.
+void refresh_deadline();
+
+/// A short stretch of work. Interrupts that fall into it are served at its end.
+inline void spend(int count) {
+  state.now += cycles(count);
+  if (__builtin_expect(state.now >= deadline, 0)) reach_deadline();
+}
+
+/// Work that interrupts prolong: `duration` of the processor's own time.
+void work(SimTime duration);
+
+/// Waits for `time` while interrupts are served at their exact moment; ends later only if a handler takes
+/// longer. Costs nothing however long it is.
+void wait_until(SimTime time);
+
+/// Waits for the next interrupt to be served.
+void wait_for_interrupt(bool timer0_counts);
+
+/// Firmware has given up by itself; `how` as the sketch would write it. Does not return.
+__attribute__((noreturn)) void stop_for_ever(const char* how);
+
+}  // namespace host
+}  // namespace robosim

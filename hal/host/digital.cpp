@@ -1,0 +1,149 @@
+// Digital and analog pins (wiring_digital.c, wiring_analog.c and wiring_shift.c of the Arduino AVR core).
+#include <Arduino.h>
+
+#include "hal/host/adc.h"
+#include "hal/host/api.h"
+#include "hal/host/ports.h"
+#include "hal/host/timers.h"
+
+namespace host = robosim::host;
+namespace cost = robosim::host::cost;
+
+namespace {
+
+uint8_t reference = DEFAULT;
+
+void set_mode(uint8_t pin, uint8_t mode) {
+  const host::Port port = host::port_of(pin);
+  const uint8_t mask = host::mask_of(pin);
+  host::PortRegisters& registers = host::ports[port];
+  if (mode == INPUT || mode == INPUT_PULLUP) {
+    registers.direction &= static_cast<uint8_t>(~mask);
+    if (mode == INPUT) {
+      registers.output &= static_cast<uint8_t>(~mask);
+    } else {
+      registers.output |= mask;
+    }
+  } else {
+    registers.direction |= mask;
+  }
+}
+
+/// The core takes PWM off a pin before it reads or writes it: only bit COMxx1, as the core does.
+void disconnect(uint8_t pin) {
+  const host::TimerPin by = host::timer_of(pin);
+  if (by.timer < 0) return;
+  host::Timer& timer = host::timer(by.timer);
+  const uint8_t connection = timer.connection(by.channel);
+  if (connection & 2) timer.set_connection(by.channel, connection & 1);
+}
+
+void set_level(uint8_t pin, bool level) {
+  disconnect(pin);
+  host::PortRegisters& registers = host::ports[host::port_of(pin)];
+  const uint8_t mask = host::mask_of(pin);
+  if (level) {
+    registers.output |= mask;
+  } else {
+    registers.output &= static_cast<uint8_t>(~mask);
+  }
+  host::refresh_pin(pin);
+}
+
+bool get_level(uint8_t pin) {
+  disconnect(pin);
+  host::refresh_pin(pin);
+  return host::board->read_level(pin, host::state.now);
+}
+
+}  // namespace
+
+extern "C" {
+
+void pinMode(uint8_t pin, uint8_t mode) {
+  host::note_call("pinMode", pin, 2, pin, mode);
+  host::spend(cost::kPinMode);
+  if (pin >= host::kPortPins) return;
+  set_mode(pin, mode);
+  host::refresh_pin(pin);
+}
+
+void digitalWrite(uint8_t pin, uint8_t value) {
+  host::note_call("digitalWrite", pin, 2, pin, value);
+  host::spend(cost::kDigitalWrite);
+  if (pin < host::kPortPins) set_level(pin, value != LOW);
+}
+
+int digitalRead(uint8_t pin) {
+  host::note_call("digitalRead", pin, 1, pin);
+  host::spend(cost::kDigitalRead);
+  return pin < host::kPortPins && get_level(pin) ? HIGH : LOW;
+}
+
+void analogReference(uint8_t mode) {
+  host::note_call("analogReference", robosim::kNoPin, 1, mode);
+  reference = mode;
+}
+
+int analogRead(uint8_t pin) {
+  if (pin >= 14) pin -= 14;
+  host::note_call("analogRead", static_cast<robosim::Pin>(14 + (pin & 7)), 1, pin);
+  host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | (pin & 7)));
+  host::spend(cost::kAnalogRead);
+  if (!host::adc.on()) return 0;
+  // The conversion begins with the next ADC clock, samples after 1.5 and ends after 13 of them.
+  const robosim::SimTime start = host::state.now;
+  const robosim::SimTime clock = host::adc.clock();
+  host::wait_until(start + 2 * clock);
+  const uint16_t code = host::adc.sample();
+  host::wait_until(start + 13 * clock + clock / 2);
+  host::adc.set_code(code);
+  return code;
+}
+
+void analogWrite(uint8_t pin, int value) {
+  host::note_call("analogWrite", pin, 2, pin, value);
+  host::spend(cost::kAnalogWrite);
+  if (pin >= host::kPortPins) return;
+  set_mode(pin, OUTPUT);
+  const host::TimerPin by = host::timer_of(pin);
+  if (value == 0 || value == 255 || by.timer < 0) {
+    set_level(pin, by.timer < 0 && value != 0 ? value >= 128 : value != 0);
+    return;
+  }
+  host::Timer& timer = host::timer(by.timer);
+  timer.set_connection(by.channel, timer.connection(by.channel) | 2);
+  // An 8-bit register keeps the low byte of a value out of range; Timer 1's has 16 bits.
+  timer.set_compare(by.channel, by.timer == 1 ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
+  host::refresh_pin(pin);
+}
+
+void shiftOut(uint8_t data_pin, uint8_t clock_pin, uint8_t order, uint8_t value) {
+  host::note_call("shiftOut", data_pin, 2, data_pin, clock_pin);
+  for (int i = 0; i < 8; ++i) {
+    const bool bit = value >> (order == LSBFIRST ? i : 7 - i) & 1;
+    host::spend(cost::kShiftOutBit);
+    if (data_pin >= host::kPortPins || clock_pin >= host::kPortPins) continue;
+    set_level(data_pin, bit);
+    set_level(clock_pin, true);
+    host::spend(cost::kDigitalWrite);
+    set_level(clock_pin, false);
+  }
+}
+
+uint8_t shiftIn(uint8_t data_pin, uint8_t clock_pin, uint8_t order) {
+  host::note_call("shiftIn", data_pin, 2, data_pin, clock_pin);
+  uint8_t value = 0;
+  for (int i = 0; i < 8; ++i) {
+    host::spend(cost::kShiftInBit);
+    if (data_pin >= host::kPortPins || clock_pin >= host::kPortPins) continue;
+    set_level(clock_pin, true);
+    host::spend(cost::kDigitalRead);
+    if (get_level(data_pin)) value |= static_cast<uint8_t>(1 << (order == LSBFIRST ? i : 7 - i));
+    host::spend(cost::kDigitalWrite);
+    set_level(clock_pin, false);
+  }
+  return value;
+}
+
+}  // extern "C"

@@ -1,0 +1,33 @@
+// Byte access to the EEPROM (datasheet, chapter 8.4): a write goes on by itself for 3.4 ms (table 8-1), and
+// whatever comes next waits for it.
+#include "hal/board/board_spec.h"
+#include "hal/host/api.h"
+#include "hal/host/registers.h"
+
+namespace host = robosim::host;
+
+namespace {
+
+constexpr robosim::SimTime kWriteTime = 3400 * robosim::kMicrosecond;
+robosim::SimTime ready;
+
+}  // namespace
+
+extern "C" {
+
+uint8_t robosim_eeprom_read(uint16_t address) {
+  host::note_call("EEPROM.read", robosim::kNoPin, 1, address);
+  host::wait_until(ready);
+  host::spend(host::cost::kEepromAccess);
+  return host::board->eeprom()[address % host::board->spec().eeprom_bytes];
+}
+
+void robosim_eeprom_write(uint16_t address, uint8_t value) {
+  host::note_call("EEPROM.write", robosim::kNoPin, 2, address, value);
+  host::wait_until(ready);
+  host::spend(host::cost::kEepromAccess);
+  host::board->eeprom()[address % host::board->spec().eeprom_bytes] = value;
+  ready = host::state.now + kWriteTime;
+}
+
+}  // extern "C"

@@ -1,0 +1,73 @@
+#include "hal/host/image.h"
+
+#include <Arduino.h>
+
+#include "hal/host/adc.h"
+#include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
+#include "hal/host/timers.h"
+
+// The constructors of static objects, in the order of linking; the loader does not run them.
+extern "C" {
+using Constructor = void (*)();
+extern const Constructor __start_robosim_init_array[] __attribute__((weak, visibility("hidden")));
+extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibility("hidden")));
+}
+
+/// The core's main() unless the sketch has its own.
+__attribute__((weak)) int firmware_main() __asm__("main");
+
+namespace robosim {
+namespace host {
+namespace {
+
+void run(Board& its_board, Host& its_executor, SimTime now) {
+  board = &its_board;
+  executor = &its_executor;
+  state.now = now;
+  refresh_deadline();
+  for (const Constructor* c = __start_robosim_init_array; c != __stop_robosim_init_array; ++c) (*c)();
+  firmware_main();
+  stop_for_ever("the end of main()");
+}
+
+}  // namespace
+}  // namespace host
+}  // namespace robosim
+
+namespace host = robosim::host;
+
+extern "C" {
+
+/// As wiring.c: PWM of 976 Hz on pins 5 and 6 and 490 Hz on the others, millis() by Timer 0, the ADC at 125
+/// kHz.
+void init() {
+  host::status_register |= 0x80;
+  host::timer0.set_control_a(3);
+  host::timer0.set_control_b(3);
+  host::timer0.set_enabled(host::Timer::overflow);
+  host::timer1.set_control_b(3);
+  host::timer1.set_control_a(1);
+  host::timer2.set_control_b(4);
+  host::timer2.set_control_a(1);
+  host::adc.set_control(0x87);
+  host::refresh_deadline();
+  host::spend(host::cost::kInit);
+}
+
+__attribute__((weak)) void initVariant() {}
+
+const host::Image robosim_image = {host::kImageVersion, &host::state, host::run};
+
+}  // extern "C"
+
+int firmware_main() {
+  init();
+  initVariant();
+  setup();
+  for (;;) {
+    loop();
+    host::spend(host::cost::kLoop);
+    if (serialEventRun) serialEventRun();
+  }
+}

@@ -1,0 +1,88 @@
+// What a firmware image and its executor know of each other. Nothing else crosses.
+//
+// An image is a shared object: sketch, libraries, Arduino core and hal/host. It exports one symbol,
+// `robosim_image`. The executor loads it from a private copy, runs `Image::run` on a fiber of its own, and
+// both share a FirmwareState: plain words, because they are looked at in every tick.
+//
+//   executor                                  firmware, on its fiber
+//   limit = t; next_input = …; resume  ──►    runs; its clock `now` advances with all that it does
+//                                      ◄──    now >= limit: wake = when it has something to do; Host::yield()
+//
+// A firmware that waits until `wake` need not be resumed before, unless there is input.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "hal/board/board.h"
+
+namespace robosim {
+namespace host {
+
+/// Raised with every change of what is declared here: an image of another version is refused.
+constexpr uint32_t kImageVersion = 1;
+
+/// Something reaches the chip from outside while firmware does not look.
+struct Input {
+  enum class Kind : uint8_t { edge, byte };
+  Kind kind = Kind::edge;
+  Pin pin = kNoPin;   ///< of an edge
+  uint8_t value = 0;  ///< level after the edge, or the byte received
+  SimTime at = 0;
+};
+
+/// What firmware asks of its executor. All calls come from the fiber.
+class Host {
+ public:
+  /// Firmware has reached its limit; returns when it may go on, with a later limit.
+  virtual void yield() = 0;
+  /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
+  virtual bool take_input(SimTime until, Input& input) = 0;
+  /// Edges on `pin` shall arrive as input.
+  virtual void want_edges(Pin pin, bool wanted) = 0;
+  /// The UART's receiver listens, and a byte takes `byte_time`; 0 = it does not listen, bytes are lost.
+  virtual void listen(SimTime byte_time, SimTime now) = 0;
+  /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells
+  /// the place.
+  virtual void crash(const char* reason, const char* file, uint32_t line, const void* where) = 0;
+
+ protected:
+  ~Host() = default;
+};
+
+/// A call of the Arduino API, kept cheaply: `name` is a literal.
+struct ApiCall {
+  const char* name = "";  ///< "digitalRead", or a register's name: "PORTB"
+  int32_t argument[2] = {0, 0};
+  int8_t arguments = 0;  ///< how many of them count; -1: not a function, written without parentheses
+  Pin pin = kNoPin;
+};
+
+struct FirmwareState {
+  // The executor's:
+  SimTime limit = 0;            ///< firmware stops here, ns
+  SimTime next_input = kNever;  ///< when the next input arrives
+  uint8_t* heap = nullptr;      ///< the arena of malloc
+  size_t heap_bytes = 0;
+  // The firmware's:
+  SimTime now = 0;                   ///< its clock
+  SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself
+  const void* place = nullptr;       ///< return address in the basic block, or of the API call, that ran last
+  SimTime last_call = 0;             ///< when the API was last called outside interrupt handlers
+  ApiCall call;                      ///< that call
+  bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
+  const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
+};
+
+struct Image {
+  uint32_t version;  ///< kImageVersion
+  FirmwareState* state;
+  /// Constructors, init(), setup(), then loop() for ever. Starts at `now`. Never returns.
+  void (*run)(Board& board, Host& host, SimTime now);
+};
+
+}  // namespace host
+}  // namespace robosim
+
+/// The one symbol an image exports.
+extern "C" __attribute__((visibility("default"))) const robosim::host::Image robosim_image;

@@ -1,0 +1,175 @@
+#include "hal/host/interrupts.h"
+
+#include "hal/host/adc.h"
+#include "hal/host/clock.h"
+#include "hal/host/external.h"
+#include "hal/host/timers.h"
+#include "hal/host/tone.h"
+#include "hal/host/uart.h"
+
+// What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
+#define ROBOSIM_VECTOR(number) __attribute__((weak)) void __vector_##number();
+extern "C" {
+ROBOSIM_VECTOR(1)
+ROBOSIM_VECTOR(2)
+ROBOSIM_VECTOR(3)
+ROBOSIM_VECTOR(4)
+ROBOSIM_VECTOR(5)
+ROBOSIM_VECTOR(7)
+ROBOSIM_VECTOR(8)
+ROBOSIM_VECTOR(9)
+ROBOSIM_VECTOR(11)
+ROBOSIM_VECTOR(12)
+ROBOSIM_VECTOR(13)
+ROBOSIM_VECTOR(14)
+ROBOSIM_VECTOR(15)
+void __vector_16();
+ROBOSIM_VECTOR(18)
+ROBOSIM_VECTOR(19)
+ROBOSIM_VECTOR(20)
+ROBOSIM_VECTOR(21)
+}
+
+namespace robosim {
+namespace host {
+
+uint8_t status_register;
+uint32_t handlers_run;
+
+namespace {
+
+int depth;
+
+using Handler = void (*)();
+
+Handler handler_of(int vector) {
+  switch (vector) {
+    case 1:
+      return __vector_1;
+    case 2:
+      return __vector_2;
+    case 3:
+      return __vector_3;
+    case 4:
+      return __vector_4;
+    case 5:
+      return __vector_5;
+    case 7:
+      return __vector_7;
+    case 8:
+      return __vector_8;
+    case 9:
+      return __vector_9;
+    case 11:
+      return __vector_11;
+    case 12:
+      return __vector_12;
+    case 13:
+      return __vector_13;
+    case 14:
+      return __vector_14;
+    case 15:
+      return __vector_15;
+    case 16:
+      return __vector_16;
+    case 18:
+      return __vector_18;
+    case 19:
+      return __vector_19;
+    case 20:
+      return __vector_20;
+    case 21:
+      return __vector_21;
+    default:
+      return nullptr;
+  }
+}
+
+uint32_t pending_timer(const Timer& timer, int first_vector) {
+  const uint32_t raised = timer.flags() & timer.enabled();
+  if (!raised) return 0;
+  return ((raised & Timer::compare_a) >> 1 | (raised & Timer::compare_b) >> 1 |
+          (raised & Timer::overflow) << 2)
+         << first_vector;
+}
+
+void acknowledge_timer(Timer& timer, int offset) {
+  timer.clear_flags(offset == 0 ? Timer::compare_a : offset == 1 ? Timer::compare_b : Timer::overflow);
+}
+
+void acknowledge(int vector) {
+  if (vector <= 5) {
+    acknowledge_external(vector);
+  } else if (vector <= 9) {
+    acknowledge_timer(timer2, vector - kTimer2);
+  } else if (vector <= 13) {
+    acknowledge_timer(timer1, vector - kTimer1);
+  } else if (vector <= 16) {
+    acknowledge_timer(timer0, vector - kTimer0);
+  } else if (vector == kUartSent) {
+    uart.acknowledge_sent();
+  } else if (vector == kAdcComplete) {
+    adc.acknowledge();
+  }
+}
+
+SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
+
+}  // namespace
+
+bool in_handler() { return depth > 0; }
+
+void sync_peripherals() {
+  timer0.sync();
+  timer1.sync();
+  timer2.sync();
+  adc.sync();
+  sync_tone();
+  Input input;
+  while (state.next_input <= state.now && executor->take_input(state.now, input)) {
+    if (input.kind == Input::Kind::edge) {
+      external_edge(input.pin, input.value);
+    } else {
+      uart.receive(input.value);
+    }
+  }
+}
+
+uint32_t pending_interrupts() {
+  return pending_external() | pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) |
+         pending_timer(timer2, kTimer2) | uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u);
+}
+
+SimTime next_interrupt(bool with_timer0_overflow) {
+  const uint8_t timer0_mask = with_timer0_overflow ? timer0.enabled() : timer0.enabled() & ~Timer::overflow;
+  SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
+  next = earlier(next, timer0.next(timer0_mask));
+  next = earlier(next, timer1.next(timer1.enabled()));
+  return earlier(next, timer2.next(timer2.enabled()));
+}
+
+bool serve_interrupt() {
+  if (!interrupts_enabled()) return false;
+  const uint32_t pending = pending_interrupts();
+  if (!pending) return false;
+  const int vector = __builtin_ctz(pending);
+  const Handler handler = handler_of(vector);
+  if (!handler) {
+    executor->crash("an interrupt is enabled that has no ISR (the chip would restart)", nullptr, 0,
+                    state.place);
+    __builtin_unreachable();
+  }
+  acknowledge(vector);
+  status_register &= 0x7F;
+  ++depth;
+  ++handlers_run;
+  if (vector != kTimer0Overflow) state.now += cycles(cost::kInterrupt);
+  refresh_deadline();
+  handler();
+  --depth;
+  status_register |= 0x80;
+  return true;
+}
+
+}  // namespace host
+}  // namespace robosim

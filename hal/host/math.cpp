@@ -1,0 +1,71 @@
+// Random numbers (avr-libc 2.0, random.c and rand.c) and WMath.cpp of the Arduino AVR core.
+#include <Arduino.h>
+
+#include "hal/host/clock.h"
+
+namespace host = robosim::host;
+namespace cost = robosim::host::cost;
+
+namespace {
+
+/// x' = 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). 0 would stay 0.
+long next_of(unsigned long& seed) {
+  auto x = static_cast<int32_t>(seed);
+  if (x == 0) x = 123459876;
+  const int32_t high = x / 127773;
+  const int32_t low = x % 127773;
+  x = 16807 * low - 2836 * high;
+  if (x < 0) x += 0x7fffffff;
+  seed = static_cast<unsigned long>(x);
+  return x;
+}
+
+unsigned long random_state = 1;
+unsigned long rand_state = 1;
+
+}  // namespace
+
+extern "C" {
+
+long random_r(unsigned long* seed) {
+  host::spend(cost::kRandom);
+  return next_of(*seed);
+}
+
+int rand_r(unsigned long* seed) {
+  host::spend(cost::kRandom);
+  return static_cast<int>(next_of(*seed) & RAND_MAX);
+}
+
+long random() { return random_r(&random_state); }
+int rand() { return rand_r(&rand_state); }
+void srandom(unsigned long seed) { random_state = seed; }
+void srand(unsigned int seed) { rand_state = seed; }
+
+}  // extern "C"
+
+void randomSeed(unsigned long seed) {
+  if (seed != 0) srandom(seed);
+}
+
+long random(long below) {
+  if (below == 0) return 0;
+  host::spend(cost::kDivide);
+  return random() % below;
+}
+
+long random(long least, long below) { return least >= below ? least : random(below - least) + least; }
+
+long map(long x, long in_min, long in_max, long out_min, long out_max) {
+  host::spend(cost::kMap);
+  if (in_max == in_min) {
+    host::executor->crash("division by zero in map()", nullptr, 0, __builtin_return_address(0));
+    __builtin_unreachable();
+  }
+  return (x - in_min) * (out_max - out_min) / (in_max - in_min) + out_min;
+}
+
+unsigned int makeWord(unsigned int w) { return w; }
+unsigned int makeWord(unsigned char high, unsigned char low) {
+  return static_cast<unsigned int>(high << 8 | low);
+}

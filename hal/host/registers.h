@@ -1,0 +1,40 @@
+// What a sketch's view of the chip (hal/arduino) asks of the host implementation (hal/host): registers, interrupts,
+// sleep, EEPROM. Plain C, because a sketch's .c files see it too; every name begins with robosim_.
+//
+// A register is named by its address in the ATmega328P's data space (datasheet DS40002061B, "Register Summary"), so
+// that the list of names in avr/io.h is the only one there is.
+#pragma once
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Address of a register in data space, 0x20..0xFF.
+typedef uint8_t robosim_register;
+
+uint8_t robosim_read8(robosim_register address);
+void robosim_write8(robosim_register address, uint8_t value);
+/// The 16-bit registers are named by their low byte: TCNT1, ICR1, OCR1A, OCR1B, ADC.
+uint16_t robosim_read16(robosim_register address);
+void robosim_write16(robosim_register address, uint16_t value);
+
+/// sei() and cli(): the I flag of SREG.
+void robosim_enable_interrupts(void);
+void robosim_disable_interrupts(void);
+
+/// Spends that many CPU cycles in a busy loop (_delay_us and kin). Interrupts are served meanwhile.
+void robosim_spend_cycles(uint64_t cycles);
+/// The instruction SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
+void robosim_sleep(void);
+/// The instruction WDR.
+void robosim_watchdog_reset(void);
+
+/// One byte of EEPROM; the address wraps at the EEPROM's size, as on the chip. A write takes 3.4 ms.
+uint8_t robosim_eeprom_read(uint16_t address);
+void robosim_eeprom_write(uint16_t address, uint8_t value);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif

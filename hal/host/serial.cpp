@@ -1,0 +1,120 @@
+// HardwareSerial (HardwareSerial.cpp of the Arduino AVR core): buffers of 64 bytes, one of which stays empty.
+#include <Arduino.h>
+
+#include "hal/host/api.h"
+#include "hal/host/uart.h"
+
+namespace host = robosim::host;
+namespace cost = robosim::host::cost;
+using robosim::kNoPin;
+
+HardwareSerial Serial;
+
+namespace {
+
+struct Ring {
+  uint8_t bytes[SERIAL_RX_BUFFER_SIZE];
+  uint8_t head, tail;
+} received;
+
+constexpr int kRingBytes = SERIAL_TX_BUFFER_SIZE - 1;
+
+/// Bytes in the transmit buffer: neither in the UART's data register nor in its shift register.
+int64_t buffered() {
+  const int64_t sending = host::uart.sending();
+  return sending > 2 ? sending - 2 : 0;
+}
+
+}  // namespace
+
+namespace robosim {
+namespace host {
+
+void reset_uart() {
+  uart = Uart();
+  received.head = received.tail = 0;
+}
+
+}  // namespace host
+}  // namespace robosim
+
+extern "C" __attribute__((weak)) void __vector_18() {
+  host::spend(cost::kSerialReceiveHandler);
+  const uint8_t byte = host::uart.take();
+  const auto next = static_cast<uint8_t>((received.head + 1) % SERIAL_RX_BUFFER_SIZE);
+  if (next == received.tail) return;
+  received.bytes[received.head] = byte;
+  received.head = next;
+}
+
+void HardwareSerial::begin(unsigned long baud, uint8_t config) {
+  host::note_call("Serial.begin", kNoPin, 1, static_cast<int32_t>(baud));
+  host::spend(cost::kSerialBegin);
+  constexpr unsigned long kClock = host::kClockHz;
+  if (baud == 0) baud = 1;
+  unsigned long divider = (kClock / 4 / baud - 1) / 2;
+  host::uart.set_status(host::kU2x);
+  if (baud == 57600 || divider > 4095) {
+    host::uart.set_status(0);
+    divider = (kClock / 8 / baud - 1) / 2;
+  }
+  host::uart.set_divider(static_cast<uint16_t>(divider));
+  host::uart.set_format(config);
+  host::uart.set_control(host::kRxen | host::kTxen | host::kRxcie);
+  host::refresh_deadline();
+}
+
+void HardwareSerial::end() {
+  host::note_call("Serial.end", kNoPin, 0);
+  host::wait_until(host::uart.until_sending(0));
+  host::uart.set_control(0);
+  received.head = received.tail;
+  host::refresh_deadline();
+}
+
+int HardwareSerial::available() {
+  host::note_call("Serial.available", kNoPin, 0);
+  host::spend(cost::kSerialAvailable);
+  return (SERIAL_RX_BUFFER_SIZE + received.head - received.tail) % SERIAL_RX_BUFFER_SIZE;
+}
+
+int HardwareSerial::peek() {
+  host::note_call("Serial.peek", kNoPin, 0);
+  host::spend(cost::kSerialAvailable);
+  return received.head == received.tail ? -1 : received.bytes[received.tail];
+}
+
+int HardwareSerial::read() {
+  host::note_call("Serial.read", kNoPin, 0);
+  host::spend(cost::kSerialRead);
+  if (received.head == received.tail) return -1;
+  const uint8_t byte = received.bytes[received.tail];
+  received.tail = static_cast<uint8_t>((received.tail + 1) % SERIAL_RX_BUFFER_SIZE);
+  return byte;
+}
+
+int HardwareSerial::availableForWrite() {
+  host::note_call("Serial.availableForWrite", kNoPin, 0);
+  host::spend(cost::kSerialAvailable);
+  return static_cast<int>(kRingBytes - buffered());
+}
+
+void HardwareSerial::flush() {
+  host::note_call("Serial.flush", kNoPin, 0);
+  host::wait_until(host::uart.until_sending(0));
+}
+
+size_t HardwareSerial::write(uint8_t byte) {
+  host::note_call("Serial.write", kNoPin, 1, byte);
+  host::spend(cost::kSerialWrite);
+  if (host::uart.sending() > 1) {  // goes through the buffer: its handler will run once more
+    if (buffered() >= kRingBytes) host::wait_until(host::uart.until_sending(kRingBytes + 1));
+    host::spend(cost::kSerialTransmitHandler);
+  }
+  host::uart.send(byte);
+  return 1;
+}
+
+void serialEventRun() {
+  if (serialEvent && Serial.available()) serialEvent();
+}

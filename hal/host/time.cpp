@@ -1,0 +1,129 @@
+// Time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
+#include <Arduino.h>
+
+#include "hal/host/api.h"
+#include "hal/host/ports.h"
+#include "hal/host/registers.h"
+#include "hal/host/timers.h"
+
+namespace host = robosim::host;
+namespace cost = robosim::host::cost;
+using robosim::kNoPin;
+using robosim::SimTime;
+
+namespace {
+
+constexpr unsigned long kMicrosPerTick = 4;  // 64 cycles
+bool own_yield = true;                       // until the core's empty yield() has been seen
+
+unsigned long read_micros() {
+  host::spend(cost::kMicros);
+  host::timer0.sync();
+  const uint16_t count = host::timer0.count();
+  uint64_t overflows = host::timer0_overflows;
+  if (host::timer0.flags() & host::Timer::overflow && count < 255) ++overflows;
+  return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
+}
+
+/// Whether micros() will go on for longer than a poll or two: with interrupts off it stops.
+bool micros_goes_on() {
+  return host::interrupts_enabled() && host::timer0.enabled() & host::Timer::overflow &&
+         host::timer0.counts_bytes();
+}
+
+}  // namespace
+
+extern "C" {
+
+__attribute__((weak)) void yield() { own_yield = false; }
+
+unsigned long millis() {
+  host::note_call("millis", kNoPin, 0);
+  host::spend(cost::kMillis);
+  return static_cast<unsigned long>(host::timer0_millis);
+}
+
+unsigned long micros() {
+  host::note_call("micros", kNoPin, 0);
+  return read_micros();
+}
+
+void delay(unsigned long ms) {
+  host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
+  unsigned long start = read_micros();
+  if (ms > 0) yield();
+  if (!own_yield && micros_goes_on()) {
+    const unsigned long elapsed = read_micros() - start;
+    if (elapsed < ms * 1000) {
+      const auto ticks = static_cast<int64_t>((ms * 1000 - elapsed) / kMicrosPerTick);
+      host::wait_until(host::timer0.ticks_from_now(ticks));
+    }
+    host::spend(cost::kDelayEnd);
+    return;
+  }
+  const bool outer = host::state.waiting;
+  host::state.waiting = !host::in_handler();
+  while (ms > 0) {
+    yield();
+    while (ms > 0 && read_micros() - start >= 1000) {
+      --ms;
+      start += 1000;
+    }
+    host::spend(cost::kDelayPoll);
+  }
+  host::state.waiting = outer;
+}
+
+void delayMicroseconds(unsigned int us) {
+  host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
+  host::work(us <= 1 ? robosim::kMicrosecond : us * robosim::kMicrosecond);
+}
+
+unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
+  host::note_call("pulseIn", pin, 2, pin, value);
+  if (pin >= host::kPortPins) return 0;
+  const bool level = value != LOW;
+  unsigned long loops = timeout;  // one turn of the core's loop takes 16 cycles: 1 us
+  const auto poll_while = [&](bool same) {
+    while ((host::board->read_level(pin, host::state.now) == level) == same) {
+      if (loops == 0) return false;
+      --loops;
+      host::spend(cost::kPulseLoop);
+    }
+    return true;
+  };
+  const bool outer = host::state.waiting;
+  host::state.waiting = !host::in_handler();
+  unsigned long width = 0;
+  if (poll_while(true) && poll_while(false)) {
+    const unsigned long before = loops;
+    if (poll_while(true)) width = before - loops + 1;
+  }
+  host::state.waiting = outer;
+  return width;
+}
+
+unsigned long pulseInLong(uint8_t pin, uint8_t value, unsigned long timeout) {
+  host::note_call("pulseInLong", pin, 2, pin, value);
+  if (pin >= host::kPortPins) return 0;
+  const bool level = value != LOW;
+  const bool outer = host::state.waiting;
+  host::state.waiting = !host::in_handler();
+  const unsigned long begin = read_micros();
+  const auto poll_while = [&](bool same) {
+    while ((host::board->read_level(pin, host::state.now) == level) == same)
+      if (read_micros() - begin > timeout) return false;
+    return true;
+  };
+  unsigned long width = 0;
+  if (poll_while(true) && poll_while(false)) {
+    const unsigned long start = read_micros();
+    if (poll_while(true)) width = read_micros() - start;
+  }
+  host::state.waiting = outer;
+  return width;
+}
+
+void robosim_spend_cycles(uint64_t count) { host::work(host::cycles(static_cast<int64_t>(count))); }
+
+}  // extern "C"

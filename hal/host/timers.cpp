@@ -1,0 +1,228 @@
+#include "hal/host/timers.h"
+
+#include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
+#include "hal/host/ports.h"
+
+namespace robosim {
+namespace host {
+namespace {
+
+constexpr int32_t kPrescalers01[8] = {0, 1, 8, 64, 256, 1024, 0, 0};
+constexpr int32_t kPrescalers2[8] = {0, 1, 8, 32, 64, 128, 256, 1024};
+
+}  // namespace
+
+Timer timer0(0), timer1(1), timer2(2);
+uint64_t timer0_millis;
+uint64_t timer0_overflows;
+
+namespace {
+// Eighths of a millisecond's thousandths, as in the core's wiring.c: an overflow takes 1024 us = 1 ms + 3/125
+// ms.
+uint64_t timer0_fraction;
+
+void count_overflows(uint64_t overflows) {
+  timer0_overflows += overflows;
+  timer0_fraction += 3 * overflows;
+  timer0_millis += overflows + timer0_fraction / 125;
+  timer0_fraction %= 125;
+}
+}  // namespace
+
+void timer0_catch_up() {
+  if (!interrupts_enabled() || !(timer0.enabled() & Timer::overflow)) return;
+  count_overflows(static_cast<uint64_t>(timer0.take_overflows()));
+}
+
+void reset_timers() {
+  timer0 = Timer(0);
+  timer1 = Timer(1);
+  timer2 = Timer(2);
+  timer0_millis = timer0_overflows = timer0_fraction = 0;
+}
+
+int64_t Timer::ticks() const {
+  if (prescaler_ == 0) return base_tick_;
+  return base_tick_ + (state.now - base_) * 2 / (125 * prescaler_);
+}
+
+SimTime Timer::time_of(int64_t tick) const {
+  return base_ + ((tick - base_tick_) * prescaler_ * 125 + 1) / 2;
+}
+
+SimTime Timer::ticks_from_now(int64_t count) const { return time_of(ticks() + count); }
+
+int64_t Timer::position() const { return ticks() % period_; }
+
+uint16_t Timer::count() const {
+  const int64_t at = position();
+  return static_cast<uint16_t>(dual_ && at > top_ ? period_ - at : at);
+}
+
+void Timer::decode() {
+  const uint8_t clock = control_b_ & 7;
+  prescaler_ = number_ == 2 ? kPrescalers2[clock] : kPrescalers01[clock];
+  kind_ = Kind::pwm;
+  dual_ = false;
+  if (number_ == 1) {
+    const int mode = (control_a_ & 3) | (control_b_ >> 1 & 0xC);
+    const bool by_capture = mode == 8 || mode == 10 || mode == 12 || mode == 14;
+    if (mode == 0 || mode == 13) {
+      kind_ = Kind::normal;
+    } else if (mode == 4 || mode == 12) {
+      kind_ = Kind::clear_on_match;
+    } else {
+      dual_ = mode < 4 || (mode >= 8 && mode < 12);
+    }
+    constexpr int64_t kTops[4] = {0xFFFF, 0xFF, 0x1FF, 0x3FF};
+    if (kind_ == Kind::normal) {
+      top_ = 0xFFFF;
+    } else if (mode < 8 && mode != 4) {
+      top_ = kTops[mode & 3];
+    } else {
+      top_ = by_capture ? capture_ : compare_[0];
+    }
+  } else {
+    const int mode = (control_a_ & 3) | (control_b_ >> 1 & 4);
+    if (mode == 0 || mode == 4 || mode == 6) kind_ = Kind::normal;
+    if (mode == 2) kind_ = Kind::clear_on_match;
+    dual_ = mode == 1 || mode == 5;
+    top_ = mode == 2 || mode == 5 || mode == 7 ? compare_[0] : 0xFF;
+  }
+  period_ = dual_ ? (top_ > 0 ? 2 * top_ : 1) : top_ + 1;
+}
+
+template <typename Change>
+void Timer::reconfigure(Change change) {
+  sync();
+  const int64_t at = position();
+  const int32_t prescaler = prescaler_;
+  const SimTime tick_began = prescaler == 0 ? state.now : time_of(ticks());
+  change();
+  decode();
+  base_ = prescaler == prescaler_ ? tick_began : state.now;
+  base_tick_ = synced_ = at % period_;
+  refresh_timer_pins(number_);
+}
+
+void Timer::set_control_a(uint8_t value) {
+  reconfigure([&] { control_a_ = value; });
+}
+
+void Timer::set_control_b(uint8_t value) {
+  reconfigure([&] { control_b_ = value; });
+}
+
+void Timer::set_connection(int channel, uint8_t bits) {
+  const int shift = channel == 0 ? 6 : 4;
+  control_a_ = static_cast<uint8_t>((control_a_ & ~(3 << shift)) | bits << shift);
+}
+
+void Timer::set_compare(int channel, uint16_t value) {
+  if (compare_[channel] != value) reconfigure([&] { compare_[channel] = value; });
+}
+
+void Timer::set_capture(uint16_t value) {
+  reconfigure([&] { capture_ = value; });
+}
+
+void Timer::set_count(uint16_t value) {
+  sync();
+  base_ = state.now;
+  base_tick_ = synced_ = value % period_;
+}
+
+int Timer::matches(int channel, int64_t (&at)[2]) const {
+  const int64_t value = compare_[channel];
+  if (value > top_) return 0;
+  if (!dual_) {  // the flag follows one tick after the match
+    at[0] = (value + 1) % period_;
+    return 1;
+  }
+  at[0] = value % period_;
+  at[1] = (2 * top_ - value) % period_;
+  return at[0] == at[1] ? 1 : 2;
+}
+
+bool Timer::passed(int64_t event, int64_t until) const {
+  return (until - event + period_) / period_ > (synced_ - event + period_) / period_;
+}
+
+void Timer::sync() {
+  if (prescaler_ == 0) return;
+  const int64_t until = ticks();
+  if (until == synced_) return;
+  if ((kind_ != Kind::clear_on_match || top_ == counter_max()) && passed(0, until)) flags_ |= overflow;
+  for (int channel = 0; channel < 2; ++channel) {
+    int64_t at[2];
+    const int count = matches(channel, at);
+    for (int i = 0; i < count; ++i)
+      if (passed(at[i], until)) flags_ |= channel == 0 ? compare_a : compare_b;
+  }
+  synced_ = until;
+}
+
+SimTime Timer::next(uint8_t mask) const {
+  if (prescaler_ == 0 || !mask) return kNever;
+  int64_t first = INT64_MAX;
+  const auto consider = [&](int64_t event) {
+    const int64_t tick = synced_ + 1 + ((event - synced_ - 1) % period_ + period_) % period_;
+    if (tick < first) first = tick;
+  };
+  if ((mask & overflow) && (kind_ != Kind::clear_on_match || top_ == counter_max())) consider(0);
+  for (int channel = 0; channel < 2; ++channel) {
+    if (!(mask & (channel == 0 ? compare_a : compare_b))) continue;
+    int64_t at[2];
+    const int count = matches(channel, at);
+    for (int i = 0; i < count; ++i) consider(at[i]);
+  }
+  return first == INT64_MAX ? kNever : time_of(first);
+}
+
+int64_t Timer::take_overflows() {
+  if (prescaler_ == 0) return 0;
+  const int64_t until = ticks();
+  const uint8_t before = flags_;
+  const int64_t overflows =
+      kind_ == Kind::clear_on_match && top_ != counter_max() ? 0 : until / period_ - synced_ / period_;
+  sync();
+  if (!(before & overflow)) flags_ &= ~overflow;
+  return overflows;
+}
+
+PinDrive Timer::drive(int channel) const {
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  const uint8_t how = connection(channel);
+  if (prescaler_ == 0) return drive;
+  const bool toggles = how == 1;
+  if (toggles) {
+    drive.pwm = true;
+    drive.duty = 0.5;
+    drive.tone_hz =
+        static_cast<uint32_t>(kClockHz / (2 * prescaler_ * (dual_ ? top_ > 0 ? top_ : 1 : top_ + 1)));
+    return drive;
+  }
+  if (kind_ != Kind::pwm) {
+    drive.level = how == 3;
+    drive.duty = drive.level ? 1.0 : 0.0;
+    return drive;
+  }
+  // Fast PWM is high for OCR + 1 of TOP + 1 ticks, phase correct PWM for OCR of TOP.
+  const int64_t value = compare_[channel] < top_ ? compare_[channel] : top_;
+  const double high = dual_ ? (top_ > 0 ? static_cast<double>(value) / static_cast<double>(top_) : 0.0)
+                            : static_cast<double>(value + 1) / static_cast<double>(top_ + 1);
+  drive.pwm = true;
+  drive.duty = how == 3 ? 1.0 - high : high;
+  return drive;
+}
+
+}  // namespace host
+}  // namespace robosim
+
+/// The core's handler of Timer 0's overflow (wiring.c).
+extern "C" void __vector_16() {
+  robosim::host::state.now += robosim::host::cycles(robosim::host::cost::kTimer0Overflow);
+  robosim::host::count_overflows(1);
+}

@@ -1,0 +1,78 @@
+#include "hal/host/tone.h"
+
+#include <Arduino.h>
+
+#include "hal/host/api.h"
+#include "hal/host/ports.h"
+#include "hal/host/timers.h"
+
+namespace host = robosim::host;
+namespace cost = robosim::host::cost;
+using robosim::kNever;
+using robosim::kNoPin;
+using robosim::Pin;
+using robosim::SimTime;
+
+namespace {
+
+Pin sounding = kNoPin;
+SimTime end = kNever;
+
+constexpr int64_t kPrescalers[7] = {1, 8, 32, 64, 128, 256, 1024};
+
+void stop() {
+  // disableTimer(2) of the core: 8-bit phase correct PWM again, as init() sets it.
+  host::timer2.set_control_a(1);
+  host::timer2.set_control_b(4);
+  host::timer2.set_compare(0, 0);
+  const Pin pin = sounding;
+  sounding = kNoPin;
+  end = kNever;
+  host::ports[host::port_of(pin)].output &= static_cast<uint8_t>(~host::mask_of(pin));
+  host::set_tone(pin, 0);
+}
+
+}  // namespace
+
+namespace robosim {
+namespace host {
+
+SimTime tone_end() { return end; }
+
+void sync_tone() {
+  if (state.now >= end) stop();
+}
+
+}  // namespace host
+}  // namespace robosim
+
+void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
+  host::note_call("tone", pin, 2, pin, static_cast<int32_t>(frequency));
+  host::spend(cost::kTone);
+  if (pin >= host::kPortPins || frequency == 0) return;
+  if (sounding != kNoPin && sounding != pin) return;  // the core has one timer for tones
+  int clock = 0;
+  int64_t top = 0;
+  for (;; ++clock) {
+    top = host::kClockHz / frequency / 2 / kPrescalers[clock] - 1;
+    if (top <= 255 || clock == 6) break;
+  }
+  top = (top < 0 ? 0 : top) & 0xFF;
+  sounding = pin;
+  host::timer2.set_control_a(2);  // clear on match, pins 3 and 11 disconnected
+  host::timer2.set_control_b(static_cast<uint8_t>(clock + 1));
+  host::timer2.set_compare(0, static_cast<uint16_t>(top));
+  host::ports[host::port_of(pin)].direction |= host::mask_of(pin);
+  const int64_t period = 2 * kPrescalers[clock] * (top + 1);
+  host::set_tone(pin, static_cast<uint32_t>((host::kClockHz + period / 2) / period));
+  const uint64_t toggles = 2 * static_cast<uint64_t>(frequency) * duration / 1000;
+  end = duration > 0 ? host::state.now + host::cycles(static_cast<int64_t>(toggles) * period / 2) : kNever;
+  host::refresh_deadline();
+}
+
+void noTone(uint8_t pin) {
+  host::note_call("noTone", pin, 1, pin);
+  host::spend(cost::kNoTone);
+  if (sounding == pin) stop();
+  host::refresh_deadline();
+}

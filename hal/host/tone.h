@@ -1,0 +1,15 @@
+// tone(): Timer 2 toggles one pin. As in the AVR core it takes Timer 2 from analogWrite on pins 3 and 11.
+#pragma once
+
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+/// When the tone that sounds ends; kNever if none does, or it has no end.
+SimTime tone_end();
+/// Ends it if its time has come.
+void sync_tone();
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,95 @@
+#include "hal/host/uart.h"
+
+#include "hal/host/clock.h"
+
+namespace robosim {
+namespace host {
+
+Uart uart;
+
+void Uart::refresh() {
+  const int data_bits = 5 + (format_ >> 1 & 3);
+  const int parity_bits = format_ & 0x20 ? 1 : 0;
+  const int stop_bits = format_ & 0x08 ? 2 : 1;
+  const int bits = 1 + data_bits + parity_bits + stop_bits;
+  byte_time_ = cycles(static_cast<int64_t>(bits) * (double_speed_ ? 8 : 16) * (divider_ + 1));
+  executor->listen(control_ & kRxen ? byte_time_ : 0, state.now);
+}
+
+uint8_t Uart::status() const {
+  uint8_t value = double_speed_ ? kU2x : 0;
+  if (waiting_ > 0) value |= kRxc;
+  if (overrun_) value |= kDor;
+  if (sending() <= 1) value |= kUdre;
+  if (!sent_seen_ && sending() == 0) value |= kTxc;
+  return value;
+}
+
+void Uart::set_status(uint8_t value) {
+  if (value & kTxc && sending() == 0) sent_seen_ = true;
+  const bool double_speed = value & kU2x;
+  if (double_speed == double_speed_) return;
+  double_speed_ = double_speed;
+  refresh();
+}
+
+void Uart::set_control(uint8_t value) {
+  control_ = value;
+  if (!(value & kRxen)) waiting_ = 0;
+  refresh();
+}
+
+void Uart::set_format(uint8_t value) {
+  format_ = value;
+  refresh();
+}
+
+void Uart::set_divider(uint16_t value) {
+  divider_ = value & 0xFFF;
+  refresh();
+}
+
+int64_t Uart::sending() const {
+  return sent_ > state.now && byte_time_ > 0 ? (sent_ - state.now + byte_time_ - 1) / byte_time_ : 0;
+}
+
+void Uart::send(uint8_t byte) {
+  if (!(control_ & kTxen)) return;
+  sent_ = (sent_ > state.now ? sent_ : state.now) + byte_time_;
+  sent_seen_ = false;
+  board->send_byte(byte, state.now);
+}
+
+void Uart::receive(uint8_t byte) {
+  if (!(control_ & kRxen)) return;
+  if (waiting_ == 2) {
+    overrun_ = true;
+  } else {
+    received_[waiting_++] = byte;
+  }
+}
+
+uint8_t Uart::take() {
+  if (waiting_ == 0) return 0;
+  const uint8_t byte = received_[0];
+  received_[0] = received_[1];
+  --waiting_;
+  overrun_ = false;
+  return byte;
+}
+
+uint32_t Uart::pending() const {
+  const uint8_t raised = status() & control_;  // the enable bits stand where the flags do
+  return static_cast<uint32_t>((raised & kRxc) != 0) << 18 |
+         static_cast<uint32_t>((raised & kUdre) != 0) << 19 |
+         static_cast<uint32_t>((raised & kTxc) != 0) << 20;
+}
+
+SimTime Uart::next() const {
+  if (control_ & kUdrie) return sending() <= 1 ? state.now : sent_ - byte_time_;
+  if (control_ & kTxcie && !sent_seen_) return sent_;
+  return kNever;
+}
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,65 @@
+// The UART (datasheet, chapter 19): a transmitter with a data register before its shift register, and a
+// receiver with room for two bytes; a third is lost.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+/// Bits of UCSR0A and UCSR0B.
+enum : uint8_t { kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02 };
+enum : uint8_t { kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20, kRxen = 0x10, kTxen = 0x08 };
+
+class Uart {
+ public:
+  uint8_t status() const;
+  void set_status(uint8_t value);
+  uint8_t control() const { return control_; }
+  void set_control(uint8_t value);
+  uint8_t format() const { return format_; }
+  void set_format(uint8_t value);
+  uint16_t divider() const { return divider_; }
+  void set_divider(uint16_t value);
+
+  /// How long a byte takes on the line: start, data, parity and stop bits.
+  SimTime byte_time() const { return byte_time_; }
+  /// Bytes handed over that have not left completely.
+  int64_t sending() const;
+  /// When at most `count` of them will be left.
+  SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
+  /// Hands a byte over, whatever room there is: who wants the chip's limits asks sending() before.
+  void send(uint8_t byte);
+
+  /// A byte has arrived.
+  void receive(uint8_t byte);
+  /// Takes the oldest byte from the receiver (UDR0); 0 if there is none.
+  uint8_t take();
+  bool has_byte() const { return waiting_ > 0; }
+
+  /// Vectors 18..20 that are raised and enabled, one bit each.
+  uint32_t pending() const;
+  SimTime next() const;
+  void acknowledge_sent() { sent_seen_ = true; }
+
+ private:
+  void refresh();
+
+  uint8_t control_ = 0, format_ = 0x06;
+  bool double_speed_ = false, overrun_ = false;
+  bool sent_seen_ = true;  ///< TXC has been cleared since the last byte left
+  uint16_t divider_ = 0;
+  SimTime byte_time_ = 0;
+  SimTime sent_ = 0;  ///< when the last byte has left
+  uint8_t received_[2] = {0, 0};
+  int waiting_ = 0;
+};
+
+extern Uart uart;
+/// At a reset: also empties the buffers of Serial.
+void reset_uart();
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,43 @@
+// The host target: firmware as a shared object, on its own fiber, in virtual time (hal/host).
+//
+// A fault of the firmware (a signal on its fiber) abandons the fiber and becomes a Crash. For that, handlers
+// of SIGSEGV, SIGBUS, SIGILL and SIGFPE are installed at power-on; a signal that is not the firmware's goes
+// to whoever handled it before.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "hal/board/board_spec.h"
+#include "sim/executors/board_state.h"
+#include "sim/executors/executor.h"
+
+namespace robosim::executors {
+
+class HostExecutor final : public Executor {
+ public:
+  /// `image` as robosim_sketch builds it; it is read at every power_on().
+  HostExecutor(const BoardSpec& spec, std::filesystem::path image);
+  ~HostExecutor() override;
+
+  Board& board() override { return board_; }
+  /// Throws InputError if the image cannot be loaded.
+  void power_on(SimTime t) override;
+  void power_off(SimTime t) override;
+  void run_until(SimTime t) override;
+  const std::optional<Crash>& crash() const override { return crash_; }
+  Activity activity() override;
+  SimTime last_call() const override;
+
+ private:
+  class Instance;
+
+  BoardState board_;
+  std::filesystem::path image_;
+  std::unique_ptr<Instance> instance_;
+  std::optional<Crash> crash_;
+  SimTime reached_ = 0;  ///< until when firmware has run
+};
+
+}  // namespace robosim::executors
