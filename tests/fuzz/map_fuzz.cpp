@@ -1,0 +1,80 @@
+// Whatever bytes a map file holds: it is refused with a place, or it is a map that can be written, read back,
+// walked and given geometry.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "sim/base/error.h"
+#include "sim/grid/map.h"
+#include "sim/grid/map_parser.h"
+#include "sim/grid/map_writer.h"
+#include "sim/grid/network.h"
+#include "sim/grid/picture.h"
+#include "sim/grid/stripes.h"
+
+namespace {
+
+using namespace robosim;
+using namespace robosim::grid;
+
+// Not assert(): it must hold in every kind of build.
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+std::string outcome(std::string_view text, std::size_t piece) {
+  try {
+    MapParser parser("fuzz.map", text.size());
+    for (std::size_t i = 0; i < text.size(); i += piece) parser.feed(text.substr(i, piece));
+    return write_map(parser.finish());
+  } catch (const InputError& error) {
+    require(error.place().file == "fuzz.map", "errors name the file");
+    require(!error.message().empty(), "errors say something");
+    return error.what();
+  }
+}
+
+void use(const Map& map) {
+  require(map.cells.size() == static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+          "cells");
+  Start start;
+  try {
+    start = default_start(map);
+  } catch (const InputError&) {
+    return;  // no line
+  }
+  const Network network = trace_network(map, start);
+  require(!draw(map, network, start, {80, 40, false}).empty(), "a picture");
+  if (map.cells.size() > 4096 || map.cell_m < 0.01) return;  // geometry takes time in proportion
+  const Stripes stripes(map, 0.1);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const CellAt cell = map.cell_at(i);
+    if (!is_line(map.at(cell))) continue;
+    double nearest = 1e9;
+    for (const Stripe& stripe : stripes.all())
+      nearest = std::min(nearest, distance(stripe, stripes.point_of(cell)));
+    require(nearest < 1e-6, "every line cell stands for a point of the line");
+    if (i > 64) break;
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const std::size_t piece = size ? 1 + data[size / 2] % 61u : 1;
+  const std::string whole = outcome(text, size + 1);
+  require(outcome(text, piece) == whole, "a map is the same in whatever pieces it arrives");
+  try {
+    const Map map = parse_map(text, "fuzz.map");
+    require(write_map(parse_map(write_map(map), "fuzz.map")) == write_map(map), "a written map is read back");
+    use(map);
+  } catch (const InputError& error) {
+    require(whole == error.what(), "reading and parsing agree");
+  }
+  return 0;
+}
