@@ -274,9 +274,7 @@ class Build {
   }
 
   void add_message(const std::string& message) {
-    if (message.empty()) return;
-    if (!messages_.empty()) messages_ += '\n';
-    messages_ += message;
+    if (!message.empty()) messages_ += message + '\n';
   }
 
   /// True if the compilation failed for a header whose library has now been added.

@@ -35,7 +35,7 @@ struct Image {
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of those that were compiled in
-  std::string messages;                ///< the compiler's warnings; empty where there were none
+  std::string messages;                ///< the compiler's warnings, lines; empty where there were none
   std::uint64_t text_bytes = 0;  ///< code and constants of sketch, libraries, core and hal, for this machine
   std::uint64_t data_bytes = 0;  ///< variables
   bool from_cache = false;
