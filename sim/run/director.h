@@ -1,0 +1,59 @@
+// Plays a scenario: fires each step when it is due, and undoes what has a duration.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/executors/executor.h"
+#include "sim/grid/map.h"
+#include "sim/robot/robot.h"
+#include "sim/run/goal.h"
+#include "sim/run/scenario.h"
+#include "sim/world/world.h"
+
+namespace robosim::run {
+
+/// What a scenario may touch.
+struct Stage {
+  const grid::Map& map;
+  const grid::Stripes& stripes;
+  robot::Robot& robot;
+  world::Body& body;
+  executors::Executor& executor;
+};
+
+class Director {
+ public:
+  /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist.
+  Director(std::vector<Step> steps, const Stage& stage, const Progress& progress);
+
+  /// Carries out what is due at `t`, the beginning of a tick; each deed is appended to `notes`.
+  void act(SimTime t, const Progress& progress, std::vector<std::string>& notes);
+  /// The firmware has sent a byte.
+  void hear(std::uint8_t byte);
+  bool powered() const { return powered_; }
+
+ private:
+  struct Pending {
+    Step step;
+    bool heard = false;  ///< the serial text it waits for has come
+  };
+  struct Undo {
+    SimTime at;
+    Action action;
+  };
+
+  bool due(const Pending& pending, SimTime t, const Progress& progress) const;
+  void perform(const Action& action, SimTime t, bool undo);
+  void check(const Step& step, const Progress& progress) const;
+
+  Stage stage_;
+  std::vector<Pending> pending_;
+  std::vector<Undo> undo_;
+  std::string heard_;
+  std::size_t longest_text_ = 0;
+  bool powered_ = true;
+};
+
+}  // namespace robosim::run

@@ -1,0 +1,135 @@
+#include "sim/run/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace robosim::run {
+namespace {
+
+std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
+
+std::string place_of(const executors::SourceLine& where) {
+  if (where.file.empty()) return "";
+  std::string text = where.function.empty() ? " at " : fmt::format(" in {}, ", where.function);
+  text += where.file;
+  if (where.line > 0) text += fmt::format(":{}", where.line);
+  return text;
+}
+
+std::string pin_name(Pin pin, const std::vector<robot::WiredPin>& wiring) {
+  for (const robot::WiredPin& wired : wiring)
+    if (wired.pin == pin) return fmt::format("pin {} ({} \"{}\")", pin, wired.type, wired.part);
+  return fmt::format("pin {} (nothing is wired to it)", pin);
+}
+
+// "; the sketch waits in digitalRead(2) …" where the last call looks like waiting for an input.
+std::string waiting(const Evidence& e) {
+  const executors::Activity& a = e.activity;
+  if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
+  if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
+  const bool reads = a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
+  if (!reads || a.pin == kNoPin)
+    return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
+  return fmt::format("; the sketch was reading {} with {}{}, and found it {}", pin_name(a.pin, e.wiring),
+                     a.call, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
+}
+
+std::string cell_of(const grid::Map& map, Vec2 p) {
+  const int column = static_cast<int>(std::floor(p.x / map.cell_m));
+  const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
+  return fmt::format("column {}, row {}", column, row);
+}
+
+std::string list_of_pins(const std::vector<int>& pins) {
+  std::string text;
+  for (std::size_t i = 0; i < pins.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == pins.size() ? " and " : ", ") + std::to_string(pins[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string explain(const Evidence& e) {
+  const std::string done = e.progress->summary();
+  switch (e.verdict) {
+    case Verdict::reached:
+      return e.goal->kind == Goal::Kind::none
+                 ? fmt::format("{} of simulated time went by without a failure.", seconds(e.t))
+                 : fmt::format("The goal {} was reached after {}: {}.", to_string(*e.goal), seconds(e.t),
+                               done);
+    case Verdict::lost:
+      return fmt::format(
+          "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near {} "
+          "({}).",
+          seconds(e.judge->line_last_seen()), cell_of(*e.map, e.judge->line_last_seen_at()), done);
+    case Verdict::stuck:
+      return fmt::format(
+          "The robot is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
+          "degree{} ({}).",
+          e.in_contact ? "; it pushes against a wall or the map's edge" : "", done);
+    case Verdict::hung:
+      if (!e.activity.stopped_by.empty())
+        return fmt::format("The sketch stopped itself by {}{} while the motors were running ({}).",
+                           e.activity.stopped_by, place_of(e.activity.where), done);
+      return fmt::format(
+          "The sketch hangs{}: for 2 s it called no Arduino function while the motors were running ({}).",
+          place_of(e.activity.where), done);
+    case Verdict::ended:
+      if (!e.activity.stopped_by.empty())
+        return fmt::format("The sketch stopped itself by {}{} with the motors off, before the goal: {}.",
+                           e.activity.stopped_by, place_of(e.activity.where), done);
+      return fmt::format(
+          "The sketch ended{}: for 2 s it called no Arduino function, with the motors off, before the goal: "
+          "{}.",
+          place_of(e.activity.where), done);
+    case Verdict::crashed:
+      return fmt::format("The sketch crashed: {}{}.", e.crash ? e.crash->reason : "for an unknown reason",
+                         e.crash ? place_of(e.crash->where) : "");
+    case Verdict::timeout:
+      return fmt::format("The {} of simulated time are up before the goal {}: {}{}.", seconds(e.limit),
+                         to_string(*e.goal), done, waiting(e));
+    case Verdict::over_budget:
+      return fmt::format("A budget of the robot file was exceeded ({}).", done);
+    case Verdict::interrupted:
+      return fmt::format("Interrupted by you after {} of simulated time ({}).", seconds(e.t), done);
+  }
+  return "";
+}
+
+std::string next_step(const Evidence& e) {
+  if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";
+  if (e.moved) {
+    if (e.verdict == Verdict::lost)
+      return "watch it with --view --speed 0.2, or record what the sensors saw with --record run.csv";
+    return "";
+  }
+  std::vector<int> low, never_output;
+  for (const robot::WiredPin& wired : e.wiring) {
+    if (wired.type != "motor" && wired.type != "motors") continue;
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    if (pin >= e.went_high.size() || e.went_high[pin]) continue;
+    auto& list = e.was_output[pin] ? low : never_output;
+    if (std::find(list.begin(), list.end(), wired.pin) == list.end()) list.push_back(wired.pin);
+  }
+  std::string text = "the robot never moved";
+  if (!low.empty())
+    text += fmt::format("; motor pin{} {} stayed LOW", low.size() > 1 ? "s" : "", list_of_pins(low));
+  if (!never_output.empty())
+    text += fmt::format("; motor pin{} {} {} never set to OUTPUT", never_output.size() > 1 ? "s" : "",
+                        list_of_pins(never_output), never_output.size() > 1 ? "were" : "was");
+  if (low.empty() && never_output.empty())
+    text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
+  const bool reads = e.activity.pin != kNoPin && e.activity.call.rfind("digitalRead", 0) == 0;
+  if (reads) {
+    text += fmt::format("; the sketch reads {}, which is {}", pin_name(e.activity.pin, e.wiring),
+                        e.pin_level ? "HIGH" : "LOW");
+    for (const robot::WiredPin& wired : e.wiring)
+      if (wired.pin == e.activity.pin && wired.type == "button")
+        text += fmt::format(": press it with --script and the line: at 1s press {}", wired.part);
+  }
+  return text;
+}
+
+}  // namespace robosim::run

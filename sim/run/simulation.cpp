@@ -1,0 +1,239 @@
+#include "sim/run/simulation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+
+#include "hal/board/board_spec.h"
+#include "sim/robot/describe.h"
+#include "sim/run/director.h"
+#include "sim/run/explain.h"
+#include "sim/run/judge.h"
+#include "sim/trace/trace_hash.h"
+#include "sim/world/world.h"
+
+namespace robosim::run {
+namespace {
+
+constexpr double kTickSeconds = static_cast<double>(kTick) * 1e-9;
+constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
+constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
+constexpr std::size_t kEventsKept = 8;
+
+/// Everything of one run. Built in the order in which things depend on each other.
+class Simulation final : PinWatcher, SerialWatcher {
+ public:
+  Simulation(const Setup& setup, Listener& listener);
+  Outcome run();
+
+ private:
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
+  void byte_sent(std::uint8_t byte, SimTime t) override;
+
+  std::optional<Verdict> tick(SimTime t);
+  void observe(SimTime end);
+  void note(SimTime t);
+  void sample(SimTime t);
+  Outcome finish(Verdict verdict, SimTime t);
+  Evidence evidence(Verdict verdict, SimTime t);
+
+  const Setup& setup_;
+  Listener& listener_;
+  const grid::Map& map_;
+  grid::Start start_;
+  grid::Network network_;
+  grid::Stripes stripes_;
+  Goal goal_;
+  Progress progress_;
+  world::World world_;
+  world::Body& body_;
+  Board& board_;
+  robot::Robot robot_;
+  Director director_;
+  Judge judge_;
+  trace::TraceHash hash_;
+
+  Vec2 sensor_midpoint_;
+  double wheel_travel_ = 0.0;
+  double cross_track_ = 0.0;
+  double cross_track_squares_ = 0.0;
+  double cross_track_max_ = 0.0;
+  std::int64_t cross_track_ticks_ = 0;
+  std::int64_t off_line_ticks_ = 0;
+  bool sees_line_ = true;
+  int collisions_noted_ = 0;
+  std::vector<std::string> notes_;
+  std::deque<Event> events_;
+  std::string serial_;
+  std::vector<bool> went_high_ = std::vector<bool>(kMaxPins);
+  std::vector<bool> was_output_ = std::vector<bool>(kMaxPins);
+};
+
+grid::Stripes stripes_of(const grid::Map& map) { return grid::Stripes(map, map.cell_m); }
+
+Simulation::Simulation(const Setup& setup, Listener& listener)
+    : setup_(setup),
+      listener_(listener),
+      map_(*setup.map),
+      start_(setup.start ? *setup.start : grid::default_start(map_)),
+      network_(grid::trace_network(map_, start_)),
+      stripes_(stripes_of(map_)),
+      goal_(setup.goal ? *setup.goal : default_goal(map_, network_)),
+      progress_(goal_, map_, stripes_, network_, start_),
+      world_(map_),
+      body_(world_.body(world_.add_body(robot::body_params(*setup.robot, setup.seed, setup.profile),
+                                        {stripes_.point_of(start_.cell), grid::heading(start_.facing)}))),
+      board_(setup.executor->board()),
+      robot_(*setup.robot, world_, 0, board_, setup.seed, setup.profile),
+      director_(setup.scenario, {map_, stripes_, robot_, body_, *setup.executor}, progress_),
+      judge_(robot_.has_line_sensors()),
+      sensor_midpoint_(robot_.sensor_midpoint()) {
+  for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
+  board_.watch_serial(*this);
+}
+
+void Simulation::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  hash_.pin(pin, drive, t);
+  if (drive.mode == PinMode::output) {
+    was_output_[pin] = true;
+    if (drive.duty > 0.0) went_high_[pin] = true;
+  }
+  listener_.pin_changed(pin, drive, t);
+}
+
+void Simulation::byte_sent(std::uint8_t byte, SimTime t) {
+  hash_.serial(byte, t);
+  if (serial_.size() < kSerialKept) serial_ += static_cast<char>(byte);
+  director_.hear(byte);
+  listener_.byte_sent(byte, t);
+}
+
+void Simulation::note(SimTime t) {
+  for (std::string& text : notes_) {
+    events_.push_back({t, std::move(text)});
+    listener_.noted(events_.back());
+    if (events_.size() > kEventsKept) events_.pop_front();
+  }
+  notes_.clear();
+}
+
+void Simulation::observe(SimTime end) {
+  for (const world::Side side : {world::left, world::right})
+    wheel_travel_ +=
+        0.5 * kTickSeconds * body_.params().wheel[side].radius_m * std::abs(body_.wheel_rate(side));
+  cross_track_ = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
+  if (end > kSettling) {
+    cross_track_squares_ += cross_track_ * cross_track_;
+    if (cross_track_ > cross_track_max_) cross_track_max_ = cross_track_;
+    ++cross_track_ticks_;
+  }
+  if (end / kTick % kLookEvery == 0) sees_line_ = robot_.sees_line();
+  if (!sees_line_) ++off_line_ticks_;
+  if (body_.collisions() > collisions_noted_) {
+    collisions_noted_ = body_.collisions();
+    notes_.push_back("collision with a wall, an obstacle or the map's edge");
+  }
+}
+
+void Simulation::sample(SimTime t) {
+  Sample sample{t, body_.pose(), body_.speed(), cross_track_, robot_.left_command(), robot_.right_command(),
+                {}};
+  for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
+  listener_.sampled(sample);
+}
+
+std::optional<Verdict> Simulation::tick(SimTime t) {
+  const SimTime end = t + kTick;
+  executors::Executor& executor = *setup_.executor;
+  director_.act(t, progress_, notes_);
+  robot_.begin_tick(t);
+  executor.run_until(end);
+  robot_.end_tick(end);
+  world_.step();
+  hash_.pose(body_.pose());
+
+  progress_.update(body_, end, notes_);
+  observe(end);
+  if (!notes_.empty()) note(end);
+  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) sample(end);
+
+  if (progress_.reached()) return Verdict::reached;
+  if (executor.crash()) return Verdict::crashed;
+  Situation now{end,
+                &body_.pose(),
+                wheel_travel_,
+                sees_line_,
+                robot_.driven(),
+                director_.powered(),
+                director_.powered() ? executor.last_call() : end};
+  return judge_.look(now);
+}
+
+Outcome Simulation::run() {
+  Beginning beginning{start_, goal_, network_.stations, {}};
+  for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
+  listener_.began(beginning);
+  setup_.executor->power_on(0);
+  if (setup_.samples_every > 0) sample(0);
+  for (SimTime t = 0; t < setup_.limit; t += kTick) {
+    if (const auto verdict = tick(t)) return finish(*verdict, t + kTick);
+    if (setup_.interrupted && setup_.interrupted->load(std::memory_order_relaxed))
+      return finish(Verdict::interrupted, t + kTick);
+  }
+  return finish(goal_.kind == Goal::Kind::none ? Verdict::reached : Verdict::timeout, setup_.limit);
+}
+
+Evidence Simulation::evidence(Verdict verdict, SimTime t) {
+  Evidence e;
+  e.verdict = verdict;
+  e.t = t;
+  e.limit = setup_.limit;
+  e.map = &map_;
+  e.goal = &goal_;
+  e.progress = &progress_;
+  e.judge = &judge_;
+  e.crash = setup_.executor->crash();
+  e.wiring = robot_.wiring();
+  e.went_high = went_high_;
+  e.was_output = was_output_;
+  e.in_contact = body_.in_contact();
+  e.moved = wheel_travel_ > 0.0;
+  if (verdict != Verdict::reached) e.activity = setup_.executor->activity();
+  if (e.activity.pin != kNoPin) e.pin_level = board_.read_level(e.activity.pin, t);
+  return e;
+}
+
+Outcome Simulation::finish(Verdict verdict, SimTime t) {
+  const Evidence e = evidence(verdict, t);
+  Outcome outcome;
+  outcome.verdict = verdict;
+  outcome.why = explain(e);
+  outcome.next = next_step(e);
+  outcome.goal = goal_;
+  outcome.time = t;
+  outcome.crash = e.crash;
+  outcome.events.assign(events_.begin(), events_.end());
+  outcome.serial = std::move(serial_);
+  outcome.trace_hash = hash_.text();
+
+  Metrics& m = outcome.metrics;
+  m.distance_m = body_.distance();
+  m.laps_s = progress_.laps_s();
+  if (cross_track_ticks_ > 0)
+    m.cross_track_rms_mm = 1e3 * std::sqrt(cross_track_squares_ / static_cast<double>(cross_track_ticks_));
+  m.cross_track_max_mm = 1e3 * cross_track_max_;
+  m.off_line_s = 1e-9 * static_cast<double>(off_line_ticks_ * kTick);
+  m.collisions = body_.collisions();
+  m.energy_j = body_.energy();
+  for (const int i : progress_.visited())
+    m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
+  m.junctions = progress_.junctions_visited();
+  return outcome;
+}
+
+}  // namespace
+
+Outcome simulate(const Setup& setup, Listener& listener) { return Simulation(setup, listener).run(); }
+
+}  // namespace robosim::run

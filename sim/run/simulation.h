@@ -1,0 +1,75 @@
+// A simulation: the one place where firmware and world are kept in step.
+//
+// A tick is [t, t+1 ms):
+//   1. what the scenario does from outside at t; parts schedule their pin edges from the state at t;
+//   2. firmware runs to t+1 ms; what it reads inside the tick is extrapolated from the state at t;
+//   3. each motor's command becomes the time average of its pins over the tick;
+//   4. the world integrates to t+1 ms; then goal and judge look at it.
+// The same for every executor. Nothing here depends on wall time, threads or what is listened to.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/executors/executor.h"
+#include "sim/grid/map.h"
+#include "sim/robot/robot.h"
+#include "sim/run/goal.h"
+#include "sim/run/outcome.h"
+#include "sim/run/scenario.h"
+
+namespace robosim::run {
+
+constexpr SimTime kDefaultLimit = 600 * kSecond;
+
+struct Setup {
+  const grid::Map* map = nullptr;
+  std::optional<grid::Start> start;  ///< else the map's
+  const robot::Description* robot = nullptr;
+  executors::Executor* executor = nullptr;
+  std::optional<Goal> goal;       ///< else the map's
+  SimTime limit = kDefaultLimit;  ///< simulated
+  std::uint64_t seed = 1;
+  robot::Profile profile = robot::Profile::typical;
+  std::vector<Step> scenario;
+  SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
+  const std::atomic<bool>* interrupted = nullptr;  ///< may be null
+};
+
+/// What was settled before the first tick.
+struct Beginning {
+  grid::Start start;
+  Goal goal;
+  std::vector<grid::Station> stations;
+  std::vector<std::string> readings;  ///< names, in the order of Sample::readings
+};
+
+/// The state at a moment, for people to look at.
+struct Sample {
+  SimTime t = 0;
+  Pose pose;
+  double speed = 0.0;        ///< m/s
+  double cross_track = 0.0;  ///< m
+  double left = 0.0;         ///< motor command, -1..1
+  double right = 0.0;
+  std::vector<double> readings;
+};
+
+/// Listens to a run. Hearing more never changes what happens.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual void began(const Beginning&) {}
+  virtual void sampled(const Sample&) {}
+  virtual void pin_changed(Pin, const PinDrive&, SimTime) {}
+  virtual void byte_sent(std::uint8_t, SimTime) {}
+  virtual void noted(const Event&) {}
+};
+
+/// Runs to the verdict. Throws InputError if the set-up makes no sense (start off the line, unknown parts …).
+Outcome simulate(const Setup& setup, Listener& listener);
+
+}  // namespace robosim::run

@@ -1,0 +1,93 @@
+#include "sim/runner/answers.h"
+
+namespace robosim::runner {
+namespace {
+
+double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
+double millimetres(double metres) { return metres * 1e3; }
+
+Json point(Vec2 p) { return Json::array({millimetres(p.x), millimetres(p.y)}); }
+
+Json metrics(const run::Metrics& m) {
+  return {{"distance_m", m.distance_m},
+          {"laps_s", m.laps_s},
+          {"cross_track_rms_mm", m.cross_track_rms_mm},
+          {"cross_track_max_mm", m.cross_track_max_mm},
+          {"off_line_s", m.off_line_s},
+          {"collisions", m.collisions},
+          {"energy_j", m.energy_j},
+          {"stations", m.stations},
+          {"junctions", m.junctions}};
+}
+
+}  // namespace
+
+Json to_json(const run::Beginning& beginning) {
+  Json stations = Json::array();
+  for (const grid::Station& s : beginning.stations)
+    stations.push_back({{"id", s.id}, {"name", s.name}, {"x", s.cell.x}, {"y", s.cell.y}});
+  const grid::Start& start = beginning.start;
+  return {{"start", Json::array({start.cell.x, start.cell.y, std::string(1, grid::letter(start.facing))})},
+          {"goal", run::to_string(beginning.goal)},
+          {"stations", std::move(stations)},
+          {"readings", beginning.readings}};
+}
+
+Json to_json(const run::Sample& s) {
+  return {{"t_us", s.t / kMicrosecond},
+          {"x", millimetres(s.pose.position.x)},
+          {"y", millimetres(s.pose.position.y)},
+          {"yaw", s.pose.yaw()},
+          {"speed_mm_s", millimetres(s.speed)},
+          {"cross_track", millimetres(s.cross_track)},
+          {"left", s.left},
+          {"right", s.right},
+          {"readings", s.readings}};
+}
+
+Json to_json(const run::Outcome& outcome) {
+  Json json = {{"verdict", run::to_string(outcome.verdict)},
+               {"why", outcome.why},
+               {"next", outcome.next},
+               {"status", static_cast<int>(run::exit_status(outcome.verdict))},
+               {"time_s", seconds(outcome.time)},
+               {"metrics", metrics(outcome.metrics)}};
+  if (outcome.crash) {
+    const executors::SourceLine& where = outcome.crash->where;
+    json["crash"] = {{"reason", outcome.crash->reason},
+                     {"function", where.function},
+                     {"file", where.file},
+                     {"line", where.line}};
+  }
+  Json events = Json::array();
+  for (const run::Event& event : outcome.events)
+    events.push_back({{"t_s", seconds(event.t)}, {"text", event.text}});
+  json["events"] = std::move(events);
+  json["serial"] = outcome.serial;
+  json["trace_hash"] = outcome.trace_hash;
+  return json;
+}
+
+Json to_json(const robot::Summary& robot) {
+  Json outline = Json::array(), sensors = Json::array(), parts = Json::array();
+  for (const Vec2 corner : robot.outline) outline.push_back(point(corner));
+  for (const robot::SensorPlace& s : robot.sensors)
+    sensors.push_back({{"name", s.name}, {"x", millimetres(s.at.x)}, {"y", millimetres(s.at.y)}});
+  for (const auto& part : robot.parts) {
+    Json pins = Json::object();
+    for (const auto& [role, pin] : part.pins) pins[role] = pin;
+    parts.push_back({{"name", part.name}, {"type", part.type}, {"pins", std::move(pins)}});
+  }
+  return {
+      {"name", robot.name},
+      {"file", robot.file},
+      {"sha256", robot.sha256},
+      {"board", {{"name", robot.board->name}, {"fqbn", robot.board->fqbn}, {"macro", robot.board->macro}}},
+      {"outline", std::move(outline)},
+      {"sensors", std::move(sensors)},
+      {"parts", std::move(parts)}};
+}
+
+std::string to_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace robosim::runner

@@ -1,0 +1,27 @@
+// Requests of the runner protocol, read and checked.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "hal/board/sim_time.h"
+#include "sim/robot/robot.h"
+
+namespace robosim::runner {
+
+struct RunRequest {
+  std::string image, map, robot, start, goal;  ///< start and goal: empty = the map's
+  SimTime limit = 0;
+  std::uint64_t seed = 1;
+  robot::Profile profile = robot::Profile::typical;
+  std::string script;
+  std::string script_file = "script";
+  SimTime samples_every = 0;
+  bool stream_pins = false, stream_serial = false, stream_notes = false;
+};
+
+/// Throws InputError for unknown keys and values of the wrong kind.
+RunRequest parse_run_request(const nlohmann::json& json);
+
+}  // namespace robosim::runner

@@ -1,0 +1,225 @@
+#include "sim/runner/session.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iostream>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/robot/description.h"
+#include "sim/runner/answers.h"
+#include "sim/runner/request.h"
+
+namespace robosim::runner {
+namespace {
+
+constexpr int kProtocol = 1;
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
+
+void write_line(const Json& json) {
+  const std::string line = to_line(json) + "\n";
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t n = ::write(STDOUT_FILENO, line.data() + done, line.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) ::_exit(0);  // the client has gone
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+Json with_id(const nlohmann::json& id) {
+  Json answer;
+  answer["id"] = id;
+  return answer;
+}
+
+void answer_error(const nlohmann::json& id, const char* kind, const std::string& message) {
+  Json answer = with_id(id);
+  answer["error"] = {{"kind", kind}, {"message", message}};
+  write_line(answer);
+}
+
+// Turns what a run tells into protocol events.
+class Narrator final : public run::Listener {
+ public:
+  Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board)
+      : id_(std::move(id)), request_(request), board_(board) {}
+
+  void began(const run::Beginning& beginning) override { send("started", to_json(beginning)); }
+  void sampled(const run::Sample& s) override { send("sample", to_json(s)); }
+  void noted(const run::Event& event) override {
+    if (request_.stream_notes) send("note", {{"t_ns", event.t}, {"text", event.text}});
+  }
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
+    static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
+    if (!request_.stream_pins) return;
+    send("pin", {{"t_ns", t},
+                 {"pin", board_.pins[pin].name},
+                 {"mode", kModes[static_cast<int>(drive.mode)]},
+                 {"level", drive.level},
+                 {"pwm", drive.pwm},
+                 {"duty", drive.duty}});
+  }
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    if (!request_.stream_serial) return;
+    line_ += static_cast<char>(byte);
+    if (byte == '\n' || line_.size() >= 256) flush_serial(t);
+  }
+  void flush_serial(SimTime t) {
+    if (!line_.empty()) send("serial", {{"t_ns", t}, {"text", line_}});
+    line_.clear();
+  }
+
+ private:
+  void send(const char* event, Json body) {
+    Json line = with_id(id_);
+    line["event"] = event;
+    line.update(body);
+    write_line(line);
+  }
+
+  nlohmann::json id_;
+  const RunRequest& request_;
+  const BoardSpec& board_;
+  std::string line_;
+};
+
+// The outcome, together with what it rests on.
+Json result_of(const run::Outcome& outcome, const RunRequest& request, const robot::Description& robot) {
+  Json result = to_json(outcome);
+  result["goal"] = run::to_string(outcome.goal);
+  result["for_s"] = static_cast<double>(request.limit) * 1e-9;
+  result["seed"] = request.seed;
+  result["profile"] = request.profile == robot::Profile::ideal ? "ideal" : "typical";
+  result["map_sha256"] = sha256_of_file(request.map);
+  result["robot_sha256"] = robot.sha256;
+  result["image_sha256"] = sha256_of_file(request.image);
+  return result;
+}
+
+void run_request(const Target& target, const RunRequest& request, const nlohmann::json& id, Json& answer) {
+  const grid::Map map = grid::read_map(request.map);
+  const robot::Description robot = robot::load_description(request.robot);
+  const std::unique_ptr<executors::Executor> executor = target.make_executor(*robot.board, request.image);
+
+  run::Setup setup;
+  setup.map = &map;
+  setup.robot = &robot;
+  setup.executor = executor.get();
+  if (!request.start.empty()) setup.start = grid::parse_start(map, request.start);
+  if (!request.goal.empty()) setup.goal = run::parse_goal(request.goal);
+  setup.limit = request.limit;
+  setup.seed = request.seed;
+  setup.profile = request.profile;
+  setup.scenario = run::parse_scenario(request.script, request.script_file);
+  setup.samples_every = request.samples_every;
+  setup.interrupted = &interrupted;
+
+  Narrator narrator(id, request, *robot.board);
+  const run::Outcome outcome = run::simulate(setup, narrator);
+  narrator.flush_serial(outcome.time);
+  answer["result"] = result_of(outcome, request, robot);
+}
+
+// In the fork. The process ends here, without the parent's exit handlers.
+[[noreturn]] void run_in_child(const Target& target, const nlohmann::json& json, const nlohmann::json& id) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  ::sigaction(SIGINT, &action, nullptr);
+  try {
+    Json answer = with_id(id);
+    run_request(target, parse_run_request(json), id, answer);
+    write_line(answer);
+  } catch (const InputError& error) {
+    answer_error(id, "input", error.what());
+  } catch (const ToolMissing& error) {
+    answer_error(id, "tool", error.what());
+  } catch (const std::exception& error) {
+    answer_error(id, "internal", error.what());
+  }
+  ::_exit(0);
+}
+
+// Firmware took its process down in a way that no handler could catch.
+void report_death(const nlohmann::json& json, const nlohmann::json& id, int status) {
+  const std::string how = WIFSIGNALED(status)
+                              ? fmt::format("signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)))
+                              : fmt::format("exit status {}", WEXITSTATUS(status));
+  run::Outcome outcome;
+  outcome.verdict = run::Verdict::crashed;
+  outcome.crash = executors::Crash{"the firmware took its process down by " + how, {}};
+  outcome.why = "The sketch crashed: it took its process down by " + how + ".";
+  const RunRequest request = parse_run_request(json);
+  if (!request.goal.empty()) outcome.goal = run::parse_goal(request.goal);
+  Json answer = with_id(id);
+  answer["result"] = result_of(outcome, request, robot::load_description(request.robot));
+  ::write(STDOUT_FILENO, "\n", 1) < 0 ? ::_exit(0) : void();  // ends a line that the child may have begun
+  write_line(answer);
+}
+
+void serve_run(const Target& target, const nlohmann::json& json, const nlohmann::json& id) {
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
+  if (child == 0) run_in_child(target, json, id);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) report_death(json, id, status);
+}
+
+void serve_line(const Target& target, const std::string& line) {
+  nlohmann::json id = nullptr;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    if (!json.is_object()) throw InputError("a request must be one JSON object a line");
+    id = json.value("id", nlohmann::json());
+    if (!id.is_number()) throw InputError("a request needs a number as its \"id\"");
+    const nlohmann::json& what = json.value("do", nlohmann::json());
+    if (what == "run") {
+      serve_run(target, json, id);
+    } else if (what == "describe_robot") {
+      const nlohmann::json name = json.value("robot", nlohmann::json());
+      if (!name.is_string()) throw InputError("describe_robot needs the key \"robot\", a name or a path");
+      Json answer = with_id(id);
+      answer["robot"] = to_json(robot::describe(robot::load_description(name.get<std::string>())));
+      write_line(answer);
+    } else {
+      throw InputError(
+          fmt::format("unknown request {}; known are \"run\" and \"describe_robot\"", what.dump()));
+    }
+  } catch (const InputError& error) {
+    answer_error(id, "input", error.what());
+  } catch (const std::exception& error) {
+    answer_error(id, "internal", error.what());
+  }
+}
+
+}  // namespace
+
+int serve(const Target& target) {
+  std::signal(SIGINT, SIG_IGN);   // meant for the run, not for its server
+  std::signal(SIGPIPE, SIG_IGN);  // a client that has gone is noticed when writing
+  Json hello;
+  hello["hello"] = "robosim-" + target.name;
+  hello["protocol"] = kProtocol;
+  hello["version"] = ROBOSIM_VERSION;
+  hello["target"] = target.name;
+  write_line(hello);
+  for (std::string line; std::getline(std::cin, line);)
+    if (!line.empty()) serve_line(target, line);
+  return static_cast<int>(ExitStatus::ok);
+}
+
+}  // namespace robosim::runner

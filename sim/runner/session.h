@@ -1,0 +1,27 @@
+// A runner's conversation with its client: JSON lines in, JSON lines out (docs/runner-protocol.md).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "sim/executors/executor.h"
+
+namespace robosim {
+struct BoardSpec;
+}
+
+namespace robosim::runner {
+
+/// What makes one runner program different from another.
+struct Target {
+  std::string name;  ///< "host"
+  std::function<std::unique_ptr<executors::Executor>(const BoardSpec&, const std::filesystem::path& image)>
+      make_executor;
+};
+
+/// Serves requests from standard input until it ends. Returns the process's exit status.
+int serve(const Target& target);
+
+}  // namespace robosim::runner

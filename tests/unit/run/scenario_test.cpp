@@ -1,0 +1,63 @@
+#include "sim/run/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::run {
+namespace {
+
+std::string error_of(const char* text) {
+  try {
+    parse_scenario(text, "s.txt");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scenario, ReadsTriggersVerbsTextsAndComments) {
+  const auto steps = parse_scenario(
+      "# a comment\n"
+      "at 2s press start 100ms\n"
+      "\n"
+      "after serial \"Ready # 1\" send \"3\\n\"   # answer\r\n"
+      "after station dock place 2,2,E\n"
+      "at 5s fault S2 stuck 1023",
+      "s.txt");
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_EQ(steps[0].trigger.time, 2 * kSecond);
+  EXPECT_EQ(steps[0].action.part, "start");
+  EXPECT_EQ(*steps[0].action.duration, 100 * kMillisecond);
+  EXPECT_EQ(steps[1].trigger.kind, Trigger::Kind::serial);
+  EXPECT_EQ(steps[1].trigger.text, "Ready # 1");
+  EXPECT_EQ(steps[1].action.text, "3\n");
+  EXPECT_EQ(steps[2].trigger.text, "dock");
+  EXPECT_EQ(steps[2].action.text, "2,2,E");
+  EXPECT_EQ(steps[3].action.arguments, (std::vector<std::string>{"stuck", "1023"}));
+  EXPECT_EQ(to_string(steps[3].place), "s.txt:6");
+}
+
+TEST(Scenario, TakesThePlaceWithASpaceBeforeTheDirection) {
+  EXPECT_EQ(parse_scenario("at 0s place 2,2 E", "s.txt")[0].action.text, "2,2,E");
+}
+
+TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
+  EXPECT_EQ(
+      error_of("at 2s dance\n"),
+      "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, cover, fault or power");
+  EXPECT_EQ(error_of("\nafter lunch press b"),
+            "s.txt:2:7: unknown event \"lunch\"; known are serial and station");
+  EXPECT_EQ(error_of("when 2s press b"),
+            "s.txt:1:1: a line begins with \"at TIME\" or \"after EVENT\", not with \"when\"");
+  EXPECT_THAT(error_of("at 2 press b"),
+              testing::StartsWith("s.txt:1:4: \"2\" is no time; it must be a number with a unit"));
+  EXPECT_EQ(error_of("at 2s press"), "s.txt:1:7: a part's name is missing at the end of the line");
+  EXPECT_EQ(error_of("at 2s release b now"),
+            "s.txt:1:17: \"now\" is too much; the line should end before it");
+  EXPECT_EQ(error_of("at 2s send \"abc"), "s.txt:1:12: a text in double quotes is not closed");
+  EXPECT_THAT(error_of("at 2s send \"\\q\""), testing::HasSubstr("unknown escape \\q"));
+  EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
+}
+
+}  // namespace
+}  // namespace robosim::run
