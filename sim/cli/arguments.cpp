@@ -1,0 +1,268 @@
+#include "sim/cli/arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/units.h"
+#include "sim/cli/names.h"
+
+namespace robosim::cli {
+namespace {
+
+const std::vector<std::string> kCommands{"run", "build", "map", "robot", "test"};
+const std::vector<std::string> kLater{"play", "classic", "compare", "sweep", "flash"};
+
+constexpr const char* kExamples =
+    R"(Robosim runs your Arduino line follower on a simulated robot, and judges it.
+
+  robosim run PidFollower --map oval        a sketch of ours on a map of ours
+  robosim run PidFollower --view            watch it drive
+  robosim run my/Sketch --map my.map        your own sketch, on your own map
+  robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
+  robosim map show d                        look at a map: stations and coordinates
+  robosim run LeftPath --map d --robot uno3 --json     results for a program to read
+
+robosim --help lists the commands, robosim run --help the options.
+)";
+
+constexpr const char* kHelp = R"(robosim COMMAND …
+
+  run [SKETCH]                run a sketch on a robot on a map, and judge it
+  build [SKETCH]              compile a sketch as Arduino would, and say its size
+  map check|show MAP          check a map file; draw it with stations and coordinates
+  robot list|show|check       the robots; the text of one; check a robot file
+  test                        check a sketch automatically (in a checkout: Robosim's own tests)
+
+  robosim COMMAND --help      the options of a command
+  robosim --version           the version
+
+SKETCH is a folder, an .ino file or the name of a sketch of ours; without it, the current folder. A name with / or . in
+it is a path.
+
+Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended or crashed · 2 usage, a bad file, or
+a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
+)";
+
+[[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed) {
+  throw InputError(fmt::format("{}: “{}” is not possible; it must be {}", option, value, allowed));
+}
+
+std::int64_t simulated_time(const std::string& text) {
+  const auto ns = parse_duration_ns(text);
+  if (!ns || *ns <= 0) {
+    refuse_value("--for", text,
+                 "a time above 0 with its unit, as in 60s (" + unit_names(Dimension::time) + ")");
+  }
+  return *ns;
+}
+
+std::uint64_t seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    refuse_value("--seed", text, "a whole number from 0 to 18446744073709551615");
+  }
+  return value;
+}
+
+double view_speed(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || value > 1e6) {
+    refuse_value("--speed", text, "a number such as 2 (twice real time); 0 is as fast as possible");
+  }
+  return value;
+}
+
+void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed) {
+  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
+    refuse_value(option, value, one_of(allowed));
+  }
+}
+
+/// One command's options. All are read as text; what is allowed is then checked here, for one kind of
+/// message.
+class Options {
+ public:
+  Options(const std::string& command, const std::string& what)
+      : command_(command), app_(what, "robosim " + command) {
+    app_.allow_extras();
+    app_.get_formatter()->column_width(28);
+    app_.failure_message([](const CLI::App*, const CLI::Error&) { return std::string(); });
+  }
+
+  void positional(const char* name, std::string& value, const char* what) {
+    app_.add_option(name, value, what)->option_text(" ");
+  }
+  void text(const char* name, std::string& value, const char* meta, const char* what) {
+    app_.add_option(name, value, what)->option_text(meta);
+  }
+  void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
+    app_.add_option(name, values, what)->option_text(meta)->allow_extra_args(false);
+  }
+  void flag(const char* name, bool& value, const char* what) { app_.add_flag(name, value, what); }
+
+  /// The help text if it was asked for.
+  std::optional<std::string> parse(std::vector<std::string> words) {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    try {
+      app_.parse(std::move(words));
+    } catch (const CLI::CallForHelp&) {
+      return app_.help();
+    } catch (const CLI::ArgumentMismatch& error) {
+      const std::string text = error.what();
+      const std::string option = text.substr(0, text.find_first_of(": "));
+      throw InputError(text.find("received") == std::string::npos ? option + " needs a value after it"
+                                                                  : option + " is given more than once");
+    } catch (const CLI::ParseError& error) {
+      throw InputError(command_ + ": " + error.what());
+    }
+    for (const std::string& extra : app_.remaining()) refuse(extra);
+    return std::nullopt;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& word) {
+    const std::string help = "see robosim " + command_ + " --help";
+    if (word.empty() || word[0] != '-') {
+      throw InputError(fmt::format("{}: “{}” is one word too many; {}", command_, word, help));
+    }
+    std::vector<std::string> options;
+    for (const CLI::Option* option : app_.get_options()) {
+      for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
+    }
+    const auto guess = nearest(word.substr(0, word.find('=')), options);
+    throw InputError(fmt::format("{} has no option {}; {}", command_, word,
+                                 guess ? "did you mean " + *guess + "? (" + help + ")" : help));
+  }
+
+  std::string command_;
+  CLI::App app_;
+};
+
+using Words = std::vector<std::string>;
+
+Command parse_run(const Words& words) {
+  RunArguments run;
+  std::string duration, number, speed;
+  Options options("run", "Runs a sketch on a robot on a map, and judges it.");
+  options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
+  options.text("--map", run.map, "MAP", "file, or name of a sample map");
+  options.text("--robot", run.robot, "ROBOT", "file, or name of a stock robot");
+  options.text("--target", run.target, "TARGET", "host (avr and stm32 are to come)");
+  options.text("--start", run.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
+  options.text("--goal", run.goal, "GOAL", "tour, laps:N, station:N, still or none");
+  options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
+  options.text("--seed", number, "N", "of all noise and spread; default: 1");
+  options.text("--profile", run.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
+  options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
+  options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  options.texts("--record", run.record, "FILE", "samples every 10 ms, as .csv; may be repeated");
+  options.flag("--view", run.view, "watch the run in the terminal");
+  options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
+  options.flag("--json", run.json, "print the result as JSON");
+  options.flag("--timing", run.timing, "also say how much wall time the run took");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (!duration.empty()) run.for_ns = simulated_time(duration);
+  if (!number.empty()) run.seed = seed(number);
+  if (!speed.empty()) run.speed = view_speed(speed);
+  check_choice("--profile", run.profile, {"ideal", "typical"});
+  if (run.view && run.json)
+    throw InputError("--view and --json both want the standard output; give one of them");
+  if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
+  return run;
+}
+
+Command parse_build(const Words& words) {
+  BuildArguments build;
+  Options options("build", "Compiles a sketch as Arduino would, and says its size.");
+  options.positional("SKETCH", build.sketch, "folder, .ino file or name; default: the current folder");
+  options.text("--robot", build.robot, "ROBOT", "file or name: its board is compiled for");
+  options.text("--target", build.target, "TARGET", "host (avr and stm32 are to come)");
+  options.texts("--libraries", build.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  options.text("--warnings", build.warnings, "LEVEL", "none, default, more or all");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  check_choice("--warnings", build.warnings, {"none", "default", "more", "all"});
+  return build;
+}
+
+/// The action that has to come first; `usage` if help is asked for instead.
+std::optional<std::string> take_action(const std::string& command, Words& words,
+                                       const std::vector<std::string>& actions) {
+  if (words.empty()) throw InputError("robosim " + command + " needs to know what to do: " + one_of(actions));
+  const std::string action = words[0];
+  if (action == "--help" || action == "-h") return std::nullopt;
+  if (std::find(actions.begin(), actions.end(), action) == actions.end()) {
+    throw InputError(
+        fmt::format("robosim {} cannot “{}”; {}", command, action, guess_and_list(action, actions)));
+  }
+  words.erase(words.begin());
+  return action;
+}
+
+Command parse_map(Words words) {
+  MapArguments map;
+  const auto action = take_action("map", words, {"check", "show"});
+  Options options("map " + action.value_or("check|show"),
+                  "Checks a map file, or draws it with its stations.");
+  options.positional("MAP", map.map, "file, or name of a sample map");
+  options.text("--start", map.start, "X,Y,DIR", "start: stations are numbered from there");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  map.action = *action;
+  if (map.map.empty()) {
+    throw InputError("robosim map " + map.action + " needs a map: a file, or one of " +
+                     one_of(names_in(stock_map_folder(), ".map")));
+  }
+  return map;
+}
+
+Command parse_robot(Words words) {
+  RobotArguments robot;
+  const auto action = take_action("robot", words, {"list", "show", "check"});
+  Options options("robot " + action.value_or("list|show|check"),
+                  "The robots there are, the text of one, a file checked.");
+  if (action != "list") options.positional("ROBOT", robot.robot, "file, or name of a stock robot");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  robot.action = *action;
+  if (robot.action != "list" && robot.robot.empty()) {
+    throw InputError("robosim robot " + robot.action + " needs a robot: a file, or one of " +
+                     one_of(names_in(stock_robot_folder(), ".toml")));
+  }
+  return robot;
+}
+
+Command parse_test(const Words& words) {
+  Options options("test",
+                  "Checks a sketch automatically. In a checkout, ./robosim test runs Robosim's own tests.");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  return TestArguments{};
+}
+
+}  // namespace
+
+Command parse_arguments(const std::vector<std::string>& words) {
+  if (words.empty()) return PrintText{kExamples};
+  const std::string& first = words[0];
+  if (first == "--help" || first == "-h" || first == "help") return PrintText{kHelp};
+  if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
+  const Words rest(words.begin() + 1, words.end());
+  if (first == "run") return parse_run(rest);
+  if (first == "build") return parse_build(rest);
+  if (first == "map") return parse_map(rest);
+  if (first == "robot") return parse_robot(rest);
+  if (first == "test") return parse_test(rest);
+  if (std::find(kLater.begin(), kLater.end(), first) != kLater.end()) {
+    throw InputError(
+        fmt::format("the command {} is not in this version yet; there are {}", first, one_of(kCommands)));
+  }
+  if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
+  throw InputError(unknown_name("command", first, kCommands));
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,69 @@
+// The command line, read into values. The table of commands is in DESIGN.md and in `robosim --help`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace robosim::cli {
+
+/// `robosim run`. Names are as the user typed them; empty = not given.
+struct RunArguments {
+  std::string sketch;
+  std::string map;
+  std::string robot;
+  std::string target = "host";
+  std::string start;
+  std::string goal;
+  std::int64_t for_ns = 600'000'000'000;  ///< simulated time
+  std::uint64_t seed = 1;
+  std::string profile = "typical";
+  std::string script;             ///< a file
+  std::vector<std::string> send;  ///< texts as a scenario writes them, between its double quotes
+  std::vector<std::string> libraries;
+  std::vector<std::string> record;  ///< files
+  bool view = false;
+  double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
+  bool json = false;
+  bool timing = false;
+};
+
+/// `robosim build`
+struct BuildArguments {
+  std::string sketch;
+  std::string robot;
+  std::string target = "host";
+  std::vector<std::string> libraries;
+  std::string warnings = "default";
+};
+
+/// `robosim map check|show`
+struct MapArguments {
+  std::string action;
+  std::string map;
+  std::string start;
+};
+
+/// `robosim robot list|show|check`
+struct RobotArguments {
+  std::string action;
+  std::string robot;
+};
+
+/// `robosim test`
+struct TestArguments {};
+
+/// Nothing to do but to print: --help, --version, or the examples of a bare `robosim`.
+struct PrintText {
+  std::string text;
+};
+
+using Command =
+    std::variant<RunArguments, BuildArguments, MapArguments, RobotArguments, TestArguments, PrintText>;
+
+/// `words` without the program's name. Throws InputError.
+Command parse_arguments(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

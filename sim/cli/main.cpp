@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "sim/base/error.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/interrupts.h"
+#include "sim/cli/map_command.h"
+#include "sim/cli/output.h"
+#include "sim/cli/robot_command.h"
+#include "sim/cli/run_command.h"
+#include "sim/sketch/sketch.h"
+
+namespace robosim::cli {
+namespace {
+
+[[noreturn]] void not_yet(const char* command) {
+  throw InputError(fmt::format("robosim {} is not in this version yet", command));
+}
+
+struct Perform {
+  int operator()(const RunArguments& arguments) const { return run_command(arguments); }
+  int operator()(const BuildArguments&) const { not_yet("build"); }
+  int operator()(const MapArguments& arguments) const { return map_command(arguments); }
+  int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
+  int operator()(const TestArguments&) const {
+    throw InputError(
+        "robosim test is not in this version yet (it will check a sketch by a checks.toml); in a checkout of "
+        "Robosim, "
+        "./robosim test runs Robosim's own tests");
+  }
+  int operator()(const PrintText& text) const {
+    print(text.text);
+    return 0;
+  }
+};
+
+int fail(ExitStatus status, const char* prefix, const char* message) {
+  fmt::print(stderr, "{}{}\n", prefix, message);
+  return static_cast<int>(status);
+}
+
+int perform(int count, char** words) {
+  try {
+    return std::visit(Perform{}, parse_arguments({words + 1, words + count}));
+  } catch (const sketch::CompileError& error) {
+    return fail(ExitStatus::bad_input, "", error.what());  // begins with the place, as editors look for it
+  } catch (const InputError& error) {
+    return fail(ExitStatus::bad_input, "robosim: ", error.what());
+  } catch (const ToolMissing& error) {
+    return fail(ExitStatus::tool_missing, "robosim: ", error.what());
+  } catch (const std::exception& error) {
+    if (Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
+    return fail(ExitStatus::internal, "robosim: internal error: ", error.what());
+  }
+}
+
+}  // namespace
+}  // namespace robosim::cli
+
+int main(int count, char** words) { return robosim::cli::perform(count, words); }

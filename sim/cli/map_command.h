@@ -1,0 +1,28 @@
+// `robosim map check|show`
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/cli/arguments.h"
+#include "sim/grid/picture.h"
+
+namespace robosim::cli {
+
+/// Reads each map (a path, or the name of a sample) and says what was found: size, line, start, goal,
+/// stations, and what is odd about it. What is wrong goes to `errors`, and the other maps are still checked.
+/// `start` as on the command line; "" = the map's. ok, or bad_input if any map is wrong.
+ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
+                      std::ostream& errors);
+
+/// Draws one map with its stations as numbered from `start` ("" = the map's). Throws InputError.
+ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
+                    std::ostream& out);
+
+/// Either of them, on the process's own streams and as wide as its terminal. The exit status. Throws
+/// InputError.
+int map_command(const MapArguments& arguments);
+
+}  // namespace robosim::cli

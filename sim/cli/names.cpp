@@ -1,0 +1,198 @@
+#include "sim/cli/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/client/runner.h"
+#include "sim/sketch/sketch.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// How many letters are wrong, missing or too many; two that are swapped count once, and capitals do not
+/// matter.
+std::size_t distance(const std::string& a, const std::string& b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  const std::size_t columns = b.size() + 1;
+  std::vector<std::size_t> table((a.size() + 1) * columns);
+  const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return table[i * columns + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        at(i, j) = i + j;
+        continue;
+      }
+      const bool differ = small(a[i - 1]) != small(b[j - 1]);
+      at(i, j) = std::min({at(i - 1, j - 1) + differ, at(i - 1, j) + 1, at(i, j - 1) + 1});
+      if (i > 1 && j > 1 && small(a[i - 1]) == small(b[j - 2]) && small(a[i - 2]) == small(b[j - 1])) {
+        at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+      }
+    }
+  }
+  return at(a.size(), b.size());
+}
+
+std::string all_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+bool has_sketch(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".ino") return true;
+  }
+  return false;
+}
+
+void check_path(const std::string& what, const std::string& path) {
+  std::error_code error;
+  if (fs::exists(path, error)) return;
+  throw InputError({path, 0, 0}, "there is no such file (a " + what + " with / or . in its name is a path)");
+}
+
+}  // namespace
+
+bool is_path(const std::string& name) { return name.find_first_of("/.") != std::string::npos; }
+
+std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  std::optional<std::string> best;
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t d = distance(word, candidate);
+    if (d < least) {
+      least = d;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates) {
+  const auto guess = nearest(name, candidates);
+  return fmt::format("{}{} {}", guess ? "did you mean " + *guess + "? There " : "there ",
+                     candidates.size() == 1 ? "is" : "are", candidates.empty() ? "none" : all_of(candidates));
+}
+
+std::string unknown_name(const std::string& what, const std::string& name,
+                         const std::vector<std::string>& candidates) {
+  return fmt::format("there is no {} “{}”; {}", what, name, guess_and_list(name, candidates));
+}
+
+std::vector<std::string> names_in(const fs::path& folder, const std::string& ending) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path stock_robot_folder() {
+  const fs::path installed = data_folder() / "robots";
+  std::error_code error;
+  return fs::is_directory(installed, error) ? installed : data_folder() / "sim/robot/stock";
+}
+
+fs::path stock_map_folder() { return data_folder() / "maps"; }
+
+SketchChoice choose_sketch(const std::string& name) {
+  SketchChoice choice{name.empty() ? "." : name, {}, {}};
+  if (name.empty()) {
+    if (!has_sketch(".")) {
+      throw InputError(
+          "the current folder holds no sketch (a file that ends with .ino); name one, as in “robosim run "
+          "PidFollower” (there are " +
+          all_of(sketch::stock_sketches()) + ") or “robosim run my/Sketch”");
+    }
+    choice.path = fs::current_path();
+  } else if (is_path(name)) {
+    if (fs::path(name).extension() == ".elf") {
+      throw ToolMissing(
+          name +
+          ": a finished .elf runs on its chip, and this version has no chip target yet; give the "
+          "sketch's folder instead, to run it on the target host");
+    }
+    check_path("sketch", name);
+    choice.path = name;
+  } else {
+    const auto stock = sketch::stock_sketches();
+    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
+      std::error_code error;
+      const std::string hint = fs::exists(name, error)
+                                   ? fmt::format("; for the one in this folder write ./{}", name)
+                                   : " (a name with / or . is a path)";
+      throw InputError(unknown_name("sketch of ours", name, stock) + hint);
+    }
+    choice.path = sketch::find_sketch(name);
+  }
+  std::error_code error;
+  choice.folder = fs::is_directory(choice.path, error) ? choice.path : choice.path.parent_path();
+  if (choice.folder.empty()) choice.folder = ".";
+  return choice;
+}
+
+Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
+  if (is_path(name)) {
+    check_path("map", name);
+    return {name, name, ""};
+  }
+  const auto stock = names_in(stock_map_folder(), ".map");
+  if (!name.empty()) {
+    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
+      throw InputError(unknown_name("map", name, stock) + " (a name with / or . is a path)");
+    }
+    return {name, stock_map_folder() / (name + ".map"), ""};
+  }
+  const auto beside = names_in(sketch_folder, ".map");
+  if (beside.size() == 1) {
+    const std::string file = beside[0] + ".map";
+    return {file, sketch_folder / file, fmt::format("the map is {}, the only one beside the sketch", file)};
+  }
+  const std::string why =
+      beside.empty() ? "" : fmt::format(" ({} maps are beside the sketch)", beside.size());
+  return {"oval", stock_map_folder() / "oval.map", "the map is oval" + why + "; choose another with --map"};
+}
+
+Choice choose_robot(const std::string& name, const fs::path& sketch_folder) {
+  if (is_path(name)) {
+    check_path("robot", name);
+    return {name, name, ""};
+  }
+  if (!name.empty()) {
+    const auto stock = names_in(stock_robot_folder(), ".toml");
+    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
+      throw InputError(unknown_name("robot", name, stock) + " (a name with / or . is a path)");
+    }
+    return {name, name, ""};
+  }
+  std::error_code error;
+  if (fs::exists(sketch_folder / "robot.toml", error)) {
+    return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml beside the sketch"};
+  }
+  return {"uno5", "uno5",
+          "the robot is uno5; choose another with --robot, or put a robot.toml beside the sketch"};
+}
+
+void check_target(const std::string& target) {
+  const auto& available = client::available_targets();
+  if (std::find(available.begin(), available.end(), target) != available.end()) return;
+  const std::vector<std::string> all{"host", "avr", "stm32"};
+  if (std::find(all.begin(), all.end(), target) == all.end()) {
+    throw InputError("--target: " + unknown_name("target", target, all));
+  }
+  throw ToolMissing("the target " + target + " is not in this version of Robosim yet; there is " +
+                    all_of(available) + ", which runs the same sketch compiled for this machine");
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,31 @@
+// One line on a terminal's standard error that says how far long work has come; nothing in a pipe.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace robosim::cli {
+
+class Progress {
+ public:
+  /// Silent if standard error is no terminal or `wanted` is false.
+  explicit Progress(bool wanted);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  bool active() const { return active_; }
+  /// Shows a line, at once.
+  void say(const std::string& text);
+  /// Shows simulated time, ten times a second at most, and nothing in the first half second.
+  void advance(std::int64_t t_us, double for_s);
+  /// Wipes the line.
+  void clear();
+
+ private:
+  bool active_;
+  bool shown_ = false;
+  std::int64_t next_us_;
+};
+
+}  // namespace robosim::cli

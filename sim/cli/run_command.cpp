@@ -1,0 +1,204 @@
+#include "sim/cli/run_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <system_error>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/cli/interrupts.h"
+#include "sim/cli/names.h"
+#include "sim/cli/output.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/run_json.h"
+#include "sim/client/runner.h"
+#include "sim/sketch/sketch.h"
+#include "sim/view/live_view.h"
+#include "sim/view/record_csv.h"
+#include "sim/view/report.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kWidest_columns = 78;
+// The end screen's trail: coarse enough to cost nothing, fine enough for a picture of a few centimetres a
+// dot.
+constexpr std::int64_t kTrailEvery_ns = 50'000'000;
+constexpr std::int64_t kTrailSamples = 20'000;
+// Above this a picture of the map takes longer than the run.
+constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
+
+double wall_now_s() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// How often samples are needed, as a multiple of 1 ms; 0 = not at all.
+std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
+  if (!arguments.record.empty()) return view::kRecordEvery_ns;
+  if (arguments.view) return view::kViewEvery_ns;
+  if (arguments.json && !progress) return 0;
+  constexpr std::int64_t kTick = 1'000'000;
+  return std::max(kTrailEvery_ns, arguments.for_ns / kTrailSamples / kTick * kTick);
+}
+
+const BoardSpec& board_of(const client::RobotInfo& robot) {
+  const BoardSpec* board = find_board(robot.board.name.c_str());
+  if (!board)
+    throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
+  return *board;
+}
+
+sketch::Image build_image(const RunArguments& arguments, const SketchChoice& sketch, const BoardSpec& board,
+                          Progress& progress) {
+  sketch::Request request{sketch.path, board};
+  request.target = arguments.target;
+  for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
+  progress.say("compiling " + sketch.name + " …");
+  sketch::Image image = sketch::build(request);
+  progress.clear();
+  if (!image.messages.empty()) fmt::print(stderr, "{}", image.messages);
+  return image;
+}
+
+/// The map for pictures; null if it is too large for one.
+std::unique_ptr<grid::Map> map_to_draw(const fs::path& path) {
+  std::error_code error;
+  const auto bytes = fs::file_size(path, error);
+  if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
+  return std::make_unique<grid::Map>(grid::read_map(path));
+}
+
+/// Everything that listens to a run's events.
+class Listeners {
+ public:
+  Listeners(const RunArguments& arguments, Progress& progress) : progress_(progress) {
+    for (const std::string& file : arguments.record) records_.emplace_back(file);
+    for_s_ = static_cast<double>(arguments.for_ns) * 1e-9;
+  }
+
+  void watch(view::LiveView* view) { view_ = view; }
+
+  void on_event(const client::Event& event) {
+    for (view::CsvRecord& record : records_) record.add(event);
+    if (const auto* started = std::get_if<client::Started>(&event)) started_ = *started;
+    if (const auto* sample = std::get_if<client::Sample>(&event)) {
+      trail_.add(*sample);
+      if (!view_) progress_.advance(sample->t_us, for_s_);
+    }
+    if (view_) view_->on_event(event);
+  }
+
+  void save() const {
+    for (const view::CsvRecord& record : records_) record.save();
+  }
+  const client::Started& started() const { return started_; }
+  const view::Trail& trail() const { return trail_; }
+
+ private:
+  Progress& progress_;
+  std::vector<view::CsvRecord> records_;
+  view::LiveView* view_ = nullptr;
+  client::Started started_;
+  view::Trail trail_;
+  double for_s_ = 0.0;
+};
+
+/// Runs, in the live view if asked for.
+client::RunResult simulate(client::Runner& runner, const client::RunRequest& request,
+                           const RunArguments& arguments, const std::string& title,
+                           const client::RobotInfo& robot, const fs::path& map, Listeners& listeners) {
+  const Interrupts interrupts(runner);
+  const auto on_event = [&](const client::Event& event) { listeners.on_event(event); };
+  if (!arguments.view) return runner.run(request, on_event);
+
+  const grid::Map floor = grid::read_map(map);
+  view::LiveScene scene(title, floor, robot);
+  view::LiveView live(scene, {arguments.speed, view::look_from_environment(true),
+                              [] { return Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
+  listeners.watch(&live);
+  const client::RunResult result = runner.run(request, on_event);
+  live.finish(result);
+  listeners.watch(nullptr);
+  return result;
+}
+
+}  // namespace
+
+std::string scenario_text(const RunArguments& arguments) {
+  std::string text;
+  if (!arguments.script.empty()) text = read_file(arguments.script);
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  for (const std::string& send : arguments.send) text += fmt::format("at 1s send \"{}\"\n", send);
+  return text;
+}
+
+int run_command(const RunArguments& arguments) {
+  check_target(arguments.target);
+  for (const std::string& file : arguments.record) view::check_record_ending(file);
+  if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
+    throw InputError(
+        "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
+  }
+  const SketchChoice sketch = choose_sketch(arguments.sketch);
+  const Choice map = choose_map(arguments.map, sketch.folder);
+  const Choice robot = choose_robot(arguments.robot, sketch.folder);
+  for (const Choice* choice : {&map, &robot}) {
+    if (!choice->announcement.empty()) fmt::print(stderr, "robosim: {}\n", choice->announcement);
+  }
+  client::RunRequest request;
+  request.script = scenario_text(arguments);
+  request.script_file = arguments.script.empty() ? "--send" : arguments.script;
+
+  Progress progress(!arguments.view);
+  client::Runner runner(arguments.target);
+  const client::RobotInfo robot_info = runner.describe_robot(robot.path.string());
+  const sketch::Image image = build_image(arguments, sketch, board_of(robot_info), progress);
+
+  request.image = image.image.string();
+  request.map = map.path.string();
+  request.robot = robot.path.string();
+  request.start = arguments.start;
+  request.goal = arguments.goal;
+  request.for_ns = arguments.for_ns;
+  request.seed = arguments.seed;
+  request.profile = arguments.profile;
+  request.samples_every_ns = samples_every_ns(arguments, progress.active());
+  request.serial = request.notes = arguments.view;
+
+  Listeners listeners(arguments, progress);
+  const double began_s = wall_now_s();
+  const std::string title = fmt::format("{} · {} on {}", sketch.name, robot.name, map.name);
+  const client::RunResult result =
+      simulate(runner, request, arguments, title, robot_info, map.path, listeners);
+  std::optional<double> wall_s;
+  if (arguments.timing) wall_s = wall_now_s() - began_s;
+  progress.clear();
+  listeners.save();
+
+  if (arguments.json) {
+    print(run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
+                    image.sketch_sha256, image.compiler},
+                   result, wall_s));
+  } else {
+    const auto size = view::terminal_size(STDOUT_FILENO);
+    const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
+    const auto drawn = map_to_draw(map.path);
+    print(view::end_screen({sketch.name, map.name, robot.name, arguments.target, listeners.started(), result,
+                            listeners.trail(), wall_s},
+                           drawn.get(), columns, view::look_from_environment(size.has_value())));
+  }
+  if (Interrupts::signal() == SIGTERM || Interrupts::signal() == SIGHUP) ::raise(Interrupts::signal());
+  return result.status;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,47 @@
+#include "sim/cli/run_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace robosim::cli {
+
+std::string run_json(const RunInputs& in, const client::RunResult& r, std::optional<double> wall_s) {
+  using Json = nlohmann::ordered_json;
+  const client::Metrics& m = r.metrics;
+  Json json{{"schema", "robosim.run/1"}, {"verdict", r.verdict}, {"why", r.why}, {"time_s", r.time_s}};
+  json["inputs"] = {{"robosim", in.robosim},
+                    {"goal", r.goal},
+                    {"for_s", r.for_s},
+                    {"target", in.target},
+                    {"seed", r.seed},
+                    {"profile", r.profile},
+                    {"sketch", in.sketch},
+                    {"map", in.map},
+                    {"robot", in.robot},
+                    {"sketch_sha256", in.sketch_sha256},
+                    {"image_sha256", r.image_sha256},
+                    {"map_sha256", r.map_sha256},
+                    {"robot_sha256", r.robot_sha256},
+                    {"compiler", in.compiler}};
+  json["metrics"] = {{"distance_m", m.distance_m},
+                     {"laps_s", m.laps_s},
+                     {"cross_track_rms_mm", m.cross_track_rms_mm},
+                     {"cross_track_max_mm", m.cross_track_max_mm},
+                     {"off_line_s", m.off_line_s},
+                     {"collisions", m.collisions},
+                     {"energy_j", m.energy_j},
+                     {"stations", m.stations},
+                     {"junctions", m.junctions}};
+  if (r.crash) {
+    json["crash"] = {{"reason", r.crash->reason},
+                     {"function", r.crash->function},
+                     {"file", r.crash->file},
+                     {"line", r.crash->line}};
+  }
+  json["serial"] = r.serial;
+  json["trace_hash"] = r.trace_hash;
+  if (wall_s) json["host"] = {{"wall_s", *wall_s}};
+  // A sketch may print any bytes; JSON holds UTF-8 only.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace robosim::cli

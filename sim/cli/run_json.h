@@ -1,0 +1,25 @@
+// `robosim run --json`, schema robosim.run/1: docs/formats.md describes every key.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/client/messages.h"
+
+namespace robosim::cli {
+
+/// What the result came from. Nothing in here may depend on the machine: equal inputs give equal bytes.
+struct RunInputs {
+  std::string robosim;  ///< version
+  std::string target;
+  std::string sketch;  ///< these three as the user named them
+  std::string map;
+  std::string robot;
+  std::string sketch_sha256;
+  std::string compiler;
+};
+
+/// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
+std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s);
+
+}  // namespace robosim::cli

@@ -1,0 +1,146 @@
+#include "sim/cli/arguments.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+template <typename T>
+T parsed(const std::vector<std::string>& words) {
+  return std::get<T>(parse_arguments(words));
+}
+
+std::string refusal(const std::vector<std::string>& words) {
+  try {
+    parse_arguments(words);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Arguments, RunHasDefaultsForEverything) {
+  const auto run = parsed<RunArguments>({"run"});
+  EXPECT_EQ(run.sketch, "");
+  EXPECT_EQ(run.target, "host");
+  EXPECT_EQ(run.for_ns, 600'000'000'000);
+  EXPECT_EQ(run.seed, 1u);
+  EXPECT_EQ(run.profile, "typical");
+  EXPECT_EQ(run.speed, 1.0);
+  EXPECT_FALSE(run.view || run.json || run.timing);
+}
+
+TEST(Arguments, RunTakesEveryOption) {
+  const auto run = parsed<RunArguments>(
+      {"run",         "--map", "oval",        "My",     "--robot",        "uno3",   "--target", "avr",
+       "--start",     "1,2,E", "--goal",      "laps:3", "--for",          "1.5s",   "--seed",   "7",
+       "--profile",   "ideal", "--script",    "s.txt",  "--send",         "go\\n",  "--send",   "2",
+       "--libraries", "a",     "--libraries", "b",      "--record=x.csv", "--json", "--timing"});
+  EXPECT_EQ(run.sketch, "My");
+  EXPECT_EQ(run.map, "oval");
+  EXPECT_EQ(run.robot, "uno3");
+  EXPECT_EQ(run.target, "avr");
+  EXPECT_EQ(run.start, "1,2,E");
+  EXPECT_EQ(run.goal, "laps:3");
+  EXPECT_EQ(run.for_ns, 1'500'000'000);
+  EXPECT_EQ(run.seed, 7u);
+  EXPECT_EQ(run.profile, "ideal");
+  EXPECT_EQ(run.script, "s.txt");
+  EXPECT_THAT(run.send, ElementsAre("go\\n", "2"));
+  EXPECT_THAT(run.libraries, ElementsAre("a", "b"));
+  EXPECT_THAT(run.record, ElementsAre("x.csv"));
+  EXPECT_TRUE(run.json && run.timing);
+}
+
+TEST(Arguments, AListOptionDoesNotSwallowTheSketch) {
+  const auto run = parsed<RunArguments>({"run", "--libraries", "lib", "My"});
+  EXPECT_THAT(run.libraries, ElementsAre("lib"));
+  EXPECT_EQ(run.sketch, "My");
+}
+
+TEST(Arguments, ViewHasASpeed) {
+  const auto run = parsed<RunArguments>({"run", "--view", "--speed", "0.5"});
+  EXPECT_TRUE(run.view);
+  EXPECT_EQ(run.speed, 0.5);
+  EXPECT_EQ(parsed<RunArguments>({"run", "--view", "--speed", "0"}).speed, 0.0);
+}
+
+TEST(Arguments, OtherCommandsTakeTheirWords) {
+  const auto build = parsed<BuildArguments>({"build", "My", "--robot", "r.toml", "--libraries", "l"});
+  EXPECT_EQ(build.sketch, "My");
+  EXPECT_EQ(build.robot, "r.toml");
+  const auto map = parsed<MapArguments>({"map", "show", "d", "--start", "1,2,E"});
+  EXPECT_EQ(map.action, "show");
+  EXPECT_EQ(map.map, "d");
+  EXPECT_EQ(map.start, "1,2,E");
+  EXPECT_EQ(parsed<RobotArguments>({"robot", "list"}).action, "list");
+  EXPECT_EQ(parsed<RobotArguments>({"robot", "check", "x.toml"}).robot, "x.toml");
+  EXPECT_NO_THROW(parsed<TestArguments>({"test"}));
+}
+
+TEST(Arguments, ABareCommandPrintsSixExamples) {
+  const std::string text = parsed<PrintText>({}).text;
+  int examples = 0;
+  for (std::size_t at = 0; (at = text.find("\n  robosim ", at)) != std::string::npos; ++at) ++examples;
+  EXPECT_EQ(examples, 6);
+}
+
+TEST(Arguments, HelpAndVersionAreTexts) {
+  EXPECT_THAT(parsed<PrintText>({"--version"}).text, HasSubstr("robosim 0."));
+  EXPECT_THAT(parsed<PrintText>({"--help"}).text, HasSubstr("Exit status"));
+  EXPECT_THAT(parsed<PrintText>({"run", "--help"}).text, HasSubstr("--profile PROFILE"));
+  EXPECT_THAT(parsed<PrintText>({"map", "--help"}).text, HasSubstr("--start"));
+  EXPECT_THAT(parsed<PrintText>({"robot", "show", "-h"}).text, HasSubstr("ROBOT"));
+}
+
+struct Refused {
+  std::vector<std::string> words;
+  const char* says;
+};
+
+class RefusedArguments : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(RefusedArguments, AreToldInASentence) {
+  EXPECT_THAT(refusal(GetParam().words), HasSubstr(GetParam().says));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedArguments,
+    ::testing::Values(
+        Refused{{"rnu"},
+                "there is no command “rnu”; did you mean run? There are run, build, map, robot and test"},
+        Refused{{"--verson"}, "did you mean --version?"},
+        Refused{{"sweep"}, "sweep is not in this version yet"},
+        Refused{{"run", "--mapp", "x"}, "run has no option --mapp; did you mean --map?"},
+        Refused{{"run", "--sed=3"}, "did you mean --seed?"},
+        Refused{{"run", "-x"}, "run has no option -x; see"},
+        Refused{{"run", "a", "b"}, "“b” is one word too many"},
+        Refused{{"run", "--map"}, "--map needs a value"},
+        Refused{{"run", "--map", "a", "--map", "b"}, "--map is given more than once"},
+        Refused{{"run", "--for", "60"},
+                "--for: “60” is not possible; it must be a time above 0 with its unit"},
+        Refused{{"run", "--for", "0s"}, "“0s”"}, Refused{{"run", "--for", "-1s"}, "“-1s”"},
+        Refused{{"run", "--seed", "-1"}, "--seed: “-1” is not possible; it must be a whole number"},
+        Refused{{"run", "--seed", "18446744073709551616"}, "18446744073709551615"},
+        Refused{{"run", "--seed", "1x"}, "“1x”"},
+        Refused{{"run", "--profile", "real"}, "must be ideal or typical"},
+        Refused{{"run", "--view", "--speed", "-2"}, "--speed: “-2”"},
+        Refused{{"run", "--view", "--speed", "nan"}, "--speed: “nan”"},
+        Refused{{"run", "--speed", "2"}, "give --view too"},
+        Refused{{"run", "--view", "--json"}, "one of them"},
+        Refused{{"build", "--warnings", "some"}, "none, default, more or all"},
+        Refused{{"map"}, "robosim map needs to know what to do: check or show"},
+        Refused{{"map", "shwo"}, "robosim map cannot “shwo”; did you mean show?"},
+        Refused{{"map", "show"}, "robosim map show needs a map"},
+        Refused{{"robot", "show"}, "robosim robot show needs a robot"},
+        Refused{{"robot", "list", "x"}, "robot list: “x” is one word too many"},
+        Refused{{"test", "x"}, "test: “x” is one word too many"}));
+
+}  // namespace
+}  // namespace robosim::cli
