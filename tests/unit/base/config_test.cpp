@@ -62,6 +62,8 @@ TEST(Config, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
 
 TEST(Config, PointsAtASyntaxError) {
   EXPECT_THAT(error_of([] { parse_toml("a = \nb = 1\n", "f.toml"); }), testing::HasSubstr("f.toml:1"));
+  for (const char* header : {"[}", "[[=x]]", "[ , ]", "[\x0E]"})
+    EXPECT_THAT(error_of([&] { parse_toml(header, "f.toml"); }), testing::HasSubstr("f.toml:1")) << header;
 }
 
 }  // namespace
