@@ -127,9 +127,11 @@ std::string one_line(std::string text) {
   return clean;
 }
 
-/// Where each line of each .ino begins in the joined source.
-std::map<std::pair<std::string, int>, std::size_t> line_starts(const std::string& joined) {
-  std::map<std::pair<std::string, int>, std::size_t> starts;
+using LineStarts = std::map<std::pair<std::string, int>, std::size_t>;
+
+/// Where each line of each .ino begins in a source with #line directives.
+LineStarts line_starts(const std::string& joined) {
+  LineStarts starts;
   std::string file;
   int line = 0;
   for (std::size_t at = 0; at < joined.size();) {
@@ -139,6 +141,50 @@ std::map<std::pair<std::string, int>, std::size_t> line_starts(const std::string
     at = end + 1;
   }
   return starts;
+}
+
+/// Where the parameter list of `name` begins, at or after `from`.
+std::size_t parameter_list(const std::string& source, const std::string& name, std::size_t from) {
+  const auto in_word = [&](std::size_t at) {
+    return at < source.size() && (std::isalnum(static_cast<unsigned char>(source[at])) || source[at] == '_');
+  };
+  for (std::size_t at = source.find(name, from); at != std::string::npos; at = source.find(name, at + 1)) {
+    const std::size_t open = source.find_first_not_of(" \t\n", at + name.size());
+    if ((at == 0 || !in_word(at - 1)) && open != std::string::npos && source[open] == '(') return open;
+  }
+  return std::string::npos;
+}
+
+/// The blocks `extern "C" { ... }`, from brace to brace.
+std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
+  std::vector<std::pair<std::size_t, std::size_t>> blocks;
+  std::size_t extern_at = std::string::npos;
+  int depth = 0;
+  for (Scanner scan(source, 0); !scan.done(); scan.step()) {
+    if (source.compare(scan.at(), 6, "extern") == 0) extern_at = scan.at();
+    if (scan.peek() == '{') {
+      std::string head =
+          extern_at == std::string::npos ? "" : source.substr(extern_at, scan.at() - extern_at);
+      head.erase(std::remove_if(head.begin(), head.end(), [](unsigned char c) { return std::isspace(c); }),
+                 head.end());
+      if (depth == 0 && head == "extern\"C\"") {
+        blocks.emplace_back(scan.at(), source.size());
+      } else {
+        ++depth;
+      }
+    } else if (scan.peek() == '}') {
+      if (depth > 0)
+        --depth;
+      else if (!blocks.empty() && blocks.back().second == source.size())
+        blocks.back().second = scan.at();
+    }
+  }
+  return blocks;
+}
+
+bool inside(const std::vector<std::pair<std::size_t, std::size_t>>& ranges, std::size_t at) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [&](const auto& range) { return at > range.first && at < range.second; });
 }
 
 bool mentions_function(const Tag& variable, const std::set<std::string>& functions) {
@@ -205,9 +251,13 @@ std::vector<Tag> parse_tags(const std::string& listing) {
   return tags;
 }
 
-std::string insert_prototypes(const std::string& joined, const std::vector<Tag>& tags) {
+std::string insert_prototypes(const std::string& joined, const std::string& own,
+                              const std::vector<Tag>& tags) {
   std::string source = joined;
-  const auto starts = line_starts(joined);
+  std::string expanded = own;
+  const LineStarts starts = line_starts(joined);
+  const LineStarts own_starts = line_starts(own);
+  const auto c_functions = c_blocks(own);
   std::set<std::string> declared;
   std::set<std::string> functions;
   for (const Tag& tag : tags) {
@@ -220,7 +270,8 @@ std::string insert_prototypes(const std::string& joined, const std::vector<Tag>&
   std::pair<std::string, int> insert_line;
   for (const Tag& tag : tags) {
     const auto start = starts.find({tag.file, tag.line});
-    if (start == starts.end() || !tag.scope.empty()) continue;
+    const auto own_start = own_starts.find({tag.file, tag.line});
+    if (start == starts.end() || own_start == own_starts.end() || !tag.scope.empty()) continue;
     const bool function = tag.kind == "function";
     if (!function && !(tag.kind == "variable" && mentions_function(tag, functions))) continue;
     if (start->second < insert_at) {
@@ -228,24 +279,24 @@ std::string insert_prototypes(const std::string& joined, const std::vector<Tag>&
       insert_line = start->first;
     }
     if (!function || tag.type.empty() || tag.code.find("(*" + tag.name) != std::string::npos) continue;
-    // C++ knows a prototype by its types; this is only about texts, as in Arduino.
+    // As in Arduino, what counts is whether the texts are equal.
     if (!declared.insert(tag.type + tag.name + tag.signature).second) continue;
 
     std::string text;
     if (tag.type.rfind("template", 0) == 0) {
-      text = template_head(joined, start->second);
+      text = template_head(own, own_start->second);
       if (text.empty() || text.find('=') != std::string::npos) continue;
     } else {
       std::string parameters = tag.signature;
       if (parameters.find('=') != std::string::npos) {
-        const std::size_t name = source.find(tag.name, start->second);
-        const std::size_t open = name == std::string::npos ? name : source.find('(', name);
-        if (open == std::string::npos) continue;
-        const std::string list = take_defaults(source, open);
-        if (list.empty()) continue;
-        parameters = one_line(list);
+        const std::size_t here = parameter_list(source, tag.name, start->second);
+        const std::size_t there = parameter_list(expanded, tag.name, own_start->second);
+        if (here == std::string::npos || there == std::string::npos) continue;
+        parameters = one_line(take_defaults(expanded, there));
+        if (parameters.empty() || take_defaults(source, here).empty()) continue;
       }
-      if (tag.code.find("extern \"C\"") != std::string::npos) text += "extern \"C\" ";
+      if (tag.code.find("extern \"C\"") != std::string::npos || inside(c_functions, own_start->second))
+        text += "extern \"C\" ";
       if (tag.code.find("static ") != std::string::npos) text += "static ";
       text += tag.type + ' ' + tag.name + parameters;
     }
@@ -258,13 +309,14 @@ std::string insert_prototypes(const std::string& joined, const std::vector<Tag>&
 
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,
                            const std::vector<std::string>& inos, const fs::path& work) {
-  write_file(work / "own.cpp", own_lines(preprocessed, inos));
+  const std::string own = own_lines(preprocessed, inos);
+  write_file(work / "own.cpp", own);
   const Outcome ctags = run(Command{{find_ctags().string(), "-u", "--language-force=c++", "-f", "-",
                                      "--c++-kinds=svpf", "--fields=KSTtzns", "--line-directives", "own.cpp"},
                                     work,
                                     {}});
   if (ctags.status != 0) throw std::runtime_error("arduino-ctags failed: " + ctags.output);
-  return insert_prototypes(joined, parse_tags(ctags.output));
+  return insert_prototypes(joined, own, parse_tags(ctags.output));
 }
 
 }  // namespace robosim::sketch

@@ -27,9 +27,10 @@ std::string own_lines(const std::string& preprocessed, const std::vector<std::st
 /// Reads ctags' listing (`--fields=KSTtzns`).
 std::vector<Tag> parse_tags(const std::string& listing);
 
-/// `joined` with the prototypes in it. Where a function has default arguments, they move to its prototype:
-/// C++ allows them once.
-std::string insert_prototypes(const std::string& joined, const std::vector<Tag>& tags);
+/// `joined` with the prototypes in it; `own` are its preprocessed lines. Where a function has default
+/// arguments, they move to its prototype: C++ allows them once.
+std::string insert_prototypes(const std::string& joined, const std::string& own,
+                              const std::vector<Tag>& tags);
 
 /// All three steps; `work` is a folder for ctags' files.
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,

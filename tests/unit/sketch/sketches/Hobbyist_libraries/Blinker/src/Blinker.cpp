@@ -1,0 +1,3 @@
+#include "Blinker.h"
+
+int blinks;

@@ -1,0 +1,2 @@
+int second() { return SECOND; }
+void helper() { pinMode(LED_PIN, OUTPUT); }

@@ -1,0 +1,3 @@
+#include "config.h"
+
+int sum_of(int a, int b) { return a + b; }
