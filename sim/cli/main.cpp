@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/cli/arguments.h"
+#include "sim/cli/build_command.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/map_command.h"
 #include "sim/cli/output.h"
@@ -15,13 +16,9 @@
 namespace robosim::cli {
 namespace {
 
-[[noreturn]] void not_yet(const char* command) {
-  throw InputError(fmt::format("robosim {} is not in this version yet", command));
-}
-
 struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
-  int operator()(const BuildArguments&) const { not_yet("build"); }
+  int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
   int operator()(const TestArguments&) const {
