@@ -46,7 +46,8 @@ mapfile -t missing < <(missing_of "${wanted[@]}")
 as_root=()
 ((EUID == 0)) || as_root=(sudo)
 install=(apt-get install --no-install-recommends "${missing[@]}")
-printf 'robosim: these packages are missing; this installs them:\n\n  %s\n\n' "${as_root[*]:+${as_root[*]} }${install[*]}" >&2
+command="${as_root[*]:+${as_root[*]} }${install[*]}"
+printf 'robosim: these packages are missing; this installs them:\n\n  %s\n\n' "$command" >&2
 
 if [[ -t 0 && -t 2 ]]; then
   ((EUID == 0)) || command -v sudo >/dev/null || fail 'there is no sudo here: run that command as root, then try again'
