@@ -1,150 +1,109 @@
 #include "PathFollower.h"
 
-PathFollower::Exit PathFollower::choose(Side prefer, bool left, bool ahead, bool right) {
-  if (prefer == Side::left ? left : right) return prefer == Side::left ? Exit::left : Exit::right;
-  if (ahead) return Exit::ahead;
-  if (left) return Exit::left;
-  if (right) return Exit::right;
-  return Exit::back;
-}
-
 void PathFollower::update(bool left, bool middle, bool right, uint32_t now_ms) {
   const uint32_t step = started_ ? now_ms - now_ : 0;
+  if (!started_) entered_ = now_ms;
+  started_ = true;
   step_ = step < 100 ? static_cast<uint16_t>(step) : 100;
   now_ = now_ms;
-  if (!started_) {
-    started_ = true;
-    entered_ = now_ms;
-  }
+  const bool near = prefer_ == Side::left ? left : right;
+  const bool far = prefer_ == Side::left ? right : left;
+  near_ms_ = near ? near_ms_ + step_ : 0;
+  same_ms_ = middle == was_dark_ ? same_ms_ + step_ : 0;
+  was_dark_ = middle;
   switch (state_) {
     case State::following:
-      follow(left, middle, right);
-      break;
+      return follow(near, middle, far);
     case State::crossing:
-      cross(left, middle, right);
-      break;
-    case State::ending:
-    case State::peeking:
-      end(left, middle, right);
-      break;
-    case State::leaving:
+      return cross(near);
+    case State::rolling:
+      return roll(middle, far);
+    case State::stopping:
+      return stop();
     case State::turning:
-      turn(left, middle, right);
-      break;
+      return turn(middle);
+    case State::settling:
+      return settle();
   }
 }
 
 void PathFollower::enter(State state) {
   state_ = state;
   entered_ = now_;
-  lost_ = 0;
+  nothing_ms_ = 0;
 }
 
-void PathFollower::drive(int16_t left, int16_t right) {
-  left_speed_ = left;
-  right_speed_ = right;
+void PathFollower::drive(int16_t speed, int16_t turn) {
+  const int16_t leftward = prefer_ == Side::left ? turn : -turn;
+  left_speed_ = speed - leftward;
+  right_speed_ = speed + leftward;
 }
 
-void PathFollower::spin(Side side) {
-  if (side == Side::left) {
-    drive(-settings_.turn, settings_.turn);
-  } else {
-    drive(settings_.turn, -settings_.turn);
-  }
-}
+void PathFollower::follow(bool near, bool middle, bool far) {
+  const int16_t mean = (settings_.fast + settings_.slow) / 2;
+  const int16_t steer = (settings_.fast - settings_.slow) / 2;
+  drive(mean, middle ? steer : -steer);
 
-void PathFollower::follow(bool left, bool middle, bool right) {
-  if ((left && middle) || (right && middle) || (left && right)) {
-    left_seen_ = right_seen_ = ahead_seen_ = 0;
+  if (!near) armed_ = true;
+  if (armed_ && near_ms_ >= settings_.noise_ms) {
     enter(State::crossing);
-    cross(left, middle, right);
+    drive(settings_.cruise, 0);
     return;
   }
-  if (middle) line_side_ = 0;
-  if (left) line_side_ = -1;
-  if (right) line_side_ = 1;
-  if (line_side_ == 0) {
-    drive(settings_.cruise, settings_.cruise);
-  } else if (line_side_ < 0) {
-    drive(settings_.correct_inner, settings_.correct_outer);
+  nothing_ms_ = middle || far ? 0 : nothing_ms_ + step_;
+  if (nothing_ms_ < timeFor(settings_.end_tenths)) return;
+  to_branch_ = false;
+  enter(State::rolling);
+  drive(settings_.cruise, 0);
+}
+
+void PathFollower::cross(bool near) {
+  const uint16_t dark_ms = since() + settings_.noise_ms;
+  if (near) {
+    // A branch passes. What stays is the line itself: it has slipped away under the sensor.
+    if (dark_ms > 3 * width_ms_) enter(State::following);
+    return;
+  }
+  if (dark_ms >= width_ms_ / 2 && dark_ms <= 2 * width_ms_) width_ms_ = dark_ms;
+  to_branch_ = true;
+  enter(State::rolling);
+}
+
+void PathFollower::roll(bool middle, bool far) {
+  if (!to_branch_ && (middle || far)) {
+    enter(State::following);
+    return;
+  }
+  if (since() < timeFor(to_branch_ ? settings_.branch_tenths : settings_.past_tenths)) return;
+  ++(to_branch_ ? branches_ : ends_);
+  enter(State::stopping);
+  stop();
+}
+
+void PathFollower::stop() {
+  drive(-settings_.counter, 0);
+  if (since() < settings_.stop_ms) return;
+  met_ = false;
+  enter(State::turning);
+}
+
+void PathFollower::turn(bool middle) {
+  drive(0, to_branch_ ? settings_.turn : -settings_.turn);
+  if (to_branch_) {
+    // From the old line over the floor onto the branch, and across it to its far edge.
+    if (!middle && same_ms_ >= settings_.noise_ms) met_ = true;
   } else {
-    drive(settings_.correct_outer, settings_.correct_inner);
+    met_ = true;
   }
-  const bool nothing = !left && !middle && !right;
-  lost_ = nothing ? lost_ + step_ : 0;
-  if (nothing && lost_ >= settings_.noise_ms && line_side_ == 0) enter(State::ending);
+  if (!met_ || !middle) return;
+  enter(State::settling);
+  settle();
 }
 
-void PathFollower::cross(bool left, bool middle, bool right) {
-  const uint32_t elapsed = now_ - entered_;
-  if (elapsed < settings_.pass_ms) {
-    if (left && middle) left_seen_ += step_;
-    if (right && middle) right_seen_ += step_;
-    drive(settings_.cruise, settings_.cruise);
-    return;
-  }
-  if (left || middle || right) ahead_seen_ += step_;
-  if (left != right) {
-    const int16_t inner = settings_.correct_inner, outer = settings_.correct_outer;
-    drive(left ? inner : outer, left ? outer : inner);
-  } else {
-    drive(settings_.cruise, settings_.cruise);
-  }
-  if (elapsed < settings_.roll_ms) return;
-
-  const bool branch_left = left_seen_ >= settings_.noise_ms;
-  const bool branch_right = right_seen_ >= settings_.noise_ms;
-  const bool ahead = ahead_seen_ >= settings_.noise_ms;
-  line_side_ = 0;
-  if (!branch_left && !branch_right) {
-    enter(State::following);
-    return;
-  }
-  ++crossings_;
-  const Exit exit = choose(prefer_, branch_left, ahead, branch_right);
-  if (exit == Exit::left || exit == Exit::right) {
-    startTurn(exit == Exit::left ? Side::left : Side::right);
-  } else {
-    enter(State::following);
-  }
-}
-
-void PathFollower::end(bool left, bool middle, bool right) {
-  if (left || middle || right) {
-    enter(State::following);
-    follow(left, middle, right);
-    return;
-  }
-  const uint32_t elapsed = now_ - entered_;
-  if (state_ == State::ending) {
-    drive(settings_.cruise, settings_.cruise);
-    if (elapsed >= settings_.end_ms) {
-      enter(State::peeking);
-      spin(prefer_ == Side::left ? Side::right : Side::left);
-    }
-  } else if (elapsed >= settings_.peek_ms) {
-    ++stations_;
-    enter(State::turning);
-    turn_side_ = prefer_;
-    spin(turn_side_);
-  }
-}
-
-void PathFollower::startTurn(Side side) {
-  enter(State::leaving);
-  turn_side_ = side;
-  spin(side);
-}
-
-void PathFollower::turn(bool left, bool middle, bool right) {
-  spin(turn_side_);
-  if (state_ == State::leaving) {
-    if (now_ - entered_ >= settings_.leave_ms && !middle) enter(State::turning);
-    return;
-  }
-  if (middle) {
-    line_side_ = 0;
-    enter(State::following);
-    follow(left, middle, right);
-  }
+void PathFollower::settle() {
+  drive(0, to_branch_ ? -settings_.counter : settings_.counter);
+  if (since() < settings_.settle_ms) return;
+  armed_ = false;
+  same_ms_ = 0;
+  enter(State::following);
 }

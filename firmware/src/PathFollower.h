@@ -1,38 +1,35 @@
 // Follows lines that branch, with three digital sensors: left, middle, right.
 //
-//            |            What the robot can meet: a bend, a T, a crossing, a line's end (a station). At each
-//            junction it takes
-//      ------+------      the branch on its preferred side; if there is none, straight on; else the other
-//      side; and at a
-//            |            station it turns round. This is the wall follower's rule ("keep one hand on the
-//            wall"): on lines
-//          [L M R]        without closed loops it visits every station and comes back to where it began,
-//          however the
-//            ^            lines branch, and needs no memory at all.
+//            |            What the robot can meet: a bend, a T, a crossing, the end of a line (a station).
+//            The rule is that of
+//      ------+------      the wall follower, who keeps one hand on the wall. With the left hand:
+//            |              - a branch on the left?  take it;
+//          [L M R]          - else the line goes on? follow it;
+//            ^              - else turn right until there is a line: the one of a bend, or the one it came
+//            on.
 //
-// Mounting. The middle sensor stands over the line, some centimetres ahead of the axle. The outer two stand
-// further from it than the line is wide, so that on a plain line two sensors are never dark together: dark
-// together means a branch. They must not stand much further, or the line can hide between two sensors. For a
-// 20 mm line: 22 mm from the middle.
+// On lines without closed loops this visits every station and comes back to where it began, however the lines
+// branch, and it needs no memory at all. Prefer the right side, and everything is mirrored.
 //
-// How it decides. The sensors lie ahead of the axle, so the robot first sees a branch, then rolls on until
-// the axle stands over the junction. While it rolls it notes on which sides a branch went by, and whether a
-// line goes on ahead:
+// Following the edge. The hand is the middle sensor, and what it feels is the line's edge on the preferred
+// side. Dark: steer away from the line; white: steer back to it; so it runs along the edge in a fine zigzag,
+// and the longer it sees the same, the harder it steers. Why the edge and not the middle? There the sensor on
+// the preferred side is as far from the line as it can be. When it gets dark, that is a branch and nothing
+// else.
 //
-//   outer sensor and middle dark together for noise_ms      a branch on that side
-//   any sensor dark in the last part of the roll            the line goes on ahead
-//   nothing dark for end_ms                                 the line has ended: a station
+// Turning. The sensors are ahead of the axle: the robot first sees a branch and must then roll on until its
+// axle stands over it. Without encoders it does not know how far it has rolled; but the branch it has just
+// crossed is a ruler: it is as wide as the line. If the sensor was dark for 70 ms, then 70 ms is one line's
+// width ("width") at the present speed, be the battery full or nearly empty. Then it turns on the spot until
+// the middle sensor finds the line.
 //
-// Then it turns on the spot, ignores the line it stands on, and stops turning when the middle sensor finds
-// the branch.
+// Mounting. Middle sensor some centimetres ahead of the axle, the other two a little further to its sides
+// than the line is wide: 22 mm for a line of 20 mm.
 //
-// There are no encoders: the roll is timed, so its time belongs to the speed of your robot. Settings says
-// how.
+// This class touches no pin: tell it what the sensors see, and take the two speeds. It never waits; call
+// update() every 1 to 5 ms.
 //
-// This class touches no pin: give it what the sensors see, take the two speeds. It never waits; call update()
-// every 1 to 5 ms.
-//
-//   PathFollower path(PathFollower::Side::left, PathFollower::Settings());
+//   PathFollower path(PathFollower::Side::left);
 //   void loop() {
 //     sensors.read();
 //     path.update(sensors.onLine(0), sensors.onLine(1), sensors.onLine(2), millis());
@@ -47,32 +44,36 @@
 class PathFollower {
  public:
   enum class Side : uint8_t { left, right };
-  enum class Exit : uint8_t { left, ahead, right, back };
   enum class State : uint8_t {
-    following,  ///< on a line
-    crossing,   ///< rolls on until the axle is over a junction or bend
-    ending,     ///< no line in sight: a gap, or the line's end
-    peeking,    ///< looks for the line on the far side before it turns round
-    leaving,    ///< turns, still over the line it came on
-    turning     ///< turns, until the middle sensor finds a line
+    following,  ///< runs along the line's edge
+    crossing,   ///< a branch is under the sensor of the preferred side
+    rolling,    ///< on until the axle is over the branch, or over the line's end
+    stopping,   ///< before a turn
+    turning,    ///< on the spot, until the middle sensor finds a line
+    settling    ///< stops the turn
   };
 
-  /// All that depends on the robot. Speeds as DriveMotors takes them (-255..255), times in ms.
+  /// What depends on the robot. Speeds are those of DriveMotors, -255..255; a width is the width of the line,
+  /// given in tenths.
   struct Settings {
-    int16_t cruise = 110;         ///< both wheels on a straight line
-    int16_t correct_outer = 120;  ///< when the line has gone to one side: the wheel on the far side of it ...
-    int16_t correct_inner = 20;   ///< ... and the wheel on the line's side
-    int16_t turn = 90;            ///< each wheel, one way and the other, when turning on the spot
-    uint16_t roll_ms = 300;       ///< from the first sight of a branch until the axle is over it:
-                                  ///< (distance of the sensors from the axle + half a line's width) / speed
-    uint16_t pass_ms = 140;       ///< from the first sight of a branch until it is surely behind the sensors
-    uint16_t end_ms = 130;        ///< with no line in sight for this long the line has ended
-    uint16_t peek_ms = 150;       ///< a look to the other side, about 20 degrees
-    uint16_t leave_ms = 150;      ///< a turn of about 30 degrees: less than from any line to the next
-    uint16_t noise_ms = 15;       ///< what is seen for a shorter time is not believed
+    int16_t fast = 170;         ///< along the edge: the outer wheel of the zigzag ...
+    int16_t slow = 0;           ///< ... and the inner one; 0 brakes it, so that the robot answers at once
+    int16_t cruise = 85;        ///< both wheels, straight over a branch or past a line's end
+    int16_t turn = 80;          ///< on the spot: one wheel forward, the other backward
+    int16_t counter = 130;      ///< against the motion, to stop; 0 leaves that to the motors' brakes
+    uint8_t stop_ms = 50;       ///< how long, before a turn ...
+    uint8_t settle_ms = 25;     ///< ... and at the end of one
+    uint8_t noise_ms = 8;       ///< what lasts shorter than this is not believed
+    uint8_t end_tenths = 8;     ///< so far with no line in sight, and the line has ended
+    uint8_t past_tenths = 8;    ///< from there until the axle is over the end
+    uint8_t branch_tenths = 8;  ///< from a branch's far edge until the axle is over its middle: the sensors'
+                                ///< distance from the axle, less half a line's width, less the way to stop
+    uint16_t width_ms = 70;     ///< time for one width until the first branch has been measured
   };
 
-  PathFollower(Side prefer, const Settings& settings) : settings_(settings), prefer_(prefer) {}
+  explicit PathFollower(Side prefer) : prefer_(prefer), width_ms_(settings_.width_ms) {}
+  PathFollower(Side prefer, const Settings& settings)
+      : settings_(settings), prefer_(prefer), width_ms_(settings.width_ms) {}
 
   /// What the sensors see (true = line) at `now_ms` (millis()). Call it every 1 to 5 ms.
   void update(bool left, bool middle, bool right, uint32_t now_ms);
@@ -80,38 +81,47 @@ class PathFollower {
   int16_t leftSpeed() const { return left_speed_; }
   int16_t rightSpeed() const { return right_speed_; }
   State state() const { return state_; }
-  /// Junctions and bends passed, and stations at which it turned round.
-  uint16_t crossings() const { return crossings_; }
-  uint16_t stations() const { return stations_; }
-
-  /// The rule: the preferred side, else straight on, else the other side, else back.
-  static Exit choose(Side prefer, bool left, bool ahead, bool right);
+  /// Branches taken, and line ends (bends to the other side included) at which it has turned.
+  uint16_t branches() const { return branches_; }
+  uint16_t ends() const { return ends_; }
+  /// Time for one line's width, as measured at the last branch, in ms.
+  uint16_t widthMs() const { return width_ms_; }
 
  private:
-  void follow(bool left, bool middle, bool right);
-  void cross(bool left, bool middle, bool right);
-  void end(bool left, bool middle, bool right);
-  void turn(bool left, bool middle, bool right);
+  // `near` is the sensor on the preferred side, `far` the one on the other.
+  void follow(bool near, bool middle, bool far);
+  void cross(bool near);
+  void roll(bool middle, bool far);
+  void stop();
+  void turn(bool middle);
+  void settle();
+
   void enter(State state);
-  void startTurn(Side side);
-  void spin(Side side);
-  void drive(int16_t left, int16_t right);
+  /// `turn` > 0 turns to the preferred side.
+  void drive(int16_t speed, int16_t turn);
+  uint16_t since() const { return static_cast<uint16_t>(now_ - entered_); }
+  /// How long so many tenths of a width take.
+  uint16_t timeFor(uint8_t tenths) const {
+    return static_cast<uint16_t>(static_cast<uint32_t>(width_ms_) * tenths / 10);
+  }
 
   Settings settings_;
   Side prefer_;
+  uint16_t width_ms_;
   State state_ = State::following;
-  int8_t line_side_ = 0;  ///< where the line was last off the middle: -1 left, 1 right, 0 under the middle
-  Side turn_side_ = Side::left;
-  uint32_t now_ = 0;
-  uint32_t entered_ = 0;    ///< when state_ began
-  uint16_t step_ = 0;       ///< ms since the last update
-  uint16_t left_seen_ = 0;  ///< ms for which left and middle were dark together
-  uint16_t right_seen_ = 0;
-  uint16_t ahead_seen_ = 0;
-  uint16_t lost_ = 0;  ///< ms with no line in sight
   bool started_ = false;
+  bool to_branch_ = false;  ///< rolls and turns to a branch, not at a line's end
+  bool was_dark_ = false;   ///< the middle sensor at the last update
+  bool armed_ = false;      ///< the near sensor has seen the floor since this line began
+  bool met_ = false;        ///< in a turn: the middle sensor has left the old line, or met the new one
+  uint32_t now_ = 0;
+  uint32_t entered_ = 0;     ///< when state_ began
+  uint16_t step_ = 0;        ///< ms since the last update
+  uint16_t near_ms_ = 0;     ///< how long the near sensor has been dark
+  uint16_t same_ms_ = 0;     ///< how long the middle sensor has seen the same
+  uint16_t nothing_ms_ = 0;  ///< how long neither middle nor far sensor have seen a line
   int16_t left_speed_ = 0, right_speed_ = 0;
-  uint16_t crossings_ = 0, stations_ = 0;
+  uint16_t branches_ = 0, ends_ = 0;
 };
 
 #endif
