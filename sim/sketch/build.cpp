@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 #include <system_error>
 
 #include "sim/base/file.h"
 #include "sim/sketch/cache.h"
 #include "sim/sketch/compile.h"
+#include "sim/sketch/core.h"
 #include "sim/sketch/elf_size.h"
 #include "sim/sketch/libraries.h"
 #include "sim/sketch/prototypes.h"
@@ -19,33 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> sources_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// An object and the files it was made of.
-struct Object {
-  fs::path path;
-  std::vector<fs::path> inputs;
-};
-
-std::string join_paths(const std::vector<fs::path>& paths) {
-  std::string text;
-  for (const fs::path& path : paths) text += path.string() + '\n';
-  return text;
-}
-
-std::vector<fs::path> split_paths(const std::string& text) {
-  std::vector<fs::path> paths;
-  for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
-    paths.emplace_back(text.substr(at, end - at));
-  return paths;
-}
-
 /// One build: what has been found and made so far.
 class Build {
  public:
@@ -55,7 +28,7 @@ class Build {
 
   /// Compiles and links; gives the image, still in the work folder.
   fs::path image() {
-    const Object core = core_object();
+    const Object core = core_object(toolchain_, cache_, work_.path());
     std::vector<fs::path> objects = {core.path};
     inputs_.files = core.inputs;
     compile_all();
@@ -88,65 +61,6 @@ class Build {
  private:
   std::string text(const Outcome& outcome) const {
     return readable(toolchain_, sketch_.folder, outcome.output);
-  }
-
-  // hal/host comes first: its constructors (Serial's) run before any of the sketch's. All of it is weak, so
-  // that a sketch may define a function of the core anew, as Arduino's archive of the core allows.
-  Object core_object() {
-    const std::string key = "core\n" + recipe(toolchain_);
-    if (const auto entry = cache_.find(key)) return {entry->result, split_paths(entry->facts.at("inputs"))};
-    const auto since = fs::file_time_type::clock::now();
-    std::vector<fs::path> sources;
-    for (const char* folder : {"hal/host", "hal/arduino", "core"})
-      for (const fs::path& source : sources_in(toolchain_.stage / folder)) sources.push_back(source);
-    std::vector<Command> commands;
-    std::vector<fs::path> objects;
-    for (const fs::path& source : sources) {
-      objects.push_back(work_.path() / fmt::format("core{}.o", objects.size()));
-      commands.push_back(compile_command(toolchain_, core_unit(source), objects.back()));
-    }
-    const fs::path merged = work_.path() / "core.o";
-    for (const Outcome& outcome : run(commands)) check(outcome, "the core");
-    check(run(merge_command(toolchain_, objects, merged)), "the core");
-    weaken(merged);
-
-    Inputs inputs;
-    for (const fs::path& object : objects) {
-      const auto files = read_dependencies(object.string() + ".d", toolchain_.stage);
-      inputs.files.insert(inputs.files.end(), files.begin(), files.end());
-    }
-    std::sort(inputs.files.begin(), inputs.files.end());
-    inputs.files.erase(std::unique(inputs.files.begin(), inputs.files.end()), inputs.files.end());
-    inputs.folders = {toolchain_.stage / "hal/host", toolchain_.stage / "hal/arduino"};
-    const Entry entry =
-        cache_.store(key, inputs, merged, "core.o", {{"inputs", join_paths(inputs.files)}}, since);
-    return {entry.result, inputs.files};
-  }
-
-  // Only what is defined: an undefined symbol must still be found, or the link fail.
-  void weaken(const fs::path& object) const {
-    const Outcome names = run(Command{
-        {find_binutil("nm").string(), "--defined-only", "-g", "-j", object.string()}, work_.path(), {}});
-    check(names, "the core");
-    write_file(work_.path() / "names", names.output);
-    check(
-        run(Command{
-            {find_binutil("objcopy").string(), "--weaken-symbols=names", object.string()}, work_.path(), {}}),
-        "the core");
-  }
-
-  Unit core_unit(const fs::path& source) const {
-    Unit unit;
-    unit.kind = Unit::Kind::core;
-    unit.folder = toolchain_.stage;
-    unit.place = "robosim";
-    unit.source = source.string();
-    return unit;
-  }
-
-  static void check(const Outcome& outcome, const char* what) {
-    if (outcome.status != 0)
-      throw std::runtime_error(fmt::format("{} does not compile:\n{}", what, outcome.output));
   }
 
   void compile_all() {
@@ -408,31 +322,6 @@ Image build(const Request& request) {
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
   return image_of(entry, false);
-}
-
-std::vector<std::string> stock_sketches() {
-  std::vector<std::string> names;
-  std::error_code none;
-  for (fs::directory_iterator entry(data_folder() / "firmware/examples", none), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename().string();
-    if (fs::exists(entry->path() / (name + ".ino"))) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-fs::path find_sketch(const std::string& name) {
-  std::error_code none;
-  if (name.find_first_of("/.") != std::string::npos) {
-    if (!fs::exists(name, none)) throw InputError({name}, "there is no such sketch");
-    return name;
-  }
-  const fs::path folder = data_folder() / "firmware/examples" / name;
-  if (!name.empty() && fs::exists(folder / (name + ".ino"), none)) return folder;
-  const std::vector<std::string> ours = stock_sketches();
-  throw InputError(
-      fmt::format("there is no sketch {}; Robosim's own are {}{}", name, one_of(ours),
-                  fs::exists(name, none) ? fmt::format("; for the one here write ./{}", name) : ""));
 }
 
 }  // namespace robosim::sketch

@@ -136,8 +136,17 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
 
 }  // namespace
 
-std::string title(const Unit& unit) {
-  return unit.input.empty() ? unit.source : unit.input.filename().string();
+std::string join_paths(const std::vector<fs::path>& paths) {
+  std::string text;
+  for (const fs::path& path : paths) text += path.string() + '\n';
+  return text;
+}
+
+std::vector<fs::path> split_paths(const std::string& text) {
+  std::vector<fs::path> paths;
+  for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
+    paths.emplace_back(text.substr(at, end - at));
+  return paths;
 }
 
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/sketch/cache.h"
 #include "sim/sketch/process.h"
 #include "sim/sketch/sketch.h"
 #include "sim/sketch/toolchain.h"
@@ -32,8 +31,15 @@ struct Unit {
   std::vector<std::filesystem::path> includes;  ///< for -I, besides the core's
 };
 
-/// A name for messages.
-std::string title(const Unit& unit);
+/// An object file and all that it was made of.
+struct Object {
+  std::filesystem::path path;
+  std::vector<std::filesystem::path> inputs;
+};
+
+/// Paths as text, one a line, and back.
+std::string join_paths(const std::vector<std::filesystem::path>& paths);
+std::vector<std::filesystem::path> split_paths(const std::string& text);
 
 /// Compiles to `object`, and lists all files read in `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);

@@ -16,8 +16,8 @@ void setup() {
     EEPROM.write(100, 42);
   }
   EEPROM.get(101, gains);
-  EEPROM.update(0, EEPROM[0] + 1);
-  EEPROM[1]++;
+  EEPROM.update(500, EEPROM[500] == 0xFF ? 1 : EEPROM[500] + 1);
+  EEPROM[501]++;
   int used = 0;
   for (int i = 0; i < EEPROM.length(); i++)
     if (EEPROM[i] != 0xFF) used++;

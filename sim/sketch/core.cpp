@@ -1,0 +1,77 @@
+#include "sim/sketch/core.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/base/file.h"
+
+namespace robosim::sketch {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> sources_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
+  Unit unit;
+  unit.kind = Unit::Kind::core;
+  unit.folder = toolchain.stage;
+  unit.place = "robosim";
+  unit.source = source.string();
+  return unit;
+}
+
+void check(const Outcome& outcome) {
+  if (outcome.status != 0) throw std::runtime_error("the core does not compile:\n" + outcome.output);
+}
+
+// Only what is defined: an undefined symbol must still be found, or the link fail.
+void weaken(const fs::path& object, const fs::path& work) {
+  const Outcome names =
+      run(Command{{find_binutil("nm").string(), "--defined-only", "-g", "-j", object.string()}, work, {}});
+  check(names);
+  write_file(work / "names", names.output);
+  check(
+      run(Command{{find_binutil("objcopy").string(), "--weaken-symbols=names", object.string()}, work, {}}));
+}
+
+}  // namespace
+
+Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::path& work) {
+  const std::string key = "core\n" + recipe(toolchain);
+  if (const auto entry = cache.find(key)) return {entry->result, split_paths(entry->facts.at("inputs"))};
+  const auto since = fs::file_time_type::clock::now();
+  std::vector<Command> commands;
+  std::vector<fs::path> objects;
+  for (const char* folder : {"hal/host", "hal/arduino", "core"})
+    for (const fs::path& source : sources_in(toolchain.stage / folder)) {
+      objects.push_back(work / fmt::format("core{}.o", objects.size()));
+      commands.push_back(compile_command(toolchain, core_unit(toolchain, source), objects.back()));
+    }
+  const fs::path merged = work / "core.o";
+  for (const Outcome& outcome : run(commands)) check(outcome);
+  check(run(merge_command(toolchain, objects, merged)));
+  weaken(merged, work);
+
+  Inputs inputs;
+  for (const fs::path& object : objects) {
+    const auto files = read_dependencies(object.string() + ".d", toolchain.stage);
+    inputs.files.insert(inputs.files.end(), files.begin(), files.end());
+  }
+  std::sort(inputs.files.begin(), inputs.files.end());
+  inputs.files.erase(std::unique(inputs.files.begin(), inputs.files.end()), inputs.files.end());
+  inputs.folders = {toolchain.stage / "hal/host", toolchain.stage / "hal/arduino"};
+  const Entry entry =
+      cache.store(key, inputs, merged, "core.o", {{"inputs", join_paths(inputs.files)}}, since);
+  return {entry.result, inputs.files};
+}
+
+}  // namespace robosim::sketch

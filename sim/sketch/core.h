@@ -1,0 +1,17 @@
+// The Arduino core for the host, as one object file: hal/host, hal/arduino and the genuine core's portable
+// sources.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/sketch/cache.h"
+#include "sim/sketch/compile.h"
+
+namespace robosim::sketch {
+
+/// Compiled once for each version of Robosim and of the compiler. hal/host comes first in it: its
+/// constructors (Serial's) run before any of the sketch's. All of it is weak, so that a sketch may define a
+/// function of the core anew, as Arduino's archive of the core allows.
+Object core_object(const Toolchain& toolchain, const Cache& cache, const std::filesystem::path& work);
+
+}  // namespace robosim::sketch

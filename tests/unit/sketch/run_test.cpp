@@ -1,0 +1,146 @@
+// What a compiled sketch does: the sketches of the folder `sketches`, run by the host executor.
+#include <gmock/gmock.h>
+
+#include "sim/executors/host_executor.h"
+#include "tests/unit/sketch/fixture.h"
+
+namespace robosim::sketch {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct SerialText final : SerialWatcher {
+  void byte_sent(uint8_t byte, SimTime) override {
+    if (byte != '\r') text += static_cast<char>(byte);
+  }
+  std::string text;
+};
+
+struct ConstantVolts final : PinSource {
+  explicit ConstantVolts(double v) : value(v) {}
+  double volts(SimTime) override { return value; }
+  bool level(SimTime) override { return value > 2.5; }
+  double value;
+};
+
+class RunTest : public SketchTest {
+ protected:
+  /// Runs a sketch of the folder `sketches`; gives what it sent.
+  std::string run_sketch(const std::string& name, SimTime duration = 200 * kMillisecond) {
+    return run_image(build({fs::path(SKETCHES) / name, board_}).image, duration);
+  }
+
+  std::string run_code(const std::string& code, SimTime duration = 200 * kMillisecond) {
+    write("Run/Run.ino", code);
+    return run_image(build_here("Run").image, duration);
+  }
+
+  std::string run_image(const fs::path& image, SimTime duration) {
+    executor_ = std::make_unique<executors::HostExecutor>(board_, image);
+    executor_->board().watch_serial(serial_);
+    for (Pin pin = 14; pin < 20; ++pin) executor_->board().connect(pin, volts_);
+    executor_->power_on(0);
+    for (SimTime t = 0; t < duration; t += kTick) executor_->run_until(t + kTick);
+    if (executor_->crash())
+      ADD_FAILURE() << executor_->crash()->reason << " " << executor_->crash()->where.line;
+    return serial_.text;
+  }
+
+  const BoardSpec& board_ = *find_board("uno");
+  ConstantVolts volts_{2.5};
+  SerialText serial_;
+  std::unique_ptr<executors::HostExecutor> executor_;
+};
+
+TEST_F(RunTest, FunctionsAreFoundWhereverTheyStandAndDefaultArgumentsHold) {
+  EXPECT_EQ(run_sketch("Order"), "-60\n1none, (yet)\n3none, (yet)\n3two (2), a=b\n10\n4\n5\n2\n6\n");
+}
+
+TEST_F(RunTest, NumbersAreFormattedAsOnTheChip) {
+  EXPECT_EQ(run_sketch("Formatting"),
+            "1    -2|3    |-0004 +5\n"
+            "ff FF 0xff 10 7 c%\n"
+            "-70000 70000 abc|   abc|abc   |ab\n"
+            "?      ?\n"
+            "7\n1234\n"
+            "-42\n11111111\nee6b2800\n"
+            "    3.14\n-3.142  \n 1.235e+04\n"
+            "0123a\nA3210\n"
+            "194\n1\n");
+}
+
+TEST_F(RunTest, TablesInFlashAreRead) {
+  EXPECT_EQ(run_sketch("FlashTables"), "in flash\n160\n-100\n60000\n1.50\nright\nleft\n-100\n5\n");
+}
+
+TEST_F(RunTest, StringsWorkAsInTheGenuineCore) {
+  EXPECT_EQ(run_sketch("Strings"), "3.142 FF -7\n6.28\n6\n13\n");
+}
+
+TEST_F(RunTest, ATimerInterruptCallsItsHandler) {
+  EXPECT_EQ(
+      run_code(
+          "volatile int n;\nISR(TIMER1_COMPA_vect) { n++; }\n"
+          "void setup() { Serial.begin(115200); OCR1A = 15999; TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS10);"
+          " TCNT1 = 0; TIMSK1 = _BV(OCIE1A); while (n < 50) ; Serial.println(millis()); }\nvoid loop() {}\n"),
+      "49\n");  // millis() follows Timer0's overflows, 1.024 ms apart
+}
+
+TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
+  const std::string first = run_sketch("EepromGains", 500 * kMillisecond);
+  EXPECT_THAT(first, StartsWith("0.50\n"));
+  EXPECT_EQ(executor_->board().eeprom()[100], 42);
+  executor_->power_off(500 * kMillisecond);
+  serial_.text.clear();
+  executor_->power_on(600 * kMillisecond);
+  executor_->run_until(kSecond);
+  EXPECT_THAT(serial_.text, StartsWith("0.50\n"));
+  EXPECT_EQ(executor_->board().eeprom()[500], 2) << "counts its starts";
+}
+
+TEST_F(RunTest, RegistersDriveThePins) {
+  EXPECT_THAT(run_sketch("Registers", 50 * kMillisecond), testing::IsEmpty());  // no Serial.begin
+  EXPECT_EQ(executor_->board().drive(5).mode, PinMode::output);
+  EXPECT_TRUE(executor_->board().drive(5).level);
+  EXPECT_EQ(executor_->board().drive(9).mode, PinMode::output);
+  EXPECT_TRUE(executor_->board().drive(9).pwm);
+}
+
+TEST_F(RunTest, AHobbyistsSketchWithCommonNamesAndALibraryRuns) {
+  const Image image =
+      build({fs::path(SKETCHES) / "Hobbyist", board_, "host", {fs::path(SKETCHES) / "Hobbyist_libraries"}});
+  EXPECT_THAT(run_image(image.image, 2 * kSecond), StartsWith("starting with 5 sensors\nposition 2000\n"));
+  EXPECT_EQ(executor_->board().drive(13).mode, PinMode::output);
+  EXPECT_TRUE(executor_->board().drive(13).level);
+  EXPECT_NEAR(executor_->board().drive(5).duty, 150 / 255.0, 0.01);
+}
+
+TEST_F(RunTest, GlobalsNamedAsTheCLibrarysFunctionsAreTheSketchsOwn) {
+  const fs::path image = build({fs::path(SKETCHES) / "CommonNames", board_}).image;
+  run_image(image, 100 * kMillisecond);
+}
+
+TEST_F(RunTest, ConstructorsRunInTheOrderOfTheirPriority) {
+  EXPECT_EQ(
+      run_code(
+          "char order[9];\nint n;\nstruct A { A(char c) { order[n++] = c; } };\nA a('a');\nA b('b');\n"
+          "A c __attribute__((init_priority(200)))('c');\nA d __attribute__((init_priority(150)))('d');\n"
+          "void setup() { Serial.begin(9600); Serial.println(order); }\nvoid loop() {}\n"),
+      "dcab\n");
+}
+
+TEST_F(RunTest, ACrashNamesTheLineOfTheIno) {
+  write("Run/Run.ino", "int zero;\nvoid setup() {\n  volatile int x = 1 / zero;\n}\nvoid loop() {}\n");
+  executors::HostExecutor executor(board_, build_here("Run").image);
+  executor.power_on(0);
+  executor.run_until(kTick);
+  ASSERT_TRUE(executor.crash());
+  EXPECT_THAT(executor.crash()->reason, HasSubstr("division by zero"));
+  EXPECT_EQ(executor.crash()->where.file, "Run.ino");
+  EXPECT_EQ(executor.crash()->where.line, 3);
+}
+
+}  // namespace
+}  // namespace robosim::sketch
