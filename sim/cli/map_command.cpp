@@ -86,11 +86,11 @@ std::string station_text(const grid::Station& station) {
 void describe(const Survey& s, std::ostream& out) {
   const auto& [map, start, network] = s;
   const std::string corners =
-      map.corner_m > 0.0 ? fmt::format("bends of {:g} mm", mm(map.corner_m)) : "square bends";
+      map.corner_m > 0.0 ? fmt::format("bends of {:.10g} mm", mm(map.corner_m)) : "square bends";
   out << fmt::format("{}: the map is fine\n", map.file);
-  out << fmt::format("  size      {} x {} cells of {:g} mm: {:g} x {:g} mm\n", map.width, map.height,
+  out << fmt::format("  size      {} x {} cells of {:.10g} mm: {:.10g} x {:.10g} mm\n", map.width, map.height,
                      mm(map.cell_m), mm(map.cell_m) * map.width, mm(map.cell_m) * map.height);
-  out << fmt::format("  line      {}, {:g} mm wide, {}{}\n", line_cells(map), mm(map.line_m), corners,
+  out << fmt::format("  line      {}, {:.10g} mm wide, {}{}\n", line_cells(map), mm(map.line_m), corners,
                      map.raster ? "; floor painted in whole cells" : "");
   out << fmt::format("  start     {},{}\n", at(start.cell), grid::letter(start.facing));
   out << fmt::format("  goal      {}\n", describe_goal(s));
@@ -104,10 +104,10 @@ void describe(const Survey& s, std::ostream& out) {
                        counted(network.unreachable.size(), "station"), list(network.unreachable, at));
   const std::vector<grid::TightBend> tight = grid::tight_bends(map);
   if (!tight.empty())
-    out << fmt::format("  note: {} too short in the legs for {:g} mm: {}\n",
+    out << fmt::format("  note: {} too short in the legs for {:.10g} mm: {}\n",
                        tight.size() == 1 ? "1 bend is" : fmt::format("{} bends are", tight.size()),
                        mm(map.corner_m), list(tight, [](const grid::TightBend& bend) {
-                         return fmt::format("{} gets {:g} mm", at(bend.cell), mm(bend.radius_m));
+                         return fmt::format("{} gets {:.10g} mm", at(bend.cell), mm(bend.radius_m));
                        }));
 }
 

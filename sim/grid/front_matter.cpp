@@ -136,7 +136,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (map.line_m > map.cell_m)
     throw InputError(
         table.require("line").place,
-        fmt::format("line is {:g} mm, but a cell only {:g} mm; a line is at most as wide as a cell",
+        fmt::format("line is {:.10g} mm, but a cell only {:.10g} mm; a line is at most as wide as a cell",
                     map.line_m * 1e3, map.cell_m * 1e3));
   map.corner_m = table.quantity("corner", Dimension::length, map.corner_m, 0.0, kMaxCorner);
   map.raster = table.choice("floor", "stripes", {"stripes", "raster"}) == "raster";
