@@ -1,6 +1,7 @@
 #include "sim/sketch/cache.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
 
@@ -110,7 +111,8 @@ fs::path cache_folder() {
   if (home && *home == '/' && usable(fs::path(home) / ".cache/robosim"))
     return fs::path(home) / ".cache/robosim";
   const fs::path fallback = fs::temp_directory_path() / fmt::format("robosim-{}", ::getuid());
-  if (!usable(fallback))
+  struct stat info {};
+  if (!usable(fallback) || ::lstat(fallback.c_str(), &info) != 0 || info.st_uid != ::getuid())
     throw InputError({fallback.string()},
                      "no folder for compiled sketches can be written; set XDG_CACHE_HOME");
   fs::permissions(fallback, fs::perms::owner_all);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -128,6 +129,9 @@ std::vector<Outcome> run(const std::vector<Command>& commands) {
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status == 128 + SIGINT || outcome.status == 128 + SIGTERM)
+      throw std::runtime_error("interrupted");
   return outcomes;
 }
 

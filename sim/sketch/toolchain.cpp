@@ -25,8 +25,12 @@ constexpr const char* kRegisters[] = {"iom328p.h", "portpins.h"};
   throw ToolMissing(fmt::format("{} is missing: sudo apt install {}", what, package));
 }
 
+// The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is
+// another's.
 fs::path require(const char* program, const char* package) {
-  fs::path path = find_program(program);
+  fs::path path;
+  if (*ROBOSIM_MACHINE) path = find_program(fmt::format("{}-{}", ROBOSIM_MACHINE, program));
+  if (path.empty()) path = find_program(program);
   if (path.empty()) missing(program, package);
   return path;
 }
@@ -106,7 +110,11 @@ fs::path stage(const GenuineCore& core, const fs::path& cache) {
   return folder;
 }
 
-fs::path find_ctags() { return require("arduino-ctags", "arduino-ctags"); }
+fs::path find_ctags() {
+  fs::path path = find_program("arduino-ctags");
+  if (path.empty()) missing("arduino-ctags", "arduino-ctags");
+  return path;
+}
 fs::path find_binutil(const std::string& name) { return require(name.c_str(), "binutils"); }
 
 }  // namespace robosim::sketch

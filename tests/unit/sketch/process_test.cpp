@@ -37,6 +37,7 @@ TEST_F(SketchTest, WhatTheUserSetsInTheEnvironmentDoesNotChangeResults) {
 
 TEST_F(SketchTest, ASignalIsSeen) {
   EXPECT_EQ(run(Command{{"/bin/sh", "-c", "kill -9 $$"}, "/", {}}).status, 128 + 9);
+  EXPECT_THROW(run(Command{{"/bin/sh", "-c", "kill -2 $$"}, "/", {}}), std::runtime_error);
   EXPECT_ANY_THROW(run(Command{{"/no/such/program"}, "/", {}}));
 }
 
