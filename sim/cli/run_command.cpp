@@ -121,6 +121,7 @@ client::RunResult simulate(client::Runner& runner, const client::RunRequest& req
   const auto on_event = [&](const client::Event& event) { listeners.on_event(event); };
   if (!arguments.view) return runner.run(request, on_event);
 
+  runner.keep_close();
   const grid::Map floor = grid::read_map(map);
   view::LiveScene scene(title, floor, robot);
   view::LiveView live(scene, {arguments.speed, view::look_from_environment(true),

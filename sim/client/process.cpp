@@ -154,6 +154,8 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
   }
 }
 
+void Process::keep_close() const { ::fcntl(answers_, F_SETPIPE_SZ, 1); }
+
 void Process::signal(int number) const {
   if (pid_ > 0) ::kill(-pid_, number);
 }

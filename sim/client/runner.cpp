@@ -111,6 +111,8 @@ RunResult Runner::run(const RunRequest& request, const OnEvent& on_event) {
   return await<RunResult>(id, on_event);
 }
 
+void Runner::keep_close() noexcept { process_->keep_close(); }
+
 void Runner::interrupt() noexcept { process_->signal(SIGINT); }
 
 void Runner::kill() noexcept { process_->signal(SIGKILL); }

@@ -11,7 +11,7 @@ namespace robosim::view {
 namespace {
 
 constexpr int kSerialRows = 3;
-constexpr int kMostReadingRows = 3;
+constexpr int kMostReadingRows = 4;
 constexpr int kBar = 10;  // characters
 constexpr std::size_t kSerialKept = 4096;
 // A map is shown whole if a cell gets at least so many dots; else the window follows the robot at a larger
@@ -122,40 +122,59 @@ std::vector<Mark> LiveScene::marks() const {
   return marks;
 }
 
+bool LiveScene::is_level(const std::string& reading) const {
+  return std::any_of(robot_.sensors.begin(), robot_.sensors.end(),
+                     [&](const auto& s) { return s.name == reading; });
+}
+
 int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   if (!sample_) return row;
   const client::Sample& s = *sample_;
+  const std::size_t count = std::min(s.readings.size(), started_.readings.size());
   std::size_t longest = 5;
-  for (const std::string& name : started_.readings) longest = std::max(longest, name.size());
-  const int width = static_cast<int>(longest) + kBar + 4;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_level(started_.readings[i])) longest = std::max(longest, started_.readings[i].size());
+  }
   int column = 0;
+  const auto begin_item = [&](int width) {
+    if (column == 0 || column + width <= frame.columns()) return;
+    column = 0;
+    ++row;
+  };
   const auto item = [&](const std::string& name, double share, Ink ink, const std::string& value) {
-    const int used = width + static_cast<int>(value.size());
-    if (column > 0 && column + used > frame.columns()) {
-      column = 0;
-      ++row;
-    }
-    frame.put(column, row, name, Ink::plain);
-    const int end = put_bar(frame, column + static_cast<int>(longest) + 1, row, share, ink, look);
-    frame.put(end, row, value, Ink::plain);
-    column += used + 1;
+    const int name_width = static_cast<int>(longest) + 1;
+    const int width = name_width + kBar + 2 + static_cast<int>(value.size());
+    begin_item(width);
+    frame.put(column, row, name);
+    frame.put(put_bar(frame, column + name_width, row, share, ink, look), row, value);
+    column += width + 2;
   };
   item("left", std::abs(s.left), s.left < 0.0 ? Ink::bad : Ink::good, fmt::format("{:+.2f}", s.left));
   item("right", std::abs(s.right), s.right < 0.0 ? Ink::bad : Ink::good, fmt::format("{:+.2f}", s.right));
   column = 0;
-  ++row;
-  const int first = row;
-  for (std::size_t i = 0; i < std::min(s.readings.size(), started_.readings.size()); ++i) {
-    if (row - first >= kMostReadingRows) break;
-    item(started_.readings[i], s.readings[i], Ink::strong, "");
+  const int first = ++row;
+  for (std::size_t i = 0; i < count && row - first < kMostReadingRows; ++i) {
+    if (is_level(started_.readings[i])) item(started_.readings[i], s.readings[i], Ink::strong, "");
   }
-  return row + 1;
+  // Buttons, LEDs and their kin are on or off.
+  if (column > 0) ++row;
+  column = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string& name = started_.readings[i];
+    if (is_level(name)) continue;
+    const bool on = s.readings[i] >= 0.5;
+    begin_item(width_of(name) + 2);
+    frame.set(column, row,
+              {look.utf8 ? (on ? U'●' : U'○') : (on ? U'*' : U'-'), on ? Ink::mark : Ink::faint});
+    column = frame.put(column + 2, row, name) + 2;
+  }
+  return column > 0 ? row + 1 : row;
 }
 
 Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look) {
   Frame frame(columns, rows);
   // The panel is drawn on a frame of its own first: only then is known how high it is.
-  Frame panel(columns, 2 + kMostReadingRows + 1 + kSerialRows + 1);
+  Frame panel(columns, 2 + 2 * kMostReadingRows + 1 + kSerialRows + 1);
   int panel_rows = draw_readings(panel, 0, look);
   if (result_) {
     const int column =
@@ -164,10 +183,12 @@ Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look
   } else {
     panel.put(0, panel_rows++, note_, Ink::mark);
   }
+  int serial_row = panel_rows;
   for (const std::string& line : last_lines(serial_, kSerialRows)) {
-    const int column = panel.put(0, panel_rows, look.utf8 ? "› " : "> ", Ink::faint);
-    panel.put(column, panel_rows++, line);
+    panel.put(panel.put(0, serial_row, look.utf8 ? "› " : "> ", Ink::faint), serial_row, line);
+    ++serial_row;
   }
+  panel_rows += kSerialRows;  // also while they are empty: the floor must not change its size
   const int floor_rows = std::max(rows - panel_rows - 2, 3);
 
   choose_window(columns, floor_rows);

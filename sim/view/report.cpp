@@ -17,26 +17,47 @@ constexpr std::size_t kSerialLines = 5;
 // What a map cell must get for a picture of the whole map to be of use.
 constexpr double kLeastDotsPerCell = 2.0;
 
-/// The trail and two cells around it, inside the map.
+/// Grows by a point.
+void include(Area& area, Vec2 p) {
+  area.least = {std::min(area.least.x, p.x), std::min(area.least.y, p.y)};
+  area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
+}
+
+/// Whole cells with so many more around, inside the map.
+Area with_margin(const Area& area, const grid::Map& map, double cells) {
+  const auto down = [&](double metres) { return (std::floor(metres / map.cell_m) - cells) * map.cell_m; };
+  const auto up = [&](double metres) { return (std::ceil(metres / map.cell_m) + cells) * map.cell_m; };
+  const Area all = area_of(map);
+  return {{std::max(all.least.x, down(area.least.x)), std::max(all.least.y, down(area.least.y))},
+          {std::min(all.most.x, up(area.most.x)), std::min(all.most.y, up(area.most.y))}};
+}
+
 Area around(const Trail& trail, const grid::Map& map) {
   Area area{trail.last(), trail.last()};
-  for (const Vec2 p : trail.points()) {
-    area.least = {std::min(area.least.x, p.x), std::min(area.least.y, p.y)};
-    area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
+  for (const Vec2 p : trail.points()) include(area, p);
+  return with_margin(area, map, 2.0);
+}
+
+/// What is not mere floor.
+Area content(const Trail& trail, const grid::Map& map) {
+  Area area{map.centre({0, map.height - 1}), map.centre({0, map.height - 1})};
+  bool first = true;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const Vec2 p = map.centre({x, y});
+      if (map.at({x, y}) == grid::Cell::floor) continue;
+      if (first) area = {p, p};
+      first = false;
+      include(area, p);
+    }
   }
-  const auto to_cells = [&](double metres, double offset) {
-    return (std::floor(metres / map.cell_m) + offset) * map.cell_m;
-  };
-  const Area all = area_of(map);
-  return {
-      {std::max(all.least.x, to_cells(area.least.x, -2.0)),
-       std::max(all.least.y, to_cells(area.least.y, -2.0))},
-      {std::min(all.most.x, to_cells(area.most.x, 3.0)), std::min(all.most.y, to_cells(area.most.y, 3.0))}};
+  for (const Vec2 p : trail.points()) include(area, p);
+  return with_margin(area, map, 0.0);
 }
 
 std::string picture(const Report& report, const grid::Map& map, int columns, Look look) {
   const Trail& trail = report.trail;
-  Window window = fit(map, area_of(map), columns, kPictureRows);
+  Window window = fit(map, content(trail, map), columns, kPictureRows);
   const bool whole = map.cell_m / window.dot_m >= kLeastDotsPerCell;
   if (!whole) {
     if (trail.empty()) return "";

@@ -14,6 +14,7 @@ constexpr Look kPlain{true, false};
 
 client::RobotInfo robot() {
   client::RobotInfo info;
+  info.sensors = {{"S1", 60, 10}, {"S2", 60, -10}};
   info.outline_mm = {{-20, -40}, {60, -40}, {60, 40}, {-20, 40}};
   return info;
 }
@@ -47,6 +48,19 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   EXPECT_THAT(text, HasSubstr("› Ready\n› error 5\n"));
   EXPECT_THAT(text, HasSubstr("→"));
   EXPECT_THAT(text, HasSubstr("q end the run\n"));
+}
+
+TEST(LiveScene, WhatIsNoLineSensorIsOnOrOff) {
+  const auto map = grid::parse_map(line_of(10), "t.map");
+  LiveScene scene("t", map, robot());
+  client::Started begin = started();
+  begin.readings = {"start", "S2", "LED"};
+  scene.add(begin);
+  client::Sample now = sample(450, 50);
+  now.readings = {0.0, 0.5, 1.0};
+  scene.add(now);
+  const std::string text = to_text(scene.draw(80, 24, "", kPlain), kPlain);
+  EXPECT_THAT(text, HasSubstr("S2    ▕█████     ▏\n○ start  ● LED\n"));
 }
 
 TEST(LiveScene, PlainAsciiWorksToo) {
@@ -124,6 +138,17 @@ TEST(LiveScene, ArrowsMoveTheWindowAndFComesBack) {
   EXPECT_EQ(column_of_robot(scene.draw(80, 24, "", kPlain)), -1);
   scene.follow();
   EXPECT_GE(column_of_robot(scene.draw(80, 24, "", kPlain)), 0);
+}
+
+TEST(LiveScene, SerialOutputDoesNotResizeTheFloor) {
+  const auto map = grid::parse_map(line_of(10) + "1________1\n" + line_of(10), "t.map");
+  LiveScene scene("t", map, robot());
+  scene.add(started());
+  scene.add(sample(450, 50));
+  const Frame before = scene.draw(80, 24, "", kPlain);
+  scene.add(client::SerialText{1, "a\nb\nc\nd\n"});
+  const Frame after = scene.draw(80, 24, "", kPlain);
+  EXPECT_EQ(column_of_robot(before), column_of_robot(after));
 }
 
 TEST(LiveScene, AnyWindowSizeCanBeDrawn) {

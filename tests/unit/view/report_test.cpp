@@ -87,6 +87,15 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
 }
 
+TEST(EndScreen, LeavesOutTheEmptyFloorAround) {
+  const auto map = grid::parse_map("____\n_11_\n____\n____\n", "t.map");
+  Report r = report();
+  r.started.stations = {};
+  r.started.x = r.started.y = 1;
+  // Two cells of 8 x 4 characters, the line between the second row and the third.
+  EXPECT_THAT(end_screen(r, &map, 78, kPlain), StartsWith("\n\n    S·······\n\n\nPidFollower"));
+}
+
 TEST(EndScreen, ColoursTheVerdictByItsStatus) {
   Report r = report();
   EXPECT_THAT(end_screen(r, nullptr, 78, {true, true}), HasSubstr("\033[0;1;32mreached:\033[0m 2 laps"));
