@@ -48,6 +48,7 @@ class HardwareSerial : public Stream {
   int availableForWrite() override;
   void flush() override;
   size_t write(uint8_t byte) override;
+  size_t write(const uint8_t* bytes, size_t size) override;
   size_t write(unsigned long n) { return write((uint8_t)n); }
   size_t write(long n) { return write((uint8_t)n); }
   size_t write(unsigned int n) { return write((uint8_t)n); }

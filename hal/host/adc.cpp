@@ -18,6 +18,11 @@ SimTime Adc::clock() const {
   return cycles(exponent == 0 ? 2 : 1 << exponent);
 }
 
+SimTime Adc::next_start() const {
+  const SimTime past = state.now - clock_began_;
+  return clock_began_ + (past + clock() - 1) / clock() * clock();
+}
+
 uint16_t Adc::sample() const {
   const BoardSpec& spec = board->spec();
   const int reference_bits = multiplexer_ >> 6;
@@ -41,12 +46,13 @@ uint8_t Adc::control() const {
 void Adc::start() {
   converting_ = true;
   result_ = sample();
-  ready_ = state.now + 13 * clock();
+  ready_ = next_start() + 13 * clock();
 }
 
 void Adc::set_control(uint8_t value) {
   sync();
   const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears it
+  if (value & kEnable && !(control_ & kEnable)) clock_began_ = state.now;
   control_ = static_cast<uint8_t>((value & ~(kFlag | kStart)) | flag);
   if (!(value & kEnable)) {
     converting_ = false;

@@ -25,6 +25,8 @@ class Adc {
   uint16_t sample() const;
   /// One ADC clock.
   SimTime clock() const;
+  /// When a conversion begins that is asked for now: with the next ADC clock.
+  SimTime next_start() const;
   bool on() const { return control_ & 0x80; }
   void set_code(uint16_t code) { code_ = code; }
 
@@ -41,6 +43,7 @@ class Adc {
   bool converting_ = false;
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
+  SimTime clock_began_ = 0;  ///< the ADC clock runs from when the ADC was enabled
 };
 
 extern Adc adc;

@@ -13,6 +13,7 @@ namespace {
 void (*attached[2])();
 
 void run_attached(int number) {
+  host::spend(cost::kAttachedHandler);
   if (attached[number]) attached[number]();
 }
 

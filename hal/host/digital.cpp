@@ -50,6 +50,8 @@ void set_level(uint8_t pin, bool level) {
   host::refresh_pin(pin);
 }
 
+int timer_cost(uint8_t pin) { return host::timer_of(pin).timer < 0 ? 0 : cost::kTimerPin; }
+
 bool get_level(uint8_t pin) {
   disconnect(pin);
   host::refresh_pin(pin);
@@ -70,13 +72,13 @@ void pinMode(uint8_t pin, uint8_t mode) {
 
 void digitalWrite(uint8_t pin, uint8_t value) {
   host::note_call("digitalWrite", pin, 2, pin, value);
-  host::spend(cost::kDigitalWrite);
+  host::spend(cost::kDigitalWrite + timer_cost(pin));
   if (pin < host::kPortPins) set_level(pin, value != LOW);
 }
 
 int digitalRead(uint8_t pin) {
   host::note_call("digitalRead", pin, 1, pin);
-  host::spend(cost::kDigitalRead);
+  host::spend(cost::kDigitalRead + timer_cost(pin));
   return pin < host::kPortPins && get_level(pin) ? HIGH : LOW;
 }
 
@@ -91,24 +93,24 @@ int analogRead(uint8_t pin) {
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | (pin & 7)));
   host::spend(cost::kAnalogRead);
   if (!host::adc.on()) return 0;
-  // The conversion begins with the next ADC clock, samples after 1.5 and ends after 13 of them.
-  const robosim::SimTime start = host::state.now;
+  const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
-  host::wait_until(start + 2 * clock);
+  host::wait_until(start + 3 * clock / 2);
   const uint16_t code = host::adc.sample();
-  host::wait_until(start + 13 * clock + clock / 2);
+  host::wait_until(start + 13 * clock);
   host::adc.set_code(code);
   return code;
 }
 
 void analogWrite(uint8_t pin, int value) {
   host::note_call("analogWrite", pin, 2, pin, value);
-  host::spend(cost::kAnalogWrite);
+  const host::TimerPin by = host::timer_of(pin);
+  const bool digital = value == 0 || value == 255 || by.timer < 0;
+  host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
   if (pin >= host::kPortPins) return;
   set_mode(pin, OUTPUT);
-  const host::TimerPin by = host::timer_of(pin);
-  if (value == 0 || value == 255 || by.timer < 0) {
-    set_level(pin, by.timer < 0 && value != 0 ? value >= 128 : value != 0);
+  if (digital) {
+    set_level(pin, value == 255 || value >= 128);
     return;
   }
   host::Timer& timer = host::timer(by.timer);

@@ -40,6 +40,33 @@ namespace {
 
 int depth;
 
+#define ROBOSIM_NO_HANDLER(name) \
+  "the interrupt " name " is enabled, but there is no ISR(" name ") (the chip would restart)"
+const char* const kNoHandler[kVectors] = {
+    "",
+    "",
+    "",
+    ROBOSIM_NO_HANDLER("PCINT0_vect"),
+    ROBOSIM_NO_HANDLER("PCINT1_vect"),
+    ROBOSIM_NO_HANDLER("PCINT2_vect"),
+    "",
+    ROBOSIM_NO_HANDLER("TIMER2_COMPA_vect"),
+    ROBOSIM_NO_HANDLER("TIMER2_COMPB_vect"),
+    ROBOSIM_NO_HANDLER("TIMER2_OVF_vect"),
+    "",
+    ROBOSIM_NO_HANDLER("TIMER1_COMPA_vect"),
+    ROBOSIM_NO_HANDLER("TIMER1_COMPB_vect"),
+    ROBOSIM_NO_HANDLER("TIMER1_OVF_vect"),
+    ROBOSIM_NO_HANDLER("TIMER0_COMPA_vect"),
+    ROBOSIM_NO_HANDLER("TIMER0_COMPB_vect"),
+    "",
+    "",
+    "",
+    ROBOSIM_NO_HANDLER("USART_UDRE_vect"),
+    ROBOSIM_NO_HANDLER("USART_TX_vect"),
+    ROBOSIM_NO_HANDLER("ADC_vect"),
+};
+
 using Handler = void (*)();
 
 Handler handler_of(int vector) {

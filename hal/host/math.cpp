@@ -50,7 +50,7 @@ void randomSeed(unsigned long seed) {
 
 long random(long below) {
   if (below == 0) return 0;
-  host::spend(cost::kDivide);
+  host::spend(cost::kRandomBelow);
   return random() % below;
 }
 

@@ -1,8 +1,9 @@
-// What a sketch's view of the chip (hal/arduino) asks of the host implementation (hal/host): registers, interrupts,
-// sleep, EEPROM. Plain C, because a sketch's .c files see it too; every name begins with robosim_.
+// What a sketch's view of the chip (hal/arduino) asks of the host implementation (hal/host): registers,
+// interrupts, sleep, EEPROM. Plain C, because a sketch's .c files see it too; every name begins with
+// robosim_.
 //
-// A register is named by its address in the ATmega328P's data space (datasheet DS40002061B, "Register Summary"), so
-// that the list of names in avr/io.h is the only one there is.
+// A register is named by its address in the ATmega328P's data space (datasheet DS40002061B, "Register
+// Summary"), so that the list of names in avr/io.h is the only one there is.
 #pragma once
 
 #include <stdint.h>

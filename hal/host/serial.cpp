@@ -25,6 +25,23 @@ int64_t buffered() {
   return sending > 2 ? sending - 2 : 0;
 }
 
+/// The core formats numbers, which costs the more the more digits there are, and then hands over a run of
+/// digits.
+bool is_number(const uint8_t* text, size_t size) {
+  for (size_t i = 0; i < size; ++i)
+    if (text[i] < '0' || text[i] > '9') return false;
+  return size > 0;
+}
+
+void transmit(uint8_t byte) {
+  host::spend(cost::kSerialWrite);
+  if (host::uart.sending() > 1) {  // goes through the buffer: its handler will run once more
+    if (buffered() >= kRingBytes) host::wait_until(host::uart.until_sending(kRingBytes + 1));
+    host::spend(cost::kSerialTransmitHandler);
+  }
+  host::uart.send(byte);
+}
+
 }  // namespace
 
 namespace robosim {
@@ -106,15 +123,16 @@ void HardwareSerial::flush() {
 
 size_t HardwareSerial::write(uint8_t byte) {
   host::note_call("Serial.write", kNoPin, 1, byte);
-  host::spend(cost::kSerialWrite);
-  if (host::uart.sending() > 1) {  // goes through the buffer: its handler will run once more
-    if (buffered() >= kRingBytes) host::wait_until(host::uart.until_sending(kRingBytes + 1));
-    host::spend(cost::kSerialTransmitHandler);
-  }
-  host::uart.send(byte);
+  transmit(byte);
   return 1;
 }
 
+size_t HardwareSerial::write(const uint8_t* bytes, size_t size) {
+  host::note_call("Serial.print", kNoPin, 0);
+  if (is_number(bytes, size)) host::spend(cost::kSerialNumber + static_cast<int>(size) * cost::kSerialDigit);
+  for (size_t i = 0; i < size; ++i) transmit(bytes[i]);
+  return size;
+}
 void serialEventRun() {
   if (serialEvent && Serial.available()) serialEvent();
 }

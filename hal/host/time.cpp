@@ -83,21 +83,21 @@ unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
   host::note_call("pulseIn", pin, 2, pin, value);
   if (pin >= host::kPortPins) return 0;
   const bool level = value != LOW;
-  unsigned long loops = timeout;  // one turn of the core's loop takes 16 cycles: 1 us
-  const auto poll_while = [&](bool same) {
+  unsigned long loops = timeout;  // the core takes every turn for 16 cycles
+  const auto poll_while = [&](bool same, int cost_of_turn) {
     while ((host::board->read_level(pin, host::state.now) == level) == same) {
       if (loops == 0) return false;
       --loops;
-      host::spend(cost::kPulseLoop);
+      host::spend(cost_of_turn);
     }
     return true;
   };
   const bool outer = host::state.waiting;
   host::state.waiting = !host::in_handler();
   unsigned long width = 0;
-  if (poll_while(true) && poll_while(false)) {
+  if (poll_while(true, cost::kPulseWait) && poll_while(false, cost::kPulseWait)) {
     const unsigned long before = loops;
-    if (poll_while(true)) width = before - loops + 1;
+    if (poll_while(true, cost::kPulseLoop)) width = before - loops + 1;
   }
   host::state.waiting = outer;
   return width;
