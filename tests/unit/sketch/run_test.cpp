@@ -100,6 +100,11 @@ TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
   EXPECT_EQ(executor_->board().eeprom()[500], 2) << "counts its starts";
 }
 
+TEST_F(RunTest, ASleepingSketchWakesForTheClockAndParksForGood) {
+  EXPECT_EQ(run_sketch("Parking"), "4B37\n1\nparked\n");
+  EXPECT_LT(executor_->last_call(), 150 * kMillisecond);
+}
+
 TEST_F(RunTest, RegistersDriveThePins) {
   EXPECT_THAT(run_sketch("Registers", 50 * kMillisecond), testing::IsEmpty());  // no Serial.begin
   EXPECT_EQ(executor_->board().drive(5).mode, PinMode::output);

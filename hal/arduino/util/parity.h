@@ -1,0 +1,6 @@
+#pragma once
+
+#include <stdint.h>
+
+/// 1 if an odd number of bits is set.
+static inline uint8_t parity_even_bit(uint8_t value) { return (uint8_t)(__builtin_popcount(value) & 1); }
