@@ -95,7 +95,7 @@ std::string sha256_of(const Map& map) { return map.sha256.empty() ? sha256_of_fi
 fs::path find_map(const std::string& name) {
   if (name.find_first_of("/.") != std::string::npos) return name;
   const fs::path folder = data_folder() / "maps";
-  const fs::path sample = folder / (name + ".map");
+  fs::path sample = folder / (name + ".map");
   std::error_code error;
   if (!name.empty() && fs::exists(sample, error)) return sample;
   std::vector<std::string> names;
