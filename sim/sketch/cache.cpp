@@ -1,12 +1,15 @@
 #include "sim/sketch/cache.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
@@ -201,6 +204,17 @@ fs::path Cache::work_folder() const {
   fs::remove_all(path);
   fs::create_directories(path);
   return path;
+}
+
+CacheLock::CacheLock(const Cache& cache)
+    : descriptor_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+  // Without a lock the work may be done twice, no more.
+  while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+CacheLock::~CacheLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 WorkFolder::~WorkFolder() {

@@ -48,6 +48,19 @@ class Cache {
   std::filesystem::path folder_;
 };
 
+/// Held by one process at a time, so that what takes seconds is made once. Released at the end of its scope,
+/// and by a process that dies.
+class CacheLock {
+ public:
+  explicit CacheLock(const Cache& cache);
+  ~CacheLock();
+  CacheLock(const CacheLock&) = delete;
+  CacheLock& operator=(const CacheLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// A folder that is removed with all that is in it.
 class WorkFolder {
  public:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "sim/base/file.h"
@@ -47,7 +48,14 @@ void weaken(const fs::path& object, const fs::path& work) {
 
 Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::path& work) {
   const std::string key = "core\n" + recipe(toolchain);
-  if (const auto entry = cache.find(key)) return {entry->result, split_paths(entry->facts.at("inputs"))};
+  const auto known = [&]() -> std::optional<Object> {
+    const auto entry = cache.find(key);
+    if (!entry) return std::nullopt;
+    return Object{entry->result, split_paths(entry->facts.at("inputs"))};
+  };
+  if (const auto object = known()) return *object;
+  const CacheLock lock(cache);
+  if (const auto object = known()) return *object;  // another process has made it meanwhile
   const auto since = fs::file_time_type::clock::now();
   std::vector<Command> commands;
   std::vector<fs::path> objects;
