@@ -1,0 +1,166 @@
+// `robosim run` from the command line to the verdict.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::vector<std::string> kShort{"run",  "PidFollower", "--map", "oval",  "--robot",
+                                      "uno5", "--goal",      "none",  "--for", "2s"};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string hash_of(const Ended& run) {
+  const auto at = run.out.find("\"trace_hash\"");
+  return at == std::string::npos ? "none: " + run.err : run.out.substr(at, run.out.find('\n', at) - at);
+}
+
+TEST(CliRun, EqualInputsGiveEqualBytesAndAnotherSeedAnotherHash) {
+  const Ended first = robosim_command(with(kShort, {"--json"}));
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_THAT(first.out, StartsWith("{\n  \"schema\": \"robosim.run/1\",\n  \"verdict\": \"reached\","));
+  EXPECT_EQ(robosim_command(with(kShort, {"--json"})).out, first.out);
+  EXPECT_NE(hash_of(robosim_command(with(kShort, {"--json", "--seed", "2"}))), hash_of(first));
+}
+
+TEST(CliRun, TheScreenHasPictureVerdictAndFigures) {
+  const Ended run = robosim_command(kShort);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("reached: "));
+  EXPECT_THAT(run.out, HasSubstr("cross-track"));
+  EXPECT_THAT(run.out, HasSubstr("S"));
+  EXPECT_THAT(run.out, Not(HasSubstr("\033"))) << "no colours in a file";
+  EXPECT_THAT(run.err, IsEmpty()) << "no progress in a pipe";
+}
+
+TEST(CliRun, ARecordingHasARowEveryTenMillisecondsAndChangesNoResult) {
+  const Folder folder;
+  const Ended plain = robosim_command(with(kShort, {"--json"}));
+  const Ended recorded =
+      robosim_command(with(kShort, {"--json", "--record", "a.csv", "--record", "b.csv"}), folder.path());
+  EXPECT_EQ(recorded.out, plain.out);
+  const std::string csv = read_file(folder / "a.csv");
+  EXPECT_THAT(csv, StartsWith("t_us,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right,S1,"));
+  EXPECT_THAT(csv, HasSubstr("\n0,"));
+  EXPECT_THAT(csv, HasSubstr("\n2000000,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 201);
+  EXPECT_EQ(read_file(folder / "b.csv"), csv);
+}
+
+TEST(CliRun, ASketchFolderBringsItsMapAndItsRobot) {
+  const Folder folder;
+  folder.write("Mine/Mine.ino",
+               "void setup() { Serial.begin(9600); Serial.println(\"here\"); }\nvoid loop() { delay(1); }\n");
+  folder.write("Mine/only.map", "_____\n_..._\n_____\n");
+  folder.write("Mine/robot.toml", robosim_command({"robot", "show", "uno3"}).out);
+  const Ended run = robosim_command({"run", "--goal", "none", "--for", "100ms", "--json"}, folder / "Mine");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the map is only.map"));
+  EXPECT_THAT(run.err, HasSubstr("the robot is robot.toml"));
+  EXPECT_THAT(run.out,
+              HasSubstr("\"sketch\": \".\",\n    \"map\": \"only.map\",\n    \"robot\": \"robot.toml\","));
+  EXPECT_THAT(run.out, HasSubstr("here"));
+  const Ended by_path = robosim_command(
+      {"run", "./Mine/Mine.ino", "--goal", "none", "--for", "100ms", "--json"}, folder.path());
+  EXPECT_EQ(hash_of(by_path), hash_of(run));
+}
+
+TEST(CliRun, SendReachesTheSketchAfterASecond) {
+  const Folder folder;
+  const auto sketch =
+      folder.write("Echo/Echo.ino",
+                   "void setup() { Serial.begin(9600); }\n"
+                   "void loop() { while (Serial.available()) Serial.write(Serial.read() + 1); delay(1); }\n");
+  const Ended run = robosim_command({"run", sketch.string(), "--map", "oval", "--robot", "uno3", "--goal",
+                                     "none", "--for", "2s", "--send", "HAL", "--json"});
+  EXPECT_THAT(run.out, HasSubstr("\"serial\": \"IBM\"")) << run.err;
+}
+
+struct Case {
+  const char* name;
+  std::vector<std::string> words;
+  int status;
+  const char* says;
+};
+
+class CliStatus : public ::testing::TestWithParam<Case> {};
+
+TEST_P(CliStatus, IsAsDocumentedAndTheErrorIsOneSentence) {
+  const Folder folder;
+  folder.write("Bad/Bad.ino", "void setup() {}\nvoid loop() { nonsense }\n");
+  folder.write("Still/Still.ino", "void setup() {}\nvoid loop() { delay(10); }\n");
+  folder.write("bad.map", "0000\n0?00\n");
+  folder.write("bad.toml", "base = \"uno5\"\nwheels = 7\n");
+  folder.write("bad.txt", "at 1s pres start\n");
+  const Ended run = robosim_command(GetParam().words, folder.path());
+  EXPECT_EQ(run.status, GetParam().status) << run.out << run.err;
+  EXPECT_THAT(run.out + run.err, HasSubstr(GetParam().says));
+  if (GetParam().status == 2 || GetParam().status == 5) {
+    EXPECT_THAT(run.out, IsEmpty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CliStatus,
+    ::testing::Values(
+        Case{"Timeout",
+             {"run", "./Still", "--map", "oval", "--robot", "uno3", "--goal", "tour", "--for", "1s"},
+             4,
+             "timeout:"},
+        Case{"Syntax", {"run", "./Bad", "--map", "oval", "--robot", "uno3"}, 2, "Bad.ino:2:"},
+        Case{"BadMap", {"run", "./Still", "--map", "bad.map", "--robot", "uno3"}, 2, "bad.map:2:2"},
+        Case{"BadRobot", {"run", "./Still", "--map", "oval", "--robot", "bad.toml"}, 2, "bad.toml:2"},
+        Case{"BadScript",
+             {"run", "./Still", "--map", "oval", "--robot", "uno3", "--script", "bad.txt"},
+             2,
+             "bad.txt:1"},
+        Case{"BadGoal",
+             {"run", "./Still", "--map", "oval", "--robot", "uno3", "--goal", "laps:x"},
+             2,
+             "laps:x"},
+        Case{
+            "BadStart", {"run", "./Still", "--map", "oval", "--robot", "uno3", "--start", "0,0,E"}, 2, "0,0"},
+        Case{"NoSketch", {"run"}, 2, "the current folder holds no sketch"},
+        Case{"NoSuchMap", {"run", "./Still", "--map", "ovla"}, 2, "did you mean oval?"},
+        Case{"Avr", {"run", "./Still", "--target", "avr"}, 5, "not in this version of Robosim yet"},
+        Case{"View", {"run", "./Still", "--view"}, 2, "--view needs a terminal"},
+        Case{"BadRecord", {"run", "./Still", "--record", "x.vcd"}, 2, "must be .csv"},
+        Case{"Test", {"test"}, 2, "not in this version yet"},
+        Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},
+        Case{"CheckMap", {"map", "check", "bad.map"}, 2, "bad.map:2:2"},
+        Case{"Bare", {}, 0, "robosim robot show uno5 > robot.toml"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Cli, AStockRobotsOwnTextIsFine) {
+  for (const char* name : {"uno2", "uno3", "uno5", "nano8rc"}) {
+    const Folder folder;
+    const Ended shown = robosim_command({"robot", "show", name});
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    folder.write("robot.toml", shown.out);
+    const Ended checked = robosim_command({"robot", "check", "robot.toml"}, folder.path());
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("robot.toml is fine"));
+  }
+}
+
+TEST(Cli, AFullDiskIsNoticed) {
+  const Ended full = robosim_command({"robot", "show", "uno5"}, ".", "/dev/full");
+  EXPECT_EQ(full.status, 2);
+  EXPECT_THAT(full.err, HasSubstr("the standard output cannot be written"));
+}
+
+}  // namespace
+}  // namespace robosim::test

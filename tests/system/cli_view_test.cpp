@@ -1,0 +1,170 @@
+// `robosim run --view` on a terminal.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The command with a terminal of its own, of which we are the far end.
+class OnTerminal {
+ public:
+  OnTerminal(std::vector<std::string> words, unsigned short columns, unsigned short rows) {
+    words.insert(words.begin(), ROBOSIM_COMMAND);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const winsize size{rows, columns, 0, 0};
+    pid_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
+    if (pid_ == 0) {
+      ::setenv("LC_ALL", "C.UTF-8", 1);
+      ::execv(ROBOSIM_COMMAND, arguments.data());
+      ::_exit(127);
+    }
+  }
+  ~OnTerminal() {
+    if (pid_ > 0) {
+      ::kill(pid_, SIGKILL);
+      ::waitpid(pid_, nullptr, 0);
+    }
+    ::close(terminal_);
+  }
+
+  /// Reads on until `text` has appeared after the last thing waited for; false at the end.
+  bool wait_for(const std::string& text) {
+    for (;;) {
+      const auto found = seen_.find(text, from_);
+      if (found != std::string::npos) {
+        from_ = found + text.size();
+        return true;
+      }
+      char chunk[4096];
+      const ssize_t n = ::read(terminal_, chunk, sizeof chunk);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;  // Linux: EIO when the other end is closed
+      seen_.append(chunk, static_cast<std::size_t>(n));
+    }
+  }
+  void type(const std::string& keys) {
+    if (::write(terminal_, keys.data(), keys.size()) < 0)
+      throw std::system_error(errno, std::generic_category());
+  }
+  void resize(unsigned short columns, unsigned short rows) {
+    const winsize size{rows, columns, 0, 0};
+    ::ioctl(terminal_, TIOCSWINSZ, &size);  // the kernel sends SIGWINCH
+  }
+  void signal(int number) { ::kill(pid_, number); }
+  bool is_raw() const {
+    termios settings{};
+    ::tcgetattr(terminal_, &settings);
+    return (settings.c_lflag & ICANON) == 0;
+  }
+  /// Reads to the end. The exit status.
+  int finish() {
+    wait_for("\001 never written");
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return exit_status(status);
+  }
+  const std::string& seen() const { return seen_; }
+
+ private:
+  int terminal_ = -1;
+  pid_t pid_ = -1;
+  std::string seen_;
+  std::size_t from_ = 0;
+};
+
+constexpr const char* kEnter = "\033[?1049h\033[?25l";
+constexpr const char* kLeave = "\033[0m\033[?25h\033[?1049l";
+
+std::vector<std::string> drive(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"run",  "PidFollower", "--map", "oval",  "--robot",
+                                 "uno5", "--goal",      "none",  "--view"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(CliView, QEndsTheRunAndTheTerminalIsAsItWas) {
+  OnTerminal run(drive({"--for", "1h"}), 100, 30);
+  ASSERT_TRUE(run.wait_for(kEnter)) << run.seen();
+  ASSERT_TRUE(run.wait_for("m/s")) << run.seen();
+  EXPECT_TRUE(run.is_raw());
+  run.type("q");
+  ASSERT_TRUE(run.wait_for(kLeave)) << run.seen();
+  EXPECT_TRUE(run.wait_for("interrupted:")) << run.seen();
+  EXPECT_EQ(run.finish(), 130);
+  EXPECT_FALSE(run.is_raw());
+}
+
+TEST(CliView, CtrlCDoesTheSame) {
+  OnTerminal run(drive({"--for", "1h"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("m/s")) << run.seen();
+  run.type("\003");
+  ASSERT_TRUE(run.wait_for(kLeave)) << run.seen();
+  EXPECT_TRUE(run.wait_for("interrupted:")) << run.seen();
+  EXPECT_EQ(run.finish(), 130);
+  EXPECT_FALSE(run.is_raw());
+}
+
+TEST(CliView, SigtermRestoresTheTerminalToo) {
+  OnTerminal run(drive({"--for", "1h"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("m/s")) << run.seen();
+  run.signal(SIGTERM);
+  ASSERT_TRUE(run.wait_for(kLeave)) << run.seen();
+  EXPECT_EQ(run.finish(), 128 + SIGTERM);
+  EXPECT_FALSE(run.is_raw());
+}
+
+TEST(CliView, AtTheEndTheVerdictWaitsForAKey) {
+  OnTerminal run(drive({"--for", "2s", "--speed", "0"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("press any key")) << run.seen();
+  run.type("x");
+  ASSERT_TRUE(run.wait_for(kLeave)) << run.seen();
+  EXPECT_TRUE(run.wait_for("cross-track")) << run.seen();
+  EXPECT_EQ(run.finish(), 0);
+}
+
+TEST(CliView, FollowsAResizedWindow) {
+  OnTerminal run(drive({"--for", "1h"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("q end the run")) << run.seen();
+  run.resize(60, 20);
+  ASSERT_TRUE(run.wait_for("\033[2J")) << run.seen();
+  EXPECT_TRUE(run.wait_for("\033[20;1H")) << "the line of keys is at the new bottom\n" << run.seen();
+  run.type("q");
+  EXPECT_EQ(run.finish(), 130);
+}
+
+TEST(CliView, PauseStopsTimeAndSpaceGoesOn) {
+  OnTerminal run(drive({"--for", "1h"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("m/s")) << run.seen();
+  run.type(" ");
+  ASSERT_TRUE(run.wait_for("paused")) << run.seen();
+  run.type("q");
+  ASSERT_TRUE(run.wait_for(kLeave)) << "also while it is paused\n" << run.seen();
+  EXPECT_EQ(run.finish(), 130);
+}
+
+TEST(CliRun, CtrlCWithoutAViewEndsTheRunWithItsResult) {
+  // The line of progress on the terminal says that the run has begun.
+  OnTerminal run(
+      {"run", "PidFollower", "--map", "oval", "--robot", "uno5", "--goal", "none", "--for", "1000h"}, 100,
+      30);
+  ASSERT_TRUE(run.wait_for("simulated: ")) << run.seen();
+  run.type("\003");
+  EXPECT_TRUE(run.wait_for("interrupted:")) << run.seen();
+  EXPECT_EQ(run.finish(), 130);
+}
+
+}  // namespace
+}  // namespace robosim::test
