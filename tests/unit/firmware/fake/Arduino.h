@@ -1,0 +1,42 @@
+// As much of Arduino as the library uses, with a clock and pins that tests set and look at.
+#pragma once
+
+#include <cstdint>
+
+#define HIGH 1
+#define LOW 0
+#define INPUT 0
+#define OUTPUT 1
+#define INPUT_PULLUP 2
+
+namespace fake {
+
+struct Pin {
+  std::uint8_t mode = INPUT;
+  std::uint8_t level = LOW;       ///< what the firmware has written
+  int duty = -1;                  ///< what it has given to analogWrite; -1 = nothing, or written since
+  int reads = LOW;                ///< what digitalRead gives
+  int analog = 0;                 ///< what analogRead gives
+  std::uint32_t drains_us = 0;    ///< as an input it stays HIGH for so long after it was an output
+  std::uint32_t released_us = 0;  ///< when it became an input
+};
+
+struct Board {
+  Pin pins[32];
+  std::uint32_t now_us = 0;
+  std::uint32_t millis_at_start = 0;  ///< what millis() gives at now_us = 0; it wraps round at 2^32
+};
+
+/// The board that the functions below work on; new for each test.
+extern Board board;
+
+}  // namespace fake
+
+void pinMode(std::uint8_t pin, std::uint8_t mode);
+void digitalWrite(std::uint8_t pin, std::uint8_t level);
+int digitalRead(std::uint8_t pin);
+int analogRead(std::uint8_t pin);
+void analogWrite(std::uint8_t pin, int duty);
+unsigned long millis();
+unsigned long micros();
+void delayMicroseconds(unsigned int us);

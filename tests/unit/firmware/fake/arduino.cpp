@@ -1,0 +1,34 @@
+#include "Arduino.h"
+
+namespace fake {
+Board board;
+}
+
+using fake::board;
+
+void pinMode(std::uint8_t pin, std::uint8_t mode) {
+  if (board.pins[pin].mode == OUTPUT && mode != OUTPUT) board.pins[pin].released_us = board.now_us;
+  board.pins[pin].mode = mode;
+}
+
+void digitalWrite(std::uint8_t pin, std::uint8_t level) {
+  board.pins[pin].level = level;
+  board.pins[pin].duty = -1;
+}
+
+int digitalRead(std::uint8_t pin) {
+  board.now_us += 4;
+  const fake::Pin& p = board.pins[pin];
+  if (p.drains_us > 0) return board.now_us - p.released_us < p.drains_us ? HIGH : LOW;
+  return p.reads;
+}
+
+int analogRead(std::uint8_t pin) { return board.pins[pin].analog; }
+
+void analogWrite(std::uint8_t pin, int duty) { board.pins[pin].duty = duty; }
+
+unsigned long millis() { return board.millis_at_start + board.now_us / 1000; }
+
+unsigned long micros() { return board.now_us; }
+
+void delayMicroseconds(unsigned int us) { board.now_us += us; }
