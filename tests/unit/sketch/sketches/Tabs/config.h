@@ -5,4 +5,5 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-    int sum_of(int a, int b);
+    int
+    sum_of(int a, int b);
