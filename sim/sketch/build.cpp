@@ -49,8 +49,11 @@ class Build {
       fail(messages);
     }
     inputs_.folders = finder_.listed();
-    for (const Library& library : libraries_)
+    for (const Library& library : libraries_) {
       inputs_.folders.insert(inputs_.folders.end(), library.listed.begin(), library.listed.end());
+      const fs::path properties = library.folder / "library.properties";
+      if (fs::exists(properties)) inputs_.files.push_back(properties);
+    }
     return image;
   }
 

@@ -1,7 +1,10 @@
 #include "sim/sketch/libraries.h"
 
 #include <algorithm>
+#include <sstream>
 #include <system_error>
+
+#include "sim/base/file.h"
 
 namespace robosim::sketch {
 namespace fs = std::filesystem;
@@ -49,9 +52,20 @@ bool is_library(const fs::path& folder) {
   return std::any_of(files.begin(), files.end(), [](const fs::path& file) { return is_header(file); });
 }
 
+std::string name_of(const fs::path& folder) {
+  if (is_file(folder / "library.properties")) {
+    std::istringstream lines(read_file(folder / "library.properties"));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.rfind("name=", 0) == 0 && line.size() > 5) return line.substr(5);
+    }
+  }
+  return folder.filename().string();
+}
+
 Library read_library(const fs::path& folder) {
   Library library;
-  library.name = folder.filename().string();
+  library.name = name_of(folder);
   library.folder = folder;
   if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
     library.includes = {folder / "src"};
@@ -72,8 +86,9 @@ Library read_library(const fs::path& folder) {
 // How well a library's name fits a header: 0 best.
 int rank(const Library& library, const std::string& header) {
   const std::string wanted = fs::path(header).stem().string();
-  if (library.name == wanted) return 0;
-  return library.name.rfind(wanted, 0) == 0 ? 1 : 2;
+  const std::string folder = library.folder.filename().string();
+  if (folder == wanted) return 0;
+  return folder.rfind(wanted, 0) == 0 ? 1 : 2;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace robosim::sketch {
 /// A library in one of Arduino's two layouts: with `src/` (library.properties names it; sources at any
 /// depth), or flat (sources in its root and in `utility/`).
 struct Library {
-  std::string name;  ///< its folder's name
+  std::string name;  ///< as library.properties says, else its folder's name
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
