@@ -214,11 +214,16 @@ class Build {
       return fmt::format(
           "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr",
           header, library->name);
-    std::string looked = fmt::format("{}", fmt::join(paths_text(finder_.folders()), ", "));
+    if (fs::exists(core_.avr_libc.parent_path() / header))
+      return fmt::format(
+          "{} belongs to avr-libc and is about the chip's own hardware: it is for --target avr", header);
+    if (header.find('.') == std::string::npos)
+      return fmt::format(
+          "there is no header {}: Arduino boards with an AVR chip have no C++ standard library", header);
     return fmt::format(
         "there is no header {}: neither in the sketch nor in a library below {}; --libraries DIR adds "
         "a folder of libraries",
-        header, looked);
+        header, fmt::join(paths_text(finder_.folders()), ", "));
   }
 
   static std::vector<std::string> paths_text(const std::vector<fs::path>& paths) {

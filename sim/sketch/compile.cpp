@@ -14,9 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what its
+// table says.
+constexpr const char* kSketchLevel = "-O1";
+constexpr const char* kCoreLevel = "-O2";
 // Fixed: the same code on the same compiler must give the same trace.
 const std::vector<std::string> kCode = {
-    "-O1", "-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
+    "-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
     "-ffp-contract=off",
     // As Arduino's AVR core compiles:
     "-ffunction-sections", "-fdata-sections",
@@ -92,6 +96,7 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
   const bool c = is_c(unit);
   std::vector<std::string> words = {(c ? toolchain.compiler.cc : toolchain.compiler.cxx).string()};
+  words.push_back(unit.kind == Unit::Kind::core ? kCoreLevel : kSketchLevel);
   add(words, kCode);
   add(words, c ? kC : kCxx);
   if (unit.kind != Unit::Kind::core) add(words, kInstrumented);
@@ -189,7 +194,7 @@ std::string recipe(const Toolchain& toolchain) {
                                  toolchain.stage.string(), static_cast<int>(toolchain.warnings));
   for (const auto& words : {kCode, kCxx, kC, kInstrumented, kLink, definitions(toolchain)})
     text += fmt::format("{}\n", fmt::join(words, " "));
-  return text + kExports + kSections;
+  return text + kSketchLevel + kCoreLevel + kExports + kSections;
 }
 
 std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& folder) {
@@ -259,7 +264,13 @@ void fail(const std::string& messages) {
   static const std::regex error(
       R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
   std::smatch match;
-  if (!std::regex_search(messages, match, error)) throw CompileError(messages);
+  if (!std::regex_search(messages, match, error)) {
+    static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
+    if (std::regex_search(messages, match, assembler))
+      throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
+                                                              match[3].str() + "): it is for --target avr");
+    throw CompileError(messages);
+  }
   const Place place{match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
   throw CompileError(place, messages.substr(static_cast<std::size_t>(match.position(6))));
 }

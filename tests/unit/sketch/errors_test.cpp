@@ -59,6 +59,21 @@ TEST_F(SketchTest, ALibraryForTheChipIsToldApartFromAMissingOne) {
               StartsWith("Wired.ino:1:10: Wire.h belongs to the library Wire, which drives the"));
 }
 
+TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
+  write("Boot/Boot.ino", "#include <avr/boot.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Boot"), StartsWith("Boot.ino:1:10: avr/boot.h belongs to avr-libc"));
+  write("Boot/Boot.ino", "#include <vector>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Boot"),
+              StartsWith("Boot.ino:1:10: there is no header vector: Arduino boards with an AVR"));
+  write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
+  EXPECT_EQ(
+      error_of("Boot"),
+      "Boot.ino:1: asm() holds assembler of the chip (no such instruction: `wdr'): it is for --target avr");
+  write("Boot/Boot.cpp", "#include <avr/io.h>\n");
+  write("Boot/port.c", "#include <avr/io.h>\nvoid f(void) { PORTB = 1; }\n");
+  EXPECT_THAT(error_of("Boot"), HasSubstr("'robosim_registers_need_a_cpp_file' undeclared"));
+}
+
 TEST_F(SketchTest, ASketchWithoutLoopIsToldSo) {
   write("Half/Half.ino", "void setup() {}\n");
   EXPECT_EQ(error_of("Half"),

@@ -24,3 +24,11 @@ int read() { return 1; }
 void write(int value) { Serial.println(value + y1 + environ + error); }
 void link() {}
 bool remove(const char *) { return false; }
+
+int freeMemory() {
+  extern int __heap_start, *__brkval;
+  int v;
+  return (long)&v - (__brkval == 0 ? (long)&__heap_start : (long)__brkval);
+}
+
+void (*restart)(void) = 0;
