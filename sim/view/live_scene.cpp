@@ -204,20 +204,24 @@ Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look
   }
   floor_.draw(frame, 0, 1, marks(), look);
 
-  int column = frame.put(0, 0, title_ + "  ", Ink::strong);
+  // What changes comes first: a long title must not push it out of a narrow window.
+  int column = 0;
   if (sample_) {
-    column = frame.put(column, 0,
+    column = frame.put(0, 0,
                        fmt::format("t {}  {:.2f} m/s  ", time_text(static_cast<double>(sample_->t_us) * 1e-6),
-                                   sample_->speed_mm_s / 1000.0));
+                                   sample_->speed_mm_s / 1000.0),
+                       Ink::strong);
   }
-  frame.put(column, 0, speed, Ink::mark);
+  column = frame.put(column, 0, speed, Ink::mark);
+  frame.put(column + 2, 0, title_);
   for (int row = 0; row < panel_rows; ++row) {
     for (int c = 0; c < columns; ++c) frame.set(c, 1 + floor_rows + row, panel.at(c, row));
   }
-  frame.put(0, rows - 1,
-            result_ ? "the run is over: press any key"
-                    : "space pause   + - speed   arrows move   f follow the robot   q end the run",
-            Ink::faint);
+  if (result_) {
+    frame.put(0, rows - 1, "the run is over: press any key", Ink::strong);
+  } else {
+    frame.put(0, rows - 1, "space pause  + - speed  arrows move  f follow  q end the run", Ink::faint);
+  }
   return frame;
 }
 

@@ -86,26 +86,32 @@ class Writer {
   Writer(int columns, Look look) : columns_(columns), look_(look) {}
 
   void line(std::string_view text = "", Ink ink = Ink::plain) {
-    if (ink != Ink::plain) text_ += select(ink, look_);
-    for (const char32_t c : printable(text)) append(text_, c, look_.utf8);
-    if (ink != Ink::plain) text_ += select(Ink::plain, look_);
-    text_ += '\n';
+    if (ink != Ink::plain) written_ += select(ink, look_);
+    for (const char32_t c : printable(text)) append(written_, c, look_.utf8);
+    if (ink != Ink::plain) written_ += select(Ink::plain, look_);
+    written_ += '\n';
+  }
+  /// Wrapped.
+  void text(std::string_view words, Ink ink) {
+    for (const std::string& part : wrap(words, std::max(columns_, 20))) line(part, ink);
   }
   /// "label: text", the text's further lines indented by as much.
-  void labelled(std::string_view label, std::string_view text, Ink ink) {
+  void labelled(std::string_view label, std::string_view text, Ink ink = Ink::plain) {
     const int indent = width_of(label) + 1;
-    std::string start = select(ink, look_) + std::string(label) + select(Ink::plain, look_) + " ";
+    std::string start(label);
+    if (ink != Ink::plain) start = select(ink, look_) + start + select(Ink::plain, look_);
+    start += ' ';
     for (const std::string& part : wrap(text, std::max(columns_ - indent, 20))) {
-      text_ += start;
+      written_ += start;
       line(part);
       start.assign(static_cast<std::size_t>(indent), ' ');
     }
   }
-  std::string take() { return std::move(text_); }
-  std::string& raw() { return text_; }
+  std::string take() { return std::move(written_); }
+  std::string& raw() { return written_; }
 
  private:
-  std::string text_;
+  std::string written_;
   int columns_;
   Look look_;
 };
@@ -120,21 +126,25 @@ void write_figures(Writer& out, const Report& report) {
   const client::RunResult& r = report.result;
   const client::Metrics& m = r.metrics;
   const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
-  out.line(fmt::format("time         {}   distance {:.2f} m   mean speed {:.2f} m/s   energy {:.1f} J",
-                       time_text(r.time_s), m.distance_m, mean, m.energy_j));
+  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean speed {:.2f} m/s · energy {:.1f} J",
+                                           time_text(r.time_s), m.distance_m, mean, m.energy_j));
   if (!m.laps_s.empty()) {
     std::string laps;
     const std::size_t first = m.laps_s.size() > 8 ? m.laps_s.size() - 8 : 0;
     for (std::size_t i = first; i < m.laps_s.size(); ++i) laps += fmt::format(" {:.2f}", m.laps_s[i]);
-    out.line(fmt::format("laps         {}, each{}{} s", m.laps_s.size(), first ? " … " : "", laps));
+    out.labelled("laps        ", fmt::format("{}, each{}{} s", m.laps_s.size(), first ? " …" : "", laps));
   }
-  out.line(fmt::format("cross-track  {:.1f} mm RMS, {:.1f} mm at most   off the line {:.2f} s",
-                       m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
-  out.line(fmt::format("collisions   {}", m.collisions));
+  out.labelled("cross-track ", fmt::format("{:.1f} mm RMS, {:.1f} mm at most · off the line {:.2f} s",
+                                           m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
+  out.labelled("collisions  ", std::to_string(m.collisions));
   if (!report.started.stations.empty()) {
-    out.line(fmt::format("stations     {} of {} visited{}{}   junctions {}", m.stations.size(),
-                         report.started.stations.size(), m.stations.empty() ? "" : ": ", list(m.stations),
-                         m.junctions));
+    out.labelled("stations    ", fmt::format("{} of {} visited{}{} · junctions {}", m.stations.size(),
+                                             report.started.stations.size(), m.stations.empty() ? "" : ": ",
+                                             list(m.stations), m.junctions));
+  }
+  if (report.wall_s) {
+    out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
+                                             r.time_s / std::max(*report.wall_s, 1e-9)));
   }
 }
 
@@ -178,16 +188,12 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
     if (const std::string drawn = picture(report, *map, columns, look); !drawn.empty())
       out.raw() += drawn + "\n";
   }
-  out.line(fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", report.sketch, report.robot, report.map,
+  out.text(fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", report.sketch, report.robot, report.map,
                        r.goal, r.seed, r.profile, report.target),
            Ink::faint);
   out.labelled(r.verdict + ":", r.why, ink_of(r));
   out.line();
   write_figures(out, report);
-  if (report.wall_s) {
-    out.line(fmt::format("wall time    {:.3f} s, {:.0f} times real time", *report.wall_s,
-                         r.time_s / std::max(*report.wall_s, 1e-9)));
-  }
   if (!r.events.empty()) {
     out.line();
     out.line("last events", Ink::strong);

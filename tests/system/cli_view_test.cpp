@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <pty.h>
 #include <signal.h>
 #include <sys/ioctl.h>
@@ -14,6 +15,9 @@ namespace robosim::test {
 namespace {
 
 using ::testing::HasSubstr;
+
+// A guard for tests that fail: they end instead of waiting for ever.
+constexpr int kSilence_ms = 30'000;
 
 /// The command with a terminal of its own, of which we are the far end.
 class OnTerminal {
@@ -39,7 +43,9 @@ class OnTerminal {
     ::close(terminal_);
   }
 
-  /// Reads on until `text` has appeared after the last thing waited for; false at the end.
+  /// Reads on until `text` has appeared after the last thing waited for; false at the end, or when nothing
+  /// comes any more. The view writes changes only: a text is found if all its characters are new, or of
+  /// another colour.
   bool wait_for(const std::string& text) {
     for (;;) {
       const auto found = seen_.find(text, from_);
@@ -47,6 +53,8 @@ class OnTerminal {
         from_ = found + text.size();
         return true;
       }
+      pollfd ready{terminal_, POLLIN, 0};
+      if (::poll(&ready, 1, kSilence_ms) == 0) return false;
       char chunk[4096];
       const ssize_t n = ::read(terminal_, chunk, sizeof chunk);
       if (n < 0 && errno == EINTR) continue;

@@ -41,7 +41,7 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   scene.add(client::SerialText{1, "Ready\nerror 5"});
   scene.add(client::Note{2'500'000'000, "station dock visited"});
   const std::string text = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
-  EXPECT_THAT(text, StartsWith("PidFollower · uno5 on oval  t 1.23 s  0.31 m/s  ×1\n"));
+  EXPECT_THAT(text, StartsWith("t 1.23 s  0.31 m/s  ×1  PidFollower · uno5 on oval\n"));
   EXPECT_THAT(text, HasSubstr("left  ▕█████     ▏+0.50  right ▕██▌       ▏-0.25\n"));
   EXPECT_THAT(text, HasSubstr("S1    ▕          ▏  S2    ▕██████████▏\n"));
   EXPECT_THAT(text, HasSubstr("2.50 s  station dock visited\n"));
