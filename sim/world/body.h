@@ -152,7 +152,7 @@ class Body {
   void solve_slip(const Motor* m, const double* friction, double limit);
   void draw_energy();
   void collide(const Walls&);
-  void push_out(const Contact&);
+  bool push_out(const Contact&, Vec2 moved);
   void meet(Vec2 normal, double depth, double approach);
   Vec2 velocity() const { return pose_.heading * v_ + left_of(pose_.heading) * u_; }
   void set_velocity(Vec2 velocity);
@@ -180,6 +180,7 @@ class Body {
   double energy_ = 0.0;
   double side_free_ = 0.0, along_free_ = 0.0;  // u and v as the turned frame of the new pose sees them
   BodyParams params_;
+  std::vector<Vec2> corners_;  // of the outline, in the world, where it is near something
 };
 
 inline Pose Body::pose_after(double dt_s) const {

@@ -31,10 +31,11 @@ class Floor {
   /// The map must outlive the floor.
   explicit Floor(const grid::Map& map);
 
-  /// The share of a sensor's footprint (diameter `footprint_m`) that lies on painted line, 0..1:
-  ///   clamp((line/2 + f/2 - d) / f, 0, 1),  d = distance to the nearest painted centre line.
-  /// Within 0.026 of the exact area of a disc on a straight edge. On a raster floor: the exact share of a
-  /// square of side f.
+  /// The share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the footprint's
+  /// width: the side of a square, or a disc of the same area (diameter 1.13 f).
+  ///   clamp((line/2 + f/2 - d) / f, 0, 1),  d = distance to the nearest painted centre line
+  /// Exact for the square on an edge along it, within 0.026 for the disc. On a raster floor: the exact share
+  /// of a square of side f.
   double coverage(Vec2 p, double footprint_m) const;
 
   /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
@@ -104,12 +105,12 @@ inline double Floor::coverage(Vec2 p, double footprint_m) const {
   if (!quads_.empty()) return coverage_raster(p, footprint);
   const double reach = half_line_ + 0.5 * footprint;
   if (stripes_ && reach <= stripes_reach_) return coverage_round(p, footprint);
-  if (reach > 0.5 * cell_) return ramp(search(p, true), reach, footprint);
+  if (stripes_ || reach > 0.5 * cell_) return ramp(search(p, true), reach, footprint);
   int column, row;
   double x, y;
   if (!locate(p, column, row, x, y)) return 0.0;
   const Kind& kind = kinds_[cells_[index(column, row)]];
-  if (!kind.is_painted) return 0.0;
+  if (!kind.is_painted) return kind.is_line ? ramp(search(p, true), reach, footprint) : 0.0;
   const double square = kind.painted.square(x, y);
   if (square >= reach * reach) return 0.0;
   return ramp(std::sqrt(square), reach, footprint);

@@ -9,10 +9,6 @@ namespace {
 
 bool stops(grid::Cell c) { return c == grid::Cell::wall || c == grid::Cell::obstacle; }
 
-void keep_deepest(std::optional<Contact>& best, const Contact& contact) {
-  if (!best || contact.depth > best->depth) best = contact;
-}
-
 Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 p) {
   const Vec2 d = b - a;
   const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
@@ -20,6 +16,14 @@ Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 p) {
 }
 
 }  // namespace
+
+void Contacts::add(const Contact& contact) {
+  std::size_t at = std::min(size_, found_.size() - 1);
+  if (size_ == found_.size() && contact.depth <= found_[at].depth) return;
+  for (; at > 0 && found_[at - 1].depth < contact.depth; --at) found_[at] = found_[at - 1];
+  found_[at] = contact;
+  size_ = std::min(size_ + 1, found_.size());
+}
 
 Walls::Walls(const grid::Map& map)
     : map_(&map), per_cell_(1.0 / map.cell_m), columns_(map.width), rows_(map.height) {
@@ -100,8 +104,17 @@ struct Window {
 
 }  // namespace
 
-std::optional<Contact> Walls::touch(Vec2 centre, double radius) const {
-  std::optional<Contact> best;
+bool Walls::beyond_edge(Vec2 p) const {
+  const double x = p.x * per_cell_, y = p.y * per_cell_;
+  return !(x >= -1.0 && y >= -1.0 && x <= columns_ + 1.0 && y <= rows_ + 1.0);
+}
+
+Contacts Walls::touch(Vec2 centre, double radius) const {
+  Contacts found;
+  if (beyond_edge(centre)) {
+    found.add({centre, {}, 0.0, true});
+    return found;
+  }
   const double reach = radius + kNear;
   const double side = map_->cell_m;
   const Window window(centre, reach, per_cell_, columns_, rows_);
@@ -115,7 +128,7 @@ std::optional<Contact> Walls::touch(Vec2 centre, double radius) const {
       if (square >= reach * reach) continue;
       if (square > 0.0) {
         const double away = std::sqrt(square);
-        keep_deepest(best, {nearest, d * (1.0 / away), radius - away});
+        found.add({nearest, d * (1.0 / away), radius - away});
         continue;
       }
       // The centre is inside the cell: out by the nearest open side.
@@ -127,7 +140,9 @@ std::optional<Contact> Walls::touch(Vec2 centre, double radius) const {
       side_at(!solid(column + 1, row), x0 + side - centre.x, {1.0, 0.0});
       side_at(!solid(column, row - 1), centre.y - y0, {0.0, -1.0});
       side_at(!solid(column, row + 1), y0 + side - centre.y, {0.0, 1.0});
-      return out;
+      found = {};
+      found.add(out);
+      return found;
     }
   }
   for (const Disc& disc : discs_) {
@@ -136,67 +151,24 @@ std::optional<Contact> Walls::touch(Vec2 centre, double radius) const {
     const double depth = radius + disc.radius_m - away;
     if (depth <= -kNear) continue;
     const Vec2 normal = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-    keep_deepest(best, {disc.centre + normal * disc.radius_m, normal, depth});
+    found.add({disc.centre + normal * disc.radius_m, normal, depth});
   }
-  return best;
+  return found;
 }
 
-std::optional<Contact> Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const {
-  std::optional<Contact> best;
-  const double side = map_->cell_m;
+Contacts Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const {
+  Contacts found;
+  if (beyond_edge(centre)) {
+    found.add({centre, {}, 0.0, true});
+    return found;
+  }
   const Window window(centre, radius + kNear, per_cell_, columns_, rows_);
-  const std::size_t corners = polygon.size();
   for (int row = window.bottom; row <= window.top; ++row) {
     for (int column = window.left; column <= window.right; ++column) {
-      if (!solid(column, row)) continue;
-      // Separating axes of two convex shapes. A side that faces another solid cell pushes nobody out.
-      const Vec2 low{column * side, row * side}, high{low.x + side, low.y + side};
-      Contact least{{}, {}, std::numeric_limits<double>::infinity(), true};
-      bool apart = false;
-      const auto face = [&](Vec2 normal, Vec2 on, bool open) {
-        double deepest = -std::numeric_limits<double>::infinity();
-        Vec2 point;
-        int points = 0;
-        for (const Vec2 p : polygon) {
-          const double depth = dot(normal, on - p);
-          if (depth > deepest + 1e-9) {
-            deepest = depth;
-            point = p;
-            points = 1;
-          } else if (depth > deepest - 1e-9) {
-            point = point + p;
-            ++points;
-          }
-        }
-        apart |= deepest <= -kNear;
-        if (open && deepest < least.depth) least = {point * (1.0 / points), normal, deepest, false};
-      };
-      face({-1.0, 0.0}, low, !solid(column - 1, row));
-      face({0.0, -1.0}, low, !solid(column, row - 1));
-      face({1.0, 0.0}, high, !solid(column + 1, row));
-      face({0.0, 1.0}, high, !solid(column, row + 1));
-      for (std::size_t i = 0; i < corners && !apart; ++i) {
-        const Vec2 a = polygon[i], edge = polygon[i + 1 < corners ? i + 1 : 0] - a;
-        const double span = length(edge);
-        const Vec2 outward{edge.y / span, -edge.x / span};
-        double deepest = -std::numeric_limits<double>::infinity();
-        Vec2 point;
-        bool open = false;
-        for (int corner = 0; corner < 4; ++corner) {
-          const bool east = corner & 1, north = corner & 2;
-          const Vec2 p{east ? high.x : low.x, north ? high.y : low.y};
-          const double depth = dot(outward, a - p);
-          if (depth <= deepest) continue;
-          deepest = depth;
-          point = p;
-          open = !solid(column + (east ? 1 : -1), row) && !solid(column, row + (north ? 1 : -1));
-        }
-        apart |= deepest <= -kNear;
-        if (open && deepest < least.depth) least = {point, outward * -1.0, deepest, false};
-      }
-      if (!apart && !least.embedded) keep_deepest(best, least);
+      if (solid(column, row)) touch_cell(polygon, column, row, found);
     }
   }
+  const std::size_t corners = polygon.size();
   for (const Disc& disc : discs_) {
     double nearest = std::numeric_limits<double>::infinity();
     Vec2 point;
@@ -212,9 +184,67 @@ std::optional<Contact> Walls::touch(std::span<const Vec2> polygon, Vec2 centre, 
     const double depth = disc.radius_m + (inside ? nearest : -nearest);
     if (depth <= -kNear || nearest == 0.0) continue;
     const Vec2 normal = (point - disc.centre) * ((inside ? -1.0 : 1.0) / nearest);
-    keep_deepest(best, {point, normal, depth});
+    found.add({point, normal, depth});
   }
-  return best;
+  return found;
+}
+
+// The axis on which the two convex shapes overlap least. A side of the cell that faces another solid cell
+// pushes nobody out, nor does a corner between such sides.
+void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts& found) const {
+  const double side = map_->cell_m;
+  const Vec2 low{column * side, row * side}, high{low.x + side, low.y + side};
+  const bool open[4] = {!solid(column + 1, row), !solid(column, row + 1), !solid(column - 1, row),
+                        !solid(column, row - 1)};
+  constexpr Vec2 normals[4] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+  Contact least{{}, {}, std::numeric_limits<double>::infinity(), true};
+  int face = -1;
+  for (int i = 0; i < 4; ++i) {
+    const double limit = dot(normals[i], i < 2 ? high : low);
+    double reach = std::numeric_limits<double>::infinity();
+    for (const Vec2 p : polygon) reach = std::min(reach, dot(normals[i], p));
+    const double depth = limit - reach;
+    if (depth <= -kNear) return;
+    if (!open[i] || depth >= least.depth) continue;
+    least = {{}, normals[i], depth, false};
+    face = i;
+  }
+  for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
+    const Vec2 a = polygon[i], edge = polygon[i + 1 < n ? i + 1 : 0] - a;
+    const double span = length(edge);
+    const Vec2 outward{edge.y / span, -edge.x / span};
+    // The corner farthest against `outward`, and whether both sides that meet there are open.
+    const bool east = outward.x < 0.0, north = outward.y < 0.0;
+    const Vec2 corner{east ? high.x : low.x, north ? high.y : low.y};
+    const double depth = dot(outward, a - corner);
+    if (depth <= -kNear) return;
+    if (!open[east ? 0 : 2] || !open[north ? 1 : 3] || depth >= least.depth) continue;
+    least = {corner, outward * -1.0, depth, false};
+    face = -1;
+  }
+  if (least.embedded) return;
+  if (face < 0) {
+    found.add(least);
+    return;
+  }
+  // Against a side: every corner of the polygon that is at it, so that a flat contact does not rock. Where
+  // none lies over the side, the deepest one's place along it.
+  const Vec2 n = least.normal;
+  const double limit = dot(n, face < 2 ? high : low);
+  Vec2 deepest;
+  bool any = false;
+  for (const Vec2 p : polygon) {
+    const double depth = limit - dot(n, p);
+    if (depth == least.depth) deepest = p;
+    if (depth <= -kNear || depth > least.depth) continue;
+    const bool over = n.x == 0.0 ? p.x >= low.x && p.x <= high.x : p.y >= low.y && p.y <= high.y;
+    if (!over) continue;
+    found.add({p, n, depth, false});
+    any = true;
+  }
+  if (any) return;
+  least.point = {std::clamp(deepest.x, low.x, high.x), std::clamp(deepest.y, low.y, high.y)};
+  found.add(least);
 }
 
 }  // namespace robosim::world

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +21,19 @@ struct Contact {
   bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
 };
 
+/// The deepest contacts of an outline, deepest first: more than eight change nothing.
+class Contacts {
+ public:
+  void add(const Contact&);
+  const Contact* begin() const { return found_.data(); }
+  const Contact* end() const { return found_.data() + size_; }
+  bool empty() const { return size_ == 0; }
+
+ private:
+  std::array<Contact, 8> found_;
+  std::size_t size_ = 0;
+};
+
 /// A round obstacle.
 struct Disc {
   int id = 0;
@@ -30,7 +43,7 @@ struct Disc {
 
 class Walls {
  public:
-  /// A contact is reported, and thought to last, up to this gap: 1 mm.
+  /// A contact is reported, and thought to last, up to this gap, m.
   static constexpr double kNear = 0.001;
 
   /// The map must outlive it.
@@ -50,10 +63,10 @@ class Walls {
     return rings == 0 ? 0.0 : (rings - 1 + border) * map_->cell_m;
   }
 
-  /// The deepest contact of a disc, or the smallest gap up to kNear.
-  std::optional<Contact> touch(Vec2 centre, double radius) const;
+  /// Where a disc touches something, or leaves a gap of less than kNear.
+  Contacts touch(Vec2 centre, double radius) const;
   /// The same of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius` bound it.
-  std::optional<Contact> touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
+  Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
   int add(Vec2 centre, double radius_m);
   /// Nothing happens if there is none such.
@@ -67,6 +80,8 @@ class Walls {
 
  private:
   bool solid(int column, int row) const;  // row from the bottom
+  bool beyond_edge(Vec2) const;           // by more than a cell
+  void touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts&) const;
 
   const grid::Map* map_;
   double per_cell_, columns_, rows_;

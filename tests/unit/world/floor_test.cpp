@@ -1,0 +1,144 @@
+#include "sim/world/floor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "maps.h"
+
+namespace robosim::world {
+namespace {
+
+struct Random {
+  unsigned state = 1;
+  double operator()() {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) * 0x1p-24;
+  }
+};
+
+grid::Map random_map(Random& random, bool raster, double corner) {
+  std::vector<std::string> rows(11, std::string(14, ' '));
+  for (std::string& row : rows) {
+    for (char& c : row) {
+      const double r = random();
+      c = r < 0.55 ? ' ' : r < 0.85 ? '.' : r < 0.92 ? 'o' : r < 0.96 ? 'x' : '#';
+    }
+  }
+  grid::Map map = map_of(rows);
+  map.raster = raster;
+  map.corner_m = corner;
+  return map;
+}
+
+// A few long lines with bends, as real floors have.
+grid::Map bends(double corner) {
+  grid::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
+                          " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
+                          " ....           ", "                "});
+  map.corner_m = corner;
+  return map;
+}
+
+double brute_distance(const grid::Stripes& stripes, Vec2 p, bool painted_only) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const grid::Stripe& s : stripes.all()) {
+    if (s.painted || !painted_only) nearest = std::min(nearest, grid::distance(s, p));
+  }
+  return nearest;
+}
+
+void expect_exact(const grid::Map& map, Random& random) {
+  const Floor floor(map);
+  const grid::Stripes stripes(map, 0.01);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 p{(random() * 1.1 - 0.05) * map.width * map.cell_m,
+                 (random() * 1.1 - 0.05) * map.height * map.cell_m};
+    const double truth = brute_distance(stripes, p, false);
+    if (truth <= floor.far_m()) {
+      ASSERT_NEAR(floor.distance_to_line(p), truth, 1e-12) << p.x << ", " << p.y;
+    } else {
+      ASSERT_GE(floor.distance_to_line(p), floor.far_m());
+    }
+    for (const double f : {0.0, 0.002, 0.006, 0.015, 0.03, 0.1, 0.25}) {
+      const double footprint = std::max(f, 1e-9);
+      const double d = brute_distance(stripes, p, true);
+      const double share = (map.line_m / 2 + footprint / 2 - d) / footprint;
+      // With no width the stripe's border is a jump.
+      if (f == 0.0 && std::fabs(d - map.line_m / 2) < 1e-8) continue;
+      ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, 1.0), 0.0), 1e-9)
+          << p.x << ", " << p.y << " f " << f;
+    }
+  }
+}
+
+TEST(Floor, DistanceAndCoverageAreExactOverRandomMaps) {
+  Random random;
+  for (int round = 0; round < 20; ++round) expect_exact(random_map(random, false, 0.0), random);
+}
+
+TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
+  Random random;
+  for (const double corner : {0.02, 0.05, 0.1, 0.15, 0.25}) {
+    expect_exact(bends(corner), random);
+    for (int round = 0; round < 4; ++round) expect_exact(random_map(random, false, corner), random);
+  }
+}
+
+TEST(Floor, AnEmptyFloorIsWhiteAndFarFromAnyLine) {
+  const grid::Map map = empty_map(30, 30);
+  const Floor floor(map);
+  EXPECT_EQ(floor.coverage({1.5, 1.5}, 0.003), 0.0);
+  EXPECT_EQ(floor.coverage({-5.0, 99.0}, 0.003), 0.0);
+  EXPECT_GE(floor.distance_to_line({1.5, 1.5}), floor.far_m());
+  EXPECT_GE(floor.distance_to_line({-1e9, 1e9}), floor.far_m());
+}
+
+// The exact area of a disc that is on the dark side of a straight edge at signed distance x (dark: positive).
+double disc_share(double x, double radius) {
+  const double h = std::max(std::min(x / radius, 1.0), -1.0);
+  return (std::asin(h) + h * std::sqrt(1.0 - h * h)) / 3.14159265358979323846 + 0.5;
+}
+
+TEST(Floor, CoverageIsWithin26ThousandthsOfTheShareOfADiscOfThatArea) {
+  const grid::Map map = map_of({"     ", ".....", "     "});
+  const Floor floor(map);
+  double worst = 0.0;
+  for (const double f : {0.001, 0.003, 0.006, 0.012}) {
+    for (int i = -300; i <= 300; ++i) {
+      const double x = i / 300.0 * f;
+      worst = std::max(worst, std::fabs(floor.coverage({0.25, 0.15 + 0.010 - x}, f) -
+                                        disc_share(x, f / std::sqrt(3.14159265358979323846))));
+    }
+  }
+  EXPECT_LT(worst, 0.026);
+  EXPECT_GT(worst, 0.02);
+}
+
+TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
+  Random random;
+  for (int round = 0; round < 10; ++round) {
+    const grid::Map map = random_map(random, true, round % 2 ? 0.05 : 0.0);
+    const Floor floor(map);
+    for (int i = 0; i < 500; ++i) {
+      const Vec2 p{(random() * 1.2 - 0.1) * 1.4, (random() * 1.2 - 0.1) * 1.1};
+      const double f = i % 5 == 0 ? 0.1 + random() * 0.3 : 0.001 + random() * 0.099;
+      double dark = 0.0;
+      for (int y = 0; y < map.height; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+          const grid::Cell cell = map.at({x, y});
+          if (cell != grid::Cell::line && cell != grid::Cell::obstacle) continue;
+          const Vec2 c = map.centre({x, y});
+          const double w = std::min(p.x + f / 2, c.x + 0.05) - std::max(p.x - f / 2, c.x - 0.05);
+          const double h = std::min(p.y + f / 2, c.y + 0.05) - std::max(p.y - f / 2, c.y - 0.05);
+          dark += std::max(w, 0.0) * std::max(h, 0.0);
+        }
+      }
+      ASSERT_NEAR(floor.coverage(p, f), dark / (f * f), 1e-9) << p.x << ", " << p.y << " f " << f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robosim::world
