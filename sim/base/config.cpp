@@ -3,9 +3,14 @@
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <fmt/format.h>
+#if __has_include(<toml++/impl/preprocessor.hpp>)
+#include <toml++/impl/preprocessor.hpp>  // 3.4
+#else
 #include <toml++/impl/preprocessor.h>
-// toml++ 3.3 asserts that a table header's first character begins a key, and two lines later answers the opposite
-// with an error. The assertion would abort where assertions are on, and be undefined behaviour in clang's releases.
+#endif
+// toml++ 3.3 asserts that a table header's first character begins a key, and two lines later answers the
+// opposite with an error. The assertion would abort where assertions are on, and be undefined behaviour in
+// clang's releases.
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(expr) static_assert(true)
 #include <toml++/toml.h>
