@@ -182,8 +182,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   write_file(work / "sections.ld", kSections);
   std::vector<std::string> words = {toolchain.compiler.cc.string()};
   add(words, kLink);
-  add(words, {"-Wl,--version-script=" + (work / "exports.map").string(),
-              "-Wl,-T," + (work / "sections.ld").string(), "-o", image.string()});
+  add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld", "-o", image.string()});
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
   return {std::move(words), work, {}};

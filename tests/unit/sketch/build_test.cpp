@@ -107,6 +107,17 @@ TEST_F(SketchTest, APlainCppFileIsASketchToo) {
   EXPECT_GT(build_here("plain.cpp").text_bytes, 1000u);
 }
 
+TEST_F(SketchTest, APathMayHoldSpacesAndSigns) {
+  const std::string name = "a b=c, #1 $x/My Sketch (2)";
+  write(name + "/My Sketch (2).ino", "#include \"some header.h\"\n" + kEmptySketch);
+  write(name + "/some header.h", "");
+  ::setenv("XDG_CACHE_HOME", (folder_ / "cache, too").c_str(), 1);
+  EXPECT_FALSE(build_here(name).from_cache);
+  EXPECT_TRUE(build_here(name).from_cache);
+  write(name + "/some header.h", "int more;\n");
+  EXPECT_FALSE(build_here(name).from_cache);
+}
+
 TEST_F(SketchTest, WarningsAreKeptWithTheImage) {
   write("Warn/Warn.ino", "void setup() {\n  int x = 1 / 0;\n}\nvoid loop() {}\n");
   const std::string messages = build_here("Warn").messages;
