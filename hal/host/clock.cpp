@@ -54,9 +54,7 @@ void work(SimTime duration) {
   }
 }
 
-void wait_until(SimTime time) {
-  const bool outer = state.waiting;
-  state.waiting = !in_handler();
+void idle_until(SimTime time) {
   while (state.now < time) {
     SimTime next = time < tone_end() ? time : tone_end();
     if (interrupts_enabled()) {
@@ -72,8 +70,18 @@ void wait_until(SimTime time) {
     sync_peripherals();
     while (serve_interrupt() && state.now < time) sync_peripherals();
   }
-  state.waiting = outer;
   refresh_deadline();
+}
+
+void wait_until(SimTime time) {
+  if (time < deadline) {
+    if (time > state.now) state.now = time;
+    return;
+  }
+  const bool outer = state.waiting;
+  state.waiting = !in_handler();
+  idle_until(time);
+  state.waiting = outer;
 }
 
 void wait_for_interrupt(bool timer0_counts) {
@@ -103,6 +111,18 @@ void stop_for_ever(const char* how) {
 
 }  // namespace host
 }  // namespace robosim
+
+/// gcc does not instrument empty blocks: `for (;;);` would be a jump to itself, in which no time passes.
+/// sim/sketch puts a call of this in place of such a jump.
+#if defined(__x86_64__) || defined(__i386__)
+#define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
+#else
+#define ROBOSIM_ALIGN_STACK
+#endif
+extern "C" ROBOSIM_ALIGN_STACK void robosim_endless_loop() {
+  robosim::host::state.place = __builtin_return_address(0);
+  for (;;) robosim::host::idle_until(robosim::kNever);
+}
 
 extern "C" void __sanitizer_cov_trace_pc() {
   using namespace robosim::host;

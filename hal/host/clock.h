@@ -33,7 +33,10 @@ void work(SimTime duration);
 /// longer. Costs nothing however long it is.
 void wait_until(SimTime time);
 
-/// Waits for the next interrupt to be served.
+/// The same for firmware that is in no call of the API: it hangs.
+void idle_until(SimTime time);
+
+/// Waits for the next interrupt to be served. Interrupts must be enabled.
 void wait_for_interrupt(bool timer0_counts);
 
 /// Firmware has given up by itself; `how` as the sketch would write it. Does not return.

@@ -13,10 +13,12 @@ namespace {
 
 uint8_t reference = DEFAULT;
 
-void set_mode(uint8_t pin, uint8_t mode) {
+/// Whether anything has changed.
+bool set_mode(uint8_t pin, uint8_t mode) {
   const host::Port port = host::port_of(pin);
   const uint8_t mask = host::mask_of(pin);
   host::PortRegisters& registers = host::ports[port];
+  const host::PortRegisters before = registers;
   if (mode == INPUT || mode == INPUT_PULLUP) {
     registers.direction &= static_cast<uint8_t>(~mask);
     if (mode == INPUT) {
@@ -27,34 +29,35 @@ void set_mode(uint8_t pin, uint8_t mode) {
   } else {
     registers.direction |= mask;
   }
+  return before.direction != registers.direction || before.output != registers.output;
 }
 
-/// The core takes PWM off a pin before it reads or writes it: only bit COMxx1, as the core does.
-void disconnect(uint8_t pin) {
+/// The core takes PWM off a pin before it reads or writes it: only bit COMxx1, as the core does. Whether it
+/// had any.
+bool disconnect(uint8_t pin) {
   const host::TimerPin by = host::timer_of(pin);
-  if (by.timer < 0) return;
+  if (by.timer < 0) return false;
   host::Timer& timer = host::timer(by.timer);
   const uint8_t connection = timer.connection(by.channel);
-  if (connection & 2) timer.set_connection(by.channel, connection & 1);
+  if (!(connection & 2)) return false;
+  timer.set_connection(by.channel, connection & 1);
+  return true;
 }
 
 void set_level(uint8_t pin, bool level) {
-  disconnect(pin);
-  host::PortRegisters& registers = host::ports[host::port_of(pin)];
+  const bool disconnected = disconnect(pin);
+  uint8_t& output = host::ports[host::port_of(pin)].output;
   const uint8_t mask = host::mask_of(pin);
-  if (level) {
-    registers.output |= mask;
-  } else {
-    registers.output &= static_cast<uint8_t>(~mask);
-  }
+  const auto value = static_cast<uint8_t>(level ? output | mask : output & ~mask);
+  if (value == output && !disconnected) return;
+  output = value;
   host::refresh_pin(pin);
 }
 
 int timer_cost(uint8_t pin) { return host::timer_of(pin).timer < 0 ? 0 : cost::kTimerPin; }
 
 bool get_level(uint8_t pin) {
-  disconnect(pin);
-  host::refresh_pin(pin);
+  if (disconnect(pin)) host::refresh_pin(pin);
   return host::board->read_level(pin, host::state.now);
 }
 
@@ -108,8 +111,9 @@ void analogWrite(uint8_t pin, int value) {
   const bool digital = value == 0 || value == 255 || by.timer < 0;
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
   if (pin >= host::kPortPins) return;
-  set_mode(pin, OUTPUT);
+  const bool was_input = set_mode(pin, OUTPUT);
   if (digital) {
+    if (was_input) host::refresh_pin(pin);
     set_level(pin, value == 255 || value >= 128);
     return;
   }

@@ -8,7 +8,7 @@
 #include "hal/host/uart.h"
 
 // What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
-#define ROBOSIM_VECTOR(number) __attribute__((weak)) void __vector_##number();
+#define ROBOSIM_VECTOR(number) __attribute__((weak, visibility("hidden"))) void __vector_##number();
 extern "C" {
 ROBOSIM_VECTOR(1)
 ROBOSIM_VECTOR(2)
@@ -113,7 +113,7 @@ Handler handler_of(int vector) {
 }
 
 uint32_t pending_timer(const Timer& timer, int first_vector) {
-  const uint32_t raised = timer.flags() & timer.enabled();
+  const uint32_t raised = timer.pending();
   if (!raised) return 0;
   return ((raised & Timer::compare_a) >> 1 | (raised & Timer::compare_b) >> 1 |
           (raised & Timer::overflow) << 2)
@@ -121,7 +121,7 @@ uint32_t pending_timer(const Timer& timer, int first_vector) {
 }
 
 void acknowledge_timer(Timer& timer, int offset) {
-  timer.clear_flags(offset == 0 ? Timer::compare_a : offset == 1 ? Timer::compare_b : Timer::overflow);
+  timer.acknowledge(offset == 0 ? Timer::compare_a : offset == 1 ? Timer::compare_b : Timer::overflow);
 }
 
 void acknowledge(int vector) {
@@ -168,11 +168,9 @@ uint32_t pending_interrupts() {
 }
 
 SimTime next_interrupt(bool with_timer0_overflow) {
-  const uint8_t timer0_mask = with_timer0_overflow ? timer0.enabled() : timer0.enabled() & ~Timer::overflow;
   SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
-  next = earlier(next, timer0.next(timer0_mask));
-  next = earlier(next, timer1.next(timer1.enabled()));
-  return earlier(next, timer2.next(timer2.enabled()));
+  next = earlier(next, with_timer0_overflow ? timer0.due() : timer0.due_to_match());
+  return earlier(next, earlier(timer1.due(), timer2.due()));
 }
 
 bool serve_interrupt() {
@@ -182,8 +180,7 @@ bool serve_interrupt() {
   const int vector = __builtin_ctz(pending);
   const Handler handler = handler_of(vector);
   if (!handler) {
-    executor->crash("an interrupt is enabled that has no ISR (the chip would restart)", nullptr, 0,
-                    state.place);
+    executor->crash(kNoHandler[vector], nullptr, 0, state.place);
     __builtin_unreachable();
   }
   acknowledge(vector);

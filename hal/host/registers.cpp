@@ -125,10 +125,12 @@ void write_timer8(uint8_t address, uint8_t value) {
     case kTcnt0:
       return timer.set_count(value);
     case kOcr0a:
-      return timer.set_compare(0, value);
+      timer.set_compare(0, value);
+      break;
     default:
-      return timer.set_compare(1, value);
+      timer.set_compare(1, value);
   }
+  refresh_timer_pins(address < kTccr2a ? 0 : 2);
 }
 
 bool is_word(uint8_t address) {
@@ -160,9 +162,11 @@ void write_word(uint8_t address, uint16_t value) {
     case kIcr1:
       return timer1.set_capture(value);
     case kOcr1a:
-      return timer1.set_compare(0, value);
+      timer1.set_compare(0, value);
+      return refresh_timer_pins(1);
     case kOcr1b:
-      return timer1.set_compare(1, value);
+      timer1.set_compare(1, value);
+      return refresh_timer_pins(1);
     case kUbrr0:
       return uart.set_divider(value);
     default:

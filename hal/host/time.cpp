@@ -21,7 +21,7 @@ unsigned long read_micros() {
   host::timer0.sync();
   const uint16_t count = host::timer0.count();
   uint64_t overflows = host::timer0_overflows;
-  if (host::timer0.flags() & host::Timer::overflow && count < 255) ++overflows;
+  if (host::timer0.pending() & host::Timer::overflow && count < 255) ++overflows;
   return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
 }
 

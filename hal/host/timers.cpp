@@ -64,7 +64,7 @@ void Timer::decode() {
   const uint8_t clock = control_b_ & 7;
   prescaler_ = number_ == 2 ? kPrescalers2[clock] : kPrescalers01[clock];
   kind_ = Kind::pwm;
-  dual_ = false;
+  dual_ = top_is_compare_ = false;
   if (number_ == 1) {
     const int mode = (control_a_ & 3) | (control_b_ >> 1 & 0xC);
     const bool by_capture = mode == 8 || mode == 10 || mode == 12 || mode == 14;
@@ -81,6 +81,7 @@ void Timer::decode() {
     } else if (mode < 8 && mode != 4) {
       top_ = kTops[mode & 3];
     } else {
+      top_is_compare_ = !by_capture;
       top_ = by_capture ? capture_ : compare_[0];
     }
   } else {
@@ -88,7 +89,8 @@ void Timer::decode() {
     if (mode == 0 || mode == 4 || mode == 6) kind_ = Kind::normal;
     if (mode == 2) kind_ = Kind::clear_on_match;
     dual_ = mode == 1 || mode == 5;
-    top_ = mode == 2 || mode == 5 || mode == 7 ? compare_[0] : 0xFF;
+    top_is_compare_ = mode == 2 || mode == 5 || mode == 7;
+    top_ = top_is_compare_ ? compare_[0] : 0xFF;
   }
   period_ = dual_ ? (top_ > 0 ? 2 * top_ : 1) : top_ + 1;
 }
@@ -96,13 +98,15 @@ void Timer::decode() {
 template <typename Change>
 void Timer::reconfigure(Change change) {
   sync();
+  sync_disabled();
   const int64_t at = position();
   const int32_t prescaler = prescaler_;
   const SimTime tick_began = prescaler == 0 ? state.now : time_of(ticks());
   change();
   decode();
   base_ = prescaler == prescaler_ ? tick_began : state.now;
-  base_tick_ = synced_ = at % period_;
+  base_tick_ = overflows_seen_ = disabled_seen_ = at % period_;
+  refresh_due();
   refresh_timer_pins(number_);
 }
 
@@ -120,7 +124,13 @@ void Timer::set_connection(int channel, uint8_t bits) {
 }
 
 void Timer::set_compare(int channel, uint16_t value) {
-  if (compare_[channel] != value) reconfigure([&] { compare_[channel] = value; });
+  const bool is_top = channel == 0 && top_is_compare_;
+  const bool interrupts = enabled_ & (channel == 0 ? compare_a : compare_b);
+  if (is_top || interrupts) {
+    reconfigure([&] { compare_[channel] = value; });
+  } else {
+    compare_[channel] = value;
+  }
 }
 
 void Timer::set_capture(uint16_t value) {
@@ -129,8 +139,29 @@ void Timer::set_capture(uint16_t value) {
 
 void Timer::set_count(uint16_t value) {
   sync();
+  sync_disabled();
   base_ = state.now;
-  base_tick_ = synced_ = value % period_;
+  base_tick_ = overflows_seen_ = disabled_seen_ = value % period_;
+  refresh_due();
+}
+
+void Timer::set_enabled(uint8_t mask) {
+  sync();
+  sync_disabled();
+  enabled_ = mask & (overflow | compare_a | compare_b);
+  refresh_due();
+}
+
+void Timer::clear_flags(uint8_t mask) {
+  sync();
+  sync_disabled();
+  flags_ &= static_cast<uint8_t>(~mask);
+}
+
+uint8_t Timer::flags() {
+  sync();
+  sync_disabled();
+  return flags_;
 }
 
 int Timer::matches(int channel, int64_t (&at)[2]) const {
@@ -146,49 +177,57 @@ int Timer::matches(int channel, int64_t (&at)[2]) const {
 }
 
 bool Timer::passed(int64_t event, int64_t until) const {
-  return (until - event + period_) / period_ > (synced_ - event + period_) / period_;
+  return (until - event + period_) / period_ > (disabled_seen_ - event + period_) / period_;
 }
 
-void Timer::sync() {
+void Timer::sync_disabled() {
   if (prescaler_ == 0) return;
   const int64_t until = ticks();
-  if (until == synced_) return;
-  if ((kind_ != Kind::clear_on_match || top_ == counter_max()) && passed(0, until)) flags_ |= overflow;
+  if (!(enabled_ & overflow) && overflows() && passed(0, until)) flags_ |= overflow;
   for (int channel = 0; channel < 2; ++channel) {
+    const uint8_t flag = channel == 0 ? compare_a : compare_b;
+    if ((enabled_ | flags_) & flag) continue;
     int64_t at[2];
     const int count = matches(channel, at);
     for (int i = 0; i < count; ++i)
-      if (passed(at[i], until)) flags_ |= channel == 0 ? compare_a : compare_b;
+      if (passed(at[i], until)) flags_ |= flag;
   }
-  synced_ = until;
+  disabled_seen_ = until;
 }
 
-SimTime Timer::next(uint8_t mask) const {
-  if (prescaler_ == 0 || !mask) return kNever;
+SimTime Timer::next(int flag, int64_t after) const {
+  int64_t at[2] = {0, 0};
+  const int count = flag > 0 ? matches(flag - 1, at) : overflows() ? 1 : 0;
   int64_t first = INT64_MAX;
-  const auto consider = [&](int64_t event) {
-    const int64_t tick = synced_ + 1 + ((event - synced_ - 1) % period_ + period_) % period_;
+  for (int i = 0; i < count; ++i) {
+    const int64_t tick = after + 1 + (at[i] - (after + 1) % period_ + period_) % period_;
     if (tick < first) first = tick;
-  };
-  if ((mask & overflow) && (kind_ != Kind::clear_on_match || top_ == counter_max())) consider(0);
-  for (int channel = 0; channel < 2; ++channel) {
-    if (!(mask & (channel == 0 ? compare_a : compare_b))) continue;
-    int64_t at[2];
-    const int count = matches(channel, at);
-    for (int i = 0; i < count; ++i) consider(at[i]);
   }
   return first == INT64_MAX ? kNever : time_of(first);
 }
 
+void Timer::refresh_due() {
+  due_ = kNever;
+  for (int flag = 0; flag < 3; ++flag) {
+    due_of_[flag] = prescaler_ != 0 && enabled_ >> flag & 1 ? next(flag, ticks()) : kNever;
+    if (due_of_[flag] < due_) due_ = due_of_[flag];
+  }
+}
+
+void Timer::raise_due() {
+  for (int flag = 0; flag < 3; ++flag)
+    if (state.now >= due_of_[flag]) flags_ |= static_cast<uint8_t>(1 << flag);
+  if (flags_ & overflow && enabled_ & overflow) overflows_seen_ = ticks();
+  refresh_due();
+}
+
 int64_t Timer::take_overflows() {
-  if (prescaler_ == 0) return 0;
+  if (state.now < due_of_[0]) return 0;
   const int64_t until = ticks();
-  const uint8_t before = flags_;
-  const int64_t overflows =
-      kind_ == Kind::clear_on_match && top_ != counter_max() ? 0 : until / period_ - synced_ / period_;
-  sync();
-  if (!(before & overflow)) flags_ &= ~overflow;
-  return overflows;
+  const int64_t count = until / period_ - overflows_seen_ / period_;
+  overflows_seen_ = until;
+  refresh_due();
+  return count;
 }
 
 PinDrive Timer::drive(int channel) const {

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "hal/board/board.h"
+#include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
@@ -25,21 +26,31 @@ class Timer {
   uint16_t compare(int channel) const { return compare_[channel]; }
   uint16_t capture() const { return capture_; }
   uint8_t enabled() const { return enabled_; }
-  uint8_t flags() const { return flags_; }
+  /// TIFRn.
+  uint8_t flags();
   uint16_t count() const;
 
   void set_control_a(uint8_t value);
   void set_control_b(uint8_t value);
+  /// The caller refreshes the pin, unless the value is the counter's TOP.
   void set_compare(int channel, uint16_t value);
   void set_capture(uint16_t value);
   void set_count(uint16_t value);
-  void set_enabled(uint8_t mask) { enabled_ = mask; }
-  void clear_flags(uint8_t mask) { flags_ &= ~mask; }
+  void set_enabled(uint8_t mask);
+  void clear_flags(uint8_t mask);
 
-  /// Raises the flags of what has happened until now.
-  void sync();
-  /// When the next flag in `mask` will be raised; kNever if none.
-  SimTime next(uint8_t mask) const;
+  /// Raises the enabled flags that are due.
+  void sync() {
+    if (state.now >= due_) raise_due();
+  }
+  /// When the next enabled flag will be raised.
+  SimTime due() const { return due_; }
+  /// The same without the overflow.
+  SimTime due_to_match() const { return due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2]; }
+  /// Flags that are raised and enabled.
+  uint8_t pending() const { return flags_ & enabled_; }
+  /// The handler of `flag` starts.
+  void acknowledge(uint8_t flag) { flags_ &= static_cast<uint8_t>(~flag); }
 
   /// The COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
   uint8_t connection(int channel) const { return control_a_ >> (channel == 0 ? 6 : 4) & 3; }
@@ -63,6 +74,11 @@ class Timer {
   int64_t ticks() const;
   SimTime time_of(int64_t tick) const;
   bool passed(int64_t event, int64_t until) const;
+  void raise_due();
+  void sync_disabled();
+  void refresh_due();
+  SimTime next(int flag, int64_t after) const;
+  bool overflows() const { return kind_ != Kind::clear_on_match || top_ == counter_max(); }
   /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
   int matches(int channel, int64_t (&at)[2]) const;
   uint16_t counter_max() const { return number_ == 1 ? 0xFFFF : 0xFF; }
@@ -75,13 +91,18 @@ class Timer {
   enum class Kind : uint8_t { normal, clear_on_match, pwm };
   Kind kind_ = Kind::normal;
   bool dual_ = false;
+  bool top_is_compare_ = false;
   int32_t prescaler_ = 0;  ///< 0 = stopped
   int64_t top_ = 0xFF;
   int64_t period_ = 0x100;
-  // The counter: tick `base_tick_` began at `base_`; flags are up to date to `synced_`.
+  // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
-  int64_t synced_ = 0;
+  int64_t overflows_seen_ = 0;  ///< the tick up to which take_overflows() has counted
+  int64_t disabled_seen_ =
+      0;  ///< the tick up to which flags that are not enabled are known: they are not timed
+  SimTime due_of_[3] = {kNever, kNever, kNever};  ///< of overflow, match A, match B; kNever where not enabled
+  SimTime due_ = kNever;
 };
 
 extern Timer timer0, timer1, timer2;

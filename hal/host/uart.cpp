@@ -79,6 +79,7 @@ uint8_t Uart::take() {
 }
 
 uint32_t Uart::pending() const {
+  if (!(control_ & (kTxcie | kUdrie))) return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << 18;
   const uint8_t raised = status() & control_;  // the enable bits stand where the flags do
   return static_cast<uint32_t>((raised & kRxc) != 0) << 18 |
          static_cast<uint32_t>((raised & kUdre) != 0) << 19 |
