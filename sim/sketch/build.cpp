@@ -295,7 +295,7 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
 
 }  // namespace
 
-Image build(const Request& request) {
+Image build(const Request& request) try {
   if (request.target != "host")
     throw InputError(fmt::format("there is no target {}; Robosim builds for host", request.target));
   const Sketch sketch = read_sketch(request.sketch);
@@ -330,6 +330,8 @@ Image build(const Request& request) {
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
   return image_of(entry, false);
+} catch (const fs::filesystem_error& error) {
+  throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());
 }
 
 }  // namespace robosim::sketch

@@ -102,6 +102,14 @@ TEST_F(SketchTest, ASketchMayDefineAFunctionOfTheCoreAnew) {
   EXPECT_FALSE(build_here("Own").from_cache);
 }
 
+TEST_F(SketchTest, GlobalsMayBeNamedLikeFunctionsOfThePcsCLibrary) {
+  write("Names/Names.ino",
+        "int error, index, position, stop, path, time, signal, read, write, select, link, remove, rename;\n"
+        "double y0;\nlong getchar, perror, system, getenv;\n" +
+            kEmptySketch);
+  EXPECT_THAT(build_here("Names").messages, IsEmpty());
+}
+
 TEST_F(SketchTest, APlainCppFileIsASketchToo) {
   write("plain.cpp", "#include <Arduino.h>\n" + kEmptySketch);
   EXPECT_GT(build_here("plain.cpp").text_bytes, 1000u);

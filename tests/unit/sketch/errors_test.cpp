@@ -111,6 +111,13 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}), HasSubstr("is no folder; --libraries takes"));
 }
 
+TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {
+  write("Any/Any.ino", kEmptySketch);
+  write("xdg/robosim/entries", "a file where a folder should be");
+  ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
+  EXPECT_THAT(error_of("Any"), StartsWith((folder_ / "xdg/robosim/entries").string() + ": cannot be used: "));
+}
+
 TEST_F(SketchTest, AMissingCompilerIsNamedWithItsPackage) {
   write("Any/Any.ino", kEmptySketch);
   ::setenv("PATH", folder_.c_str(), 1);
