@@ -9,6 +9,7 @@
 #include "sim/sketch/compile.h"
 #include "sim/sketch/core.h"
 #include "sim/sketch/elf_size.h"
+#include "sim/sketch/endless.h"
 #include "sim/sketch/libraries.h"
 #include "sim/sketch/prototypes.h"
 #include "sim/sketch/sketch.h"
@@ -151,7 +152,8 @@ class Build {
       started.push_back(unit);
     }
     const auto since = fs::file_time_type::clock::now();
-    const std::vector<Outcome> outcomes = run(commands);
+    std::vector<Outcome> outcomes = run(commands);
+    assemble(objects, outcomes);
 
     std::vector<Unit> again;
     std::string errors;
@@ -174,6 +176,24 @@ class Build {
       objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(slot));
     });
     return again;
+  }
+
+  /// The second half of a compilation, for those that have succeeded so far.
+  void assemble(const std::vector<fs::path>& objects, std::vector<Outcome>& outcomes) const {
+    std::vector<std::size_t> compiled;
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (outcomes[i].status != 0) continue;
+      const fs::path assembly = objects[i].string() + ".s";
+      write_file(assembly, call_in_endless_loops(read_file(assembly)));
+      compiled.push_back(i);
+      commands.push_back(assemble_command(toolchain_, objects[i]));
+    }
+    const std::vector<Outcome> assembled = run(commands);
+    for (std::size_t i = 0; i < compiled.size(); ++i) {
+      outcomes[compiled[i]].status = assembled[i].status;
+      outcomes[compiled[i]].output += assembled[i].output;
+    }
   }
 
   std::string unit_key(const Unit& unit) const {

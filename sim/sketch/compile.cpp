@@ -156,9 +156,19 @@ std::vector<fs::path> split_paths(const std::string& text) {
 
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
   std::vector<std::string> words = base_words(toolchain, unit);
-  add(words, {"-MD", "-MF", object.string() + ".d", "-c", "-o", object.string()});
+  add(words, {"-MD", "-MF", object.string() + ".d"});
+  if (unit.kind == Unit::Kind::core)
+    add(words, {"-c", "-o", object.string()});
+  else
+    add(words, {"-S", "-o", object.string() + ".s"});
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input};
+}
+
+Command assemble_command(const Toolchain& toolchain, const fs::path& object) {
+  return {{toolchain.compiler.cc.string(), "-c", "-o", object.string(), object.string() + ".s"},
+          object.parent_path(),
+          {}};
 }
 
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const fs::path& output) {
@@ -193,7 +203,7 @@ std::string recipe(const Toolchain& toolchain) {
                                  toolchain.stage.string(), static_cast<int>(toolchain.warnings));
   for (const auto& words : {kCode, kCxx, kC, kInstrumented, kLink, definitions(toolchain)})
     text += fmt::format("{}\n", fmt::join(words, " "));
-  return text + kSketchLevel + kCoreLevel + kExports + kSections;
+  return text + "assembly 1 " + kSketchLevel + kCoreLevel + kExports + kSections;
 }
 
 std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& folder) {

@@ -41,8 +41,10 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
-/// Compiles to `object`, and lists all files read in `object` + ".d".
+/// A unit of the core goes to `object` at once; any other to the assembly `object` + ".s", in which endless
+/// loops are marked (endless.h) before assemble_command. Lists all files read in `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
+Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& object);
 /// Only preprocesses, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
 /// Several objects to one.

@@ -38,6 +38,7 @@ class RunTest : public SketchTest {
   }
 
   std::string run_image(const fs::path& image, SimTime duration) {
+    serial_.text.clear();
     executor_ = std::make_unique<executors::HostExecutor>(board_, image);
     executor_->board().watch_serial(serial_);
     for (Pin pin = 14; pin < 20; ++pin) executor_->board().connect(pin, volts_);
@@ -134,6 +135,18 @@ TEST_F(RunTest, ConstructorsRunInTheOrderOfTheirPriority) {
           "A c __attribute__((init_priority(200)))('c');\nA d __attribute__((init_priority(150)))('d');\n"
           "void setup() { Serial.begin(9600); Serial.println(order); }\nvoid loop() {}\n"),
       "dcab\n");
+}
+
+TEST_F(RunTest, TimePassesInAnEmptyEndlessLoopAndInterruptsAreServed) {
+  EXPECT_EQ(
+      run_code(
+          "volatile int n;\nISR(TIMER1_COMPA_vect) { n++; if (n == 20) Serial.print(n); }\n"
+          "void setup() { Serial.begin(115200); OCR1A = 15999; TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS10);"
+          " TIMSK1 = _BV(OCIE1A); for (;;); }\nvoid loop() {}\n"),
+      "20");
+  EXPECT_EQ(run_code("int x;\nvoid setup() {\n  while (1)\n    ;\n}\nvoid loop() {}\n"), "");
+  EXPECT_EQ(executor_->activity().where.file, "Run.ino");
+  EXPECT_EQ(executor_->activity().where.line, 3);
 }
 
 TEST_F(RunTest, ACrashNamesTheLineOfTheIno) {
