@@ -115,16 +115,28 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     const WheelParams& w = params_.wheel[side];
     Unit& unit = unit_[side];
     unit = {};
-    unit.radius = w.radius_m;
     unit.per_radius = 1.0 / w.radius_m;
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
     unit.inertia = inertia * unit.per_radius * unit.per_radius;
     const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current);
+    const double winding = w.nominal_volts / w.stall_current;
+    const double per_rate = (w.nominal_volts - winding * w.no_load_current) / w.no_load_rate;
     const double force =
         per_ampere * w.no_load_current * unit.per_radius + params_.rolling_resistance * m * kGravity * 0.5;
     unit.friction[0] = force * kDt;
     unit.friction[1] = force * kDt * w.static_friction;
-    command(static_cast<Side>(side), {});
+    const double drop = params_.driver_drop_volts;
+    const double volts = std::max(params_.supply_volts - drop, 0.0);
+    const double ohms = winding + params_.driver_ohms;
+    const double impulse_per_volt = per_ampere / ohms * unit.per_radius * kDt;
+    const double volts_per_speed = per_rate * unit.per_radius;
+    unit.push = impulse_per_volt * volts;
+    unit.drag = impulse_per_volt * volts_per_speed;
+    unit.push_until = volts / volts_per_speed;
+    unit.brake_push = impulse_per_volt * drop;
+    unit.brake_from = drop / volts_per_speed;
+    unit.joule0 = params_.supply_volts * volts / ohms * kDt;
+    unit.joule1 = params_.supply_volts * volts_per_speed / ohms * kDt;
   }
   half_track_ = params_.track_m * 0.5;
   per_track_ = 1.0 / params_.track_m;
@@ -149,29 +161,9 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
 }
 
 void Body::command(Side side, WheelCommand command) {
-  const WheelParams& w = params_.wheel[side];
   Unit& unit = unit_[side];
-  const double drive = bounded(command.drive, 1.0);
-  const double brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(drive));
-  const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current);
-  const double winding = w.nominal_volts / w.stall_current;
-  const double per_rate = (w.nominal_volts - winding * w.no_load_current) / w.no_load_rate;
-  const double volts = std::max(params_.supply_volts - params_.driver_drop_volts, 0.0);
-  const double ohms = winding + params_.driver_ohms;
-  const double impulse_per_volt = per_ampere / ohms * unit.per_radius * kDt;
-  const double volts_per_speed = per_rate * unit.per_radius;
-
-  const double share = std::fabs(drive);
-  unit.sign = drive < 0.0 ? -1.0 : 1.0;
-  unit.push = share * impulse_per_volt * volts * unit.sign;
-  unit.drag = share * impulse_per_volt * volts_per_speed;
-  unit.push_until = share > 0.0 ? volts / volts_per_speed : -kMaxSpeed * 2.0;
-  unit.brake_push = brake * impulse_per_volt * params_.driver_drop_volts;
-  unit.brake_drag = brake * impulse_per_volt * volts_per_speed;
-  unit.brake_from = brake > 0.0 ? params_.driver_drop_volts / volts_per_speed : kMaxSpeed * 2.0;
-  unit.joule0 = share * params_.supply_volts * volts / ohms * kDt;
-  unit.joule1 = share * params_.supply_volts * volts_per_speed / ohms * kDt;
-  driven_ = unit_[left].joule0 > 0.0 || unit_[right].joule0 > 0.0;
+  unit.drive = bounded(command.drive, 1.0);
+  unit.brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(unit.drive));
 }
 
 void Body::place(const Pose& pose) {
@@ -206,10 +198,12 @@ Body::Motor Body::motor(Side side) const {
   const Unit& unit = unit_[side];
   const double speed = surface_[side];
   Motor m{0.0, 0.0};
-  if (speed * unit.sign < unit.push_until) m = {unit.push, unit.drag};
+  if (std::copysign(1.0, unit.drive) * speed < unit.push_until) {
+    m = {unit.drive * unit.push, std::fabs(unit.drive) * unit.drag};
+  }
   if (std::fabs(speed) > unit.brake_from) {
-    m.push += speed > 0.0 ? unit.brake_push : -unit.brake_push;
-    m.drag += unit.brake_drag;
+    m.push += unit.brake * std::copysign(unit.brake_push, speed);
+    m.drag += unit.brake * unit.drag;
   }
   return m;
 }
@@ -217,7 +211,8 @@ Body::Motor Body::motor(Side side) const {
 void Body::draw_energy() {
   for (int side = 0; side < 2; ++side) {
     const Unit& unit = unit_[side];
-    energy_ += std::max(unit.joule0 - unit.joule1 * surface_[side] * unit.sign, 0.0);
+    const double speed = std::copysign(1.0, unit.drive) * surface_[side];
+    energy_ += std::fabs(unit.drive) * std::max(unit.joule0 - unit.joule1 * speed, 0.0);
   }
 }
 
@@ -338,7 +333,7 @@ void Body::step(const Walls& walls) {
   if (v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 &&
       std::fabs(motor(left).push) <= unit_[left].friction[1] &&
       std::fabs(motor(right).push) <= unit_[right].friction[1]) {
-    if (driven_) draw_energy();
+    if (driven()) draw_energy();
     if (in_contact_ || !walls.discs().empty()) collide(walls);
     return;
   }
@@ -357,7 +352,7 @@ void Body::step(const Walls& walls) {
   }
   accelerate();
   draw_energy();
-  if (!driven_ && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&
+  if (!driven() && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&
       std::fabs(surface_[0]) < kStill && std::fabs(surface_[1]) < kStill) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
   }

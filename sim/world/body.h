@@ -131,14 +131,14 @@ class Body {
   // What a wheel's parameters amount to: forces at the tyre's tread, speeds of the tread, impulses of one
   // tick.
   struct Unit {
-    double radius, per_radius;
+    double per_radius;
     double inertia;      // kg: J / r^2
     double friction[2];  // N s of a tick: turning, at rest
-    double push, drag;   // N s and kg: drive's impulse is push - drag * speed ...
-    double push_until;   // ... while the speed in drive's direction is below this, m/s
-    double sign;         // of drive
-    double brake_push, brake_drag, brake_from;
-    double joule0, joule1;  // a tick's energy is joule0 - joule1 * speed
+    // Driven throughout a tick: the impulse is push - drag * speed, N s, the energy joule0 - joule1 * speed,
+    // while the speed (in drive's direction) is below push_until. Shorted: brake_push - drag * speed, above
+    // brake_from.
+    double push, drag, push_until, brake_push, brake_from, joule0, joule1;
+    double drive, brake;  // the command
   };
   struct Motor {
     double push, drag;
@@ -151,6 +151,7 @@ class Body {
   void solve_friction(double* speed, const double* impulse, const double* friction, const Motor* m) const;
   void solve_slip(const Motor* m, const double* friction, double limit);
   void draw_energy();
+  bool driven() const { return unit_[left].drive != 0.0 || unit_[right].drive != 0.0; }
   void collide(const Walls&);
   bool push_out(const Contact&, Vec2 moved);
   void meet(Vec2 normal, double depth, double approach);
@@ -171,7 +172,6 @@ class Body {
   double per_mass_, per_inertia_;
   double bound_radius_;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;
-  bool driven_ = false;
   bool slips_ = false;
   bool touched_ = false, near_ = false, in_contact_ = false;
   int collisions_ = 0;

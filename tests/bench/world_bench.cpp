@@ -1,0 +1,107 @@
+// The world alone: a tick of one body, and what a sensor pays for the floor.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace {
+
+using namespace robosim;
+
+// A rounded rectangle of line, 3 m x 2 m, on an open floor.
+grid::Map loop_map(double corner_m) {
+  grid::Map map;
+  map.width = 40;
+  map.height = 30;
+  map.cells.assign(static_cast<std::size_t>(map.width * map.height), grid::Cell::floor);
+  map.corner_m = corner_m;
+  const auto paint = [&map](int x, int y) {
+    map.cells[static_cast<std::size_t>(y * map.width + x)] = grid::Cell::line;
+  };
+  for (int x = 5; x <= 34; ++x) paint(x, 5), paint(x, 24);
+  for (int y = 5; y <= 24; ++y) paint(5, y), paint(34, y);
+  return map;
+}
+
+constexpr int kSensors = 5;
+
+// Drives a circle over the lines and beside them. Every `read_every` ticks (0 = never) five sensors 9.5 mm
+// apart, 60 mm ahead of the axle, look at the floor.
+void drive_and_read(benchmark::State& state, double corner_m, int read_every) {
+  const grid::Map map = loop_map(corner_m);
+  world::World world(map);
+  world::Body& body = world.body(world.add_body(world::default_body_params(), {{2.0, 0.58}, {1.0, 0.0}}));
+  int tick = 0;
+  for (auto _ : state) {
+    if (read_every && ++tick == read_every) {
+      tick = 0;
+      for (int i = 0; i < kSensors; ++i) {
+        const Vec2 at = body.pose_after(0.000112 * i).to_world({0.06, (i - 2) * 0.0095});
+        benchmark::DoNotOptimize(world.floor().coverage(at, 0.003));
+      }
+    }
+    body.command(world::left, {0.45, 0.55});
+    body.command(world::right, {0.60, 0.40});
+    world.step();
+    benchmark::DoNotOptimize(body.pose().position.x);
+  }
+  if (body.collisions()) state.SkipWithError("it drove into a wall");
+}
+
+void world_tick(benchmark::State& state) { drive_and_read(state, 0.0, 0); }
+BENCHMARK(world_tick);
+void world_tick_with_five_sensors(benchmark::State& state) { drive_and_read(state, 0.0, 1); }
+BENCHMARK(world_tick_with_five_sensors);
+void world_tick_with_five_sensors_round(benchmark::State& state) { drive_and_read(state, 0.15, 1); }
+BENCHMARK(world_tick_with_five_sensors_round);
+void world_tick_with_five_sensors_every_5_ms(benchmark::State& state) { drive_and_read(state, 0.0, 5); }
+BENCHMARK(world_tick_with_five_sensors_every_5_ms);
+
+// Points all over the map: most are off the line, as most of a floor is.
+std::vector<Vec2> points() {
+  std::vector<Vec2> all;
+  unsigned random = 1;
+  for (int i = 0; i < 4096; ++i) {
+    random = random * 1664525u + 1013904223u;
+    all.push_back({(random >> 8 & 4095) / 4096.0 * 4.0, (random >> 20) / 4096.0 * 3.0});
+  }
+  return all;
+}
+
+void coverage(benchmark::State& state, double corner_m, bool raster) {
+  grid::Map map = loop_map(corner_m);
+  map.raster = raster;
+  const world::Floor floor(map);
+  const std::vector<Vec2> at = points();
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(floor.coverage(at[i++ & 4095], 0.003));
+}
+
+void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false); }
+BENCHMARK(floor_coverage_square);
+void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
+BENCHMARK(floor_coverage_round);
+void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
+BENCHMARK(floor_coverage_raster);
+
+// Along the line, within 15 mm of its centre.
+void distance_to_line(benchmark::State& state, double corner_m) {
+  const grid::Map map = loop_map(corner_m);
+  const world::Floor floor(map);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const double x = 0.7 + 0.0006 * static_cast<double>(i & 4095),
+                 y = 0.535 + 0.00003 * static_cast<double>(i % 1000);
+    ++i;
+    benchmark::DoNotOptimize(floor.distance_to_line({x, y}));
+  }
+}
+
+void floor_distance_square(benchmark::State& state) { distance_to_line(state, 0.0); }
+BENCHMARK(floor_distance_square);
+void floor_distance_round(benchmark::State& state) { distance_to_line(state, 0.15); }
+BENCHMARK(floor_distance_round);
+
+}  // namespace
