@@ -18,7 +18,8 @@
 //
 //   duty = smallest + (255 - smallest) * speed / 255
 //
-// Speed 0 shorts the motor, which brakes it (an L298N brakes only a fast motor: its own voltage drop is in the way).
+// Speed 0 shorts the motor, which brakes it (an L298N brakes only a fast motor: its own voltage drop is in
+// the way).
 //
 // If a motor runs the wrong way, swap its two wires, its two pins here, or call setReversed(true).
 //
