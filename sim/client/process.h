@@ -27,7 +27,8 @@ class Process {
   /// unfinished last line is dropped) or when `timeout_ms` of wall time have passed; -1 = wait for ever.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
-  /// Makes the pipe of its output as short as possible (a page), so that it cannot run far ahead of its reader.
+  /// Makes the pipe of its output as short as possible (a page), so that it cannot run far ahead of its
+  /// reader.
   void keep_close() const;
 
   /// Sends a signal to the program's whole process group. Async-signal-safe.
