@@ -44,8 +44,8 @@ class Runner {
   /// of no more use. What `on_event` throws ends the runner and passes through.
   RunResult run(const RunRequest& request, const OnEvent& on_event = {});
 
-  /// From now on the runner gets ahead of `on_event` by a few kilobytes of events at most, for those who watch: what
-  /// is interrupted then is what is seen. Costs speed.
+  /// From now on the runner gets ahead of `on_event` by a few kilobytes of events at most, for those who
+  /// watch: what is interrupted then is what is seen. Costs speed.
   void keep_close() noexcept;
 
   /// Ends the current run with the verdict `interrupted`; run() still returns. May be called from a signal
