@@ -84,11 +84,7 @@ void BM_ReadMap400MB(benchmark::State& state) {
   state.SetBytesProcessed(state.iterations() * std::int64_t{kSide} * (kSide + 1));
   state.counters["peak_MB"] = peak_megabytes();
 }
-BENCHMARK(BM_ReadMap400MB)
-    ->Arg(digits)
-    ->Arg(displayed)
-    ->ArgName("displayed")
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ReadMap400MB)->Arg(digits)->Arg(displayed)->ArgName("displayed")->Unit(benchmark::kMillisecond);
 
 void BM_TraceNetworkD(benchmark::State& state) {
   const Map map = read_map(find_map("d"));
