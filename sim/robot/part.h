@@ -49,7 +49,7 @@ class Part;
 
 /// What the robot's parts offer; each part enters itself.
 struct Roster {
-  std::vector<Part*> ticking;    ///< want begin_tick
+  std::vector<Part*> ticking;    ///< want begin_tick in every tick
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
   std::vector<ButtonPart*> buttons;

@@ -43,6 +43,7 @@ struct Robot::Inside {
         setting(d, board, view, individual) {}
 
   ButtonPart& button(const std::string& name) const;
+  void hold(const std::string& name, bool down, SimTime t);
   std::vector<Sensor*> covered_by(const std::string& name) const;
   Breakable& breakable(const std::string& name) const;
   Fault read_fault(const Breakable&, const std::string& kind,
@@ -55,6 +56,7 @@ struct Robot::Inside {
   Setting setting;
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
+  std::vector<ButtonPart*> bouncing;
   world::WheelCommand command[2];
   mutable std::size_t last_seen = 0;  // the sensor that saw the line last
 };
@@ -63,6 +65,13 @@ ButtonPart& Robot::Inside::button(const std::string& name) const {
   if (ButtonPart* part = find_named(roster.buttons, name)) return *part;
   throw InputError(fmt::format("robot {} has no button {}; its buttons: {}", description.name, name,
                                names_of(roster.buttons)));
+}
+
+void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
+  ButtonPart& part = button(name);
+  part.hold(down, t);
+  std::erase(bouncing, &part);
+  bouncing.push_back(&part);
 }
 
 std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
@@ -126,6 +135,9 @@ Robot::~Robot() = default;
 void Robot::begin_tick(SimTime t) {
   in_->view.tick_start = t;
   for (Part* part : in_->roster.ticking) part->begin_tick(t);
+  if (in_->bouncing.empty()) return;
+  for (ButtonPart* part : in_->bouncing) part->begin_tick(t);
+  std::erase_if(in_->bouncing, [](const ButtonPart* part) { return part->settled(); });
 }
 
 void Robot::end_tick(SimTime t) {
@@ -172,9 +184,9 @@ double Robot::left_command() const { return in_->command[world::left].drive; }
 
 double Robot::right_command() const { return in_->command[world::right].drive; }
 
-void Robot::press(const std::string& part, SimTime t) { in_->button(part).hold(true, t); }
+void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t); }
 
-void Robot::release(const std::string& part, SimTime t) { in_->button(part).hold(false, t); }
+void Robot::release(const std::string& part, SimTime t) { in_->hold(part, false, t); }
 
 void Robot::cover(const std::string& part, bool covered) {
   for (Sensor* sensor : in_->covered_by(part)) sensor->cover(covered);

@@ -38,7 +38,6 @@ ButtonPart::ButtonPart(const ButtonSpec& spec, Setting& setting)
 
 void ButtonPart::join(Roster& roster) {
   setting_.board.connect(spec_.pin, *this);
-  roster.ticking.push_back(this);
   roster.buttons.push_back(this);
   roster.breakable.push_back(this);
 }
@@ -74,7 +73,6 @@ bool ButtonPart::level(SimTime t) {
 }
 
 void ButtonPart::begin_tick(SimTime t) {
-  if (announced_ == flips_.size()) return;
   const bool wanted = setting_.board.wants_edges(spec_.pin);
   for (; announced_ < flips_.size() && flips_[announced_] < t + kTick; ++announced_) {
     const SimTime at = std::max(flips_[announced_], t);

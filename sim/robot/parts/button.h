@@ -30,8 +30,9 @@ class ButtonPart final : public Part, public PinSource, public Breakable {
  public:
   ButtonPart(const ButtonSpec&, Setting&);
 
-  /// Held down from `t` on, or let go.
+  /// Held down from `t` on, or let go. Until it is settled() it wants begin_tick.
   void hold(bool down, SimTime t);
+  bool settled() const { return announced_ == flips_.size(); }
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
