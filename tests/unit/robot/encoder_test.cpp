@@ -110,6 +110,16 @@ TEST(Encoder, NobodyListeningCostsNothingAndReadsStillHold) {
   EXPECT_EQ(quiet.level(kB), followed.level(kB));
 }
 
+TEST(Encoder, WhoListensLateHearsNothingOfThePast) {
+  BenchRobot bench(kQuadrature);
+  drive(bench, true);
+  bench.ticks(150);
+  bench.board.edges_wanted = true;
+  bench.tick();
+  EXPECT_THAT(bench.board.edges.size(), ::testing::Lt(10u));
+  for (const auto& edge : bench.board.edges) EXPECT_GT(edge.at, bench.now);
+}
+
 TEST(Encoder, ASingleChannelServesOnePin) {
   BenchRobot bench(with_motors("wheel = \"right\"\npins = { a = 2 }\nperiods = 20\n"));
   bench.board.edges_wanted = true;
