@@ -96,7 +96,8 @@ BodyParams default_body_params() {
   BodyParams p;
   p.wheel[left] = p.wheel[right] = wheel;
   p.supply_volts = 7.4;
-  p.driver_drop_volts = 1.8;
+  p.driver_drop_volts = 1.4;
+  p.driver_ohms = 1.15;
   p.track_m = 0.130;
   p.mass_kg = 0.5;
   p.yaw_inertia_kgm2 = 0.0014;
@@ -121,10 +122,10 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current);
     const double winding = w.nominal_volts / w.stall_current;
     const double per_rate = (w.nominal_volts - winding * w.no_load_current) / w.no_load_rate;
-    const double force =
-        per_ampere * w.no_load_current * unit.per_radius + params_.rolling_resistance * m * kGravity * 0.5;
-    unit.friction[0] = force * kDt;
-    unit.friction[1] = force * kDt * w.static_friction;
+    const double rolling = params_.rolling_resistance * m * kGravity * 0.5;
+    const double gear = per_ampere * w.no_load_current * unit.per_radius;
+    unit.friction[0] = (gear + rolling) * kDt;
+    unit.friction[1] = (gear * w.static_friction + rolling) * kDt;
     const double drop = params_.driver_drop_volts;
     const double volts = std::max(params_.supply_volts - drop, 0.0);
     const double ohms = winding + params_.driver_ohms;

@@ -9,13 +9,13 @@
 // Velocities are therefore constant inside a tick: whatever sensors extrapolate from its start is what
 // happens.
 //
-// Each wheel, with all torques at the wheel's axle (motor.h of a data sheet turns into these five lines):
+// Each wheel, with all torques at the wheel's axle (what a motor's data sheet says becomes these five lines):
 //   R    = nominal_volts / stall_current                                   terminal resistance
 //   k_t  = stall_torque / (stall_current - no_load_current)                torque for each ampere
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts for each rad/s
-//   T_c  = k_t no_load_current + rolling_resistance m g r / 2              friction while it turns
-//   T_s  = static_friction T_c                                             friction that holds it at rest
-// so that at nominal_volts it turns freely at no_load_rate, and stalls at stall_torque.
+//   T_c  = k_t no_load_current + T_r, T_r = rolling_resistance m g r / 2   friction while it turns
+//   T_s  = static_friction k_t no_load_current + T_r                       friction that holds it at rest
+// so that at nominal_volts, off the ground, it turns at no_load_rate, and stalls at stall_torque.
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
 //   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
 //   open (the rest):                     i = 0
@@ -49,13 +49,13 @@ enum Side { left = 0, right = 1 };
 
 /// One wheel and its gear motor; rates and torques are the gear's output, as data sheets give them.
 struct WheelParams {
-  double nominal_volts = 0.0;    ///< V, at which the following four hold
-  double no_load_rate = 0.0;     ///< rad/s
-  double no_load_current = 0.0;  ///< A; what friction in motor and gear takes
-  double stall_torque = 0.0;     ///< N m
-  double stall_current = 0.0;    ///< A; more than no_load_current
-  double static_friction = 0.0;  ///< T_s / T_c, at least 1: friction at rest against friction while turning
-  double gear_ratio = 0.0;       ///< motor turns for each turn of the wheel
+  double nominal_volts = 0.0;       ///< V, at which the following four hold
+  double no_load_rate = 0.0;        ///< rad/s
+  double no_load_current = 0.0;     ///< A; what friction in motor and gear takes
+  double stall_torque = 0.0;        ///< N m
+  double stall_current = 0.0;       ///< A; more than no_load_current
+  double static_friction = 0.0;     ///< of motor and gear, at rest against turning; at least 1
+  double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
   double rotor_inertia_kgm2 = 0.0;  ///< of the motor's rotor
   double wheel_inertia_kgm2 = 0.0;  ///< of the wheel about its axle
   double radius_m = 0.0;            ///< of the wheel
@@ -63,17 +63,14 @@ struct WheelParams {
 
 /// Everything about a body. Zero is not a value: start from default_body_params() or set every field.
 struct BodyParams {
-  WheelParams wheel[2];  ///< left, right
-  double supply_volts =
-      0.0;  ///< V at the driver's supply pin; a battery's sag and discharge are not modelled
-  double driver_drop_volts =
-      0.0;                        ///< V lost in bipolar switches, whatever the current (L298N 1.8, MOSFETs 0)
-  double driver_ohms = 0.0;       ///< ohm of MOSFET switches, both together (TB6612 0.5, L298N 0)
-  double track_m = 0.0;           ///< m between the wheels' contact points
-  double mass_kg = 0.0;           ///< kg, all; its centre is taken to be the axle's centre
-  double yaw_inertia_kgm2 = 0.0;  ///< kg m2 about the axle's centre, without the wheels' own spin
-  double load_share =
-      0.0;  ///< 0..1 of the weight on the driven wheels, half on each; the rest is on the caster
+  WheelParams wheel[2];            ///< left, right
+  double supply_volts = 0.0;       ///< V at the driver's supply pin; a battery's sag is not modelled
+  double driver_drop_volts = 0.0;  ///< V lost in bipolar switches whatever the current (L298N 1.4; MOSFETs 0)
+  double driver_ohms = 0.0;        ///< ohm of both switches in the motor's way (L298N 1.15, TB6612 0.5)
+  double track_m = 0.0;            ///< m between the wheels' contact points
+  double mass_kg = 0.0;            ///< kg, all; its centre is taken to be the axle's centre
+  double yaw_inertia_kgm2 = 0.0;   ///< kg m2 about the axle's centre, without the wheels' own spin
+  double load_share = 0.0;  ///< 0..1 of the weight on the driven wheels, half on each; the rest on the caster
   double rolling_resistance = 0.0;  ///< force / weight: tyres and caster
   double grip = 0.0;                ///< friction coefficient between tyre and floor
   double wall_friction = 0.0;       ///< friction coefficient between outline and wall
