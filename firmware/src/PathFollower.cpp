@@ -83,19 +83,14 @@ void PathFollower::roll(bool middle, bool far) {
 void PathFollower::stop() {
   drive(-settings_.counter, 0);
   if (since() < settings_.stop_ms) return;
-  met_ = false;
+  off_line_ = false;
   enter(State::turning);
 }
 
 void PathFollower::turn(bool middle) {
   drive(0, to_branch_ ? settings_.turn : -settings_.turn);
-  if (to_branch_) {
-    // From the old line over the floor onto the branch, and across it to its far edge.
-    if (!middle && same_ms_ >= settings_.noise_ms) met_ = true;
-  } else {
-    met_ = true;
-  }
-  if (!met_ || !middle) return;
+  if (!middle && since() >= settings_.leave_ms) off_line_ = true;
+  if (!middle || (to_branch_ && !off_line_)) return;
   enter(State::settling);
   settle();
 }

@@ -56,17 +56,19 @@ class PathFollower {
   /// What depends on the robot. Speeds are those of DriveMotors, -255..255; a width is the width of the line,
   /// given in tenths.
   struct Settings {
-    int16_t fast = 170;         ///< along the edge: the outer wheel of the zigzag ...
-    int16_t slow = 0;           ///< ... and the inner one; 0 brakes it, so that the robot answers at once
-    int16_t cruise = 85;        ///< both wheels, straight over a branch or past a line's end
-    int16_t turn = 80;          ///< on the spot: one wheel forward, the other backward
-    int16_t counter = 130;      ///< against the motion, to stop; 0 leaves that to the motors' brakes
-    uint8_t stop_ms = 50;       ///< how long, before a turn ...
-    uint8_t settle_ms = 25;     ///< ... and at the end of one
+    int16_t fast = 170;      ///< along the edge: the outer wheel of the zigzag ...
+    int16_t slow = 0;        ///< ... and the inner one; 0 brakes it, so that the robot answers at once
+    int16_t cruise = 85;     ///< both wheels, straight over a branch or past a line's end
+    int16_t turn = 80;       ///< on the spot: one wheel forward, the other backward
+    int16_t counter = 130;   ///< against the motion, to stop; 0 leaves that to the motors' brakes
+    uint8_t stop_ms = 50;    ///< how long, before a turn ...
+    uint8_t settle_ms = 25;  ///< ... and at the end of one
+    uint8_t leave_ms =
+        180;  ///< so long a turn is surely not at the branch yet, but still over the line it came on
     uint8_t noise_ms = 8;       ///< what lasts shorter than this is not believed
     uint8_t end_tenths = 8;     ///< so far with no line in sight, and the line has ended
     uint8_t past_tenths = 8;    ///< from there until the axle is over the end
-    uint8_t branch_tenths = 8;  ///< from a branch's far edge until the axle is over its middle: the sensors'
+    uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
                                 ///< distance from the axle, less half a line's width, less the way to stop
     uint16_t width_ms = 70;     ///< time for one width until the first branch has been measured
   };
@@ -113,7 +115,7 @@ class PathFollower {
   bool to_branch_ = false;  ///< rolls and turns to a branch, not at a line's end
   bool was_dark_ = false;   ///< the middle sensor at the last update
   bool armed_ = false;      ///< the near sensor has seen the floor since this line began
-  bool met_ = false;        ///< in a turn: the middle sensor has left the old line, or met the new one
+  bool off_line_ = false;   ///< in a turn to a branch: the middle sensor has left the line it came on
   uint32_t now_ = 0;
   uint32_t entered_ = 0;     ///< when state_ began
   uint16_t step_ = 0;        ///< ms since the last update
