@@ -4,29 +4,18 @@
 #include <stdexcept>
 #include <string>
 
-#include "hal/board/sim_time.h"
+#include "sim/world/step.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {
 
 namespace {
 
-constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
 constexpr double kGravity = 9.80665;  // m/s2
 // Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
 constexpr double kStill = 1e-6;  // m/s, rad/s
-// No motor reaches them; they keep a step finite for any parameters.
-constexpr double kMaxSpeed = 100.0;  // m/s
-constexpr double kMaxTurn = 500.0;   // rad/s
-constexpr int kContactRounds = 4;    // in a corner two walls take turns
 // Of the grip that is left for each of both directions while the body skids: 1 / sqrt(2).
 constexpr double kSkidShare = 0.70710678118654752;
-
-double bounded(double x, double bound) {
-  if (x > bound) return bound;
-  if (x < -bound) return -bound;
-  return x == x ? x : 0.0;
-}
 
 // What is left of an impulse after friction that can hold up to `friction`.
 double after_friction(double impulse, double friction) {
@@ -358,89 +347,6 @@ void Body::step(const Walls& walls) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
   }
   collide(walls);
-}
-
-void Body::collide(const Walls& walls) {
-  const Vec2 centre = circle_centre();
-  const double reach = bound_radius_ + Walls::kNear;
-  if (walls.clearance(centre) > reach && !(walls.discs().size() && walls.near_disc(centre, reach))) return;
-  Contacts contacts;
-  if (params_.outline.empty()) {
-    contacts = walls.touch(centre, bound_radius_);
-  } else {
-    corners_.clear();
-    for (const Vec2 p : params_.outline) corners_.push_back(pose_.to_world(p));
-    contacts = walls.touch(corners_, centre, bound_radius_);
-  }
-  if (contacts.empty()) return;
-  near_ = true;
-  const Vec2 from = pose_.position;
-  bool pushed = false;
-  for (int round = 0; round < kContactRounds; ++round) {
-    for (const Contact& contact : contacts) pushed |= push_out(contact, pose_.position - from);
-  }
-  if (!pushed) return;
-  touched_ = true;
-  grip_after_contact();
-}
-
-// Out of what it is inside of, and no faster towards it than closes the gap within a tick. `moved`: since the
-// contact was found.
-bool Body::push_out(const Contact& contact, Vec2 moved) {
-  if (contact.embedded) {
-    v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
-    return true;
-  }
-  const Vec2 n = contact.normal, t = left_of(n);
-  const double depth = contact.depth - dot(moved, n);
-  if (depth > 0.0) pose_.position = pose_.position + n * depth;
-  const Vec2 arm = contact.point + moved - pose_.position;
-  Vec2 velocity = this->velocity();
-  const double arm_n = cross(arm, n), arm_t = cross(arm, t);
-  const double into = dot(velocity, n) + omega_ * arm_n + std::max(-depth, 0.0) * (1.0 / kDt);
-  if (!(into < 0.0)) return depth > 0.0;
-  const double push = -into / (per_mass_ + arm_n * arm_n * per_inertia_);
-  velocity = velocity + n * (push * per_mass_);
-  omega_ += arm_n * push * per_inertia_;
-  const double along = dot(velocity, t) + omega_ * arm_t;
-  const double rub =
-      bounded(-along / (per_mass_ + arm_t * arm_t * per_inertia_), params_.wall_friction * push);
-  omega_ = bounded(omega_ + arm_t * rub * per_inertia_, kMaxTurn);
-  set_velocity(velocity + t * (rub * per_mass_));
-  return true;
-}
-
-void Body::meet(Vec2 normal, double depth, double approach) {
-  pose_.position = pose_.position + normal * depth;
-  if (!(approach > 0.0)) return;
-  set_velocity(velocity() + normal * approach);
-  grip_after_contact();
-}
-
-void Body::set_velocity(Vec2 velocity) {
-  v_ = along_free_ = bounded(dot(velocity, pose_.heading), kMaxSpeed);
-  u_ = side_free_ = bounded(dot(velocity, left_of(pose_.heading)), kMaxSpeed);
-}
-
-// The wall has stopped the body; as far as grip goes, the floor stops the treads too. What they push the body
-// with the wall takes up.
-void Body::grip_after_contact() {
-  const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
-  for (int i = 0; i < 2; ++i) {
-    const double most = grip_limit_ / unit_[i].inertia;
-    const double slip = ground[i] - surface_[i];
-    if (std::fabs(slip) <= most) {
-      surface_[i] = ground[i];
-    } else {
-      surface_[i] += slip > 0.0 ? most : -most;
-    }
-  }
-}
-
-void Body::settle_contact() {
-  if (touched_ && !in_contact_) ++collisions_;
-  in_contact_ = touched_ || (in_contact_ && near_);
-  touched_ = near_ = false;
 }
 
 }  // namespace robosim::world

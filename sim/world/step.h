@@ -1,0 +1,22 @@
+// What the parts of a body's step share.
+#pragma once
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::world {
+
+/// A tick, s.
+constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
+
+// No motor reaches these; they keep a step finite for any parameters.
+constexpr double kMaxSpeed = 100.0;  ///< m/s
+constexpr double kMaxTurn = 500.0;   ///< rad/s
+
+/// x cut to ±bound; 0 for not-a-number.
+inline double bounded(double x, double bound) {
+  if (x > bound) return bound;
+  if (x < -bound) return -bound;
+  return x == x ? x : 0.0;
+}
+
+}  // namespace robosim::world
