@@ -9,8 +9,6 @@ void PathFollower::update(bool left, bool middle, bool right, uint32_t now_ms) {
   const bool near = prefer_ == Side::left ? left : right;
   const bool far = prefer_ == Side::left ? right : left;
   near_ms_ = near ? near_ms_ + step_ : 0;
-  same_ms_ = middle == was_dark_ ? same_ms_ + step_ : 0;
-  was_dark_ = middle;
   switch (state_) {
     case State::following:
       return follow(near, middle, far);
@@ -99,6 +97,5 @@ void PathFollower::settle() {
   drive(0, to_branch_ ? -settings_.counter : settings_.counter);
   if (since() < settings_.settle_ms) return;
   armed_ = false;
-  same_ms_ = 0;
   enter(State::following);
 }

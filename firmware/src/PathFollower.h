@@ -63,14 +63,13 @@ class PathFollower {
     int16_t counter = 130;   ///< against the motion, to stop; 0 leaves that to the motors' brakes
     uint8_t stop_ms = 50;    ///< how long, before a turn ...
     uint8_t settle_ms = 25;  ///< ... and at the end of one
-    uint8_t leave_ms =
-        180;  ///< so long a turn is surely not at the branch yet, but still over the line it came on
-    uint8_t noise_ms = 8;       ///< what lasts shorter than this is not believed
-    uint8_t end_tenths = 8;     ///< so far with no line in sight, and the line has ended
-    uint8_t past_tenths = 8;    ///< from there until the axle is over the end
+    uint8_t leave_ms = 200;  ///< for so long a turn cannot have come to the branch yet, only off the old line
+    uint8_t noise_ms = 8;    ///< what lasts shorter than this is not believed
+    uint8_t end_tenths = 8;  ///< so far with no line in sight, and the line has ended
+    uint8_t past_tenths = 8;     ///< from there until the axle is over the end
     uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
-                                ///< distance from the axle, less half a line's width, less the way to stop
-    uint16_t width_ms = 70;     ///< time for one width until the first branch has been measured
+                                 ///< distance from the axle, less half a line's width, less the way to stop
+    uint16_t width_ms = 70;      ///< time for one width until the first branch has been measured
   };
 
   explicit PathFollower(Side prefer) : prefer_(prefer), width_ms_(settings_.width_ms) {}
@@ -113,14 +112,12 @@ class PathFollower {
   State state_ = State::following;
   bool started_ = false;
   bool to_branch_ = false;  ///< rolls and turns to a branch, not at a line's end
-  bool was_dark_ = false;   ///< the middle sensor at the last update
   bool armed_ = false;      ///< the near sensor has seen the floor since this line began
   bool off_line_ = false;   ///< in a turn to a branch: the middle sensor has left the line it came on
   uint32_t now_ = 0;
   uint32_t entered_ = 0;     ///< when state_ began
   uint16_t step_ = 0;        ///< ms since the last update
   uint16_t near_ms_ = 0;     ///< how long the near sensor has been dark
-  uint16_t same_ms_ = 0;     ///< how long the middle sensor has seen the same
   uint16_t nothing_ms_ = 0;  ///< how long neither middle nor far sensor have seen a line
   int16_t left_speed_ = 0, right_speed_ = 0;
   uint16_t branches_ = 0, ends_ = 0;
