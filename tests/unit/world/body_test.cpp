@@ -211,6 +211,25 @@ TEST_F(BodyTest, TooFastInABendItSkidsOutward) {
   EXPECT_GT(most, 0.01);  // it turns left and slides to the right
 }
 
+TEST_F(BodyTest, AcceleratingAndTurningShareOneGrip) {
+  BodyParams p = default_body_params();
+  p.wheel[left].no_load_rate *= 3.0;
+  p.wheel[right].no_load_rate *= 3.0;
+  p.grip = 0.4;
+  const double limit = p.grip * p.load_share * 9.80665;
+  Body& body = make(p);
+  double most = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 400 == 0) drive(body, i % 800 ? 1.0 : 0.5, i % 1200 ? 0.6 : 1.0);
+    const double before = body.speed(), across = body.speed() * body.turn_rate();
+    world_->step();
+    if (body.side_speed() != 0.0) continue;  // while it skids, its axes turn under its velocity
+    most = std::max(most, std::hypot((body.speed() - before) / 0.001, across));
+  }
+  EXPECT_LT(most, limit * 1.01);
+  EXPECT_GT(most, limit * 0.9);
+}
+
 TEST_F(BodyTest, NeverGainsMoreEnergyThanItDraws) {
   for (const double grip : {0.05, 0.3, 0.8}) {
     BodyParams p = default_body_params();

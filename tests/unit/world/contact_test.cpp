@@ -92,6 +92,32 @@ TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   }
 }
 
+// Motors that reach 100 m/s, the most a body can have, at once: ten cells a tick.
+TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
+  std::vector<std::string> rows(300, std::string(300, ' '));
+  for (int i = 50; i < 250; ++i) rows[50][i] = rows[249][i] = rows[i][50] = rows[i][249] = '#';
+  grid::Map map = map_of(rows);
+  map.cell_m = 0.01;
+  BodyParams p = shaped(fast(200.0), GetParam());
+  p.grip = 1e6;
+  for (WheelParams& w : p.wheel) w.stall_torque *= 1e4;
+  for (int degrees = 0; degrees < 360; degrees += 11) {
+    World world(map);
+    Body& body = world.body(world.add_body(p, {{1.5, 1.5}, direction(degrees)}));
+    drive(body, 1.0, 1.0);
+    double top = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      world.step();
+      top = std::max(top, body.speed());
+      ASSERT_TRUE(std::fabs(body.pose().position.x - 1.5) < 1.0 &&
+                  std::fabs(body.pose().position.y - 1.5) < 1.0)
+          << degrees << " degrees, tick " << i;
+    }
+    ASSERT_GT(top, 90.0);
+    ASSERT_LT(inside_walls(map, body), 0.002) << degrees;
+  }
+}
+
 TEST_P(OfEveryShape, TheMapsEdgeIsAWall) {
   const grid::Map map = empty_map(5, 4);
   for (int degrees = 0; degrees < 360; degrees += 30) {
