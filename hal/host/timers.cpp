@@ -226,7 +226,8 @@ int64_t Timer::take_overflows() {
   const int64_t until = ticks();
   const int64_t count = until / period_ - overflows_seen_ / period_;
   overflows_seen_ = until;
-  refresh_due();
+  due_of_[0] = next(0, until);
+  due_ = due_of_[0] < due_to_match() ? due_of_[0] : due_to_match();
   return count;
 }
 

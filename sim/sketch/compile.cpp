@@ -22,6 +22,9 @@ constexpr const char* kCoreLevel = "-O2";
 const std::vector<std::string> kCode = {
     "-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
     "-ffp-contract=off",
+    // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer stays, and is
+    // met.
+    "-fno-delete-null-pointer-checks",
     // As Arduino's AVR core compiles:
     "-ffunction-sections", "-fdata-sections",
     // What a private copy of an image needs: no symbol shared between copies, nothing from the C++ library,
