@@ -1,0 +1,78 @@
+// How many times faster than real time whole simulations run, on one core, with noise.
+
+#include <benchmark/benchmark.h>
+
+#include "sim/executors/host_executor.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/sketch/sketch.h"
+#include "tests/support/built_in_driver.h"
+
+namespace robosim {
+namespace {
+
+constexpr SimTime kSimulated = 20 * kSecond;
+
+// Runs for kSimulated, whatever happens, and reports simulated over wall time.
+void simulate(benchmark::State& state, executors::Executor& executor) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description robot = robot::load_description("uno5");
+  run::Setup setup;
+  setup.map = &map;
+  setup.robot = &robot;
+  setup.executor = &executor;
+  setup.goal = run::parse_goal("none");
+  setup.limit = kSimulated;
+  run::Listener nobody;
+  const run::Outcome outcome = run::simulate(setup, nobody);
+  if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+}
+
+void report(benchmark::State& state) {
+  const auto ticks = static_cast<double>(state.iterations()) * static_cast<double>(kSimulated / kTick);
+  state.counters["per_tick"] =
+      benchmark::Counter(ticks, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["times_real_time"] = benchmark::Counter(ticks * 1e-3, benchmark::Counter::kIsRate);
+}
+
+void run_sketch(benchmark::State& state, const std::filesystem::path& sketch) {
+  const BoardSpec& board = *find_board("uno");
+  const sketch::Image image = sketch::build({sketch, board});
+  for (auto _ : state) {
+    executors::HostExecutor executor(board, image.image);
+    simulate(state, executor);
+  }
+  report(state);
+}
+
+void built_in(benchmark::State& state) {
+  for (auto _ : state) {
+    test::BuiltInDriver driver(state.range(0) * kMillisecond);
+    simulate(state, driver);
+  }
+  report(state);
+}
+
+const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
+
+BENCHMARK(built_in)
+    ->Name("run/built-in driver, sensors every ms")
+    ->ArgName("ms")
+    ->Arg(1)
+    ->Arg(5)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_sketch, follower, sketch::find_sketch("PidFollower"))
+    ->Name("run/PidFollower (delay)")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_sketch, reads, kSketches / "ReadsAndDrives")
+    ->Name("run/reads sensors and drives")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_sketch, millis, kSketches / "PollsMillis")
+    ->Name("run/polls millis()")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(run_sketch, pin, kSketches / "PollsPin")
+    ->Name("run/polls digitalRead()")
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace robosim

@@ -1,0 +1,5 @@
+void giveUp() { abort(); }
+
+void setup() { giveUp(); }
+
+void loop() {}

@@ -1,0 +1,4 @@
+// Gives up by itself.
+void setup() { exit(3); }
+
+void loop() {}

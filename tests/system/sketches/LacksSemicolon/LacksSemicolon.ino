@@ -1,0 +1,5 @@
+void setup() {
+  pinMode(13, OUTPUT)
+}
+
+void loop() {}

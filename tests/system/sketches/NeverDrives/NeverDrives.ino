@@ -1,0 +1,12 @@
+// Motor pins are outputs, but the sketch waits for a button before it drives, and nobody presses it.
+void setup() {
+  pinMode(4, INPUT_PULLUP);
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  while (digitalRead(4) == HIGH) delay(5);
+  analogWrite(5, 120);
+  analogWrite(6, 120);
+  digitalWrite(7, HIGH);
+  digitalWrite(9, HIGH);
+}
+
+void loop() { delay(10); }
