@@ -21,5 +21,12 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
   state.call.pin = pin;
 }
 
+/// Remembers which input the sketch looks at, also where it does something else between two looks.
+inline void note_read(Pin pin) {
+  if (in_handler()) return;
+  state.read_pin = pin;
+  state.read_at = state.now;
+}
+
 }  // namespace host
 }  // namespace robosim

@@ -81,6 +81,7 @@ void digitalWrite(uint8_t pin, uint8_t value) {
 
 int digitalRead(uint8_t pin) {
   host::note_call("digitalRead", pin, 1, pin);
+  host::note_read(pin);
   host::spend(cost::kDigitalRead + timer_cost(pin));
   return pin < host::kPortPins && get_level(pin) ? HIGH : LOW;
 }

@@ -70,6 +70,8 @@ struct FirmwareState {
   const void* place = nullptr;       ///< return address in the basic block, or of the API call, that ran last
   SimTime last_call = 0;             ///< when the API was last called outside interrupt handlers
   ApiCall call;                      ///< that call
+  Pin read_pin = kNoPin;             ///< of the last digital read outside interrupt handlers
+  SimTime read_at = 0;               ///< when that was
   bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };

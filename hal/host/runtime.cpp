@@ -1,6 +1,7 @@
 // How firmware ends: abort, exit, a failed assert, a division by zero (gcc's
 // -fsanitize=integer-divide-by-zero).
 #include <stdlib.h>
+#include <string.h>
 
 #include "hal/host/clock.h"
 
@@ -20,6 +21,17 @@ struct DivisionData {
   uint32_t column;
 };
 
+/// `name` is a function of one number, and was called with `status`.
+__attribute__((noreturn)) void stop(const char* name, int status) {
+  static char how[24];
+  strcpy(how, name);
+  strcat(how, "(");
+  itoa(status, how + strlen(how), 10);
+  strcat(how, ")");
+  host::stop_for_ever(how);
+  __builtin_unreachable();
+}
+
 }  // namespace
 
 extern "C" {
@@ -28,12 +40,12 @@ void abort() { crash("abort() called", nullptr, 0, __builtin_return_address(0));
 
 void exit(int status) {
   host::state.place = __builtin_return_address(0);
-  host::stop_for_ever(status == 0 ? "exit(0)" : "exit()");
+  stop("exit", status);
 }
 
 void _exit(int status) {
   host::state.place = __builtin_return_address(0);
-  host::stop_for_ever(status == 0 ? "exit(0)" : "exit()");
+  stop("_exit", status);
 }
 
 void __assert(const char*, const char* file, int line, const char*) {

@@ -305,6 +305,7 @@ Activity HostExecutor::activity() {
   if (call.arguments == 1) activity.call += fmt::format("({})", call.argument[0]);
   if (call.arguments == 2) activity.call += fmt::format("({}, {})", call.argument[0], call.argument[1]);
   activity.pin = call.pin;
+  if (reached_ - state.read_at <= kSecond) activity.polled = state.read_pin;
   activity.where = crash_ ? crash_->where : instance_->place();
   if (state.stopped_by) activity.stopped_by = state.stopped_by;
   return activity;

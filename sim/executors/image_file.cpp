@@ -158,9 +158,9 @@ std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>
 SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const {
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
-    if (!has_code(address.pc)) continue;
-    const auto value = reinterpret_cast<std::uintptr_t>(address.pc) - base_;
-    offsets.push_back(address.is_return ? value - 1 : value);
+    // A call may be the last instruction of all: its return address is then behind the code.
+    const auto* const pc = static_cast<const char*>(address.pc) - (address.is_return ? 1 : 0);
+    if (has_code(pc)) offsets.push_back(reinterpret_cast<std::uintptr_t>(pc) - base_);
   }
   if (offsets.empty()) return {};
   for (const SourceLine& frame : frames_of(offsets))

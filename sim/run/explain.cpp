@@ -24,16 +24,23 @@ std::string pin_name(Pin pin, const std::vector<robot::WiredPin>& wiring) {
   return fmt::format("pin {} (nothing is wired to it)", pin);
 }
 
-// "; the sketch waits in digitalRead(2) …" where the last call looks like waiting for an input.
+// The pin that the sketch seems to wait for: the one it read last, where that is all it does.
+Pin awaited_pin(const Evidence& e) {
+  const executors::Activity& a = e.activity;
+  if (a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0) return a.pin;
+  return e.moved ? kNoPin : a.polled;
+}
+
+// "; the sketch waits …", for a run whose time is up.
 std::string waiting(const Evidence& e) {
   const executors::Activity& a = e.activity;
   if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
+  const Pin pin = awaited_pin(e);
+  if (pin != kNoPin)
+    return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",
+                       pin_name(pin, e.wiring), pin, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
-  const bool reads = a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
-  if (!reads || a.pin == kNoPin)
-    return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
-  return fmt::format("; the sketch was reading {} with {}{}, and found it {}", pin_name(a.pin, e.wiring),
-                     a.call, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
+  return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
 std::string cell_of(const grid::Map& map, Vec2 p) {
@@ -121,14 +128,13 @@ std::string next_step(const Evidence& e) {
                         list_of_pins(never_output), never_output.size() > 1 ? "were" : "was");
   if (low.empty() && never_output.empty())
     text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
-  const bool reads = e.activity.pin != kNoPin && e.activity.call.rfind("digitalRead", 0) == 0;
-  if (reads) {
-    text += fmt::format("; the sketch reads {}, which is {}", pin_name(e.activity.pin, e.wiring),
-                        e.pin_level ? "HIGH" : "LOW");
-    for (const robot::WiredPin& wired : e.wiring)
-      if (wired.pin == e.activity.pin && wired.type == "button")
-        text += fmt::format(": press it with --script and the line: at 1s press {}", wired.part);
-  }
+  const Pin pin = awaited_pin(e);
+  if (pin == kNoPin) return text;
+  text += fmt::format("; the sketch waits for {}, which is {}", pin_name(pin, e.wiring),
+                      e.pin_level ? "HIGH" : "LOW");
+  for (const robot::WiredPin& wired : e.wiring)
+    if (wired.pin == pin && wired.type == "button")
+      text += fmt::format(": press it with --script FILE and the line: at 1s press {} 200ms", wired.part);
   return text;
 }
 

@@ -26,7 +26,7 @@ struct Evidence {
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once
-  bool pin_level = false;        ///< what the pin of activity.call reads now
+  bool pin_level = false;        ///< what the pin that the sketch looks at reads now
   bool in_contact = false;       ///< the body touches a wall
   bool moved = false;            ///< a wheel turned
 };

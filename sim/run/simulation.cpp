@@ -177,6 +177,7 @@ Outcome Simulation::run() {
   setup_.executor->power_on(0);
   if (setup_.samples_every > 0) sample(0);
   for (SimTime t = 0; t < setup_.limit; t += kTick) {
+    if (setup_.reached) setup_.reached->store(t, std::memory_order_relaxed);
     if (const auto verdict = tick(t)) return finish(*verdict, t + kTick);
     if (setup_.interrupted && setup_.interrupted->load(std::memory_order_relaxed))
       return finish(Verdict::interrupted, t + kTick);
@@ -200,7 +201,8 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   e.in_contact = body_.in_contact();
   e.moved = wheel_travel_ > 0.0;
   if (verdict != Verdict::reached) e.activity = setup_.executor->activity();
-  if (e.activity.pin != kNoPin) e.pin_level = board_.read_level(e.activity.pin, t);
+  const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
+  if (looked_at != kNoPin) e.pin_level = board_.read_level(looked_at, t);
   return e;
 }
 

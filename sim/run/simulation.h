@@ -36,7 +36,8 @@ struct Setup {
   robot::Profile profile = robot::Profile::typical;
   std::vector<Step> scenario;
   SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
-  const std::atomic<bool>* interrupted = nullptr;  ///< may be null
+  const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
+  std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
 };
 
 /// What was settled before the first tick.

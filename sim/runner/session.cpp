@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,9 +25,32 @@ namespace {
 
 constexpr int kProtocol = 1;
 
+// Firmware that spends this much processor time inside one tick (usually a microsecond) will never end it: it
+// loops in code that is not instrumented, such as a library function that was handed an endless string.
+constexpr int kWatchdogSeconds = 5;
+constexpr int kWatchdogStatus = 99;
+
 std::atomic<bool> interrupted{false};
+std::atomic<SimTime> reached{-1};
+SimTime reached_at_last_look = -2;  // the watchdog's own
 
 void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
+
+void on_watchdog(int) {
+  const SimTime now = reached.load(std::memory_order_relaxed);
+  if (now == reached_at_last_look) ::_exit(kWatchdogStatus);
+  reached_at_last_look = now;
+}
+
+void start_watchdog() {
+  struct sigaction action {};
+  action.sa_handler = on_watchdog;
+  action.sa_flags = SA_RESTART | SA_ONSTACK;
+  ::sigaction(SIGVTALRM, &action, nullptr);
+  const timeval every{kWatchdogSeconds, 0};
+  const itimerval timer{every, every};
+  ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+}
 
 void write_line(const Json& json) {
   const std::string line = to_line(json) + "\n";
@@ -125,6 +149,8 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   setup.scenario = run::parse_scenario(request.script, request.script_file);
   setup.samples_every = request.samples_every;
   setup.interrupted = &interrupted;
+  setup.reached = &reached;
+  start_watchdog();
 
   Narrator narrator(id, request, *robot.board);
   const run::Outcome outcome = run::simulate(setup, narrator);
@@ -152,15 +178,20 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   ::_exit(0);
 }
 
-// Firmware took its process down in a way that no handler could catch.
+std::string cause_of_death(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("it took its process down by signal {} ({})", WTERMSIG(status),
+                       ::strsignal(WTERMSIG(status)));
+  if (WEXITSTATUS(status) == kWatchdogStatus) return "it loops without end inside a library function";
+  return fmt::format("it took its process down with exit status {}", WEXITSTATUS(status));
+}
+
+// Firmware ended its process in a way that no handler could catch.
 void report_death(const nlohmann::json& json, const nlohmann::json& id, int status) {
-  const std::string how = WIFSIGNALED(status)
-                              ? fmt::format("signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)))
-                              : fmt::format("exit status {}", WEXITSTATUS(status));
   run::Outcome outcome;
   outcome.verdict = run::Verdict::crashed;
-  outcome.crash = executors::Crash{"the firmware took its process down by " + how, {}};
-  outcome.why = "The sketch crashed: it took its process down by " + how + ".";
+  outcome.crash = executors::Crash{cause_of_death(status), {}};
+  outcome.why = "The sketch crashed: " + outcome.crash->reason + ".";
   const RunRequest request = parse_run_request(json);
   if (!request.goal.empty()) outcome.goal = run::parse_goal(request.goal);
   Json answer = with_id(id);
@@ -209,8 +240,9 @@ void serve_line(const Target& target, const std::string& line) {
 }  // namespace
 
 int serve(const Target& target) {
-  std::signal(SIGINT, SIG_IGN);   // meant for the run, not for its server
-  std::signal(SIGPIPE, SIG_IGN);  // a client that has gone is noticed when writing
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
+  std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
+  std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
   Json hello;
   hello["hello"] = "robosim-" + target.name;
   hello["protocol"] = kProtocol;
