@@ -47,6 +47,8 @@ int perform(int count, char** words) {
     return fail(ExitStatus::bad_input, "robosim: ", error.what());
   } catch (const ToolMissing& error) {
     return fail(ExitStatus::tool_missing, "robosim: ", error.what());
+  } catch (const client::Unstoppable& error) {
+    return fail(ExitStatus::interrupted, "robosim: ", error.what());
   } catch (const std::exception& error) {
     if (Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
     return fail(ExitStatus::internal, "robosim: internal error: ", error.what());

@@ -127,7 +127,8 @@ bool Process::write(std::string_view text) {
 }
 
 std::optional<std::string_view> Process::read_line(int timeout_ms) {
-  const long long deadline = timeout_ms < 0 ? 0 : now_ms() + timeout_ms;
+  const long long began = now_ms();
+  long long interrupt_seen = -1;
   std::size_t searched = next_;
   for (;;) {
     const std::size_t end = buffer_.find('\n', searched);
@@ -139,11 +140,18 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
     buffer_.erase(0, next_);
     next_ = 0;
     searched = buffer_.size();
+    // In slices: a signal that arrives just before poll() does not wake it.
+    constexpr long long kSlice_ms = 200;
+    const long long now = now_ms();
+    if (interrupted_ && interrupt_seen < 0) interrupt_seen = now;
+    long long left = kSlice_ms;
+    if (timeout_ms >= 0) left = std::min(left, began + timeout_ms - now);
+    if (interrupt_seen >= 0) left = std::min(left, interrupt_seen + kStopPatience_ms - now);
     pollfd ready{answers_, POLLIN, 0};
-    const long long left = timeout_ms < 0 ? -1 : std::max(0LL, deadline - now_ms());
-    const int polled = ::poll(&ready, 1, static_cast<int>(left));
+    const int polled = ::poll(&ready, 1, static_cast<int>(std::max(left, 0LL)));
     if (polled < 0 && errno == EINTR) continue;
-    if (polled <= 0) return std::nullopt;
+    if (polled < 0 || (polled == 0 && left <= 0)) return std::nullopt;
+    if (polled == 0) continue;
     constexpr std::size_t kChunk = 65536;
     buffer_.resize(searched + kChunk);
     const ssize_t n = ::read(answers_, buffer_.data() + searched, kChunk);
@@ -156,8 +164,13 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
 
 void Process::keep_close() const { ::fcntl(answers_, F_SETPIPE_SZ, 1); }
 
-void Process::signal(int number) const {
-  if (pid_ > 0) ::kill(-pid_, number);
+void Process::interrupt() {
+  interrupted_ = 1;
+  if (pid_ > 0) ::kill(-pid_, SIGINT);
+}
+
+void Process::kill() const {
+  if (pid_ > 0) ::kill(-pid_, SIGKILL);
 }
 
 std::string Process::finish() {

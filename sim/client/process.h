@@ -1,6 +1,7 @@
 // A child process that is spoken with by lines.
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <filesystem>
@@ -31,8 +32,16 @@ class Process {
   /// reader.
   void keep_close() const;
 
-  /// Sends a signal to the program's whole process group. Async-signal-safe.
-  void signal(int number) const;
+  /// How long an interrupted program may stay silent, wall time.
+  static constexpr int kStopPatience_ms = 2000;
+
+  /// Sends SIGINT to the program's whole process group. Async-signal-safe.
+  void interrupt();
+  bool interrupted() const { return interrupted_ != 0; }
+  /// It has answered: an interrupt before that is over and done with.
+  void forget_interrupt() { interrupted_ = 0; }
+  /// Ends the whole process group at once. Async-signal-safe.
+  void kill() const;
   /// No more input. Waits for the end, at most a second; then kills. Says how it ended: "ended with status
   /// 3", "was ended by signal 11 (Segmentation fault)".
   std::string finish();
@@ -42,6 +51,7 @@ class Process {
   pid_t pid_ = -1;
   int requests_ = -1;  // socket to its standard input
   int answers_ = -1;   // pipe from its standard output
+  volatile sig_atomic_t interrupted_ = 0;
   std::string buffer_;
   std::size_t next_ = 0;  // where in buffer_ the next line begins
 };

@@ -16,6 +16,12 @@ class RunnerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// An interrupted run did not answer within seconds, or was killed: there is no result.
+class Unstoppable : public RunnerError {
+ public:
+  using RunnerError::RunnerError;
+};
+
 /// `{"id": 1, "error": …}`.
 struct ErrorAnswer {
   std::string kind;  ///< "input", "tool" or "internal"

@@ -1,7 +1,5 @@
 #include "sim/client/runner.h"
 
-#include <signal.h>
-
 #include <filesystem>
 #include <system_error>
 
@@ -64,6 +62,11 @@ Runner& Runner::operator=(Runner&&) noexcept = default;
 
 Line Runner::next_line() {
   const auto text = process_->read_line();
+  if (!text && process_->interrupted()) {
+    kill();
+    process_->finish();
+    throw Unstoppable("the run did not stop when it was interrupted, and was killed");
+  }
   if (!text) {
     throw RunnerError("the runner " + name_ + " " + process_->finish() +
                       " before it answered; this is a fault of Robosim, not of your sketch");
@@ -81,12 +84,16 @@ Answer Runner::await(long long id, const OnEvent& on_event) {
         throw RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                           " instead of " + std::to_string(id));
       }
-      if (auto* answer = std::get_if<Answer>(&line.content)) return std::move(*answer);
+      if (auto* answer = std::get_if<Answer>(&line.content)) {
+        process_->forget_interrupt();
+        return std::move(*answer);
+      }
       if (const auto* event = std::get_if<Event>(&line.content)) {
         if (on_event) on_event(*event);
         continue;
       }
       answered = true;
+      process_->forget_interrupt();
       const auto* error = std::get_if<ErrorAnswer>(&line.content);
       if (!error) throw RunnerError("the runner " + name_ + " answered something that was not asked");
       if (error->kind == "input") throw InputError(error->message);
@@ -113,8 +120,8 @@ RunResult Runner::run(const RunRequest& request, const OnEvent& on_event) {
 
 void Runner::keep_close() noexcept { process_->keep_close(); }
 
-void Runner::interrupt() noexcept { process_->signal(SIGINT); }
+void Runner::interrupt() noexcept { process_->interrupt(); }
 
-void Runner::kill() noexcept { process_->signal(SIGKILL); }
+void Runner::kill() noexcept { process_->kill(); }
 
 }  // namespace robosim::client

@@ -48,8 +48,9 @@ class Runner {
   /// watch: what is interrupted then is what is seen. Costs speed.
   void keep_close() noexcept;
 
-  /// Ends the current run with the verdict `interrupted`; run() still returns. May be called from a signal
-  /// handler or from within `on_event`.
+  /// Ends the current run with the verdict `interrupted`; run() still returns, unless nothing comes from the
+  /// runner for two seconds of wall time: then it is killed. May be called from a signal handler or from
+  /// within `on_event`.
   void interrupt() noexcept;
   /// Ends the runner at once; run() throws RunnerError. May be called from a signal handler.
   void kill() noexcept;

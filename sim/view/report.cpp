@@ -126,7 +126,7 @@ void write_figures(Writer& out, const Report& report) {
   const client::RunResult& r = report.result;
   const client::Metrics& m = r.metrics;
   const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
-  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean speed {:.2f} m/s · energy {:.1f} J",
+  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean {:.2f} m/s · energy {:.1f} J",
                                            time_text(r.time_s), m.distance_m, mean, m.energy_j));
   if (!m.laps_s.empty()) {
     std::string laps;

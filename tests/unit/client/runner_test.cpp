@@ -157,6 +157,14 @@ TEST_F(RunnerTest, AnInterruptReachesTheRunAndTheAnswerStillComes) {
   EXPECT_EQ(r.run({}, [&](const Event&) { r.interrupt(); }).verdict, "interrupted");
 }
 
+TEST_F(RunnerTest, ARunThatDoesNotHeedAnInterruptIsKilled) {
+  {
+    Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n!interrupt\n"));
+    EXPECT_THROW(r.run({}, [&](const Event&) { r.interrupt(); }), Unstoppable);
+  }
+  expect_no_children();
+}
+
 TEST_F(RunnerTest, AKilledRunnerEndsTheRun) {
   Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n"));
   EXPECT_THROW(r.run({}, [&](const Event&) { r.kill(); }), RunnerError);

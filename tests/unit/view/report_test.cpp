@@ -49,7 +49,7 @@ TEST(EndScreen, SaysWhatHappenedAtFirstSight) {
   const std::string screen = end_screen(report(), nullptr, 78, kPlain);
   EXPECT_THAT(screen, StartsWith("PidFollower · uno5 on oval · goal laps:2 · seed 1 · typical · host\n"
                                  "reached: 2 laps are done\n"));
-  EXPECT_THAT(screen, HasSubstr("time         20.00 s · distance 10.00 m · mean speed 0.50 m/s"));
+  EXPECT_THAT(screen, HasSubstr("time         20.00 s · distance 10.00 m · mean 0.50 m/s"));
   EXPECT_THAT(screen, HasSubstr("laps         2, each 10.50 9.25 s"));
   EXPECT_THAT(screen, HasSubstr("cross-track  4.0 mm RMS, 17.0 mm at most"));
   EXPECT_THAT(screen, HasSubstr("collisions   3\n"));
