@@ -116,6 +116,8 @@ class Body {
   bool in_contact() const { return in_contact_; }
   /// Whether the body's outline covers a point of the floor.
   bool covers(Vec2 p) const;
+  /// Of the circle about the outline's middle that holds the outline, m.
+  double bound_radius() const { return bound_radius_; }
   /// Kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
@@ -162,12 +164,13 @@ class Body {
   double v_ = 0.0, u_ = 0.0, omega_ = 0.0;
   double surface_[2] = {0.0, 0.0};  // speed of the treads, m/s: w r
   double angle_[2] = {0.0, 0.0};
-  Unit unit_[2];
-  double mass_own_, mass_cross_;  // kg: what one wheel's ground speed costs that wheel, and the other
-  double half_track_, per_track_;
-  double grip_limit_;  // N s of a tick, for each wheel
-  double per_mass_, per_inertia_;
-  double bound_radius_;  // of a circle about bound_centre_ that holds the outline
+  Unit unit_[2] = {};
+  double mass_own_ = 0.0,
+         mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
+  double half_track_ = 0.0, per_track_ = 0.0;
+  double grip_limit_ = 0.0;  // N s of a tick, for each wheel
+  double per_mass_ = 0.0, per_inertia_ = 0.0;
+  double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;
   bool slips_ = false;
   bool touched_ = false, near_ = false, in_contact_ = false;

@@ -2,6 +2,8 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <new>
 
 #include "maps.h"
 #include "sim/world/world.h"
@@ -59,6 +61,21 @@ TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   }
   EXPECT_GT(a.collisions() + b.collisions(), 10);
   EXPECT_EQ(bits.hash, 12569182467989404639u);
+}
+
+// Bodies are made in memory that others have used: what lies there must not matter.
+TEST(Determinism, ABodyOwesNothingToTheMemoryItIsMadeIn) {
+  BodyParams box = default_body_params();
+  box.outline = {{-0.05, -0.05}, {0.08, -0.05}, {0.08, 0.05}, {-0.05, 0.05}};
+  alignas(Body) unsigned char memory[2][sizeof(Body)];
+  std::memset(memory[0], 0x00, sizeof memory[0]);
+  std::memset(memory[1], 0x7E, sizeof memory[1]);  // doubles of 1e301
+  Body* clean = new (memory[0]) Body(box, {{0.5, 0.5}, {1.0, 0.0}});
+  Body* used = new (memory[1]) Body(box, {{0.5, 0.5}, {1.0, 0.0}});
+  EXPECT_EQ(clean->bound_radius(), used->bound_radius());
+  EXPECT_NEAR(used->bound_radius(), length({0.065, 0.05}), 1e-12);
+  clean->~Body();
+  used->~Body();
 }
 
 }  // namespace
