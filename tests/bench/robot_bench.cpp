@@ -1,0 +1,48 @@
+// A tick of a whole robot: its parts, its body and its walls, with the noise of the profile `typical`.
+
+#include <benchmark/benchmark.h>
+
+#include "hal/board/board_spec.h"
+#include "sim/executors/board_state.h"
+#include "sim/robot/describe.h"
+#include "sim/robot/description.h"
+#include "sim/robot/robot.h"
+#include "sim/world/world.h"
+
+namespace robosim {
+namespace {
+
+// An uno5 goes round in circles on the oval's floor. `state.range(0)`: ticks between two reads of all five
+// sensors.
+void robot_tick(benchmark::State& state) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description description = robot::load_description("uno5");
+  world::World world(map);
+  const auto body =
+      world.add_body(robot::body_params(description, 1, robot::Profile::typical), {{1.2, 0.6}, {1.0, 0.0}});
+  executors::BoardState board(*description.board);
+  robot::Robot robot(description, world, body, board, 1, robot::Profile::typical);
+  for (const Pin pin : {7, 9}) board.set_drive(pin, {PinMode::output, true, false, 1.0, 0}, 0);
+  for (const Pin pin : {8, 10}) board.set_drive(pin, {PinMode::output, false, false, 0.0, 0}, 0);
+  board.set_drive(5, {PinMode::output, false, true, 0.3, 0}, 0);
+  board.set_drive(6, {PinMode::output, false, true, 0.5, 0}, 0);
+  SimTime t = 0;
+  int until_read = 0;
+  double seen = 0.0;
+  for (auto _ : state) {
+    robot.begin_tick(t);
+    if (until_read-- == 0) {
+      for (Pin pin = 14; pin < 19; ++pin) seen += board.read_volts(pin, t);
+      until_read = static_cast<int>(state.range(0)) - 1;
+    }
+    t += kTick;
+    robot.end_tick(t);
+    world.step();
+  }
+  benchmark::DoNotOptimize(seen);
+}
+
+BENCHMARK(robot_tick)->Name("robot/tick, five sensors read every")->ArgName("ms")->Arg(1)->Arg(5);
+
+}  // namespace
+}  // namespace robosim
