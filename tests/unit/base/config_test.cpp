@@ -22,6 +22,11 @@ TEST(Config, KeepsTheOrderOfTheFileAndThePlaceOfEachValue) {
   EXPECT_EQ(to_string(v.members.back().second.place), "f.toml:6:9");
 }
 
+TEST(Config, RefusesALetterBeyondAsciiBehindAQuoteInsideANumber) {
+  EXPECT_THAT(error_of([] { parse_toml("size = 8\"8\u013f\"\n", "f.toml"); }),
+              testing::StartsWith("f.toml:1:"));
+}
+
 TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
   const ConfigValue v = parse_toml("with = 1\n", "f.toml");
   EXPECT_EQ(error_of([&] {
