@@ -4,14 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim {
 
 TEST(File, WritesAndReadsBack) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "robosim_file_test";
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "file";
   write_file(path, std::string_view("a\0b\n", 4));
   EXPECT_EQ(read_file(path), std::string("a\0b\n", 4));
-  std::filesystem::remove(path);
 }
 
 TEST(File, SaysWhichFileCannotBeReadAndWhy) {

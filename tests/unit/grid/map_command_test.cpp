@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
 namespace {
@@ -16,20 +17,15 @@ using ::testing::Not;
 
 class MapCommand : public testing::Test {
  protected:
-  MapCommand() : folder_(std::filesystem::path(testing::TempDir()) / "map_command") {
-    std::filesystem::create_directories(folder_);
-  }
-  ~MapCommand() override { std::filesystem::remove_all(folder_); }
-
   std::string file(const char* name, const char* text) const {
-    write_file(folder_ / name, text);
-    return (folder_ / name).string();
+    write_file(folder_.path() / name, text);
+    return (folder_.path() / name).string();
   }
   ExitStatus check(const std::vector<std::string>& maps, const std::string& start = "") {
     return check_maps(maps, start, out_, errors_);
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   std::ostringstream out_;
   std::ostringstream errors_;
 };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::grid {
 namespace {
@@ -148,14 +149,14 @@ TEST(ReadMap, AFileLargerThanAChunkReadsAsItsTextDoes) {
     row[static_cast<std::size_t>(y * 31 % 997)] = y == 350 ? 'S' : '.';
     text += row + (y % 3 ? "\n" : "\r\n");
   }
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "big.map";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "big.map";
   write_file(file, text);
   const Map map = read_map(file);
   EXPECT_EQ(map.cells, parse_map(text, "big.map").cells);
   EXPECT_EQ(map.start->cell, (CellAt{350 * 31 % 997, 350}));
   EXPECT_EQ(map.sha256, "");
   EXPECT_EQ(sha256_of(map), sha256(text));
-  std::filesystem::remove(file);
 }
 
 TEST(ReadMap, FilesThatCannotBeReadAreNamed) {

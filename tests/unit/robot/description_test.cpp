@@ -8,6 +8,7 @@
 
 #include "sim/base/file.h"
 #include "sim/robot/describe.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
@@ -178,8 +179,8 @@ TEST(Description, APartOfAnotherTypeReplacesTheBasesPart) {
 }
 
 TEST(Description, ErrorsInABaseNameTheBasesFile) {
-  const auto folder = std::filesystem::temp_directory_path() / "robosim_description_test";
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder own;
+  const std::filesystem::path& folder = own.path();
   write_file(folder / "below.toml", kBareRobot + "[[part]]\nname = \"x\"\ntype = \"led\"\npin = 77\n");
   write_file(folder / "self.toml", "base = \"./self.toml\"\n");
   try {
@@ -195,7 +196,6 @@ TEST(Description, ErrorsInABaseNameTheBasesFile) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("its own base"));
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Description, HashCoversTheBase) {
