@@ -25,8 +25,8 @@ struct Crash {
 struct Activity {
   SimTime last_call = 0;   ///< when it last called the API (on a chip: accessed I/O outside handlers)
   std::string call;        ///< that call as the sketch would write it: "digitalRead(2)"
-  Pin polled = kNoPin;     ///< the pin of its last digitalRead, if that was within the last second
   Pin pin = kNoPin;        ///< the pin of that call
+  Pin polled = kNoPin;     ///< the pin of its last digitalRead, if that was within the last second
   SourceLine where;        ///< where in the sketch the firmware is now
   std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
 };

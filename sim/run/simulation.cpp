@@ -16,7 +16,6 @@
 namespace robosim::run {
 namespace {
 
-constexpr double kTickSeconds = static_cast<double>(kTick) * 1e-9;
 constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
 constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
 constexpr std::size_t kEventsKept = 8;
@@ -55,7 +54,6 @@ class Simulation final : PinWatcher, SerialWatcher {
   trace::TraceHash hash_;
 
   Vec2 sensor_midpoint_;
-  double wheel_travel_ = 0.0;
   double cross_track_ = 0.0;
   double cross_track_squares_ = 0.0;
   double cross_track_max_ = 0.0;
@@ -119,9 +117,6 @@ void Simulation::note(SimTime t) {
 }
 
 void Simulation::observe(SimTime end) {
-  for (const world::Side side : {world::left, world::right})
-    wheel_travel_ +=
-        0.5 * kTickSeconds * body_.params().wheel[side].radius_m * std::abs(body_.wheel_rate(side));
   cross_track_ = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
   if (end > kSettling) {
     cross_track_squares_ += cross_track_ * cross_track_;
@@ -162,7 +157,7 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
   if (executor.crash()) return Verdict::crashed;
   Situation now{end,
                 &body_.pose(),
-                wheel_travel_,
+                body_.wheel_travel(),
                 sees_line_,
                 robot_.driven(),
                 director_.powered(),
@@ -199,7 +194,7 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   e.went_high = went_high_;
   e.was_output = was_output_;
   e.in_contact = body_.in_contact();
-  e.moved = wheel_travel_ > 0.0;
+  e.moved = body_.wheel_travel() > 0.0;
   if (verdict != Verdict::reached) e.activity = setup_.executor->activity();
   const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
   if (looked_at != kNoPin) e.pin_level = board_.read_level(looked_at, t);
