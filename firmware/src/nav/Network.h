@@ -1,0 +1,70 @@
+// What a robot knows of a network of lines: an m-graph whose nodes are numbered in the order in which a
+// depth-first walk, the right-hand arm first, came upon them (preorder).
+//
+// A Network is anything with these members; explorer and planners are templates over it. FixedNetwork.h keeps
+// one in fixed arrays with 8-bit ids, for a chip; a host may let it grow.
+//
+//   Id                                an unsigned type; nodes are 0, 1, 2, … in preorder
+//   static const Id kNone             behind an arm: not known (yet); of a root: no parent
+//   static const Id kBlocked          behind an arm: an obstacle
+//
+//   Id size() const
+//   bool isStation(Id) const          else it is a junction
+//   uint8_t arms(Id) const            as in Landmark; of a station one arm, or none if it stands alone
+//   Heading entry(Id) const           in which it was first entered; slots count from it (Landmark.h)
+//   Place place(Id) const             of a junction
+//   Id parent(Id) const               the node from which it was first entered; it is behind slot 0
+//   Id link(Id, uint8_t slot) const   the node behind that arm, or kNone, or kBlocked
+//   uint8_t backSlot(Id, uint8_t slot) const    the slot of link() to which this line leads
+//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost
+//   Id find(const Place&) const       the junction there, or kNone
+//   bool isTree() const               whether no line was joined beyond those of the depth-first walk
+//
+// Built in preorder, children of a node in the order of its slots 1, 2, 3, and 0 last where it is the root:
+//
+//   void clear()
+//   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full
+//   Id addJunction(Id from, uint8_t slot, uint8_t arms, Heading entry, Place, uint32_t cost)   kNone if full
+//   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)   a line between nodes known; false
+//   if full bool block(Id, uint8_t slot)      an obstacle behind that arm, on both sides of it; false if full
+//
+// For the root, `from` is kNone, and slot and cost mean nothing. The arm of a station is its slot 0.
+#ifndef LINEKIT_NAV_NETWORK_H
+#define LINEKIT_NAV_NETWORK_H
+
+#include "Landmark.h"
+
+namespace nav {
+
+/// How many arms a node has.
+template <class Network>
+uint8_t slots(const Network& network, typename Network::Id node) {
+  return slotCount(network.arms(node));
+}
+
+/// The heading in which the arm in a slot leaves.
+template <class Network>
+Heading headingOf(const Network& network, typename Network::Id node, uint8_t slot) {
+  return headingOf(network.arms(node), network.entry(node), slot);
+}
+
+/// A station by its number, 1, 2, … in the order in which they were met; kNone if there is none such.
+template <class Network>
+typename Network::Id stationNode(const Network& network, typename Network::Id number) {
+  for (typename Network::Id node = 0; node < network.size(); ++node)
+    if (network.isStation(node) && --number == 0) return node;
+  return Network::kNone;
+}
+
+/// The inverse.
+template <class Network>
+typename Network::Id stationNumber(const Network& network, typename Network::Id node) {
+  typename Network::Id number = 0;
+  for (typename Network::Id other = 0; other <= node; ++other)
+    if (network.isStation(other)) ++number;
+  return number;
+}
+
+}  // namespace nav
+
+#endif
