@@ -1,6 +1,7 @@
 // A map: a grid of cells read from text, and what its front matter says. The format is in docs/formats.md.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -130,6 +131,25 @@ inline unsigned line_neighbours(const Map& map, CellAt c) {
 }
 
 constexpr bool has(unsigned mask, Direction d) { return (mask >> static_cast<int>(d) & 1u) != 0; }
+
+/// Whether an obstacle stands on the line right ahead of a robot on a line cell: an `x`, or a wall that was
+/// put on the line. Of the latter kind is a wall straight ahead of a line's end that has line right behind
+/// it; a wall beside a line that goes on is just a wall, and so is every wall around a single line cell.
+inline bool blocks_line(const Map& map, CellAt c, Direction d) {
+  const CellAt next = ahead(c, d);
+  const Cell what = map.at(next);
+  if (what != Cell::wall) return what == Cell::obstacle;
+  return is_line(map.at(ahead(next, d))) && line_neighbours(map, c) == 1u << static_cast<int>(reversed(d));
+}
+
+/// Whether a line ends on this line cell, so that it is a station: no line beside it, or on one side only and
+/// no obstacle at the other.
+inline bool is_dead_end(const Map& map, CellAt c) {
+  const unsigned lines = line_neighbours(map, c);
+  if (lines == 0) return true;
+  if (!std::has_single_bit(lines)) return false;
+  return !blocks_line(map, c, reversed(static_cast<Direction>(std::countr_zero(lines))));
+}
 
 /// How a robot put on a line cell faces: towards its only line neighbour, or the first in the order E S W N.
 Direction default_facing(const Map& map, CellAt cell);

@@ -62,7 +62,7 @@ class Walk {
   void note(CellAt cell, unsigned lines) {
     const int degree = std::popcount(lines);
     edge_ends_ += static_cast<std::size_t>(degree);
-    if (degree <= 1) dead_ends_.push_back(cell);
+    if (is_dead_end(map_, cell)) dead_ends_.push_back(cell);
     if (degree >= 3) junctions_.push_back(cell);
     if (degree != 2 && degree != 4) only_loops_ = false;
     for (int d = 0; d < 4; ++d)
@@ -97,7 +97,7 @@ std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     if (!is_line(map.cells[i])) continue;
     const CellAt c = map.cell_at(i);
-    if (!walk.reached(c) && std::popcount(line_neighbours(map, c)) <= 1) cells.push_back(c);
+    if (!walk.reached(c) && is_dead_end(map, c)) cells.push_back(c);
   }
   return cells;
 }
@@ -119,8 +119,7 @@ Network trace_network(const Map& map, const Start& start) {
   for (const CellAt cell : walk.dead_ends()) add(cell, name_at(cell));
   network.unreachable = unreached_dead_ends(map, walk);
   for (const NamedStation& named : map.stations) {
-    const bool dead_end = std::popcount(line_neighbours(map, named.cell)) <= 1;
-    if (dead_end) continue;
+    if (is_dead_end(map, named.cell)) continue;
     if (walk.reached(named.cell))
       add(named.cell, named.name);
     else

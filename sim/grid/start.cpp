@@ -68,7 +68,7 @@ Start default_start(const Map& map) {
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     if (!is_line(map.cells[i]) || map.cells[i] == Cell::obstacle) continue;
     const CellAt cell = map.cell_at(i);
-    if (std::has_single_bit(line_neighbours(map, cell))) return {cell, default_facing(map, cell)};
+    if (line_neighbours(map, cell) != 0 && is_dead_end(map, cell)) return {cell, default_facing(map, cell)};
     if (!first) first = cell;
   }
   if (!first) throw InputError({map.file}, "the map has no line on which a robot could start");

@@ -124,10 +124,38 @@ TEST(Network, AGapIsPassed) {
   EXPECT_THAT(cells_of(trace(map, "0,0").stations), ElementsAre(CellAt{0, 0}, CellAt{5, 0}));
 }
 
-TEST(Network, AWallOnTheLineEndsIt) {
-  const Network network = trace(parse_map("..2..\n", "m.map"), "0,0");
-  EXPECT_THAT(cells_of(network.stations), ElementsAre(CellAt{0, 0}, CellAt{1, 0}));
-  EXPECT_THAT(network.unreachable, ElementsAre(CellAt{3, 0}, CellAt{4, 0}));
+TEST(Network, AWallOnTheLineIsAnObstacleAndNoStation) {
+  const Map cut = parse_map("...2...\n", "m.map");
+  EXPECT_THAT(cells_of(trace(cut, "0,0").stations), ElementsAre(CellAt{0, 0}));
+  EXPECT_THAT(trace(cut, "0,0").unreachable, ElementsAre(CellAt{6, 0}));
+  EXPECT_THAT(cells_of(trace(cut, "2,0").stations), ElementsAre(CellAt{0, 0}));
+  EXPECT_EQ(default_start(cut).cell, (CellAt{0, 0}));
+  EXPECT_EQ(default_start(parse_map("..2..\n.___.\n.___.\n", "m.map")).cell, (CellAt{0, 2}));
+  const Network around = trace(parse_map("_....._\n_.___._\n..2....\n_._____\n", "m.map"), "1,3");
+  EXPECT_THAT(cells_of(around.stations), ElementsAre(CellAt{1, 3}, CellAt{6, 2}, CellAt{0, 2}));
+  EXPECT_THAT(around.unreachable, IsEmpty());
+}
+
+TEST(Network, AWallBesideALineOrFarFromTheNextLineIsNoObstacle) {
+  EXPECT_EQ(trace(parse_map("..22..\n", "m.map"), "0,0").stations.size(), 2u);
+  EXPECT_EQ(trace(parse_map("..2_..\n", "m.map"), "0,0").stations.size(), 2u);
+  const Map parallel = parse_map("._.\n.2.\n._.\n", "m.map");
+  EXPECT_THAT(cells_of(trace(parallel, "0,0").stations), ElementsAre(CellAt{0, 0}, CellAt{0, 2}));
+  EXPECT_FALSE(blocks_line(parallel, {0, 1}, Direction::east));
+  // A single cell has no line that a wall could stand on.
+  EXPECT_THAT(cells_of(trace(parse_map(".2..\n", "m.map"), "0,0").stations), ElementsAre(CellAt{0, 0}));
+}
+
+TEST(Network, ALineIsBlockedByAnObstacleAheadFromBothSides) {
+  const Map map = parse_map("..x..2..\n", "m.map");
+  for (const auto& [cell, d] : {std::pair{CellAt{1, 0}, Direction::east},
+                                {CellAt{3, 0}, Direction::west},
+                                {CellAt{4, 0}, Direction::east},
+                                {CellAt{6, 0}, Direction::west}}) {
+    EXPECT_TRUE(blocks_line(map, cell, d)) << cell.x;
+    EXPECT_FALSE(blocks_line(map, cell, reversed(d))) << cell.x;
+    EXPECT_FALSE(is_dead_end(map, cell)) << cell.x;
+  }
 }
 
 TEST(Network, NamedPlacesFollowTheDeadEnds) {
