@@ -1,0 +1,31 @@
+// Limits that a sketch's size report can print.
+//
+//   LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, 200);
+//
+// makes the constant nav::kTreeNodes and, in the object file, the symbol linekit_limit_nodes_of_a_tree with
+// the value 200. It is a local absolute symbol: a name and a number in the symbol table, no byte of flash or
+// RAM. Read it back from any .elf or .so that was not stripped, on every target:
+//
+//   $ avr-nm AiNavigator.elf | grep linekit_limit_
+//   000000c8 a linekit_limit_nodes_of_a_tree
+//
+// The number is written out, in decimal: the preprocessor copies it into the assembler's text. If several
+// files include it, the symbol is there several times, always with the same value.
+#ifndef LINEKIT_NAV_LIMITS_H
+#define LINEKIT_NAV_LIMITS_H
+
+#include <stdint.h>
+
+#define LINEKIT_REPORT_LIMIT(name, value) __asm__(".set linekit_limit_" #name ", " #value)
+#define LINEKIT_LIMIT(constant, name, value) \
+  LINEKIT_REPORT_LIMIT(name, value);         \
+  static const uint8_t constant = value
+
+namespace nav {
+
+LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, 200);                      // stations and junctions
+LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // and kTreeNodes in all
+
+}  // namespace nav
+
+#endif
