@@ -1,0 +1,44 @@
+// Draws maps by chance: for tests over many maps, for benchmarks, and as courses of any size.
+//
+// Equal arguments give equal maps on every machine: chance is the integer hash of sim/base/noise.h, and
+// nothing else decides. Whatever changes a map that some arguments give, raises kGeneratorVersion.
+//
+// All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart, and around it is a margin of
+// as much: driven robots find the room that the sample maps give them. There are no walls and no obstacles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+enum class Family : std::uint8_t {
+  tree,    ///< junctions of three ways, no cycle: stations - 2 junctions. What v1 can do
+  cycles,  ///< such a tree with lines added that close cycles, at least one, and make some crossings of four
+           ///< ways
+  grid,    ///< streets as in a city, some of them missing, with crossings of four ways; stations within the
+           ///< blocks
+};
+
+constexpr int kGeneratorVersion = 1;
+constexpr int kMinStations = 2;
+constexpr int kMaxStations = 1'000'000;
+
+/// "tree", "cycles" or "grid".
+const char* name_of(Family family);
+/// The inverse.
+std::optional<Family> family_of(std::string_view name);
+
+/// "tree-100-7" for 100 stations and seed 7: what the map is called.
+std::string generated_name(Family family, int stations, std::uint64_t seed);
+
+/// A connected map with exactly that many stations, kMinStations to kMaxStations. Its goal is `tour`, and
+/// `generator` says family, version, stations and seed. A million stations need some 55 (tree, cycles) or 70
+/// (grid) cells each.
+Map generate(Family family, int stations, std::uint64_t seed);
+
+}  // namespace robosim::grid
