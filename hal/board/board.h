@@ -74,6 +74,18 @@ class SerialWatcher {
   ~SerialWatcher() = default;
 };
 
+/// Told of what comes into the microcontroller: what its firmware finds when it looks at a pin, edges that
+/// reach an interrupt, bytes that reach the UART. Nearly, but not always, in the order of time.
+class InputWatcher {
+ public:
+  virtual void level_seen(Pin pin, bool level, SimTime t) = 0;
+  virtual void volts_seen(Pin pin, double volts, SimTime t) = 0;
+  virtual void byte_received(uint8_t byte, SimTime t) = 0;
+
+ protected:
+  ~InputWatcher() = default;
+};
+
 struct BoardSpec;
 
 class Board {
@@ -110,6 +122,8 @@ class Board {
   virtual bool wants_edges(Pin pin) const = 0;
   /// A byte arrives at the UART. Bytes queue at the firmware's baud rate.
   virtual void receive_byte(uint8_t byte, SimTime at) = 0;
+  /// One watcher at a time; hearing changes nothing.
+  virtual void watch_inputs(InputWatcher& watcher) = 0;
 };
 
 }  // namespace robosim

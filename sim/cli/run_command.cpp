@@ -21,6 +21,7 @@
 #include "sim/sketch/sketch.h"
 #include "sim/view/live_view.h"
 #include "sim/view/record_csv.h"
+#include "sim/view/record_vcd.h"
 #include "sim/view/report.h"
 
 namespace robosim::cli {
@@ -78,18 +79,27 @@ std::unique_ptr<grid::Map> map_to_draw(const fs::path& path) {
   return std::make_unique<grid::Map>(grid::read_map(path));
 }
 
+bool is_vcd(const std::string& file) { return fs::path(file).extension() == ".vcd"; }
+
 /// Everything that listens to a run's events.
 class Listeners {
  public:
-  Listeners(const RunArguments& arguments, Progress& progress) : progress_(progress) {
-    for (const std::string& file : arguments.record) records_.emplace_back(file);
+  Listeners(const RunArguments& arguments, const BoardSpec& board, Progress& progress) : progress_(progress) {
+    for (const std::string& file : arguments.record) {
+      if (is_vcd(file)) {
+        waves_.emplace_back(file, board);
+      } else {
+        tables_.emplace_back(file);
+      }
+    }
     for_s_ = static_cast<double>(arguments.for_ns) * 1e-9;
   }
 
   void watch(view::LiveView* view) { view_ = view; }
 
   void on_event(const client::Event& event) {
-    for (view::CsvRecord& record : records_) record.add(event);
+    for (view::CsvRecord& table : tables_) table.add(event);
+    for (view::VcdRecord& wave : waves_) wave.add(event);
     if (const auto* started = std::get_if<client::Started>(&event)) started_ = *started;
     if (const auto* sample = std::get_if<client::Sample>(&event)) {
       trail_.add(*sample);
@@ -99,14 +109,16 @@ class Listeners {
   }
 
   void save() const {
-    for (const view::CsvRecord& record : records_) record.save();
+    for (const view::CsvRecord& table : tables_) table.save();
+    for (const view::VcdRecord& wave : waves_) wave.save();
   }
   const client::Started& started() const { return started_; }
   const view::Trail& trail() const { return trail_; }
 
  private:
   Progress& progress_;
-  std::vector<view::CsvRecord> records_;
+  std::vector<view::CsvRecord> tables_;
+  std::vector<view::VcdRecord> waves_;
   view::LiveView* view_ = nullptr;
   client::Started started_;
   view::Trail trail_;
@@ -175,8 +187,9 @@ int run_command(const RunArguments& arguments) {
   request.profile = arguments.profile;
   request.samples_every_ns = samples_every_ns(arguments, progress.active());
   request.serial = request.notes = arguments.view;
+  request.pins = request.io = std::any_of(arguments.record.begin(), arguments.record.end(), is_vcd);
 
-  Listeners listeners(arguments, progress);
+  Listeners listeners(arguments, board_of(robot_info), progress);
   const double began_s = wall_now_s();
   const std::string title = fmt::format("{} · {} on {}", sketch.name, robot.name, map.name);
   const client::RunResult result =

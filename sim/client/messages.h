@@ -66,6 +66,7 @@ struct RunRequest {
   bool pins = false;                   ///< stream pin changes
   bool serial = false;                 ///< stream what the firmware prints
   bool notes = false;                  ///< stream what happens: "station 2 visited"
+  bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
 };
 
 /// Sent once, before everything else.
@@ -103,6 +104,28 @@ struct PinChange {
   bool level = false;
   bool pwm = false;
   double duty = 0.0;
+  std::uint32_t tone_hz = 0;  ///< 0 = none
+};
+
+/// The firmware looked at a pin, or an edge reached one of its interrupts.
+struct LevelSeen {
+  std::int64_t t_ns = 0;
+  std::string pin;
+  bool level = false;
+};
+
+/// The ADC sampled a pin.
+struct VoltsSeen {
+  std::int64_t t_ns = 0;
+  std::string pin;
+  double volts = 0.0;
+};
+
+/// A byte at the UART.
+struct SerialByte {
+  std::int64_t t_ns = 0;
+  std::uint8_t value = 0;
+  bool sent = false;  ///< by the firmware; else received
 };
 
 struct SerialText {
@@ -115,8 +138,8 @@ struct Note {
   std::string text;
 };
 
-using Event = std::variant<Started, Sample, PinChange, SerialText, Note>;
-/// Called for every event, in the order of simulated time. While it does not return, the runner is held up by
+using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte>;
+/// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it does not return, the runner is held up by
 /// the full pipe; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;
 

@@ -104,10 +104,23 @@ Event event(const Json& json) {
   if (kind == "note") return Note{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "text")};
   if (kind == "started") return started(json);
   if (kind == "pin") {
-    return PinChange{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
-                     get<std::string>(json, "mode"),  get<bool>(json, "level"),
-                     get<bool>(json, "pwm"),          get<double>(json, "duty")};
+    return PinChange{get<std::int64_t>(json, "t_ns"),
+                     get<std::string>(json, "pin"),
+                     get<std::string>(json, "mode"),
+                     get<bool>(json, "level"),
+                     get<bool>(json, "pwm"),
+                     get<double>(json, "duty"),
+                     get<std::uint32_t>(json, "tone_hz", 0)};
   }
+  if (kind == "level")
+    return LevelSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
+                     get<bool>(json, "level")};
+  if (kind == "volts")
+    return VoltsSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
+                     get<double>(json, "volts")};
+  if (kind == "byte")
+    return SerialByte{get<std::int64_t>(json, "t_ns"), get<std::uint8_t>(json, "value"),
+                      get<bool>(json, "sent")};
   throw RunnerError("there is no event " + kind);
 }
 
@@ -199,6 +212,7 @@ std::string run_line(long long id, const RunRequest& r) {
   if (r.pins) stream.push_back("pin");
   if (r.serial) stream.push_back("serial");
   if (r.notes) stream.push_back("note");
+  if (r.io) stream.push_back("io");
   if (!stream.empty()) json["stream"] = stream;
   return line(json);
 }

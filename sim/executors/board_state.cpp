@@ -14,8 +14,7 @@ void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
   for (PinWatcher* watcher : state.watchers) watcher->pin_changed(pin, drive, t);
 }
 
-bool BoardState::read_level(Pin pin, SimTime t) {
-  if (pin >= kMaxPins) return false;
+bool BoardState::level_on(Pin pin, SimTime t) {
   const PinState& state = pins_[pin];
   if (state.drive.mode == PinMode::output)
     return state.drive.pwm ? state.drive.duty >= 0.5 : state.drive.level;
@@ -23,11 +22,20 @@ bool BoardState::read_level(Pin pin, SimTime t) {
   return state.drive.mode == PinMode::input_pullup;
 }
 
+bool BoardState::read_level(Pin pin, SimTime t) {
+  if (pin >= kMaxPins) return false;
+  const bool level = level_on(pin, t);
+  if (input_watcher_) input_watcher_->level_seen(pin, level, t);
+  return level;
+}
+
 double BoardState::read_volts(Pin pin, SimTime t) {
   if (pin >= kMaxPins) return 0.0;
   const PinState& state = pins_[pin];
-  if (state.drive.mode != PinMode::output && state.source) return state.source->volts(t);
-  return read_level(pin, t) ? spec_.supply_volts : 0.0;
+  const bool sourced = state.drive.mode != PinMode::output && state.source;
+  const double volts = sourced ? state.source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
+  if (input_watcher_) input_watcher_->volts_seen(pin, volts, t);
+  return volts;
 }
 
 void BoardState::send_byte(std::uint8_t byte, SimTime t) {
@@ -105,10 +113,12 @@ bool BoardState::take_input(SimTime until, BoardInput& input) {
   if (edge < edges_.size() && edges_[edge].at == next_input_) {
     input = edges_[edge];
     edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(edge));
+    if (input_watcher_) input_watcher_->level_seen(input.pin, input.value != 0, input.at);
   } else {
     last_arrival_ = next_input_;
     input = {BoardInput::Kind::byte, kNoPin, bytes_.front().value, next_input_};
     bytes_.erase(bytes_.begin());
+    if (input_watcher_) input_watcher_->byte_received(input.value, input.at);
   }
   refresh_next();
   return true;

@@ -37,6 +37,7 @@ class BoardState final : public Board {
   void schedule_edge(Pin pin, bool level, SimTime at) override;
   bool wants_edges(Pin pin) const override { return pins_[pin % kMaxPins].wants_edges; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
+  void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
   // --- for executors
   // ----------------------------------------------------------------------------------------
@@ -71,7 +72,10 @@ class BoardState final : public Board {
   std::size_t next_edge() const;
   void refresh_next();
 
+  bool level_on(Pin pin, SimTime t);
+
   const BoardSpec& spec_;
+  InputWatcher* input_watcher_ = nullptr;
   std::array<PinState, kMaxPins> pins_;
   std::vector<SerialWatcher*> serial_watchers_;
   std::vector<std::uint8_t> eeprom_;

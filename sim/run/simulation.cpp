@@ -21,7 +21,7 @@ constexpr int kLookEvery = 4;                      // ticks between two looks at
 constexpr std::size_t kEventsKept = 8;
 
 /// Everything of one run. Built in the order in which things depend on each other.
-class Simulation final : PinWatcher, SerialWatcher {
+class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
  public:
   Simulation(const Setup& setup, Listener& listener);
   Outcome run();
@@ -29,6 +29,9 @@ class Simulation final : PinWatcher, SerialWatcher {
  private:
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
+  void level_seen(Pin pin, bool level, SimTime t) override { listener_.level_seen(pin, level, t); }
+  void volts_seen(Pin pin, double volts, SimTime t) override { listener_.volts_seen(pin, volts, t); }
+  void byte_received(std::uint8_t byte, SimTime t) override { listener_.byte_received(byte, t); }
 
   std::optional<Verdict> tick(SimTime t);
   void observe(SimTime end);
@@ -89,6 +92,7 @@ Simulation::Simulation(const Setup& setup, Listener& listener)
       sensor_midpoint_(robot_.sensor_midpoint()) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
+  if (listener_.wants_inputs()) board_.watch_inputs(*this);
 }
 
 void Simulation::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {

@@ -67,6 +67,12 @@ class Listener {
   virtual void sampled(const Sample&) {}
   virtual void pin_changed(Pin, const PinDrive&, SimTime) {}
   virtual void byte_sent(std::uint8_t, SimTime) {}
+  /// Whether the three below are wanted; asked once.
+  virtual bool wants_inputs() const { return false; }
+  /// What the firmware found on a pin, or an edge that reached an interrupt; see InputWatcher for the order.
+  virtual void level_seen(Pin, bool, SimTime) {}
+  virtual void volts_seen(Pin, double, SimTime) {}
+  virtual void byte_received(std::uint8_t, SimTime) {}
   virtual void noted(const Event&) {}
 };
 

@@ -91,8 +91,10 @@ RunRequest parse_run_request(const json& object) {
         request.stream_serial = true;
       } else if (name == "note") {
         request.stream_notes = true;
+      } else if (name == "io") {
+        request.stream_io = true;
       } else {
-        Keys::wrong("stream", "an array of \"pin\", \"serial\" and \"note\"");
+        Keys::wrong("stream", "an array of \"pin\", \"serial\", \"note\" and \"io\"");
       }
     }
   }

@@ -93,9 +93,21 @@ class Narrator final : public run::Listener {
                  {"mode", kModes[static_cast<int>(drive.mode)]},
                  {"level", drive.level},
                  {"pwm", drive.pwm},
-                 {"duty", drive.duty}});
+                 {"duty", drive.duty},
+                 {"tone_hz", drive.tone_hz}});
+  }
+  bool wants_inputs() const override { return request_.stream_io; }
+  void level_seen(Pin pin, bool level, SimTime t) override {
+    send("level", {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"level", level}});
+  }
+  void volts_seen(Pin pin, double volts, SimTime t) override {
+    send("volts", {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"volts", volts}});
+  }
+  void byte_received(std::uint8_t byte, SimTime t) override {
+    send("byte", {{"t_ns", t}, {"value", byte}, {"sent", false}});
   }
   void byte_sent(std::uint8_t byte, SimTime t) override {
+    if (request_.stream_io) send("byte", {{"t_ns", t}, {"value", byte}, {"sent", true}});
     if (!request_.stream_serial) return;
     line_ += static_cast<char>(byte);
     if (byte == '\n' || line_.size() >= 256) flush_serial(t);

@@ -38,7 +38,7 @@ void CsvRecord::add(const client::Event& event) {
 void CsvRecord::save() const { write_file(path_, text_); }
 
 const std::vector<std::string>& record_endings() {
-  static const std::vector<std::string> endings{".csv"};
+  static const std::vector<std::string> endings{".csv", ".vcd"};
   return endings;
 }
 

@@ -55,6 +55,7 @@ class FakeBoard final : public Board {
   void schedule_edge(Pin pin, bool level, SimTime at) override { edges.push_back({pin, level, at}); }
   bool wants_edges(Pin) const override { return edges_wanted; }
   void receive_byte(uint8_t, SimTime) override {}
+  void watch_inputs(InputWatcher&) override {}
 
  private:
   bool pulled_up(Pin pin) const { return drives_[pin].mode == PinMode::input_pullup; }
