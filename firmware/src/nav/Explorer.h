@@ -13,13 +13,17 @@
 // Where it begins does not matter. At the end of a line, that end is station 1 and the root of the graph.
 // Elsewhere the first node it meets is the root, and the arm by which it came there is explored last.
 //
+// An obstacle stands behind an arm. Met from its other side, too, it stands behind another arm of another
+// node: what is between, if anything, is not known. If the line is open when the robot comes along it from
+// the other end, the arm is open.
+//
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);
 //   while (explorer.step()) showProgress();
 //   if (explorer.state() == nav::ScanState::complete) …
 #ifndef LINEKIT_NAV_EXPLORER_H
 #define LINEKIT_NAV_EXPLORER_H
 
-#include "Network.h"
+#include "Pilot.h"
 
 namespace nav {
 
@@ -32,11 +36,13 @@ enum class ScanState : uint8_t {
 };
 
 template <class Walker, class Network>
-class Explorer {
+class Explorer : public Pilot<Walker, Network> {
+  typedef Pilot<Walker, Network> Base;
+
  public:
   typedef typename Network::Id Id;
 
-  Explorer(Walker& walker, Network& network) : walker_(walker), network_(network) {}
+  Explorer(Walker& walker, Network& network) : Base(walker, network) {}
 
   /// Goes on to the next node (the first call: looks round and clears the network). False once the scan has
   /// ended, see state().
@@ -52,56 +58,76 @@ class Explorer {
     return state_ == ScanState::running;
   }
 
+  /// The next step() begins a new scan.
+  void restart() {
+    state_ = ScanState::running;
+    begun_ = blocked_behind_ = false;
+  }
+
   ScanState state() const { return state_; }
-  /// The node at which the robot stands, or kNone while it has met none.
-  Id here() const { return here_; }
-  /// How the robot faces. At a station: along the line.
-  Heading heading() const { return heading_; }
 
  private:
+  using Base::arrive;
+  using Base::heading_;
+  using Base::here_;
+  using Base::network_;
+  using Base::take;
+  using Base::turnBack;
+  using Base::walker_;
+
   void begin() {
     begun_ = true;
     network_.clear();
+    here_ = Network::kNone;
     const Landmark at = walker_.begin();
     heading_ = at.heading;
-    if (at.kind == LandmarkKind::lost) {
-      state_ = ScanState::lost;
-    } else if (at.kind == LandmarkKind::end) {
-      here_ = network_.addStation(Network::kNone, 0, at.arms, opposite(at.heading), 0);
-      if (at.arms == 0) state_ = ScanState::complete;
-    } else if (at.kind == LandmarkKind::junction) {
-      // Slot 0, explored last, is what comes last of right, straight, left, back.
-      Heading last = opposite(heading_);
-      while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
-      here_ = network_.addJunction(Network::kNone, 0, at.arms, opposite(last), at.at, 0);
+    switch (at.kind) {
+      case LandmarkKind::line:
+        return;
+      case LandmarkKind::end:
+        here_ = network_.addStation(Network::kNone, 0, at.arms == 0 ? 0 : armBehind(opposite(heading_)),
+                                    opposite(heading_), 0);
+        if (at.arms == 0) state_ = ScanState::complete;
+        return;
+      case LandmarkKind::junction:
+        if ((at.arms & 15) != 0) return addRoot(at);
+        break;
+      default:
+        break;
     }
+    lose();
+  }
+
+  // Begun on a junction. Slot 0, explored last, is what comes last of right, straight, left, back.
+  void addRoot(const Landmark& at) {
+    Heading last = opposite(heading_);
+    while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
+    here_ = network_.addJunction(Network::kNone, 0, at.arms, opposite(last), at.at, 0);
+    if (here_ == Network::kNone) state_ = ScanState::full;
   }
 
   // Begun in the middle of a line: the first node on it is the root.
   void findRoot() {
     const Landmark met = walker_.follow();
-    switch (met.kind) {
-      case LandmarkKind::junction:
-        here_ = network_.addJunction(Network::kNone, 0, met.arms, met.heading, met.at, 0);
-        heading_ = met.heading;
-        break;
-      case LandmarkKind::end:
-        here_ = network_.addStation(Network::kNone, 0, met.arms, met.heading, 0);
-        turnBack(met);
-        break;
-      case LandmarkKind::blocked:
-        if (blocked_behind_) state_ = ScanState::complete;  // a piece of line between two obstacles
-        blocked_behind_ = true;
-        turnBack(met);
-        return;
-      case LandmarkKind::loop:
-        state_ = ScanState::complete;
-        return;
-      default:
-        state_ = ScanState::lost;
-        return;
+    heading_ = met.heading;
+    if (isJunction(met)) {
+      here_ = network_.addJunction(Network::kNone, 0, met.arms, heading_, met.at, 0);
+      if (here_ == Network::kNone) state_ = ScanState::full;
+    } else if (met.kind == LandmarkKind::end) {
+      here_ = network_.addStation(Network::kNone, 0, armBehind(heading_), heading_, 0);
+      turnBack();
+    } else if (met.kind == LandmarkKind::blocked) {
+      if (blocked_behind_) state_ = ScanState::complete;  // a piece of line between two obstacles
+      blocked_behind_ = true;
+      turnBack();
+      return;
+    } else if (met.kind == LandmarkKind::loop) {
+      state_ = ScanState::complete;
+      return;
+    } else {
+      return lose();
     }
-    if (blocked_behind_) network_.block(here_, 0);
+    if (blocked_behind_ && here_ != Network::kNone) network_.block(here_, 0);
   }
 
   void goOn() {
@@ -110,100 +136,83 @@ class Explorer {
       const uint8_t slot = i == count ? 0 : i;
       if (network_.link(here_, slot) == Network::kNone) return explore(slot);
     }
-    const Id parent = network_.parent(here_);
-    if (parent == Network::kNone) {
+    if (network_.parent(here_) == Network::kNone) {
       state_ = ScanState::complete;
-      return;
+    } else {
+      goBack();
     }
-    const uint8_t slot = network_.backSlot(here_, 0);
-    const Id from = here_;
+  }
+
+  void goBack() {
+    const Id from = here_, parent = network_.parent(from);
+    const uint8_t slot = network_.backSlot(from, 0);
     take(0);
     const Landmark met = walker_.follow();
-    if (met.kind == LandmarkKind::blocked) {
-      network_.block(from, 0);
-      turnBack(met);
-      arrive(walker_.follow(), from, 0);
-      if (state_ == ScanState::running) state_ = ScanState::cut_off;
+    if (met.kind != LandmarkKind::blocked) {
+      if (!arrive(met, parent, slot)) lose();
       return;
     }
-    arrive(met, parent, slot);
+    network_.block(from, 0);
+    state_ = ScanState::cut_off;
+    retreat(from, 0);
   }
 
   void explore(uint8_t slot) {
     const Id from = here_;
     take(slot);
     const Landmark met = walker_.follow();
-    bool has_room = true;
+    heading_ = met.heading;
+    bool has_room;
     if (met.kind == LandmarkKind::end) {
-      const Id station = network_.addStation(from, slot, met.arms, met.heading, met.cost);
-      turnBack(met);
-      if (station != Network::kNone) {
-        here_ = station;
-        return;
-      }
-      has_room = false;
+      here_ = network_.addStation(from, slot, armBehind(heading_), heading_, met.cost);
+      has_room = here_ != Network::kNone;
+      if (has_room) return turnBack();
     } else if (met.kind == LandmarkKind::blocked) {
       has_room = network_.block(from, slot);
-      turnBack(met);
-    } else if (met.kind == LandmarkKind::junction) {
+    } else if (isJunction(met)) {
       const Id known = Walker::kKnowsPlaces ? network_.find(met.at) : Id(Network::kNone);
-      if (known == Network::kNone) {
-        const Id junction = network_.addJunction(from, slot, met.arms, met.heading, met.at, met.cost);
-        if (junction != Network::kNone) {
-          here_ = junction;
-          heading_ = met.heading;
-          return;
-        }
-        has_room = false;
-      } else {
-        if (!hasArm(network_.arms(known), opposite(met.heading))) return lose();
-        const uint8_t arrived_by = slotOf(network_.arms(known), network_.entry(known), opposite(met.heading));
-        if (network_.link(known, arrived_by) != Network::kNone) return lose();
-        has_room = network_.join(from, slot, known, arrived_by, met.cost);
-        if (has_room && known == from) {  // a line from a junction to itself
-          arrive(met, known, arrived_by);
-          return;
-        }
-        walker_.relocate(network_.place(known));
-      }
-      turnBack(met);
+      if (known != Network::kNone) return close(met, from, slot, known);
+      here_ = network_.addJunction(from, slot, met.arms, heading_, met.at, met.cost);
+      has_room = here_ != Network::kNone;
+      if (has_room) return;
     } else {
       return lose();
     }
-    arrive(walker_.follow(), from, slot);
-    if (!has_room && state_ == ScanState::running) state_ = ScanState::full;
+    if (!has_room) state_ = ScanState::full;
+    retreat(from, slot);
   }
 
-  /// Turns to an arm of the node at which the robot stands. At a station it faces the line already.
-  void take(uint8_t slot) {
-    const Heading out = headingOf(network_, here_, slot);
-    if (!network_.isStation(here_)) walker_.leave(turnBetween(heading_, out));
-    heading_ = out;
+  // The line has led to a junction met before.
+  void close(const Landmark& met, Id from, uint8_t slot, Id known) {
+    const uint8_t arms = network_.arms(known);
+    if (!hasArm(arms, opposite(heading_))) return lose();
+    const uint8_t back = slotOf(arms, network_.entry(known), opposite(heading_));
+    const Id behind = network_.link(known, back);
+    if (behind != Network::kNone && behind != Network::kBlocked) return lose();
+    if (known == from && back == slot) return lose();
+    const bool has_room = network_.join(from, slot, known, back, met.cost);
+    if (has_room && known == from) {  // a line from a junction to itself
+      if (!arrive(met, known, back)) lose();
+      return;
+    }
+    if (!has_room) state_ = ScanState::full;
+    walker_.relocate(network_.place(known));
+    retreat(from, slot);
   }
 
-  void turnBack(const Landmark& met) {
-    walker_.leave(Turn::back);
-    heading_ = opposite(met.heading);
+  /// Back along the line behind the arm in `slot` of `from`.
+  void retreat(Id from, uint8_t slot) {
+    turnBack();
+    if (!arrive(walker_.follow(), from, slot)) lose();
   }
 
-  /// The walker has come to `node` by the arm in `slot`, or so it should be.
-  void arrive(const Landmark& met, Id node, uint8_t slot) {
-    const bool station = network_.isStation(node);
-    if (met.kind != (station ? LandmarkKind::end : LandmarkKind::junction)) return lose();
-    here_ = node;
-    if (station) return turnBack(met);
-    heading_ = opposite(headingOf(network_, node, slot));
-    if (!Walker::kKnowsPlaces) return;
-    if (met.heading != heading_ || network_.find(met.at) != node) return lose();
-    walker_.relocate(network_.place(node));
+  static bool isJunction(const Landmark& met) {
+    return met.kind == LandmarkKind::junction && hasArm(met.arms, opposite(met.heading));
   }
+  static uint8_t armBehind(Heading heading) { return static_cast<uint8_t>(1 << opposite(heading)); }
 
   void lose() { state_ = ScanState::lost; }
 
-  Walker& walker_;
-  Network& network_;
-  Id here_ = Network::kNone;
-  Heading heading_ = 0;
   ScanState state_ = ScanState::running;
   bool begun_ = false;
   bool blocked_behind_ = false;  ///< before the first node

@@ -25,8 +25,10 @@
 //   void clear()
 //   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full
 //   Id addJunction(Id from, uint8_t slot, uint8_t arms, Heading entry, Place, uint32_t cost)   kNone if full
-//   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)   a line between nodes known; false
-//   if full bool block(Id, uint8_t slot)      an obstacle behind that arm, on both sides of it; false if full
+//   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)
+//                                     a line between nodes known, or from one to itself; if an obstacle was
+//                                     noted behind these arms, it is there no more; false if full
+//   bool block(Id, uint8_t slot)      an obstacle behind that arm, on both sides of it; false if full
 //
 // For the root, `from` is kNone, and slot and cost mean nothing. The arm of a station is its slot 0.
 #ifndef LINEKIT_NAV_NETWORK_H

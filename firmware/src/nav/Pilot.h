@@ -1,0 +1,59 @@
+// Where a robot is on a network, and what it does at a node: common to Explorer and Navigator.
+#ifndef LINEKIT_NAV_PILOT_H
+#define LINEKIT_NAV_PILOT_H
+
+#include "Network.h"
+
+namespace nav {
+
+template <class Walker, class Network>
+class Pilot {
+ public:
+  typedef typename Network::Id Id;
+
+  /// The node at which the robot stands, or kNone while it has met none.
+  Id here() const { return here_; }
+  /// How the robot faces. At a station: along the line.
+  Heading heading() const { return heading_; }
+
+ protected:
+  Pilot(Walker& walker, Network& network) : walker_(walker), network_(network) {}
+
+  /// Turns to an arm of the node at which the robot stands. At a station it faces the line already.
+  void take(uint8_t slot) {
+    const Heading out = headingOf(network_, here_, slot);
+    if (!network_.isStation(here_)) walker_.leave(turnBetween(heading_, out));
+    heading_ = out;
+  }
+
+  /// After `end` and `blocked`.
+  void turnBack() {
+    walker_.leave(Turn::back);
+    heading_ = opposite(heading_);
+  }
+
+  /// The walker has come to `node` by the arm in `slot`, or so it should be. False if that cannot be.
+  bool arrive(const Landmark& met, Id node, uint8_t slot) {
+    const bool station = network_.isStation(node);
+    if (met.kind != (station ? LandmarkKind::end : LandmarkKind::junction)) return false;
+    here_ = node;
+    heading_ = opposite(headingOf(network_, node, slot));
+    if (station) {
+      turnBack();
+      return true;
+    }
+    if (!Walker::kKnowsPlaces) return true;
+    if (met.heading != heading_ || network_.find(met.at) != node) return false;
+    walker_.relocate(network_.place(node));
+    return true;
+  }
+
+  Walker& walker_;
+  Network& network_;
+  Id here_ = Network::kNone;
+  Heading heading_ = 0;
+};
+
+}  // namespace nav
+
+#endif

@@ -1,0 +1,137 @@
+// A network of lines as an abstract floor, and a robot on it that keeps nav's Walker contract. Any arm may be
+// joined with any other: the line between them bends as it needs to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/src/nav/Landmark.h"
+
+namespace nav_test {
+
+inline nav::Place rotated(nav::Place at, int quarters) {
+  for (int i = quarters & 3; i > 0; --i) at = {-at.y, at.x};
+  return at;
+}
+
+inline uint8_t rotatedArms(uint8_t arms, int quarters) {
+  const int q = quarters & 3;
+  return static_cast<uint8_t>((arms << q | arms >> (4 - q)) & 15);
+}
+
+/// One arm of one node.
+struct Arm {
+  int node;
+  nav::Heading heading;
+  friend bool operator==(const Arm&, const Arm&) = default;
+};
+
+/// Headings and places are the floor's own.
+class Floor {
+ public:
+  struct Node {
+    nav::Place at;
+    uint8_t arms = 0;
+    std::array<int, 4> line{-1, -1, -1, -1};
+  };
+  struct Line {
+    Arm a, b;
+    uint32_t cost;
+    bool blocked = false;
+  };
+
+  int addNode(nav::Place at) {
+    nodes.push_back({at});
+    return static_cast<int>(nodes.size()) - 1;
+  }
+  int addNode() { return addNode({1000 * static_cast<int32_t>(nodes.size()), 500}); }
+  /// A line between two free arms.
+  int join(Arm a, Arm b, uint32_t cost = 10);
+  int degree(int node) const { return nav::slotCount(nodes[node].arms); }
+  bool isStation(int node) const { return degree(node) <= 1; }
+  /// The other end of a line.
+  Arm across(int line, Arm from) const { return lines[line].a == from ? lines[line].b : lines[line].a; }
+
+  std::vector<Node> nodes;
+  std::vector<Line> lines;
+};
+
+/// Where a robot starts: on a node, facing somehow, or on the line behind an arm, having come out of it.
+struct Stand {
+  Arm arm;
+  bool on_line = false;
+};
+
+class FloorWalker {
+ public:
+  FloorWalker(Floor& floor, Stand start);
+
+  nav::Landmark begin();
+  nav::Landmark follow();
+  void leave(nav::Turn turn);
+  void relocate(const nav::Place& at);
+
+  /// What the walker's frame is turned by against the floor's.
+  int frame() const { return frame_; }
+  /// Whether it stands on a node; which, and how it faces, in the floor's frame.
+  bool onNode() const { return line_ < 0; }
+  Arm at() const { return at_; }
+
+  /// How often each line was begun at each of its ends.
+  std::vector<std::array<int, 2>> runs;
+  int follows = 0;
+  /// Times it was told to go where there is no line, to turn where it cannot, or that it was somewhere else.
+  int errors = 0;
+  /// Odometry's error at each landmark, in the place's unit.
+  int32_t drift = 0;
+  /// Before that follow(), an obstacle comes to stand on that line.
+  int block_before = -1, block_line = -1;
+
+ private:
+  nav::Landmark landmark(nav::LandmarkKind kind, uint32_t cost) const;
+  nav::Landmark arriveBy(Arm in, uint32_t cost);
+
+  Floor& floor_;
+  Arm at_;               ///< on a node: how it faces. On a line: the arm on its side of the obstacle
+  int line_ = -1;        ///< on which it stands
+  bool inward_ = false;  ///< on a line: faces that arm
+  bool must_turn_ = false;
+  int frame_ = 0;
+  nav::Place origin_{0, 0};
+};
+
+/// Without odometry: headings follow from the turns it was told to make, and bends go unnoticed.
+class BlindWalker {
+ public:
+  static const bool kKnowsPlaces = false;
+  BlindWalker(Floor& floor, Stand start) : walker(floor, start) {}
+
+  nav::Landmark begin() { return blind(walker.begin()); }
+  nav::Landmark follow() { return blind(walker.follow()); }
+  void leave(nav::Turn turn) {
+    walker.leave(turn);
+    heading_ = nav::turned(heading_, turn);
+  }
+  void relocate(const nav::Place&) {}
+
+  FloorWalker walker;
+
+ private:
+  nav::Landmark blind(nav::Landmark met) {
+    met.arms = rotatedArms(met.arms, heading_ - met.heading);
+    met.heading = heading_;
+    met.at = {0, 0};
+    return met;
+  }
+  nav::Heading heading_ = 0;
+};
+
+/// With odometry.
+class SeeingWalker : public FloorWalker {
+ public:
+  static const bool kKnowsPlaces = true;
+  using FloorWalker::FloorWalker;
+};
+
+}  // namespace nav_test
