@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/cli/names.h"
+#include "sim/grid/generator.h"
 
 namespace robosim::cli {
 namespace {
@@ -34,7 +36,8 @@ constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
   build [SKETCH]              compile a sketch as Arduino would, and say its size
-  map check|show MAP          check a map file; draw it with stations and coordinates
+  map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
+  map generate                make maps by chance: trees, cycles, streets
   robot list|show|check       the robots; the text of one; check a robot file
   test                        check a sketch automatically (in a checkout: Robosim's own tests)
 
@@ -61,14 +64,19 @@ std::int64_t simulated_time(const std::string& text) {
   return *ns;
 }
 
-std::uint64_t seed(const std::string& text) {
+std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
+                           std::uint64_t most) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    refuse_value("--seed", text, "a whole number from 0 to 18446744073709551615");
+  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
+    refuse_value(option, text, fmt::format("a whole number from {} to {}", least, most));
   }
   return value;
 }
+
+constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t seed(const std::string& text) { return whole_number("--seed", text, 0, kMostSeed); }
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -206,15 +214,44 @@ std::optional<std::string> take_action(const std::string& command, Words& words,
   return action;
 }
 
+Command parse_generate(const Words& words) {
+  GenerateArguments generate;
+  std::string stations, count = "1", first_seed = "1";
+  Options options("map generate",
+                  "Draws maps by chance. The same family, number and seed give the same map.");
+  options.text("--family", generate.family, "tree|cycles|grid",
+               "junctions of three ways; with cycles; streets");
+  options.text("--stations", stations, "N", "how many dead ends, up to a million");
+  options.text("--count", count, "K", "how many maps, with seeds S, S+1, … (default 1)");
+  options.text("--seed", first_seed, "S", "of the first map (default 1)");
+  options.text("--out", generate.out, "DIR", "folder for FAMILY-N-SEED.map (default: the current one)");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  for (const auto& [option, value] : {std::pair{"--family", &generate.family}, {"--stations", &stations}})
+    if (value->empty()) throw InputError(fmt::format("robosim map generate needs {}", option));
+  check_choice("--family", generate.family, {"tree", "cycles", "grid"});
+  generate.stations =
+      static_cast<int>(whole_number("--stations", stations, grid::kMinStations, grid::kMaxStations));
+  generate.seed = seed(first_seed);
+  generate.count = whole_number("--count", count, 1, 1'000'000);
+  if (generate.count - 1 > kMostSeed - generate.seed) refuse_value("--count", count, "less: the seeds end");
+  return generate;
+}
+
 Command parse_map(Words words) {
   MapArguments map;
-  const auto action = take_action("map", words, {"check", "show"});
-  Options options("map " + action.value_or("check|show"),
-                  "Checks a map file, or draws it with its stations.");
+  const auto action = take_action("map", words, {"check", "show", "graph", "generate"});
+  if (action == "generate") return parse_generate(words);
+  Options options("map " + action.value_or("check|show|graph|generate"),
+                  "Checks a map file, draws it with its stations, tells its graph, or makes maps.");
   options.positional("MAP", map.map, "file, or name of a sample map");
   options.text("--start", map.start, "X,Y,DIR", "start: stations are numbered from there");
+  if (action.value_or("graph") == "graph") {
+    options.flag("--json", map.json, "the graph for programs");
+    options.flag("--dot", map.dot, "the graph for Graphviz");
+  }
   if (const auto help = options.parse(words)) return PrintText{*help};
   map.action = *action;
+  if (map.json && map.dot) throw InputError("robosim map graph prints either --json or --dot");
   if (map.map.empty()) {
     throw InputError("robosim map " + map.action + " needs a map: a file, or one of " +
                      one_of(names_in(stock_map_folder(), ".map")));

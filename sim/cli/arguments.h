@@ -39,11 +39,22 @@ struct BuildArguments {
   std::string warnings = "default";
 };
 
-/// `robosim map check|show`
+/// `robosim map check|show|graph`
 struct MapArguments {
   std::string action;
   std::string map;
   std::string start;
+  bool json = false;  ///< of graph
+  bool dot = false;   ///< of graph
+};
+
+/// `robosim map generate`
+struct GenerateArguments {
+  std::string family;
+  int stations = 0;
+  std::uint64_t count = 1;
+  std::uint64_t seed = 1;  ///< of the first map
+  std::string out = ".";   ///< a folder
 };
 
 /// `robosim robot list|show|check`
@@ -60,8 +71,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, BuildArguments, MapArguments, RobotArguments, TestArguments, PrintText>;
+using Command = std::variant<RunArguments, BuildArguments, MapArguments, GenerateArguments, RobotArguments,
+                             TestArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

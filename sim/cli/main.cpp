@@ -20,6 +20,7 @@ struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
+  int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
   int operator()(const TestArguments&) const {
     throw InputError(

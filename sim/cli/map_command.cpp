@@ -9,10 +9,13 @@
 #include <ostream>
 #include <sstream>
 
+#include "sim/cli/graph_text.h"
+#include "sim/cli/map_generate.h"
 #include "sim/cli/output.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
+#include "sim/grid/true_graph.h"
 
 namespace robosim::cli {
 namespace {
@@ -147,11 +150,33 @@ ExitStatus show_map(const std::string& map, const std::string& start, const grid
   return ExitStatus::ok;
 }
 
+ExitStatus graph_map(const MapArguments& arguments, std::ostream& out) {
+  const grid::Map map = grid::read_map(grid::find_map(arguments.map));
+  const grid::Start start =
+      arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
+  const grid::TrueGraph graph = grid::true_graph(map, start);
+  out << (arguments.json  ? graph_json(start, graph)
+          : arguments.dot ? graph_dot(map, graph)
+                          : graph_text(map, start, graph));
+  return ExitStatus::ok;
+}
+
 int map_command(const MapArguments& arguments) {
   std::ostringstream text;
-  const ExitStatus status = arguments.action == "show"
-                                ? show_map(arguments.map, arguments.start, screen(), text)
-                                : check_maps({arguments.map}, arguments.start, text, std::cerr);
+  ExitStatus status = ExitStatus::ok;
+  if (arguments.action == "graph")
+    status = graph_map(arguments, text);
+  else if (arguments.action == "show")
+    status = show_map(arguments.map, arguments.start, screen(), text);
+  else
+    status = check_maps({arguments.map}, arguments.start, text, std::cerr);
+  print(text.str());
+  return static_cast<int>(status);
+}
+
+int generate_command(const GenerateArguments& arguments) {
+  std::ostringstream text;
+  const ExitStatus status = generate_maps(arguments, text);
   print(text.str());
   return static_cast<int>(status);
 }

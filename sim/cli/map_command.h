@@ -1,4 +1,4 @@
-// `robosim map check|show`
+// `robosim map check|show|graph|generate`
 #pragma once
 
 #include <iosfwd>
@@ -21,8 +21,12 @@ ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& s
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
                     std::ostream& out);
 
-/// Either of them, on the process's own streams and as wide as its terminal. The exit status. Throws
+/// Prints the true graph of one map from `start` ("" = the map's), as text, JSON or for Graphviz. Throws
 /// InputError.
+ExitStatus graph_map(const MapArguments& arguments, std::ostream& out);
+
+/// One of them, on the process's own streams and as wide as its terminal. The exit status. Throws InputError.
 int map_command(const MapArguments& arguments);
+int generate_command(const GenerateArguments& arguments);
 
 }  // namespace robosim::cli

@@ -72,7 +72,7 @@ class Lattice {
 };
 
 // Grows a tree, from the middle outward. A new node on a dead end lengthens it; one elsewhere is one dead end
-// more, so that any number of them is met exactly. Half of the time the newest node grows, which makes lines
+// more, so that any number of them is met exactly. One time in four the newest node grows, which makes lines
 // with bends; else any. False if the lattice is full before.
 bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, Chance& chance) {
   std::vector<std::uint32_t> growing{lattice.index(lattice.width() / 2, lattice.height() / 2)};

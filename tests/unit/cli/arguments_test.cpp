@@ -79,6 +79,15 @@ TEST(Arguments, OtherCommandsTakeTheirWords) {
   EXPECT_EQ(map.action, "show");
   EXPECT_EQ(map.map, "d");
   EXPECT_EQ(map.start, "1,2,E");
+  EXPECT_TRUE(parsed<MapArguments>({"map", "graph", "d", "--json"}).json);
+  EXPECT_TRUE(parsed<MapArguments>({"map", "graph", "--dot", "d"}).dot);
+  const auto generate = parsed<GenerateArguments>({"map", "generate", "--family", "tree", "--stations", "12",
+                                                   "--count", "3", "--seed", "7", "--out", "maps"});
+  EXPECT_EQ(generate.family, "tree");
+  EXPECT_EQ(generate.stations, 12);
+  EXPECT_EQ(generate.count, 3u);
+  EXPECT_EQ(generate.seed, 7u);
+  EXPECT_EQ(generate.out, "maps");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "list"}).action, "list");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "check", "x.toml"}).robot, "x.toml");
   EXPECT_NO_THROW(parsed<TestArguments>({"test"}));
@@ -135,9 +144,21 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"run", "--speed", "2"}, "give --view too"},
         Refused{{"run", "--view", "--json"}, "one of them"},
         Refused{{"build", "--warnings", "some"}, "none, default, more or all"},
-        Refused{{"map"}, "robosim map needs to know what to do: check or show"},
+        Refused{{"map"}, "robosim map needs to know what to do: check, show, graph or generate"},
         Refused{{"map", "shwo"}, "robosim map cannot “shwo”; did you mean show?"},
         Refused{{"map", "show"}, "robosim map show needs a map"},
+        Refused{{"map", "show", "d", "--json"}, "map show has no option --json"},
+        Refused{{"map", "graph", "d", "--json", "--dot"}, "either --json or --dot"},
+        Refused{{"map", "generate", "--stations", "5"}, "robosim map generate needs --family"},
+        Refused{{"map", "generate", "--family", "tree"}, "robosim map generate needs --stations"},
+        Refused{{"map", "generate", "--family", "bush", "--stations", "5"},
+                "--family: “bush” is not possible; it must be tree, cycles or grid"},
+        Refused{{"map", "generate", "--family", "tree", "--stations", "1"},
+                "--stations: “1” is not possible; it must be a whole number from 2 to 1000000"},
+        Refused{{"map", "generate", "--family", "tree", "--stations", "5", "--count", "0"}, "--count"},
+        Refused{{"map", "generate", "--family", "tree", "--stations", "5", "--count", "2", "--seed",
+                 "18446744073709551615"},
+                "the seeds end"},
         Refused{{"robot", "show"}, "robosim robot show needs a robot"},
         Refused{{"robot", "list", "x"}, "robot list: “x” is one word too many"},
         Refused{{"test", "x"}, "test: “x” is one word too many"}));

@@ -3,17 +3,22 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "sim/base/file.h"
+#include "sim/cli/map_generate.h"
+#include "sim/grid/map.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 class MapCommand : public testing::Test {
  protected:
@@ -68,6 +73,91 @@ TEST_F(MapCommand, CheckRefusesAGoalThatCannotBeReached) {
   EXPECT_THAT(errors_.str(), HasSubstr("there are 1 or 2"));
   EXPECT_EQ(check({file("c.map", "+++\n[stations]\ndock = [2, 0]\n[goal]\nx = 2\ny = 0\n+++\n....\n")}),
             ExitStatus::ok);
+}
+
+TEST_F(MapCommand, GraphTellsStationsAndJunctionsWithWhereTheirLinesLead) {
+  EXPECT_EQ(graph_map({"graph", "blocked"}, out_), ExitStatus::ok);
+  EXPECT_EQ(out_.str(),
+            "blocked: from 4,14,E 3 stations, 3 junctions, 7 lines of 52 moves, 0 cycles\n"
+            "\n"
+            "station   at         leads to (junction.slot), in moves\n"
+            "1         4,14       junction 1.0 in 5\n"
+            "2         28,14      junction 3.2 in 5\n"
+            "3         16,4       junction 2.2 in 4\n"
+            "\n"
+            "junction  at         slots 0, 1, 2, … lead to (junction.slot), in moves\n"
+            "1         9,14       station 1 in 5 | obstacle at 16,14 after 6 | junction 2.0 in 13\n"
+            "2         16,8       junction 1.2 in 13 | junction 3.0 in 13 | station 3 in 4\n"
+            "3         23,14      junction 2.1 in 13 | obstacle at 16,14 after 6 | station 2 in 5\n");
+}
+
+TEST_F(MapCommand, GraphForProgramsHasTheShapeOfAScan) {
+  const std::string map = file("m.map",
+                               "+++\n[stations]\ndock = [0, 2]\n+++\n"
+                               "__.___\n__.___\n....x.\n______\n_1____\n");
+  EXPECT_EQ(graph_map({"graph", map, "0,2", true}, out_), ExitStatus::ok);
+  EXPECT_EQ(nlohmann::json::parse(out_.str()), nlohmann::json::parse(R"({
+    "schema": "robosim.graph/1",
+    "start": [0, 2, "E"],
+    "stations": [{"id": 1, "x": 0, "y": 2, "name": "dock"}, {"id": 2, "x": 2, "y": 0}],
+    "junctions": [{"id": 1, "x": 2, "y": 2, "slots": [{"station": 1}, {"blocked": [4, 2]}, {"station": 2}]}],
+    "unreachable": [[5, 2], [1, 4]],
+    "edges": [
+      {"from": {"station": 1}, "to": {"junction": 1, "slot": 0}, "length": 2},
+      {"from": {"station": 2}, "to": {"junction": 1, "slot": 2}, "length": 2},
+      {"from": {"junction": 1, "slot": 1}, "to": {"blocked": [4, 2]}, "length": 1}]})"));
+}
+
+TEST_F(MapCommand, GraphForProgramsHasEveryLineOnce) {
+  graph_map({"graph", "city", "", true}, out_);
+  const nlohmann::json graph = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(graph["stations"].size(), 6u);
+  EXPECT_EQ(graph["junctions"].size(), 25u);
+  EXPECT_EQ(graph["edges"].size(), 46u);  // 16 cycles
+}
+
+TEST_F(MapCommand, GraphForGraphvizNamesNodesAndLabelsLines) {
+  graph_map({"graph", "island", "", false, true}, out_);
+  EXPECT_THAT(out_.str(), StartsWith("graph \"island\" {\n"));
+  EXPECT_THAT(out_.str(), HasSubstr("  s1 -- j1 [label=\"5\"]\n"));
+  EXPECT_THAT(out_.str(), HasSubstr("  s1 [shape=circle, label=\"1\", pos=\"2,4!\"]\n"));
+  EXPECT_THAT(out_.str(), HasSubstr("style=dashed, label=\"?\""));
+  EXPECT_THAT(out_.str(), EndsWith("}\n"));
+  std::ostringstream blocked;
+  graph_map({"graph", "blocked", "", false, true}, blocked);
+  EXPECT_THAT(blocked.str(), HasSubstr("  x1 [shape=plain, label=\"x\", pos=\"8,2!\"]\n"));
+  EXPECT_THAT(blocked.str(), HasSubstr("  j1 -- x1 [label=\"6\"]\n"));
+}
+
+TEST_F(MapCommand, GraphOfALineWithoutNodesSaysSo) {
+  graph_map({"graph", "oval"}, out_);
+  EXPECT_EQ(out_.str(), "oval: from 10,14,E 0 stations, 0 junctions, 0 lines of 0 moves, 0 cycles\n");
+}
+
+TEST_F(MapCommand, GenerateWritesMapsWhoseNamesTellHowToMakeThemAgain) {
+  const std::string folder = (folder_.path() / "new" / "maps").string();
+  EXPECT_EQ(generate_maps({"cycles", 5, 3, 9, folder}, out_), ExitStatus::ok);
+  EXPECT_EQ(out_.str(), "wrote 3 maps, " + folder + "/cycles-5-9.map to cycles-5-11.map\n");
+  for (const int seed : {9, 10, 11}) {
+    const std::string name = "cycles-5-" + std::to_string(seed);
+    const grid::Map map = grid::read_map(folder + '/' + name + ".map");
+    EXPECT_EQ(map.name, name);
+    EXPECT_EQ(map.generator, "cycles 1 stations 5 seed " + std::to_string(seed));
+    EXPECT_EQ(check({folder + '/' + name + ".map"}), ExitStatus::ok);
+  }
+}
+
+TEST_F(MapCommand, GenerateOverwritesNothing) {
+  const std::string mine = file("tree-4-3.map", "...\n");
+  try {
+    generate_maps({"tree", 4, 5, 1, folder_.path().string()}, out_);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith(mine + ": exists already, so nothing was written"));
+  }
+  EXPECT_EQ(read_file(mine), "...\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree-4-1.map"));
+  EXPECT_THROW(generate_maps({"tree", 4, 1, 1, mine}, out_), InputError);  // a file is no folder
 }
 
 TEST_F(MapCommand, ShowDrawsTheMap) {

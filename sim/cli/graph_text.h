@@ -1,0 +1,20 @@
+// A map's graph for people, for programs and for Graphviz: `robosim map graph`.
+#pragma once
+
+#include <string>
+
+#include "sim/grid/map.h"
+#include "sim/grid/true_graph.h"
+
+namespace robosim::cli {
+
+/// A table of stations and one of junctions with their slots.
+std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
+
+/// Schema robosim.graph/1, see docs/formats.md.
+std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
+
+/// An undirected graph for `dot -Tsvg`, laid out as the map is; lines are labelled with their moves.
+std::string graph_dot(const grid::Map& map, const grid::TrueGraph& graph);
+
+}  // namespace robosim::cli

@@ -1,0 +1,15 @@
+// `robosim map generate`
+#pragma once
+
+#include <iosfwd>
+
+#include "sim/base/error.h"
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// Writes `count` maps, of seeds seed, seed + 1, …, as FOLDER/FAMILY-STATIONS-SEED.map. If any of these files
+/// exists already none is written. Throws InputError.
+ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out);
+
+}  // namespace robosim::cli
