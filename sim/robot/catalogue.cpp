@@ -7,7 +7,10 @@
 #include "sim/robot/parts/encoder.h"
 #include "sim/robot/parts/indicator.h"
 #include "sim/robot/parts/motor.h"
+#include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/seven_segment.h"
+#include "sim/robot/parts/shift_register.h"
 #include "sim/robot/parts/voltage.h"
 
 namespace robosim::robot {
@@ -52,6 +55,9 @@ const std::vector<PartType>& part_types() {
       {"buzzer", read_buzzer},
       {"encoder", read_encoder},
       {"voltage", read_voltage},
+      {"shift-register", read_shift_register},
+      {"seven-segment", read_seven_segment},
+      {"radio", read_radio},
   };
   return types;
 }

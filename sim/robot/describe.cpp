@@ -26,6 +26,7 @@ Summary describe(const Description& robot) {
   summary.file = robot.file.string();
   summary.sha256 = robot.sha256;
   summary.board = robot.board;
+  summary.registers = robot.registers;
   summary.outline = outline_of(robot.chassis);
   for (const auto& part : robot.parts) {
     PartSummary& about = summary.parts.emplace_back(PartSummary{part->name, part->type, {}});

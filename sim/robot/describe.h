@@ -15,7 +15,7 @@ namespace robosim::robot {
 struct PartSummary {
   std::string name;
   std::string type;
-  std::vector<std::pair<std::string, Pin>> pins;  ///< role and pin
+  std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (wires.h)
 };
 
 struct Summary {
@@ -26,6 +26,7 @@ struct Summary {
   std::vector<Vec2> outline;         ///< m; a circle as 24 corners
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
   std::vector<PartSummary> parts;
+  std::vector<std::string> registers;  ///< names of the shift registers, in the order of their outputs
 };
 
 Summary describe(const Description&);

@@ -8,7 +8,9 @@
 #include "sim/base/config.h"
 #include "sim/base/file.h"
 #include "sim/robot/part_reader.h"
+#include "sim/robot/parts/shift_register.h"
 #include "sim/robot/robot.h"
+#include "sim/robot/wires.h"
 
 namespace robosim::robot {
 namespace fs = std::filesystem;
@@ -247,7 +249,7 @@ Motors read_motors(const ConfigValue& table) {
   return motors;
 }
 
-Driver read_driver(const ConfigValue& table, const BoardSpec& board, std::vector<Wire>& wires) {
+Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::vector<Wire>& wires) {
   TableReader reader(table, "[driver]");
   std::vector<std::string> names;
   for (const DriverChip& chip : driver_chips()) names.emplace_back(chip.name);
@@ -260,15 +262,29 @@ Driver read_driver(const ConfigValue& table, const BoardSpec& board, std::vector
   driver.resistance =
       read_figure(reader, "resistance", Dimension::resistance, {driver.chip->resistance, 0.0}, 0.0, 100.0);
   if (const ConfigValue* standby = reader.find("standby")) {
-    driver.standby = as_pin(*standby, "standby", board, PinUse::digital);
+    driver.standby = as_pin(*standby, "standby", terminals, PinUse::driven);
     wires.push_back({"standby", driver.standby, standby->place});
   }
   reader.finish();
   return driver;
 }
 
-std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Description& robot) {
-  PartReader reader(table, *robot.board, robot.driver);
+// The names that outputs are wired by, before any part is read: parts may name registers further down.
+std::vector<std::string> register_names(const ConfigValue* parts) {
+  std::vector<std::string> names;
+  if (!parts) return names;
+  for (const ConfigValue& part : parts->items) {
+    if (text_of(part, "type") != "shift-register") continue;
+    if (names.size() == kMostRegisters)
+      throw InputError(part.place, fmt::format("more than {} shift registers", kMostRegisters));
+    names.push_back(text_of(part, "name"));
+  }
+  return names;
+}
+
+std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Terminals& terminals,
+                                          const Description& robot) {
+  PartReader reader(table, terminals, robot.driver);
   std::vector<std::string> names;
   for (const PartType& type : part_types()) {
     if (reader.type() == type.name) return type.read(reader);
@@ -276,10 +292,6 @@ std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Descri
   }
   throw InputError(table.find("type")->place,
                    fmt::format("type is \"{}\"; allowed are {}", reader.type(), one_of(names)));
-}
-
-std::string pin_text(const BoardSpec& board, Pin pin) {
-  return pin < board.analog_pin_0 ? std::to_string(pin) : board.pins[pin].name;
 }
 
 // Two parts on one pin, two names alike, two motors on one wheel.
@@ -294,7 +306,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
       if (user.wire->pin == wire.pin)
         throw InputError(wire.place,
                          fmt::format("pin {} is taken: {} of {} uses it ({}:{}); every pin serves one part",
-                                     pin_text(*robot.board, wire.pin), user.wire->role, user.part,
+                                     pin_text(robot, wire.pin), user.wire->role, user.part,
                                      user.wire->place.file, user.wire->place.line));
     users.push_back({&wire, part});
   };
@@ -337,18 +349,27 @@ Description parse_description(std::string_view text, const fs::path& file) {
   robot.board = &read_board(reader);
   robot.chassis = read_chassis(reader.require("chassis"));
   robot.motors = read_motors(reader.require("motors"));
+  const ConfigValue* parts = reader.find("part");
+  if (parts && parts->kind != ConfigValue::Kind::array)
+    throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
+  if (parts && parts->items.size() > kMostParts)
+    throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
+  const Terminals terminals{robot.board, register_names(parts)};
+  robot.registers = terminals.registers;
   std::vector<Wire> driver_wires;
-  robot.driver = read_driver(reader.require("driver"), *robot.board, driver_wires);
-  if (const ConfigValue* parts = reader.find("part")) {
-    if (parts->kind != ConfigValue::Kind::array)
-      throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
-    if (parts->items.size() > kMostParts)
-      throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
-    for (const ConfigValue& part : parts->items) robot.parts.push_back(read_part(part, robot));
-  }
+  robot.driver = read_driver(reader.require("driver"), terminals, driver_wires);
+  if (parts)
+    for (const ConfigValue& part : parts->items) robot.parts.push_back(read_part(part, terminals, robot));
   reader.finish();
   check_together(robot, driver_wires);
+  check_chains(robot);
   return robot;
+}
+
+std::string pin_text(const Description& robot, Pin pin) {
+  if (!is_output(pin))
+    return pin < robot.board->analog_pin_0 ? std::to_string(pin) : robot.board->pins[pin].name;
+  return output_name(robot.registers, pin);
 }
 
 Description load_description(const std::string& name_or_path) {

@@ -108,6 +108,7 @@ struct Description {
   Chassis chassis;
   Motors motors;
   Driver driver;
+  std::vector<std::string> registers;  ///< names of the shift registers, as wires.h numbers them
   std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
 };
 
@@ -123,6 +124,9 @@ Description load_description(const std::string& name_or_path);
 
 /// The same from text; `file` is for messages, and `base` is looked for beside it.
 Description parse_description(std::string_view text, const std::filesystem::path& file);
+
+/// A wire's name as robot files write it: "5", "A0", "REG1.Q4".
+std::string pin_text(const Description&, Pin);
 
 /// The driver chips that exist.
 const std::vector<DriverChip>& driver_chips();

@@ -13,6 +13,7 @@ namespace robosim::robot {
 
 class ButtonPart;
 class MotorPart;
+class RadioPart;
 class Sensor;
 
 /// One way in which a thing can fail.
@@ -53,6 +54,8 @@ struct Roster {
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
   std::vector<ButtonPart*> buttons;
+  std::vector<RadioPart*> radios;
+  std::vector<Part*> supplied;               ///< have the board's supply, and want power()
   MotorPart* motor[2] = {nullptr, nullptr};  ///< by world::Side
 };
 
@@ -63,6 +66,8 @@ class Part {
   virtual void join(Roster&) = 0;
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
+  /// The board's supply is switched off or on again.
+  virtual void power(bool on, SimTime) { static_cast<void>(on); }
   /// Appends what people want to see of it beside floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}
 };

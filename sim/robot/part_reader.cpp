@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/robot/wires.h"
+
 namespace robosim::robot {
 namespace {
 
@@ -25,6 +27,28 @@ std::string analog_pins(const BoardSpec& board) {
 
 std::string written(const ConfigValue& value) {
   return value.kind == ConfigValue::Kind::string ? '"' + value.string + '"' : std::to_string(value.integer);
+}
+
+// "NAME.Qn": an output of a shift register.
+Pin as_output(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
+  const std::size_t dot = value.string.rfind(".Q");
+  const std::string name = value.string.substr(0, dot);
+  const std::string number = value.string.substr(dot + 2);
+  const auto& registers = terminals.registers;
+  const auto found = std::find(registers.begin(), registers.end(), name);
+  if (found == registers.end())
+    throw InputError(
+        value.place,
+        fmt::format("{} is {}, but there is no shift register {}; {}", key, written(value), name,
+                    registers.empty() ? "this robot has none" : "there is " + one_of(registers)));
+  if (number.size() != 1 || number[0] < '0' || number[0] >= '0' + kRegisterOutputs)
+    throw InputError(value.place, fmt::format("{} is {}; the outputs of {} are {}.Q0 to {}.Q7", key,
+                                              written(value), name, name, name));
+  if (use != PinUse::driven)
+    throw InputError(value.place,
+                     fmt::format("{} is {}, an output of a shift register; it must be a pin of the board",
+                                 key, written(value)));
+  return output_pin(static_cast<int>(found - registers.begin()), number[0] - '0');
 }
 
 }  // namespace
@@ -62,7 +86,10 @@ Vec2 as_point(const ConfigValue& value, const char* key) {
           as_quantity(value.items[1], key, Dimension::length, -kFarthest, kFarthest)};
 }
 
-Pin as_pin(const ConfigValue& value, const char* key, const BoardSpec& board, PinUse use) {
+Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
+  if (value.kind == ConfigValue::Kind::string && value.string.rfind(".Q") != std::string::npos)
+    return as_output(value, key, terminals, use);
+  const BoardSpec& board = *terminals.board;
   Pin pin = kNoPin;
   if (value.kind == ConfigValue::Kind::integer) {
     if (value.integer >= 0 && value.integer < board.pin_count) pin = static_cast<Pin>(value.integer);
@@ -82,15 +109,15 @@ Pin as_pin(const ConfigValue& value, const char* key, const BoardSpec& board, Pi
         value.place,
         fmt::format("{} is {}, which has no analog input on board {}; those that have one are {}", key,
                     written(value), board.name, analog_pins(board)));
-  if (use == PinUse::digital && !spec.digital)
+  if (use != PinUse::analog && !spec.digital)
     throw InputError(value.place,
                      fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
                                  key, written(value), board.name, board.analog_pin_0 + 5));
   return pin;
 }
 
-PartReader::PartReader(const ConfigValue& table, const BoardSpec& board, const Driver& driver)
-    : table_(table, "[[part]]"), board_(board), driver_(driver) {
+PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, const Driver& driver)
+    : table_(table, "[[part]]"), terminals_(terminals), driver_(driver) {
   const ConfigValue& name = table_.require("name");
   name_ = as_string(name, "name");
   const auto plain = [](char c) {
@@ -110,7 +137,7 @@ Vec2 PartReader::point(const char* key, Vec2 fallback) {
 
 Pin PartReader::pin(const char* key, PinUse use) {
   const ConfigValue& value = table_.require(key);
-  wires_.push_back({key, as_pin(value, key, board_, use), value.place});
+  wires_.push_back({key, as_pin(value, key, terminals_, use), value.place});
   return wires_.back().pin;
 }
 
@@ -126,14 +153,14 @@ std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most) {
                      fmt::format("pins must be a list of 1 to {} pins, such as [\"A0\", \"A1\"]", most));
   std::vector<Pin> pins;
   for (const ConfigValue& item : value.items) {
-    pins.push_back(as_pin(item, "pins", board_, use));
+    pins.push_back(as_pin(item, "pins", terminals_, use));
     wires_.push_back({name_ + std::to_string(pins.size()), pins.back(), item.place});
   }
   return pins;
 }
 
 std::vector<Pin> PartReader::pin_table(const std::vector<std::vector<const char*>>& groups,
-                                       std::size_t& chosen) {
+                                       std::size_t& chosen, PinUse use) {
   const ConfigValue& value = table_.require("pins");
   std::vector<std::string> allowed;
   for (const auto& group : groups) {
@@ -150,7 +177,7 @@ std::vector<Pin> PartReader::pin_table(const std::vector<std::vector<const char*
       std::vector<Pin> pins;
       for (const char* role : group) {
         const ConfigValue& item = *value.find(role);
-        pins.push_back(as_pin(item, role, board_, PinUse::digital));
+        pins.push_back(as_pin(item, role, terminals_, use));
         wires_.push_back({role, pins.back(), item.place});
       }
       return pins;

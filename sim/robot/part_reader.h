@@ -14,7 +14,14 @@ namespace robosim::robot {
 /// What a wire needs of its pin.
 enum class PinUse {
   digital,  ///< any pin but an analog input only
+  driven,   ///< what the part follows: a digital pin, or an output of a shift register
   analog,   ///< a pin with an ADC channel
+};
+
+/// What wires may be tied to.
+struct Terminals {
+  const BoardSpec* board;
+  std::vector<std::string> registers;  ///< names of the shift registers, in the file's order
 };
 
 /// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }. The whole range
@@ -24,17 +31,19 @@ Number read_figure(TableReader& reader, const char* key, Dimension dimension, Nu
                    double most);
 /// ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
-/// A pin by number or name. Throws InputError if the board has none such or it does not serve `use`.
-Pin as_pin(const ConfigValue& value, const char* key, const BoardSpec& board, PinUse use);
+/// A pin by number or name, or a shift register's output such as "REG1.Q4". Throws InputError if there is
+/// none such or it does not serve `use`.
+Pin as_pin(const ConfigValue& value, const char* key, const Terminals&, PinUse use);
 
 /// A table reader that knows board and motor driver, and notes the part's wires.
 class PartReader {
  public:
-  PartReader(const ConfigValue& table, const BoardSpec& board, const Driver& driver);
+  PartReader(const ConfigValue& table, const Terminals&, const Driver&);
 
   const std::string& name() const { return name_; }
   const std::string& type() const { return type_; }
-  const BoardSpec& board() const { return board_; }
+  const BoardSpec& board() const { return *terminals_.board; }
+  const Terminals& terminals() const { return terminals_; }
   const Driver& driver() const { return driver_; }
   TableReader& table() { return table_; }
 
@@ -50,7 +59,8 @@ class PartReader {
   std::vector<Pin> pin_list(PinUse use, std::size_t most);
   /// Key `pins` as a table of roles, of which one of `groups` must be there exactly. The pins are in the
   /// group's order; `chosen` is its index.
-  std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen);
+  std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen,
+                             PinUse use = PinUse::digital);
 
   /// What the keys `wheel` and, failing that, the part's name say: left or right.
   Side wheel();
@@ -62,7 +72,7 @@ class PartReader {
 
  private:
   TableReader table_;
-  const BoardSpec& board_;
+  const Terminals& terminals_;
   const Driver& driver_;
   std::string name_;
   std::string type_;

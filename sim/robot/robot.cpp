@@ -10,6 +10,7 @@
 #include "sim/robot/part.h"
 #include "sim/robot/parts/button.h"
 #include "sim/robot/parts/motor.h"
+#include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
 #include "sim/robot/setting.h"
 #include "sim/world/world.h"
@@ -40,9 +41,11 @@ struct Robot::Inside {
         body(world.body(body_number)),
         individual(seed, profile, number),
         view{&world.floor(), &body, 0},
-        setting(d, board, view, individual) {}
+        wires(board, d.registers.size()),
+        setting(d, board, wires, view, individual) {}
 
   ButtonPart& button(const std::string& name) const;
+  RadioPart& radio(const std::string& name) const;
   void hold(const std::string& name, bool down, SimTime t);
   std::vector<Sensor*> covered_by(const std::string& name) const;
   Breakable& breakable(const std::string& name) const;
@@ -53,6 +56,7 @@ struct Robot::Inside {
   world::Body& body;
   Individual individual;
   View view;
+  Wires wires;
   Setting setting;
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
@@ -65,6 +69,12 @@ ButtonPart& Robot::Inside::button(const std::string& name) const {
   if (ButtonPart* part = find_named(roster.buttons, name)) return *part;
   throw InputError(fmt::format("robot {} has no button {}; its buttons: {}", description.name, name,
                                names_of(roster.buttons)));
+}
+
+RadioPart& Robot::Inside::radio(const std::string& name) const {
+  if (RadioPart* part = find_named(roster.radios, name)) return *part;
+  throw InputError(fmt::format("robot {} has no radio {}; its radios: {}", description.name, name,
+                               names_of(roster.radios)));
 }
 
 void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
@@ -188,6 +198,14 @@ void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t)
 
 void Robot::release(const std::string& part, SimTime t) { in_->hold(part, false, t); }
 
+void Robot::send(const std::string& part, const std::vector<bool>& bits, SimTime t) {
+  in_->radio(part).send(bits, t);
+}
+
+void Robot::power(bool on, SimTime t) {
+  for (Part* part : in_->roster.supplied) part->power(on, t);
+}
+
 void Robot::cover(const std::string& part, bool covered) {
   for (Sensor* sensor : in_->covered_by(part)) sensor->cover(covered);
 }
@@ -199,6 +217,8 @@ void Robot::fault(const std::string& part, const std::string& kind,
 }
 
 void Robot::check_press(const std::string& part) const { in_->button(part); }
+
+void Robot::check_send(const std::string& part) const { in_->radio(part); }
 
 void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
 

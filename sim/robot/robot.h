@@ -67,10 +67,15 @@ class Robot {
   /// Whether the last tick's commands drive a motor.
   bool driven() const;
 
+  /// The board's supply is switched off, or on again: what hangs on it forgets.
+  void power(bool on, SimTime t);
+
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
   /// Holds a button down from `t` on, or lets go of it; `t` is not before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
+  /// A remote control sends these bits, at most 64, to a radio receiver; `t` as in press().
+  void send(const std::string& part, const std::vector<bool>& bits, SimTime t);
   /// A finger on a sensor, or on all of an array: it sees black.
   void cover(const std::string& part, bool covered);
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
@@ -79,6 +84,7 @@ class Robot {
 
   // Whether the calls above would be accepted: they throw the same InputError, and change nothing.
   void check_press(const std::string& part) const;
+  void check_send(const std::string& part) const;
   void check_cover(const std::string& part) const;
   void check_fault(const std::string& part, const std::string& kind,
                    const std::vector<std::string>& arguments) const;

@@ -7,6 +7,7 @@
 #include "sim/base/noise.h"
 #include "sim/robot/number.h"
 #include "sim/robot/robot.h"
+#include "sim/robot/wires.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
 
@@ -47,11 +48,13 @@ struct View {
 /// What a part is made in. Outlives the part.
 class Setting {
  public:
-  Setting(const Description& description_, Board& board_, const View& view_, const Individual& individual_)
-      : description(description_), board(board_), view(view_), individual(individual_) {}
+  Setting(const Description& description_, Board& board_, Wires& wires_, const View& view_,
+          const Individual& individual_)
+      : description(description_), board(board_), wires(wires_), view(view_), individual(individual_) {}
 
   const Description& description;
   Board& board;
+  Wires& wires;  ///< how a part sees what the firmware drives
   const View& view;
   const Individual& individual;
 };

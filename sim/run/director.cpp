@@ -14,7 +14,8 @@ std::string describe(const Action& action) {
     case Action::Verb::release:
       return action.part + " released";
     case Action::Verb::send:
-      return fmt::format("\"{}\" sent to the sketch", action.text);
+      return action.part.empty() ? fmt::format("\"{}\" sent to the sketch", action.text)
+                                 : fmt::format("{} sent to {}", action.text, action.part);
     case Action::Verb::place:
       return "robot placed at " + action.text;
     case Action::Verb::cover:
@@ -55,6 +56,7 @@ void Director::check(const Step& step, const Progress& progress) const {
     if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);
     if (action.verb == Action::Verb::press || action.verb == Action::Verb::release)
       stage_.robot.check_press(action.part);
+    if (action.verb == Action::Verb::send && !action.part.empty()) stage_.robot.check_send(action.part);
     if (action.verb == Action::Verb::cover) stage_.robot.check_cover(action.part);
     if (action.verb == Action::Verb::fault)
       stage_.robot.check_fault(action.part, action.arguments.front(),
@@ -121,6 +123,8 @@ void Director::perform(const Action& action, SimTime t, bool undo) {
       stage_.robot.release(action.part, t);
       break;
     case Action::Verb::send:
+      if (!action.part.empty()) stage_.robot.send(action.part, action.bits, t);
+      if (!action.part.empty()) break;
       for (const char c : action.text) stage_.executor.board().receive_byte(static_cast<std::uint8_t>(c), t);
       break;
     case Action::Verb::place: {
@@ -139,6 +143,7 @@ void Director::perform(const Action& action, SimTime t, bool undo) {
       const bool on = undo || action.part == "on";
       if (on == powered_) break;
       powered_ = on;
+      stage_.robot.power(on, t);
       if (on) {
         stage_.executor.power_on(t);
       } else {

@@ -124,6 +124,39 @@ Trigger parse_trigger(Line& line) {
   return trigger;
 }
 
+// "3" is a byte, most significant bit first; "0b101" is these bits.
+std::vector<bool> parse_bits(const Line& line, const std::string& text) {
+  constexpr std::size_t kMostBits = 64;
+  std::vector<bool> bits;
+  if (text.rfind("0b", 0) == 0) {
+    const std::string digits = text.substr(2);
+    if (!digits.empty() && digits.size() <= kMostBits &&
+        digits.find_first_not_of("01") == std::string::npos) {
+      for (const char digit : digits) bits.push_back(digit == '1');
+      return bits;
+    }
+  } else if (!text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos &&
+             std::stoi(text) <= 255) {
+    for (int bit = 7; bit >= 0; --bit) bits.push_back((std::stoi(text) >> bit & 1) != 0);
+    return bits;
+  }
+  line.refuse(fmt::format(
+      "\"{}\" cannot be sent by radio: allowed are a byte, 0 to 255, and bits such as 0b101, at most {}",
+      text, kMostBits));
+}
+
+// send "TEXT", or send RADIO BITS.
+void parse_send(Line& line, Action& action) {
+  const Word first = line.take("the text to send");
+  if (first.quoted || !line.more()) {
+    action.text = first.text;
+    return;
+  }
+  action.part = first.text;
+  action.text = line.take("what to send").text;
+  action.bits = parse_bits(line, action.text);
+}
+
 Action parse_action(Line& line) {
   Action action;
   const std::string verb = line.take("a verb").text;
@@ -142,7 +175,7 @@ Action parse_action(Line& line) {
       action.part = line.take("a part's name").text;
       break;
     case Action::Verb::send:
-      action.text = line.take("the text to send").text;
+      parse_send(line, action);
       break;
     case Action::Verb::place:
       action.text = line.take("a place as X,Y,DIR").text;

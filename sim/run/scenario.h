@@ -31,9 +31,10 @@ struct Trigger {
 struct Action {
   enum class Verb { press, release, send, place, cover, fault, power };
   Verb verb = Verb::press;
-  std::string part;                    ///< press, release, cover, fault; "off" or "on" for power
+  std::string part;  ///< press, release, cover, fault, send by radio; "off" or "on" for power
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
-  std::string text;                    ///< send: the bytes; place: "X,Y,DIR"
+  std::string text;                    ///< send: the bytes, or of a radio what was written; place: "X,Y,DIR"
+  std::vector<bool> bits;              ///< send by radio
   std::optional<SimTime> duration;     ///< press, cover, power: undone after it
 };
 

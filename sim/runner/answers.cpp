@@ -1,5 +1,7 @@
 #include "sim/runner/answers.h"
 
+#include "sim/robot/wires.h"
+
 namespace robosim::runner {
 namespace {
 
@@ -75,7 +77,12 @@ Json to_json(const robot::Summary& robot) {
     sensors.push_back({{"name", s.name}, {"x", millimetres(s.at.x)}, {"y", millimetres(s.at.y)}});
   for (const auto& part : robot.parts) {
     Json pins = Json::object();
-    for (const auto& [role, pin] : part.pins) pins[role] = pin;
+    for (const auto& [role, pin] : part.pins) {
+      if (robot::is_output(pin))
+        pins[role] = robot::output_name(robot.registers, pin);
+      else
+        pins[role] = pin;
+    }
     parts.push_back({{"name", part.name}, {"type", part.type}, {"pins", std::move(pins)}});
   }
   return {

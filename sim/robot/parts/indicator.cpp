@@ -6,14 +6,14 @@ namespace robosim::robot {
 
 std::shared_ptr<const PartSpec> read_led(PartReader& reader) {
   auto spec = std::make_shared<IndicatorSpec>();
-  spec->pin = reader.pin("pin", PinUse::digital);
+  spec->pin = reader.pin("pin", PinUse::driven);
   spec->active_high = reader.high("active", true);
   return reader.finish(spec);
 }
 
 std::shared_ptr<const PartSpec> read_buzzer(PartReader& reader) {
   auto spec = std::make_shared<IndicatorSpec>();
-  spec->pin = reader.pin("pin", PinUse::digital);
+  spec->pin = reader.pin("pin", PinUse::driven);
   spec->needs_tone = reader.table().boolean("passive", true);
   return reader.finish(spec);
 }
@@ -23,7 +23,7 @@ std::unique_ptr<Part> IndicatorSpec::make(Setting& setting) const {
 }
 
 void IndicatorPart::read(std::vector<Reading>& readings) const {
-  const PinDrive& drive = setting_.board.drive(spec_.pin);
+  const PinDrive& drive = setting_.wires.drive(spec_.pin);
   double value = 0.0;
   if (spec_.needs_tone) {
     const bool oscillates = drive.tone_hz || (drive.pwm && drive.duty > 0.0 && drive.duty < 1.0);

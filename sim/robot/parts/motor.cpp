@@ -23,11 +23,11 @@ std::shared_ptr<const PartSpec> read_motor(PartReader& reader) {
   spec->reversed = reader.table().boolean("reversed", false);
   std::size_t wiring = 0;
   if (std::strcmp(reader.driver().chip->name, "transistor") == 0) {
-    spec->en = reader.pin_table({{"en"}}, wiring)[0];
+    spec->en = reader.pin_table({{"en"}}, wiring, PinUse::driven)[0];
     return reader.finish(spec);
   }
   const std::vector<Pin> pins =
-      reader.pin_table({{"en", "in1", "in2"}, {"in1", "in2"}, {"en", "phase"}}, wiring);
+      reader.pin_table({{"en", "in1", "in2"}, {"in1", "in2"}, {"en", "phase"}}, wiring, PinUse::driven);
   spec->phase = wiring == 2;
   if (wiring == 1) {
     spec->in1 = pins[0];
@@ -50,7 +50,7 @@ void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
   roster.breakable.push_back(this);
   for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, setting_.description.driver.standby})
-    if (pin != kNoPin) setting_.board.watch(pin, *this);
+    if (pin != kNoPin) setting_.wires.watch(pin, *this);
   update();
 }
 
@@ -61,7 +61,7 @@ void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) {
 
 void MotorPart::update() {
   const auto share = [this](Pin pin, double unwired) {
-    return pin == kNoPin ? unwired : high_share(setting_.board.drive(pin));
+    return pin == kNoPin ? unwired : high_share(setting_.wires.drive(pin));
   };
   const Driver& driver = setting_.description.driver;
   now_ = {};

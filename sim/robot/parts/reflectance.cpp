@@ -33,7 +33,7 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.ambient = reader.figure("ambient", Dimension::ratio, {0.0, 0.0}, 0.0, 0.9);
   spec.height = reader.figure("height", Dimension::length, {kBestHeight, 0.0}, 0.0005, 0.03);
   spec.footprint = reader.figure("footprint", Dimension::length, {}, 0.0005, 0.03);
-  spec.emitter = reader.optional_pin("emitter", PinUse::digital);
+  spec.emitter = reader.optional_pin("emitter", PinUse::driven);
   if (spec.read == Read::rc) {
     spec.white_time = reader.figure("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1);
     spec.black_time = reader.figure("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1);
@@ -87,8 +87,8 @@ class ReflectancePart final : public Part {
   void join(Roster& roster) override {
     if (spec_.read != Read::analog) roster.ticking.push_back(this);
     if (spec_.emitter != kNoPin) {
-      setting_.board.watch(spec_.emitter, emitter_);
-      emitter_.pin_changed(spec_.emitter, setting_.board.drive(spec_.emitter), 0);
+      setting_.wires.watch(spec_.emitter, emitter_);
+      emitter_.pin_changed(spec_.emitter, setting_.wires.drive(spec_.emitter), 0);
     }
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       sensors_[i]->join(setting_.board, spec_.elements[i].pin);

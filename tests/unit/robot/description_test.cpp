@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{kBareRobot + part("name = \"left\"\ntype = \"motor\"\npins = { in1 = 2 }\n"),
              "exactly these pins"},
         Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
-        Case{"base = \"uno9\"\n", "no robot is called \"uno9\"; there are nano8rc, uno2, uno3 or uno5"},
+        Case{"base = \"uno9\"\n", "no robot is called \"uno9\"; there are nano8rc, pony, uno2, uno3 or uno5"},
         Case{"base = \"./none.toml\"\n", "there is no file ./none.toml"},
         Case{"base = \"/dev/zero\"\n", "there is no file /dev/zero"},
         Case{changed("outline = { radius = \"60 mm\" }",
@@ -204,8 +204,8 @@ TEST(Description, HashCoversTheBase) {
   EXPECT_EQ(load_description("uno5").sha256, sha256(read_file(find_robot("uno5"))));
 }
 
-TEST(StockRobots, AreFourAndLoad) {
-  EXPECT_THAT(stock_robots(), ::testing::ElementsAre("nano8rc", "uno2", "uno3", "uno5"));
+TEST(StockRobots, AllLoad) {
+  EXPECT_THAT(stock_robots(), ::testing::ElementsAre("nano8rc", "pony", "uno2", "uno3", "uno5"));
   for (const std::string& name : stock_robots()) EXPECT_NO_THROW(load_description(name)) << name;
 }
 

@@ -41,6 +41,21 @@ TEST(Scenario, TakesThePlaceWithASpaceBeforeTheDirection) {
   EXPECT_EQ(parse_scenario("at 0s place 2,2 E", "s.txt")[0].action.text, "2,2,E");
 }
 
+TEST(Scenario, SendsTextToTheSketchAndBitsByRadio) {
+  const auto steps = parse_scenario(
+      "at 1s send \"3\\n\"\n"
+      "at 2s send hello\n"
+      "at 3s send radio 3\n"
+      "at 4s send radio 0b101\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].action.part, "");
+  EXPECT_EQ(steps[0].action.text, "3\n");
+  EXPECT_EQ(steps[1].action.text, "hello");
+  EXPECT_EQ(steps[2].action.part, "radio");
+  EXPECT_EQ(steps[2].action.bits, (std::vector<bool>{0, 0, 0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(steps[3].action.bits, (std::vector<bool>{1, 0, 1}));
+}
+
 TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
   EXPECT_EQ(
       error_of("at 2s dance\n"),
@@ -56,6 +71,10 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
             "s.txt:1:17: \"now\" is too much; the line should end before it");
   EXPECT_EQ(error_of("at 2s send \"abc"), "s.txt:1:12: a text in double quotes is not closed");
   EXPECT_THAT(error_of("at 2s send \"\\q\""), testing::HasSubstr("unknown escape \\q"));
+  for (const char* text : {"256", "-1", "3.5", "0b", "0b102", "\"\""})
+    EXPECT_THAT(error_of((std::string("at 2s send radio ") + text).c_str()),
+                testing::HasSubstr("allowed are a byte, 0 to 255, and bits such as 0b101, at most 64"))
+        << text;
   EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
 }
 

@@ -1,0 +1,103 @@
+#include "sim/robot/parts/radio.h"
+
+#include <algorithm>
+
+namespace robosim::robot {
+namespace {
+
+constexpr FaultKind kFaults[] = {
+    {"ok", "works again"},
+    {"dead", "nothing arrives"},
+    {"noisy", "this share of the bits arrives wrong, such as 0.1 or 10%", FaultKind::Argument::number, 0.0,
+     1.0},
+};
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_radio(PartReader& reader) {
+  auto spec = std::make_shared<RadioSpec>();
+  std::size_t wiring = 0;
+  const std::vector<Pin> pins = reader.pin_table({{"data", "clock", "enable"}}, wiring);
+  spec->data = pins[0];
+  spec->clock = pins[1];
+  spec->enable = pins[2];
+  spec->bit = reader.figure("bit", Dimension::time, {1e-3, 0.0}, 20e-6, 0.1);
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> RadioSpec::make(Setting& setting) const {
+  return std::make_unique<RadioPart>(*this, setting);
+}
+
+RadioPart::RadioPart(const RadioSpec& spec, Setting& setting)
+    : spec_(spec),
+      setting_(setting),
+      outputs_{{*this, data}, {*this, clock}, {*this, enable}},
+      stream_(setting.individual.noise(spec.name, "air")),
+      bit_(static_cast<SimTime>(setting.individual.draw(spec.bit, spec.name, "bit") * 1e9)),
+      supply_(setting.description.board->supply_volts) {}
+
+void RadioPart::join(Roster& roster) {
+  for (const Line line : {data, clock, enable}) setting_.board.connect(pin_of(line), outputs_[line]);
+  roster.ticking.push_back(this);
+  roster.breakable.push_back(this);
+  roster.radios.push_back(this);
+}
+
+Pin RadioPart::pin_of(Line line) const {
+  return line == data ? spec_.data : line == clock ? spec_.clock : spec_.enable;
+}
+
+void RadioPart::send(const std::vector<bool>& bits, SimTime t) {
+  if (dead_) return;
+  if (announced_ == changes_.size()) {
+    changes_.clear();
+    announced_ = 0;
+  }
+  SimTime at = std::max(t, free_at_);
+  changes_.push_back({at, enable, true});
+  at += bit_ / 2;
+  for (const bool bit : bits) {
+    const bool wrong = stream_.uniform(bits_sent_++) < turned_;
+    changes_.push_back({at, data, bit != wrong});
+    changes_.push_back({at + bit_ / 2, clock, true});
+    at += bit_;
+    changes_.push_back({at, clock, false});
+  }
+  changes_.push_back({at, data, false});
+  at += bit_ / 2;
+  changes_.push_back({at, enable, false});
+  free_at_ = at + bit_;
+}
+
+bool RadioPart::level(Line line, SimTime t) const {
+  bool level = false;
+  for (const Change& change : changes_) {
+    if (change.at > t) break;
+    if (change.line == line) level = change.level;
+  }
+  return level;
+}
+
+void RadioPart::begin_tick(SimTime t) {
+  for (; announced_ < changes_.size() && changes_[announced_].at < t + kTick; ++announced_) {
+    const Change& change = changes_[announced_];
+    const Pin pin = pin_of(change.line);
+    if (setting_.board.wants_edges(pin))
+      setting_.board.schedule_edge(pin, change.level, std::max(change.at, t));
+  }
+}
+
+void RadioPart::read(std::vector<Reading>& readings) const {
+  readings.push_back({spec_.name, level(enable, setting_.view.tick_start) ? 1.0 : 0.0});
+}
+
+std::span<const FaultKind> RadioPart::fault_kinds() const { return kFaults; }
+
+void RadioPart::fail(const Fault& fault) {
+  const std::string_view name = fault.kind.name;
+  dead_ = name == "dead";
+  turned_ = name == "noisy" ? fault.number : 0.0;
+}
+
+}  // namespace robosim::robot

@@ -1,0 +1,85 @@
+// type = "radio": a receiver that hands on what a remote control sends, bit by bit: three pins that the
+// sketch reads. Scripts send: `at 20s send radio 3`.
+//
+// One message of n bits, each `bit` long:
+//   enable  ___/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\___     high from half a bit before the first to half a bit after the
+//   last data    ----< b1  >< b2  >< b3  >----     set for the whole bit; low between messages clock
+//   _______/‾‾\__/‾‾\__/‾‾\______     rises in the middle of each bit
+// A message that is sent while another one is on the air follows it, a bit's time after. 1 ms for a bit is
+// what 433 MHz modules for hobbyists are rated for (1 to 2 kbit/s). Range, other senders and damaged
+// preambles are not modelled; the fault `noisy` turns bits over.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+constexpr std::size_t kMostRadioBits = 64;  ///< of one message
+
+std::shared_ptr<const PartSpec> read_radio(PartReader&);
+
+class RadioSpec final : public PartSpec {
+ public:
+  Pin data = kNoPin;
+  Pin clock = kNoPin;
+  Pin enable = kNoPin;
+  Number bit;  ///< s, the time of a bit
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+class RadioPart final : public Part, public Breakable {
+ public:
+  RadioPart(const RadioSpec&, Setting&);
+
+  /// The remote control sends these bits, from `t` on, which is not before the current tick.
+  void send(const std::vector<bool>& bits, SimTime t);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  enum Line { data, clock, enable };
+  /// A line takes a level.
+  struct Change {
+    SimTime at;
+    Line line;
+    bool level;
+  };
+  class Output final : public PinSource {
+   public:
+    Output(RadioPart& radio, Line line) : radio_(radio), line_(line) {}
+    double volts(SimTime t) override { return level(t) ? radio_.supply_ : 0.0; }
+    bool level(SimTime t) override { return radio_.level(line_, t); }
+
+   private:
+    RadioPart& radio_;
+    Line line_;
+  };
+
+  bool level(Line line, SimTime t) const;
+  Pin pin_of(Line line) const;
+
+  const RadioSpec& spec_;
+  Setting& setting_;
+  Output outputs_[3];
+  NoiseStream stream_;
+  std::uint64_t bits_sent_ = 0;
+  SimTime bit_;
+  double supply_;
+  std::vector<Change> changes_;  // by time, of what is on the air
+  std::size_t announced_ = 0;    // so many of changes_ have been scheduled
+  SimTime free_at_ = 0;          // the air
+  bool dead_ = false;
+  double turned_ = 0.0;  // share of bits that arrive wrong
+};
+
+}  // namespace robosim::robot

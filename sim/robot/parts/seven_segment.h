@@ -1,0 +1,40 @@
+// type = "seven-segment": one digit, a light for each of its segments:
+//
+//    aaa        pins a to g, and dp (the point) if it is wired
+//   f   b       common = "anode": a low pin lights its segment; "cathode": a high one does
+//    ggg
+//   e   c
+//    ddd  dp
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_seven_segment(PartReader&);
+
+class SevenSegmentSpec final : public PartSpec {
+ public:
+  std::vector<Pin> segments;  ///< a to g, then dp if it is wired
+  bool low_lights = true;     ///< common anode
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+/// Its reading: the figure 0 .. 9 that one reads, -1 if all is dark, -2 for any other pattern. The point does
+/// not matter.
+class SevenSegmentPart final : public Part {
+ public:
+  SevenSegmentPart(const SevenSegmentSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+
+  void join(Roster&) override {}
+  void read(std::vector<Reading>&) const override;
+
+ private:
+  const SevenSegmentSpec& spec_;
+  Setting& setting_;
+};
+
+}  // namespace robosim::robot

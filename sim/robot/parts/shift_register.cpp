@@ -1,0 +1,156 @@
+#include "sim/robot/parts/shift_register.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/robot/parts/motor_driver.h"
+
+namespace robosim::robot {
+namespace {
+
+// A register behind another one: the first of its chain does its work.
+class ChainedRegister final : public Part {
+ public:
+  void join(Roster&) override {}
+};
+
+std::vector<const ShiftRegisterSpec*> registers_of(const Description& robot) {
+  std::vector<const ShiftRegisterSpec*> registers;
+  for (const auto& part : robot.parts)
+    if (part->type == "shift-register")
+      registers.push_back(static_cast<const ShiftRegisterSpec*>(part.get()));
+  return registers;
+}
+
+const ShiftRegisterSpec* behind(const std::vector<const ShiftRegisterSpec*>& registers,
+                                const std::string& name) {
+  const auto found =
+      std::find_if(registers.begin(), registers.end(), [&](const auto* r) { return r->after == name; });
+  return found == registers.end() ? nullptr : *found;
+}
+
+bool is_high(const PinDrive& drive) { return high_share(drive) >= 0.5; }
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_shift_register(PartReader& reader) {
+  auto spec = std::make_shared<ShiftRegisterSpec>();
+  const auto& names = reader.terminals().registers;
+  spec->index = static_cast<int>(std::find(names.begin(), names.end(), reader.name()) - names.begin());
+  const ConfigValue& table = reader.table().table();
+  if (const ConfigValue* after = reader.table().find("after")) {
+    spec->after = as_string(*after, "after");
+    spec->after_place = after->place;
+    if (const ConfigValue* pins = table.find("pins"))
+      throw InputError(pins->place,
+                       fmt::format("{} stands after {}: it has that one's clock and latch, and no pins",
+                                   reader.name(), spec->after));
+    return reader.finish(spec);
+  }
+  if (!table.find("pins"))
+    throw InputError(table.place, fmt::format("{} needs pins (data, clock, latch), or after: the name of the "
+                                              "shift register before it",
+                                              reader.name()));
+  std::size_t wiring = 0;
+  const std::vector<Pin> pins =
+      reader.pin_table({{"data", "clock", "latch"}, {"data", "clock", "latch", "enable"}}, wiring);
+  spec->data = pins[0];
+  spec->clock = pins[1];
+  spec->latch = pins[2];
+  if (wiring == 1) spec->enable = pins[3];
+  return reader.finish(spec);
+}
+
+void check_chains(const Description& robot) {
+  const auto registers = registers_of(robot);
+  for (const ShiftRegisterSpec* spec : registers) {
+    const ShiftRegisterSpec* at = spec;
+    for (std::size_t length = 1; !at->after.empty(); ++length) {
+      const auto before = std::find_if(registers.begin(), registers.end(),
+                                       [&](const auto* r) { return r->name == at->after; });
+      if (before == registers.end())
+        throw InputError(at->after_place,
+                         fmt::format("after is \"{}\", which is no shift register; there is {}", at->after,
+                                     one_of(robot.registers)));
+      const ShiftRegisterSpec* first = behind(registers, at->after);
+      if (first != at)
+        throw InputError(at->after_place,
+                         fmt::format("{} and {} both stand after {}; a register feeds one other", first->name,
+                                     at->name, at->after));
+      at = *before;
+      if (at == spec || length > registers.size())
+        throw InputError(spec->after_place,
+                         fmt::format("{} stands after itself, round a circle; a chain begins at a register "
+                                     "with pins",
+                                     spec->name));
+      if (length >= kMostChained)
+        throw InputError(spec->after_place,
+                         fmt::format("more than {} shift registers in one chain", kMostChained));
+    }
+  }
+}
+
+std::unique_ptr<Part> ShiftRegisterSpec::make(Setting& setting) const {
+  if (!after.empty()) return std::make_unique<ChainedRegister>();
+  const auto registers = registers_of(setting.description);
+  std::vector<int> chain;
+  for (const ShiftRegisterSpec* at = this; at; at = behind(registers, at->name)) chain.push_back(at->index);
+  return std::make_unique<ShiftRegisterPart>(*this, std::move(chain), setting);
+}
+
+ShiftRegisterPart::ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, Setting& setting)
+    : spec_(head), setting_(setting), chain_(std::move(chain)) {}
+
+void ShiftRegisterPart::join(Roster& roster) {
+  for (const Pin pin : {spec_.clock, spec_.latch, spec_.enable})
+    if (pin != kNoPin) setting_.wires.watch(pin, *this);
+  roster.supplied.push_back(this);
+  forget();
+  show(0);
+}
+
+void ShiftRegisterPart::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  if (pin == spec_.enable) return show(t);
+  const bool high = is_high(drive);
+  bool& before = pin == spec_.clock ? clock_ : latch_;
+  const bool rising = high && !before;
+  before = high;
+  if (!rising || !on_) return;
+  if (pin == spec_.clock) {
+    shifted_ = shifted_ << 1 | (is_high(setting_.wires.drive(spec_.data)) ? 1u : 0u);
+  } else {
+    latched_ = shifted_;
+    show(t);
+  }
+}
+
+void ShiftRegisterPart::power(bool on, SimTime t) {
+  on_ = on;
+  if (on) forget();
+  show(t);
+}
+
+void ShiftRegisterPart::forget() {
+  shifted_ = latched_ = 0;
+  if (setting_.individual.ideal()) return;
+  const NoiseStream stream = setting_.individual.noise(spec_.name, "power-on");
+  shifted_ = stream.bits(power_ons_++);
+  latched_ = stream.bits(power_ons_++);
+}
+
+void ShiftRegisterPart::show(SimTime t) {
+  const bool driven = on_ && (spec_.enable == kNoPin || !is_high(setting_.wires.drive(spec_.enable)));
+  for (std::size_t r = 0; r < chain_.size(); ++r) {
+    for (int q = 0; q < kRegisterOutputs; ++q) {
+      PinDrive drive;
+      if (driven) {
+        const bool high = (latched_ >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1) != 0;
+        drive = {PinMode::output, high, false, high ? 1.0 : 0.0, 0};
+      }
+      setting_.wires.drive_output(output_pin(chain_[r], q), drive, t);
+    }
+  }
+}
+
+}  // namespace robosim::robot

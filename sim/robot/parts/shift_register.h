@@ -1,0 +1,66 @@
+// type = "shift-register": a 74HC595 (TI SN74HC595, SCLS041): eight outputs for three of the board's pins.
+//
+//   rising edge of clock   every bit moves on by one, from Q0 towards Q7; the level of data comes in at Q0
+//   rising edge of latch   the outputs Q0 .. Q7 become what has been shifted in
+//   enable (OE) high       the outputs are switched off: nobody drives them. Without that pin it is tied low
+//
+// A register with `after` stands behind another one in a chain: what leaves that one comes in here, with the
+// same clock, latch and enable. So of several bytes the first one shifted ends up in the last register.
+// Other parts name the outputs as pins: "REG1.Q4".
+//
+// At power-on its memory holds anything (`typical`: drawn; `ideal`: zeros), until the sketch has shifted and
+// latched. It has the board's supply: while that is off, nobody drives the outputs. Propagation (about 20 ns)
+// and the reset input are not modelled.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/setting.h"
+
+namespace robosim::robot {
+
+constexpr std::size_t kMostChained = 8;  ///< registers of one chain
+
+std::shared_ptr<const PartSpec> read_shift_register(PartReader&);
+
+/// Throws InputError unless every `after` names a register, no two the same, and every chain begins at pins.
+void check_chains(const Description&);
+
+class ShiftRegisterSpec final : public PartSpec {
+ public:
+  int index = 0;  ///< among the robot's registers: its outputs are output_pin(index, 0 .. 7)
+  Pin data = kNoPin;
+  Pin clock = kNoPin;
+  Pin latch = kNoPin;
+  Pin enable = kNoPin;  ///< kNoPin = tied low
+  std::string after;    ///< the register before it; empty = the chain begins here, and has the pins
+  Place after_place;
+
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+/// A whole chain: the part of the register at its beginning. Those behind it have nothing to do.
+class ShiftRegisterPart final : public Part, public PinWatcher {
+ public:
+  ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, Setting&);
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  void power(bool on, SimTime) override;
+
+ private:
+  void forget();
+  void show(SimTime);
+
+  const ShiftRegisterSpec& spec_;
+  Setting& setting_;
+  std::vector<int> chain_;       // indices of its registers, from the board outwards
+  std::uint64_t shifted_ = 0;    // bit 8 r + q is Qq of register chain_[r]
+  std::uint64_t latched_ = 0;    // the same, as the outputs show it
+  std::uint64_t power_ons_ = 0;  // so many samples of noise taken
+  bool clock_ = false;
+  bool latch_ = false;
+  bool on_ = true;
+};
+
+}  // namespace robosim::robot
