@@ -97,6 +97,18 @@ TEST(TrueGraph, AStartWithinALineHasTheNextNodeForItsRoot) {
   EXPECT_EQ(west.stations[0].arm.length, 2);
 }
 
+TEST(TrueGraph, AStartAtADeadEndIsItsRootWhicheverWayItFaces) {
+  const Map map = read_map(find_map("d"));
+  const TrueGraph graph = graph_of(map, "3,10,E");
+  for (const char* start : {"3,10,S", "3,10,W", "3,10,N"}) EXPECT_EQ(graph_of(map, start), graph) << start;
+}
+
+TEST(TrueGraph, ALineMayEndAtTheMapsEdge) {
+  const TrueGraph graph = graph_of(parse_map("_._\n...\n_._\n", "m.map"), "0,1,W");
+  EXPECT_EQ(slots(graph), "(1) (2) (3) (4)");
+  EXPECT_EQ(graph_of(parse_map(".\n.\n", "m.map"), "0,0,N").stations.size(), 2u);
+}
+
 TEST(TrueGraph, ALineFromAJunctionToItselfTakesTwoSlots) {
   const TrueGraph graph = graph_of(parse_map("....\n.__.\n....\n.___\n.___\n", "m.map"), "0,4");
   EXPECT_EQ(slots(graph), "(1) 1:2 1:1");
