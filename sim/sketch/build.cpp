@@ -8,9 +8,10 @@
 #include "sim/sketch/cache.h"
 #include "sim/sketch/compile.h"
 #include "sim/sketch/core.h"
-#include "sim/sketch/elf_size.h"
+#include "sim/sketch/elf_file.h"
 #include "sim/sketch/endless.h"
 #include "sim/sketch/libraries.h"
+#include "sim/sketch/messages.h"
 #include "sim/sketch/prototypes.h"
 #include "sim/sketch/sketch.h"
 #include "sim/sketch/source.h"
@@ -30,25 +31,20 @@ class Build {
   /// Compiles and links; gives the image, still in the work folder.
   fs::path image() {
     const Object core = core_object(toolchain_, cache_, work_.path());
-    std::vector<fs::path> objects = {core.path};
+    std::vector<fs::path> objects;
     inputs_.files = core.inputs;
     compile_all();
     for (const Object& object : objects_) {
       objects.push_back(object.path);
       inputs_.files.insert(inputs_.files.end(), object.inputs.begin(), object.inputs.end());
     }
-    const fs::path image = work_.path() / (sketch_.name + ".so");
-    const Outcome link = run(link_command(toolchain_, objects, image, work_.path()));
-    const std::string messages = text(link);
-    if (link.status != 0) {
-      for (const char* function : {"setup", "loop"})
-        if (messages.find(fmt::format("undefined reference to `{}'", function)) != std::string::npos)
-          throw CompileError(
-              {sketch_.inos.empty() ? sketch_.name : sketch_.inos[0]},
-              fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()",
-                          function));
-      fail(messages);
-    }
+    // hal/host's constructors run first; an archive gives what those before it have left open.
+    objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
+    const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
+    const Outcome link = run(link_command(toolchain_, objects, image, work_.path(), places()));
+    if (link.status != 0) fail_link(toolchain_, sketch_, objects_, link.output);
+    const std::vector<fs::path>& linked = toolchain_.core.linked;
+    inputs_.files.insert(inputs_.files.end(), linked.begin(), linked.end());
     inputs_.folders = finder_.listed();
     for (const Library& library : libraries_) {
       inputs_.folders.insert(inputs_.folders.end(), library.listed.begin(), library.listed.end());
@@ -70,19 +66,30 @@ class Build {
   void compile_all() {
     std::vector<Unit> units;
     if (!sketch_.inos.empty()) units.push_back(ino_unit());
-    for (const std::string& source : sketch_.sources) {
-      Unit unit = sketch_unit();
-      unit.source = source;
-      units.push_back(unit);
-    }
+    for (const auto* sources : {&sketch_.sources, &sketch_.assembler})
+      for (const std::string& source : *sources) {
+        Unit unit = sketch_unit();
+        unit.source = source;
+        units.push_back(unit);
+      }
     std::size_t libraries_taken = 0;
     for (;;) {
-      for (; libraries_taken < libraries_.size(); ++libraries_taken)
-        for (const std::string& source : libraries_[libraries_taken].sources)
-          units.push_back(library_unit(libraries_[libraries_taken], source));
+      for (; libraries_taken < libraries_.size(); ++libraries_taken) {
+        const Library& library = libraries_[libraries_taken];
+        for (const std::string& source : library.sources) units.push_back(library_unit(library, source));
+        if (!toolchain_.target.chip) continue;
+        for (const std::string& source : library.assembler) units.push_back(library_unit(library, source));
+      }
       if (units.empty()) return;
       units = compile(units);
     }
+  }
+
+  Core::Names places() const {
+    Core::Names names = {{work_.path(), "."}, {toolchain_.core.root, toolchain_.core.place}};
+    for (const Library& library : libraries_) names.emplace_back(library.folder, "libraries/" + library.name);
+    names.emplace_back(sketch_.folder, ".");
+    return names;
   }
 
   Unit sketch_unit() const {
@@ -100,6 +107,12 @@ class Build {
     unit.place = "libraries/" + library.name;
     unit.source = (library.folder / source).string();
     return unit;
+  }
+
+  std::string name_of(const Unit& unit) const {
+    if (!unit.input.empty()) return sketch_.inos[0];
+    if (unit.kind == Unit::Kind::sketch) return unit.source;
+    return unit.place + unit.source.substr(unit.folder.string().size());
   }
 
   std::vector<fs::path> include_folders(const Unit& unit) const {
@@ -122,7 +135,7 @@ class Build {
       unit.includes = include_folders(unit);
       const Outcome outcome = run(preprocess_command(toolchain_, unit, preprocessed));
       if (outcome.status == 0) break;
-      if (!add_library_for(outcome)) fail(text(outcome));
+      if (!add_library_for(outcome)) fail(toolchain_.target, text(outcome));
     }
     write_file(unit.input, add_prototypes(joined, read_file(preprocessed), sketch_.inos, work_.path()));
     return unit;
@@ -141,7 +154,7 @@ class Build {
       const auto entry = unit.input.empty() ? cache_.find(key) : std::nullopt;
       if (entry) {
         add_message(entry->facts.at("messages"));
-        objects_.push_back({entry->result, split_paths(entry->facts.at("inputs"))});
+        objects_.push_back({name_of(unit), entry->result, split_paths(entry->facts.at("inputs"))});
         continue;
       }
       slots.push_back(objects_.size());
@@ -153,7 +166,7 @@ class Build {
     }
     const auto since = fs::file_time_type::clock::now();
     std::vector<Outcome> outcomes = run(commands);
-    assemble(objects, outcomes);
+    assemble(started, objects, outcomes);
 
     std::vector<Unit> again;
     std::string errors;
@@ -171,7 +184,7 @@ class Build {
       else
         errors += messages + '\n';
     }
-    if (!errors.empty()) fail(errors.substr(0, errors.size() - 1));
+    if (!errors.empty()) fail(toolchain_.target, errors.substr(0, errors.size() - 1));
     std::for_each(unused.rbegin(), unused.rend(), [&](std::size_t slot) {
       objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(slot));
     });
@@ -179,11 +192,12 @@ class Build {
   }
 
   /// The second half of a compilation, for those that have succeeded so far.
-  void assemble(const std::vector<fs::path>& objects, std::vector<Outcome>& outcomes) const {
+  void assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
+                std::vector<Outcome>& outcomes) const {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (outcomes[i].status != 0) continue;
+      if (outcomes[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
       const fs::path assembly = objects[i].string() + ".s";
       write_file(assembly, call_in_endless_loops(read_file(assembly)));
       compiled.push_back(i);
@@ -204,10 +218,10 @@ class Build {
   Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
               fs::file_time_type since) {
     std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
-    if (!unit.input.empty()) return {object, std::move(inputs)};
+    if (!unit.input.empty()) return {name_of(unit), object, std::move(inputs)};
     const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
                                      {{"inputs", join_paths(inputs)}, {"messages", messages}}, since);
-    return {entry.result, std::move(inputs)};
+    return {name_of(unit), entry.result, std::move(inputs)};
   }
 
   void add_message(const std::string& message) {
@@ -230,11 +244,12 @@ class Build {
 
   std::string no_library(const std::string& header) const {
     const LibraryFinder chip({core_.libraries});
-    if (const Library* library = chip.find(header))
+    const Library* library = chip.find(header);
+    if (library && !toolchain_.target.chip)
       return fmt::format(
           "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr",
           header, library->name);
-    if (fs::exists(core_.avr_libc.parent_path() / header))
+    if (!toolchain_.target.chip && fs::exists(core_.avr_libc.parent_path() / header))
       return fmt::format(
           "{} belongs to avr-libc and is about the chip's own hardware: it is for --target avr", header);
     if (header.find('.') == std::string::npos)
@@ -265,7 +280,7 @@ class Build {
   int count_ = 0;
 };
 
-std::vector<fs::path> library_folders(const Request& request, const Sketch& sketch) {
+std::vector<fs::path> library_folders(const Request& request, const Sketch& sketch, const Core& core) {
   std::vector<fs::path> folders = {sketch.folder / "libraries"};
   std::vector<fs::path> inner;
   for (const auto& entry : fs::directory_iterator(sketch.folder)) {
@@ -287,12 +302,30 @@ std::vector<fs::path> library_folders(const Request& request, const Sketch& sket
   folders.push_back(data_folder() / "firmware");
   if (const char* home = std::getenv("HOME"); home && *home == '/')
     folders.push_back(fs::path(home) / "Arduino/libraries");
+  folders.insert(folders.end(), core.libraries.begin(), core.libraries.end());
   return folders;
 }
 
-Image image_of(const Entry& entry, bool from_cache) {
+/// A product of an image, from the cache or made anew: the image's content is all that it depends on.
+fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
+  const std::string key =
+      fmt::format("product\n{}{}\n{}", product.program.name, product.ending, entry.facts.at("image_sha256"));
+  if (const auto known = cache.find(key)) return known->result;
+  const WorkFolder work(cache);
+  const std::string name = entry.result.stem().string() + product.ending;
+  const auto since = fs::file_time_type::clock::now();
+  const Outcome outcome = run(product_command(target, product, entry.result, work.path() / name));
+  if (outcome.status != 0) throw std::runtime_error(product.program.name + (": " + outcome.output));
+  return cache.store(key, {}, work.path() / name, name, {}, since).result;
+}
+
+Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
+               bool from_cache) {
   Image image;
+  image.name = sketch.name;
   image.image = entry.result;
+  for (const Product& product : target.products)
+    image.products.push_back(product_of(target, product, entry, cache));
   image.sketch_sha256 = entry.facts.at("sketch_sha256");
   image.image_sha256 = entry.facts.at("image_sha256");
   image.compiler = entry.facts.at("compiler");
@@ -310,46 +343,52 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
   std::string key = fmt::format("image\n{}{}\n", recipe(toolchain), sketch.folder.string());
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
     key += fmt::format("{}\n", fmt::join(*names, "\n"));
+  for (const std::string& name : sketch.assembler) key += fmt::format("{}\n", name);
   return key + join_paths(folders);
 }
 
 }  // namespace
 
 Image build(const Request& request) try {
-  if (request.target != "host")
-    throw InputError(fmt::format("there is no target {}; Robosim builds for host", request.target));
+  const Target& target = find_target(request.target);
   const Sketch sketch = read_sketch(request.sketch);
-  const std::vector<fs::path> folders = library_folders(request, sketch);
+  if (!target.chip && !sketch.assembler.empty())
+    throw InputError({sketch.assembler[0]}, "assembler sources are for the chip; build with --target avr");
   const Cache cache(cache_folder());
-  const GenuineCore core = find_core();
-  Toolchain toolchain{find_compiler(), {}, stage(core, cache.folder()), request.board, request.warnings};
+  const GenuineCore genuine = find_core();
+  const Compiler compiler = find_compiler(target);
+  Toolchain toolchain{
+      target,        compiler,        {}, core_for(target, request.board, genuine, cache.folder()),
+      request.board, request.warnings};
+  const std::vector<fs::path> folders = library_folders(request, sketch, toolchain.core);
   const std::string key = image_key(toolchain, sketch, folders);
-  if (const auto entry = cache.find(key)) return image_of(*entry, true);
+  if (const auto entry = cache.find(key)) return image_of(target, sketch, *entry, cache, true);
 
   const auto since = fs::file_time_type::clock::now();
   toolchain.facts = ask(toolchain.compiler, cache.folder());
   const std::string sketch_sha256 = content_sha256(sketch);
   const LibraryFinder finder(folders);
-  Build build(sketch, toolchain, cache, finder, core);
+  Build build(sketch, toolchain, cache, finder, genuine);
   const fs::path made = build.image();
 
   Inputs inputs = build.inputs();
-  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);
   const std::string bytes = read_file(made);
   const ElfSize size = elf_size(bytes);
   std::string libraries;
   for (const Library& library : build.libraries()) libraries += library.name + '\n';
-  const Entry entry = cache.store(key, inputs, made, sketch.name + ".so",
+  const std::uint64_t text_bytes = size.text + (target.chip ? size.initialised : 0);
+  const Entry entry = cache.store(key, inputs, made, sketch.name + target.image_ending,
                                   {{"sketch_sha256", sketch_sha256},
                                    {"image_sha256", sha256(bytes)},
                                    {"compiler", toolchain.facts.name},
                                    {"libraries", libraries},
                                    {"messages", build.messages()},
-                                   {"text_bytes", std::to_string(size.text)},
+                                   {"text_bytes", std::to_string(text_bytes)},
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
-  return image_of(entry, false);
+  return image_of(target, sketch, entry, cache, false);
 } catch (const fs::filesystem_error& error) {
   throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());
 }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <regex>
 #include <string_view>
 
 #include "sim/base/file.h"
@@ -14,63 +12,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what its
-// table says.
-constexpr const char* kSketchLevel = "-O1";
-constexpr const char* kCoreLevel = "-O2";
-// Fixed: the same code on the same compiler must give the same trace.
-const std::vector<std::string> kCode = {
-    "-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
-    "-ffp-contract=off",
-    // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer stays, and is
-    // met.
-    "-fno-delete-null-pointer-checks",
-    // As Arduino's AVR core compiles:
-    "-ffunction-sections", "-fdata-sections",
-    // What a private copy of an image needs: no symbol shared between copies, nothing from the C++ library,
-    // no names of this machine inside, no defaults that distributions differ in.
-    "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches", "-fno-canonical-system-headers",
-    "-fdiagnostics-color=never", "-pipe", "-nostdinc"};
-const std::vector<std::string> kCxx = {"-std=gnu++14",
-                                       "-fpermissive",
-                                       "-fno-exceptions",
-                                       "-fno-rtti",
-                                       "-fno-threadsafe-statics",
-                                       "-nostdinc++",
-                                       "-Wno-error=narrowing",
-                                       "-Wno-builtin-declaration-mismatch"};
-const std::vector<std::string> kC = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"};
-const std::vector<std::string> kInstrumented = {"-fsanitize-coverage=trace-pc",
-                                                "-fsanitize=integer-divide-by-zero"};
-// The loader shall find nothing to run: start files bring constructors of their own.
-const std::vector<std::string> kLink = {
-    "-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic", "-Wl,--no-undefined",
-    "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
-    // Handlers that a sketch does not define are null, whatever the process has.
-    "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack"};
-
-constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
-// Ahead of the default script, so that constructors are taken out of .init_array, in the order of their
-// priority. Destructors are kept apart and never run: a microcontroller has no end.
-constexpr const char* kSections = R"(SECTIONS
-{
-  robosim_init_array : ALIGN(8)
-  {
-    PROVIDE_HIDDEN(__start_robosim_init_array = .);
-    KEEP(*(SORT_BY_INIT_PRIORITY(.init_array.*) SORT_BY_INIT_PRIORITY(.ctors.*)))
-    KEEP(*(.init_array .ctors))
-    PROVIDE_HIDDEN(__stop_robosim_init_array = .);
-  }
-  robosim_fini_array : { *(.fini_array.* .dtors.* .fini_array .dtors) }
-}
-INSERT BEFORE .data;
-)";
-
 void add(std::vector<std::string>& words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
 }
 
-bool is_c(const Unit& unit) { return fs::path(unit.source).extension() == ".c"; }
+enum class Language { cxx, c, assembler };
+
+Language language(const Unit& unit) {
+  const fs::path extension = fs::path(unit.source).extension();
+  if (extension == ".S" || extension == ".s") return Language::assembler;
+  return extension == ".c" ? Language::c : Language::cxx;
+}
 
 std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& unit) {
   if (unit.kind == Unit::Kind::core) return {"-w"};
@@ -88,58 +40,60 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
 }
 
 std::vector<std::string> definitions(const Toolchain& toolchain) {
-  return {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz),
-          "-DARDUINO=10819",
-          fmt::format("-D{}", toolchain.board.macro),
-          "-DARDUINO_ARCH_HOST",
-          "-D__AVR_ATmega328P__",
-          "-DROBOSIM"};
+  std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
+                                    fmt::format("-D{}", toolchain.board.macro)};
+  add(words, toolchain.target.definitions);
+  return words;
+}
+
+/// Adds options that take names of this machine out. The last map that fits wins.
+void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain, const Core::Names& places) {
+  const auto map = [&](const fs::path& from, const std::string& to) {
+    words.push_back(fmt::format("{}={}={}", toolchain.target.prefix_map, from.string(), to));
+  };
+  map(toolchain.facts.include_folder, "robosim/gcc");
+  for (const auto& [folder, name] : toolchain.core.places) map(folder, name);
+  for (const auto& [folder, name] : places) map(folder, name);
+}
+
+Core::Names places_of(const Unit& unit) {
+  Core::Names places;
+  for (const fs::path& folder : unit.includes)
+    if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
+      places.emplace_back(folder, "libraries/" + folder.filename().string());
+  places.emplace_back(unit.folder, unit.place);
+  if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
+  return places;
 }
 
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
-  const bool c = is_c(unit);
-  std::vector<std::string> words = {(c ? toolchain.compiler.cc : toolchain.compiler.cxx).string()};
-  words.push_back(unit.kind == Unit::Kind::core ? kCoreLevel : kSketchLevel);
-  add(words, kCode);
-  add(words, c ? kC : kCxx);
-  if (unit.kind != Unit::Kind::core) add(words, kInstrumented);
+  const Target& target = toolchain.target;
+  const bool core = unit.kind == Unit::Kind::core;
+  const Language written_in = language(unit);
+  const auto& compiler = written_in == Language::cxx ? toolchain.compiler.cxx : toolchain.compiler.cc;
+  std::vector<std::string> words = {compiler.string()};
+  words.push_back(core ? target.core_level : target.own_level);
+  add(words, target.code);
+  if (written_in == Language::cxx) add(words, target.cxx_code);
+  if (written_in == Language::c) add(words, target.c_code);
+  add(words, core ? target.core : target.own);
   add(words, warning_flags(toolchain, unit));
+  add(words, toolchain.core.machine);
   add(words, definitions(toolchain));
-  const std::string stage = toolchain.stage.string();
-  add(words, {"-I" + stage + "/hal/arduino", "-I" + stage + "/core", "-I" + stage});
-  for (const fs::path& folder : unit.includes) words.push_back("-I" + folder.string());
-  add(words, {"-isystem", stage + "/hal/arduino/libc", "-isystem", toolchain.facts.include_folder.string()});
-
-  // The last map that fits wins.
-  const auto map = [&](const std::string& from, const std::string& to) {
-    words.push_back("-ffile-prefix-map=" + from + "=" + to);
-  };
-  map(toolchain.facts.include_folder.string(), "robosim/gcc");
-  map(stage, "robosim");
-  map(stage + "/hal", "robosim");
-  for (const fs::path& folder : unit.includes)
-    if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
-      map(folder.string(), "libraries/" + folder.filename().string());
-  map(unit.folder.string(), unit.place);
-  if (unit.kind == Unit::Kind::sketch) map(unit.folder.string() + "/", "");
+  for (const auto* folders : {&toolchain.core.includes, &unit.includes})
+    for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
+  for (const fs::path& folder : toolchain.core.system_includes) add(words, {"-isystem", folder.string()});
+  if (!target.chip) add(words, {"-isystem", toolchain.facts.include_folder.string()});
+  add_prefix_maps(words, toolchain, places_of(unit));
   return words;
 }
 
 void add_source(std::vector<std::string>& words, const Unit& unit) {
+  if (language(unit) == Language::assembler) add(words, {"-x", "assembler-with-cpp"});
   if (unit.input.empty())
     words.push_back(unit.source);
   else
     add(words, {"-x", "c++", "-"});
-}
-
-bool replace_all(std::string& text, const std::string& from, const std::string& to) {
-  bool found = false;
-  for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos;
-       at += to.size()) {
-    text.replace(at, from.size(), to);
-    found = true;
-  }
-  return found;
 }
 
 }  // namespace
@@ -157,13 +111,17 @@ std::vector<fs::path> split_paths(const std::string& text) {
   return paths;
 }
 
+bool through_assembly(const Toolchain& toolchain, const Unit& unit) {
+  return !toolchain.target.chip && unit.kind != Unit::Kind::core;
+}
+
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
   std::vector<std::string> words = base_words(toolchain, unit);
   add(words, {"-MD", "-MF", object.string() + ".d"});
-  if (unit.kind == Unit::Kind::core)
-    add(words, {"-c", "-o", object.string()});
-  else
+  if (through_assembly(toolchain, unit))
     add(words, {"-S", "-o", object.string() + ".s"});
+  else
+    add(words, {"-c", "-o", object.string()});
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input};
 }
@@ -189,24 +147,50 @@ Command merge_command(const Toolchain& toolchain, const std::vector<fs::path>& o
   return {std::move(words), object.parent_path(), {}};
 }
 
+Command archive_command(const Toolchain& toolchain, const std::vector<fs::path>& objects,
+                        const fs::path& archive) {
+  std::vector<std::string> words = {find_tool(toolchain.target, toolchain.target.archiver).string(), "rcsD",
+                                    archive.string()};
+  for (const fs::path& one : objects) words.push_back(one.string());
+  return {std::move(words), archive.parent_path(), {}};
+}
+
 Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& objects, const fs::path& image,
-                     const fs::path& work) {
-  write_file(work / "exports.map", kExports);
-  write_file(work / "sections.ld", kSections);
+                     const fs::path& work, const Core::Names& places) {
+  for (const auto& [name, text] : toolchain.target.link_files) write_file(work / name, text);
   std::vector<std::string> words = {toolchain.compiler.cc.string()};
-  add(words, kLink);
-  add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld", "-o", image.string()});
+  add(words, toolchain.target.link);
+  add(words, toolchain.core.machine);
+  if (toolchain.target.chip)
+    add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
+  else
+    add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
+  add(words, {"-o", image.string()});
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
   return {std::move(words), work, {}};
 }
 
+Command product_command(const Target& target, const Product& product, const fs::path& image,
+                        const fs::path& file) {
+  std::vector<std::string> words = {find_tool(target, product.program).string()};
+  add(words, product.arguments);
+  add(words, {image.string(), file.string()});
+  return {std::move(words), file.parent_path(), {}};
+}
+
 std::string recipe(const Toolchain& toolchain) {
+  const Target& target = toolchain.target;
   std::string text = fmt::format("robosim {} {} {} {}\n", ROBOSIM_VERSION, toolchain.compiler.identity,
-                                 toolchain.stage.string(), static_cast<int>(toolchain.warnings));
-  for (const auto& words : {kCode, kCxx, kC, kInstrumented, kLink, definitions(toolchain)})
+                                 toolchain.core.root.string(), static_cast<int>(toolchain.warnings));
+  for (const auto& words :
+       {target.code, target.cxx_code, target.c_code, target.own, target.link, definitions(toolchain)})
     text += fmt::format("{}\n", fmt::join(words, " "));
-  return text + "assembly 1 " + kSketchLevel + kCoreLevel + kExports + kSections;
+  for (const auto* words : {&target.core, &toolchain.core.machine})
+    if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
+  text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
+  for (const auto& [name, content] : target.link_files) text += content;
+  return text;
 }
 
 std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& folder) {
@@ -240,51 +224,6 @@ std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& fo
   }
   finish();
   return files;
-}
-
-std::string missing_header(const std::string& output, Place* place) {
-  static const std::regex pattern(
-      R"(([^\n]*):(\d+):(\d+): fatal error: ([^\n]*): No such file or directory)");
-  std::smatch match;
-  if (!std::regex_search(output, match, pattern)) return {};
-  *place = {match[1], std::stoi(match[2]), std::stoi(match[3])};
-  return match[4];
-}
-
-std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {
-  replace_all(output, sketch.string() + "/", "");
-  replace_all(output, toolchain.stage.string() + "/hal/arduino/", "");
-  replace_all(output, toolchain.stage.string() + "/hal/", "hal/");
-  replace_all(output, toolchain.stage.string() + "/core/", "");
-  replace_all(output, toolchain.stage.string() + "/", "");
-  // The linker's lines: only those that name a place in a source are of use.
-  static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
-  output = std::regex_replace(output, linker, "$1");
-  static const std::regex noise(
-      R"((^|\n)(collect2: error:|[^\n]*\.o: in function |compilation terminated)[^\n]*(?=\n|$))");
-  output = std::regex_replace(output, noise, "");
-  static const std::regex object(R"((^|[\n ])[^\n ]*\.o:(?=[^\n]))");
-  output = std::regex_replace(output, object, "$1");
-  static const std::regex here(R"((^|[\n ])(\./)+)");
-  output = std::regex_replace(output, here, "$1");
-  while (!output.empty() && (output.back() == '\n' || output.back() == ' ')) output.pop_back();
-  while (!output.empty() && output.front() == '\n') output.erase(0, 1);
-  return output;
-}
-
-void fail(const std::string& messages) {
-  static const std::regex error(
-      R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
-  std::smatch match;
-  if (!std::regex_search(messages, match, error)) {
-    static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
-    if (std::regex_search(messages, match, assembler))
-      throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
-                                                              match[3].str() + "): it is for --target avr");
-    throw CompileError(messages);
-  }
-  const Place place{match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
-  throw CompileError(place, messages.substr(static_cast<std::size_t>(match.position(6))));
 }
 
 }  // namespace robosim::sketch

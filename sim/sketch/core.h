@@ -1,5 +1,5 @@
-// The Arduino core for the host, as one object file: hal/host, hal/arduino and the genuine core's portable
-// sources.
+// The Arduino core of a target, compiled: for the host hal/host, hal/arduino and the genuine core's portable
+// sources as one object file, for a chip the genuine core as an archive.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace robosim::sketch {
 
-/// Compiled once for each version of Robosim and of the compiler. hal/host comes first in it: its
-/// constructors (Serial's) run before any of the sketch's. All of it is weak, so that a sketch may define a
-/// function of the core anew, as Arduino's archive of the core allows.
+/// Compiled once for each version of Robosim and of the compiler. In the host's object hal/host comes first:
+/// its constructors (Serial's) run before any of the sketch's. All of it is weak, so that a sketch may define
+/// a function of the core anew, as Arduino's archive of the core allows.
 Object core_object(const Toolchain& toolchain, const Cache& cache, const std::filesystem::path& work);
 
 }  // namespace robosim::sketch

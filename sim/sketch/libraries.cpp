@@ -41,8 +41,10 @@ void take_sources(Library& library, const fs::path& folder, bool deep) {
   library.listed.push_back(folder);
   for (const fs::path& child : children(folder)) {
     if (deep && is_folder(child)) take_sources(library, child, deep);
-    if (is_source(child) && is_file(child))
-      library.sources.push_back(child.lexically_relative(library.folder).string());
+    if (!is_file(child)) continue;
+    const std::string name = child.lexically_relative(library.folder).string();
+    if (is_source(child)) library.sources.push_back(name);
+    if (child.extension() == ".S") library.assembler.push_back(name);
   }
 }
 
@@ -80,6 +82,7 @@ Library read_library(const fs::path& folder) {
     }
   }
   std::sort(library.sources.begin(), library.sources.end());
+  std::sort(library.assembler.begin(), library.assembler.end());
   return library;
 }
 

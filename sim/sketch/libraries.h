@@ -14,6 +14,7 @@ struct Library {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
+  std::vector<std::string> assembler;           ///< .S, likewise, for a chip only
   std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
 };
 

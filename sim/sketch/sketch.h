@@ -1,5 +1,5 @@
-// From a sketch folder to an image that a runner loads, by Arduino's rules (docs/formats.md, "Sketches and
-// libraries").
+// From a sketch folder to an image that a runner loads or a chip is flashed with, by Arduino's rules
+// (docs/formats.md, "Sketches and libraries").
 //
 //   const Image image = build({find_sketch("PidFollower"), *find_board("uno")});
 //
@@ -23,21 +23,25 @@ struct Request {
   std::filesystem::path
       sketch;  ///< a sketch folder, its .ino, or a single .cpp that includes Arduino.h itself
   const BoardSpec& board;
-  std::string target = "host";
+  std::string target = "host";  ///< or "avr"
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
 };
 
 struct Image {
-  std::filesystem::path image;  ///< in the cache; its content never changes under this name
-  std::string sketch_sha256;    ///< of the sketch's own files, by name and content
+  std::string name;                             ///< of the sketch
+  std::filesystem::path image;                  ///< in the cache; its content never changes under this name
+  std::vector<std::filesystem::path> products;  ///< what was made of it, likewise: the .hex of a chip's .elf
+  std::string sketch_sha256;                    ///< of the sketch's own files, by name and content
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of those that were compiled in
   std::string messages;                ///< the compiler's warnings, lines; empty where there were none
-  std::uint64_t text_bytes = 0;  ///< code and constants of sketch, libraries, core and hal, for this machine
-  std::uint64_t data_bytes = 0;  ///< variables
+  /// Code and constants of sketch, libraries and core. On a chip the flash in use, with the variables'
+  /// initial values; on the host for this machine, hal included.
+  std::uint64_t text_bytes = 0;
+  std::uint64_t data_bytes = 0;  ///< variables: on a chip the RAM in use before anything is called
   bool from_cache = false;
 };
 
@@ -50,6 +54,22 @@ class CompileError : public InputError {
 
 /// Throws InputError (no such sketch, a header that no library has), CompileError, or ToolMissing.
 Image build(const Request& request);
+
+/// The targets that sketches are compiled for: "host", "avr".
+std::vector<std::string> targets();
+
+/// The sentence that names the first tool or package that building for this target lacks; empty if all are
+/// there. Throws InputError for an unknown target.
+std::string missing_tool(const std::string& target);
+
+/// A limit that the firmware states by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
+/// (firmware/src/nav/Limits.h).
+struct Limit {
+  std::string what;  ///< "nodes of a tree"
+  std::uint64_t value = 0;
+};
+/// All of an image, sorted by their names.
+std::vector<Limit> stated_limits(const Image& image);
 
 /// What the user calls a sketch: a path if it holds '/' or '.', else one of ours by name. Gives the folder or
 /// file; throws InputError, listing ours, if there is none.

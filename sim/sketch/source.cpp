@@ -32,8 +32,7 @@ void take(Sketch& sketch, const fs::path& file) {
   const std::string name = file.lexically_relative(sketch.folder).string();
   if (is_source(file)) sketch.sources.push_back(name);
   if (is_header(file)) sketch.headers.push_back(name);
-  if (file.extension() == ".S" || file.extension() == ".s")
-    throw InputError({name}, "assembler sources are for the chip; they run with --target avr only");
+  if (file.extension() == ".S" || file.extension() == ".s") sketch.assembler.push_back(name);
 }
 
 // The folder itself and, below it, src/.
@@ -44,6 +43,7 @@ void take_folder(Sketch& sketch) {
   for (fs::recursive_directory_iterator entry(sketch.folder / "src", none), end; entry != end; ++entry)
     if (entry->is_regular_file() && !hidden(entry->path())) take(sketch, entry->path());
   std::sort(sketch.sources.begin(), sketch.sources.end());
+  std::sort(sketch.assembler.begin(), sketch.assembler.end());
   std::sort(sketch.headers.begin(), sketch.headers.end());
 }
 
@@ -124,7 +124,7 @@ Sketch read_sketch(const fs::path& path) {
 
 std::string content_sha256(const Sketch& sketch) {
   std::string all;
-  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) {
       const std::string content = read_file(sketch.folder / name);
       all += fmt::format("{}\n{}\n", name, content.size());

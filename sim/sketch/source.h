@@ -11,8 +11,9 @@ struct Sketch {
   std::string name;               ///< "PidFollower"
   std::filesystem::path folder;   ///< absolute; all names below are relative to it
   std::vector<std::string> inos;  ///< in the order in which Arduino joins them; empty for a plain .cpp sketch
-  std::vector<std::string> sources;  ///< .cpp and .c files compiled beside them, sorted
-  std::vector<std::string> headers;  ///< further files that count as the sketch's own, sorted
+  std::vector<std::string> sources;    ///< .cpp and .c files compiled beside them, sorted
+  std::vector<std::string> assembler;  ///< .S files, for a chip only, sorted
+  std::vector<std::string> headers;    ///< further files that count as the sketch's own, sorted
 };
 
 /// Reads the folder by Arduino's rules. Throws InputError.

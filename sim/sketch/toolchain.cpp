@@ -25,16 +25,6 @@ constexpr const char* kRegisters[] = {"iom328p.h", "portpins.h"};
   throw ToolMissing(fmt::format("{} is missing: sudo apt install {}", what, package));
 }
 
-// The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is
-// another's.
-fs::path require(const char* program, const char* package) {
-  fs::path path;
-  if (*ROBOSIM_MACHINE) path = find_program(fmt::format("{}-{}", ROBOSIM_MACHINE, program));
-  if (path.empty()) path = find_program(program);
-  if (path.empty()) missing(program, package);
-  return path;
-}
-
 std::string identity(const fs::path& program) {
   std::error_code error;
   const fs::path real = fs::canonical(program, error);
@@ -43,50 +33,14 @@ std::string identity(const fs::path& program) {
   return fmt::format("{} {} {}.{}", real.string(), info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec);
 }
 
-std::string answer(const Compiler& compiler, const char* question) {
-  Outcome outcome = run(Command{{compiler.cxx.string(), question}, "/", {}});
+std::string answer(const Compiler& compiler, std::vector<std::string> question) {
+  const std::string asked = question[0];
+  question.insert(question.begin(), compiler.cxx.string());
+  Outcome outcome = run(Command{std::move(question), "/", {}});
   if (outcome.status != 0)
-    throw ToolMissing(
-        fmt::format("{} does not answer {}: {}", compiler.cxx.string(), question, outcome.output));
+    throw ToolMissing(fmt::format("{} does not answer {}: {}", compiler.cxx.string(), asked, outcome.output));
   while (!outcome.output.empty() && outcome.output.back() == '\n') outcome.output.pop_back();
   return outcome.output;
-}
-
-}  // namespace
-
-Compiler find_compiler() {
-  Compiler compiler{require("g++", "g++"), require("gcc", "gcc"), {}};
-  compiler.identity = identity(compiler.cxx) + " " + identity(compiler.cc);
-  return compiler;
-}
-
-CompilerFacts ask(const Compiler& compiler, const fs::path& cache) {
-  const fs::path file = cache / ("compiler-" + sha256(compiler.identity).substr(0, 16));
-  std::error_code error;
-  if (!fs::exists(file, error)) {
-    const std::string version = answer(compiler, "-dumpfullversion");
-    const std::string machine = answer(compiler, "-dumpmachine");
-    const std::string include = answer(compiler, "-print-file-name=include");
-    if (!fs::exists(fs::path(include) / "stdint-gcc.h", error))
-      throw ToolMissing(fmt::format("{} is not gcc: sudo apt install g++", compiler.cxx.string()));
-    write_file(file, fmt::format("gcc {} {}\n{}\n", version, machine, include));
-  }
-  std::istringstream lines(read_file(file));
-  CompilerFacts facts;
-  std::string include;
-  std::getline(lines, facts.name);
-  std::getline(lines, include);
-  facts.include_folder = include;
-  return facts;
-}
-
-GenuineCore find_core() {
-  const fs::path platform = "/usr/share/arduino/hardware/arduino/avr";
-  GenuineCore core{platform / "cores/arduino", platform / "libraries", "/usr/lib/avr/include/avr"};
-  std::error_code error;
-  if (!fs::exists(core.sources / "Print.cpp", error)) missing("The Arduino core", "arduino-core-avr");
-  if (!fs::exists(core.avr_libc / "iom328p.h", error)) missing("avr-libc", "avr-libc");
-  return core;
 }
 
 fs::path stage(const GenuineCore& core, const fs::path& cache) {
@@ -110,11 +64,102 @@ fs::path stage(const GenuineCore& core, const fs::path& cache) {
   return folder;
 }
 
+Core host_core(const GenuineCore& genuine, const fs::path& cache) {
+  Core core;
+  core.root = stage(genuine, cache);
+  core.place = "robosim";
+  core.sources = {core.root / "hal/host", core.root / "hal/arduino", core.root / "core"};
+  core.includes = {core.root / "hal/arduino", core.root / "core", core.root};
+  core.system_includes = {core.root / "hal/arduino/libc"};
+  core.places = {{core.root, "robosim"}, {core.root / "hal", "robosim"}};
+  core.readable = {{core.root / "hal/arduino", ""},
+                   {core.root / "hal", "hal/"},
+                   {core.root / "core", ""},
+                   {core.root, ""}};
+  return core;
+}
+
+const Chip& chip_of(const Target& target, const BoardSpec& board) {
+  for (const Chip& chip : target.boards)
+    if (std::string(board.name) == chip.board) return chip;
+  throw InputError(fmt::format("the board {} has no chip of the target {}", board.name, target.name));
+}
+
+Core chip_core(const Chip& chip, const GenuineCore& genuine) {
+  const fs::path libc = genuine.avr_libc.parent_path();
+  const fs::path archives = libc.parent_path() / "lib/avr5";
+  const fs::path variant = genuine.variants / chip.variant;
+  Core core;
+  core.root = genuine.sources;
+  core.place = "arduino";
+  core.sources = {genuine.sources};
+  core.includes = {genuine.sources, variant};
+  core.libraries = {genuine.libraries};
+  core.linked = {archives / "libc.a", archives / "libm.a", archives / fmt::format("crt{}.o", chip.mcu)};
+  core.machine = {fmt::format("-mmcu={}", chip.mcu)};
+  core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}};
+  core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
+  return core;
+}
+
+}  // namespace
+
+fs::path find_tool(const Target& target, const Program& program) {
+  fs::path path;
+  // The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is
+  // another's.
+  if (target.native && *ROBOSIM_MACHINE)
+    path = find_program(fmt::format("{}-{}", ROBOSIM_MACHINE, program.name));
+  if (path.empty()) path = find_program(program.name);
+  if (path.empty()) missing(program.name, program.package);
+  return path;
+}
+
+Compiler find_compiler(const Target& target) {
+  Compiler compiler{find_tool(target, target.cxx), find_tool(target, target.cc), {}};
+  compiler.identity = identity(compiler.cxx) + " " + identity(compiler.cc);
+  return compiler;
+}
+
+CompilerFacts ask(const Compiler& compiler, const fs::path& cache) {
+  const fs::path file = cache / ("compiler-" + sha256(compiler.identity).substr(0, 16));
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    const std::string version = answer(compiler, {"-dumpfullversion", "-dumpversion"});
+    const std::string machine = answer(compiler, {"-dumpmachine"});
+    const std::string include = answer(compiler, {"-print-file-name=include"});
+    if (!fs::exists(fs::path(include) / "stdint-gcc.h", error))
+      throw ToolMissing(fmt::format("{} is not gcc: sudo apt install g++", compiler.cxx.string()));
+    write_file(file, fmt::format("gcc {} {}\n{}\n", version, machine, include));
+  }
+  std::istringstream lines(read_file(file));
+  CompilerFacts facts;
+  std::string include;
+  std::getline(lines, facts.name);
+  std::getline(lines, include);
+  facts.include_folder = include;
+  return facts;
+}
+
+GenuineCore find_core() {
+  const fs::path platform = "/usr/share/arduino/hardware/arduino/avr";
+  GenuineCore core{platform / "cores/arduino", platform / "variants", platform / "libraries",
+                   "/usr/lib/avr/include/avr"};
+  std::error_code error;
+  if (!fs::exists(core.sources / "Print.cpp", error)) missing("The Arduino core", "arduino-core-avr");
+  if (!fs::exists(core.avr_libc / "iom328p.h", error)) missing("avr-libc", "avr-libc");
+  return core;
+}
+
+Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
+              const fs::path& cache) {
+  return target.chip ? chip_core(chip_of(target, board), genuine) : host_core(genuine, cache);
+}
+
 fs::path find_ctags() {
   fs::path path = find_program("arduino-ctags");
   if (path.empty()) missing("arduino-ctags", "arduino-ctags");
   return path;
 }
-fs::path find_binutil(const std::string& name) { return require(name.c_str(), "binutils"); }
 
 }  // namespace robosim::sketch

@@ -1,0 +1,115 @@
+#include "sim/sketch/target.h"
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/sketch/sketch.h"
+
+namespace robosim::sketch {
+namespace {
+
+constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
+// Ahead of the default script, so that constructors are taken out of .init_array, in the order of their
+// priority. Destructors are kept apart and never run: a microcontroller has no end.
+constexpr const char* kSections = R"(SECTIONS
+{
+  robosim_init_array : ALIGN(8)
+  {
+    PROVIDE_HIDDEN(__start_robosim_init_array = .);
+    KEEP(*(SORT_BY_INIT_PRIORITY(.init_array.*) SORT_BY_INIT_PRIORITY(.ctors.*)))
+    KEEP(*(.init_array .ctors))
+    PROVIDE_HIDDEN(__stop_robosim_init_array = .);
+  }
+  robosim_fini_array : { *(.fini_array.* .dtors.* .fini_array .dtors) }
+}
+INSERT BEFORE .data;
+)";
+
+// A shared object for a runner. Fixed: the same code on the same compiler must give the same trace.
+const Target kHost = {
+    .name = "host",
+    .image_ending = ".so",
+    .cxx = {"g++", "g++"},
+    .cc = {"gcc", "gcc"},
+    .archiver = {},
+    .native = true,
+    .chip = false,
+    .boards = {},
+    .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
+             "-ffp-contract=off",
+             // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer
+             // stays, and is met.
+             "-fno-delete-null-pointer-checks",
+             // As Arduino's AVR core compiles:
+             "-ffunction-sections", "-fdata-sections",
+             // What a private copy of an image needs: no symbol shared between copies, nothing from the C++
+             // library, no names of this machine inside, no defaults that distributions differ in.
+             "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches",
+             "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-pipe", "-nostdinc"},
+    .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                 "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
+    .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
+    .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero"},
+    // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
+    // its table says.
+    .own_level = "-O1",
+    .core = {},
+    .core_level = "-O2",
+    .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},
+    .prefix_map = "-ffile-prefix-map",
+    // The loader shall find nothing to run: start files bring constructors of their own.
+    .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
+             "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
+             // Handlers that a sketch does not define are null, whatever the process has.
+             "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack"},
+    .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
+    .products = {},
+};
+
+// What Arduino's platform.txt of the core 1.8.7 says, except that debug information is DWARF (avr-gcc's own
+// is stabs) and has no names of this machine: the code is the same, byte for byte. Without DECIMAL_DIG the
+// core's WString.cpp does not compile against avr-libc 2.0.
+const Target kAvr = {
+    .name = "avr",
+    .image_ending = ".elf",
+    .cxx = {"avr-g++", "gcc-avr"},
+    .cc = {"avr-gcc", "gcc-avr"},
+    .archiver = {"avr-gcc-ar", "gcc-avr"},
+    .native = false,
+    .chip = true,
+    .boards = {{"uno", "atmega328p", "standard"}, {"nano", "atmega328p", "eightanaloginputs"}},
+    .code = {"-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections", "-fdata-sections", "-flto",
+             "-fno-fat-lto-objects", "-fdiagnostics-color=never"},
+    .cxx_code = {"-std=gnu++11", "-fpermissive", "-fno-exceptions", "-fno-threadsafe-statics",
+                 "-Wno-error=narrowing"},
+    .c_code = {"-std=gnu11"},
+    .own = {},
+    .own_level = "-Os",
+    .core = {"-DDECIMAL_DIG=__DECIMAL_DIG__"},
+    .core_level = "-Os",
+    .definitions = {"-DARDUINO_ARCH_AVR"},
+    .prefix_map = "-fdebug-prefix-map",
+    .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
+             "-Wl,--gc-sections"},
+    .link_files = {},
+    .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
+};
+
+const Target* const kTargets[] = {&kHost, &kAvr};
+
+}  // namespace
+
+const Target& find_target(const std::string& name) {
+  for (const Target* target : kTargets)
+    if (name == target->name) return *target;
+  throw InputError(
+      fmt::format("there is no target {}; sketches are compiled for {}", name, one_of(targets())));
+}
+
+std::vector<std::string> targets() {
+  std::vector<std::string> names;
+  for (const Target* target : kTargets) names.emplace_back(target->name);
+  return names;
+}
+
+}  // namespace robosim::sketch

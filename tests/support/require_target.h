@@ -1,0 +1,28 @@
+// Tests that need a target's tools.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "sim/sketch/sketch.h"
+
+namespace robosim::test {
+
+/// Whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+inline bool is_required(const std::string& target) {
+  const char* required = std::getenv("ROBOSIM_REQUIRE");
+  return required && ("," + std::string(required) + ",").find("," + target + ",") != std::string::npos;
+}
+
+}  // namespace robosim::test
+
+/// Where a tool of the target is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE
+/// names the target. The tool's package is named either way.
+#define ROBOSIM_NEEDS_TARGET(target)                                                 \
+  do {                                                                               \
+    const std::string missing = ::robosim::sketch::missing_tool(target);             \
+    if (!missing.empty() && ::robosim::test::is_required(target)) FAIL() << missing; \
+    if (!missing.empty()) GTEST_SKIP() << missing;                                   \
+  } while (false)
