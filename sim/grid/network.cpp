@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <unordered_map>
 
 namespace robosim::grid {
 namespace {
@@ -111,10 +112,11 @@ Network trace_network(const Map& map, const Start& start) {
     const int id = static_cast<int>(network.stations.size()) + 1;
     network.stations.push_back({id, name.empty() ? std::to_string(id) : std::move(name), cell});
   };
+  std::unordered_map<std::size_t, std::string> names;
+  for (const NamedStation& named : map.stations) names.emplace(map.index_of(named.cell), named.name);
   const auto name_at = [&](CellAt cell) {
-    for (const NamedStation& named : map.stations)
-      if (named.cell == cell) return named.name;
-    return std::string();
+    const auto named = names.find(map.index_of(cell));
+    return named == names.end() ? std::string() : named->second;
   };
   for (const CellAt cell : walk.dead_ends()) add(cell, name_at(cell));
   network.unreachable = unreached_dead_ends(map, walk);

@@ -58,6 +58,11 @@ class Survey {
   Survey(const Map& map, const Start& start) : map_(map) {
     find_root(start);
     while (!open_.empty()) explore_next();
+    for (const NamedStation& named : map.stations) {
+      const auto found = known_.find(map.index_of(named.cell));
+      if (found != known_.end() && is_dead_end(map, named.cell))
+        graph_.stations[static_cast<std::size_t>(found->second - 1)].name = named.name;
+    }
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
       const CellAt cell = map.cell_at(i);
       if (is_line(map.cells[i]) && is_dead_end(map, cell) && !known_.contains(i))
@@ -101,11 +106,8 @@ class Survey {
   }
 
   int add_station(CellAt cell, std::optional<Direction> out) {
-    GraphStation station{cell, "", {}};
-    for (const NamedStation& named : map_.stations)
-      if (named.cell == cell) station.name = named.name;
-    if (out) station.arm.out = *out;
-    graph_.stations.push_back(station);
+    graph_.stations.push_back({cell, "", {}});
+    if (out) graph_.stations.back().arm.out = *out;
     const int id = static_cast<int>(graph_.stations.size());
     known_[map_.index_of(cell)] = id;
     if (out) open_.push_back({Behind::station, id, 0});

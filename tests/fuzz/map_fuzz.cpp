@@ -1,5 +1,5 @@
 // Whatever bytes a map file holds: it is refused with a place, or it is a map that can be written, read back,
-// walked and given geometry.
+// walked, made a graph and given geometry.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +13,7 @@
 #include "sim/grid/network.h"
 #include "sim/grid/picture.h"
 #include "sim/grid/stripes.h"
+#include "sim/grid/true_graph.h"
 
 namespace {
 
@@ -48,6 +49,11 @@ void use(const Map& map) {
     return;  // no line
   }
   const Network network = trace_network(map, start);
+  const TrueGraph graph = true_graph(map, start);
+  require(graph.junctions.size() == network.junctions.size(), "the graph has the junctions of the walk");
+  require(graph.stations.size() <= network.stations.size(),
+          "the graph has no stations but those of the walk");
+  require(difference(graph, graph).empty(), "a graph is equal to itself");
   require(!draw(map, network, start, {80, 40, false}).empty(), "a picture");
   if (map.cells.size() > 4096 || map.cell_m < 0.01) return;  // geometry takes time in proportion
   const Stripes stripes(map, 0.1);
