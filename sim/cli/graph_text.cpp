@@ -169,7 +169,8 @@ std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
         arm.behind == Behind::blocked ? slot_json(arm) : end_json(arm.behind, arm.id, arm.slot), arm.length));
   });
   edges.end();
-  return out + "\n}\n";
+  out += "\n}\n";
+  return out;
 }
 
 std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {
@@ -204,7 +205,8 @@ std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {
     }
     fmt::format_to(end, "  {} -- {} [label=\"{}\"]\n", name_of(from.kind, from.id), to, arm.length);
   });
-  return out + "}\n";
+  out += "}\n";
+  return out;
 }
 
 }  // namespace robosim::cli

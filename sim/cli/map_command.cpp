@@ -150,26 +150,24 @@ ExitStatus show_map(const std::string& map, const std::string& start, const grid
   return ExitStatus::ok;
 }
 
-ExitStatus graph_map(const MapArguments& arguments, std::ostream& out) {
+std::string graph_of_map(const MapArguments& arguments) {
   const grid::Map map = grid::read_map(grid::find_map(arguments.map));
   const grid::Start start =
       arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
   const grid::TrueGraph graph = grid::true_graph(map, start);
-  out << (arguments.json  ? graph_json(start, graph)
-          : arguments.dot ? graph_dot(map, graph)
-                          : graph_text(map, start, graph));
-  return ExitStatus::ok;
+  if (arguments.json) return graph_json(start, graph);
+  return arguments.dot ? graph_dot(map, graph) : graph_text(map, start, graph);
 }
 
 int map_command(const MapArguments& arguments) {
+  if (arguments.action == "graph") {
+    print(graph_of_map(arguments));
+    return static_cast<int>(ExitStatus::ok);
+  }
   std::ostringstream text;
-  ExitStatus status = ExitStatus::ok;
-  if (arguments.action == "graph")
-    status = graph_map(arguments, text);
-  else if (arguments.action == "show")
-    status = show_map(arguments.map, arguments.start, screen(), text);
-  else
-    status = check_maps({arguments.map}, arguments.start, text, std::cerr);
+  const ExitStatus status = arguments.action == "show"
+                                ? show_map(arguments.map, arguments.start, screen(), text)
+                                : check_maps({arguments.map}, arguments.start, text, std::cerr);
   print(text.str());
   return static_cast<int>(status);
 }

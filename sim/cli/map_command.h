@@ -21,9 +21,8 @@ ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& s
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
                     std::ostream& out);
 
-/// Prints the true graph of one map from `start` ("" = the map's), as text, JSON or for Graphviz. Throws
-/// InputError.
-ExitStatus graph_map(const MapArguments& arguments, std::ostream& out);
+/// The true graph of one map as text, JSON or for Graphviz. Throws InputError.
+std::string graph_of_map(const MapArguments& arguments);
 
 /// One of them, on the process's own streams and as wide as its terminal. The exit status. Throws InputError.
 int map_command(const MapArguments& arguments);

@@ -76,8 +76,7 @@ TEST_F(MapCommand, CheckRefusesAGoalThatCannotBeReached) {
 }
 
 TEST_F(MapCommand, GraphTellsStationsAndJunctionsWithWhereTheirLinesLead) {
-  EXPECT_EQ(graph_map({"graph", "blocked"}, out_), ExitStatus::ok);
-  EXPECT_EQ(out_.str(),
+  EXPECT_EQ(graph_of_map({"graph", "blocked"}),
             "blocked: from 4,14,E 3 stations, 3 junctions, 7 lines of 52 moves, 0 cycles\n"
             "\n"
             "station   at         leads to (junction.slot), in moves\n"
@@ -95,8 +94,7 @@ TEST_F(MapCommand, GraphForProgramsHasTheShapeOfAScan) {
   const std::string map = file("m.map",
                                "+++\n[stations]\ndock = [0, 2]\n+++\n"
                                "__.___\n__.___\n....x.\n______\n_1____\n");
-  EXPECT_EQ(graph_map({"graph", map, "0,2", true}, out_), ExitStatus::ok);
-  EXPECT_EQ(nlohmann::json::parse(out_.str()), nlohmann::json::parse(R"({
+  EXPECT_EQ(nlohmann::json::parse(graph_of_map({"graph", map, "0,2", true})), nlohmann::json::parse(R"({
     "schema": "robosim.graph/1",
     "start": [0, 2, "E"],
     "stations": [{"id": 1, "x": 0, "y": 2, "name": "dock"}, {"id": 2, "x": 2, "y": 0}],
@@ -109,29 +107,27 @@ TEST_F(MapCommand, GraphForProgramsHasTheShapeOfAScan) {
 }
 
 TEST_F(MapCommand, GraphForProgramsHasEveryLineOnce) {
-  graph_map({"graph", "city", "", true}, out_);
-  const nlohmann::json graph = nlohmann::json::parse(out_.str());
+  const nlohmann::json graph = nlohmann::json::parse(graph_of_map({"graph", "city", "", true}));
   EXPECT_EQ(graph["stations"].size(), 6u);
   EXPECT_EQ(graph["junctions"].size(), 25u);
   EXPECT_EQ(graph["edges"].size(), 46u);  // 16 cycles
 }
 
 TEST_F(MapCommand, GraphForGraphvizNamesNodesAndLabelsLines) {
-  graph_map({"graph", "island", "", false, true}, out_);
-  EXPECT_THAT(out_.str(), StartsWith("graph \"island\" {\n"));
-  EXPECT_THAT(out_.str(), HasSubstr("  s1 -- j1 [label=\"5\"]\n"));
-  EXPECT_THAT(out_.str(), HasSubstr("  s1 [shape=circle, label=\"1\", pos=\"2,4!\"]\n"));
-  EXPECT_THAT(out_.str(), HasSubstr("style=dashed, label=\"?\""));
-  EXPECT_THAT(out_.str(), EndsWith("}\n"));
-  std::ostringstream blocked;
-  graph_map({"graph", "blocked", "", false, true}, blocked);
-  EXPECT_THAT(blocked.str(), HasSubstr("  x1 [shape=plain, label=\"x\", pos=\"8,2!\"]\n"));
-  EXPECT_THAT(blocked.str(), HasSubstr("  j1 -- x1 [label=\"6\"]\n"));
+  const std::string island = graph_of_map({"graph", "island", "", false, true});
+  EXPECT_THAT(island, StartsWith("graph \"island\" {\n"));
+  EXPECT_THAT(island, HasSubstr("  s1 -- j1 [label=\"5\"]\n"));
+  EXPECT_THAT(island, HasSubstr("  s1 [shape=circle, label=\"1\", pos=\"2,4!\"]\n"));
+  EXPECT_THAT(island, HasSubstr("style=dashed, label=\"?\""));
+  EXPECT_THAT(island, EndsWith("}\n"));
+  const std::string blocked = graph_of_map({"graph", "blocked", "", false, true});
+  EXPECT_THAT(blocked, HasSubstr("  x1 [shape=plain, label=\"x\", pos=\"8,2!\"]\n"));
+  EXPECT_THAT(blocked, HasSubstr("  j1 -- x1 [label=\"6\"]\n"));
 }
 
 TEST_F(MapCommand, GraphOfALineWithoutNodesSaysSo) {
-  graph_map({"graph", "oval"}, out_);
-  EXPECT_EQ(out_.str(), "oval: from 10,14,E 0 stations, 0 junctions, 0 lines of 0 moves, 0 cycles\n");
+  EXPECT_EQ(graph_of_map({"graph", "oval"}),
+            "oval: from 10,14,E 0 stations, 0 junctions, 0 lines of 0 moves, 0 cycles\n");
 }
 
 TEST_F(MapCommand, GenerateWritesMapsWhoseNamesTellHowToMakeThemAgain) {
