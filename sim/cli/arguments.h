@@ -35,6 +35,7 @@ struct BuildArguments {
   std::string sketch;
   std::string robot;
   std::string target = "host";
+  std::string out;  ///< a folder; empty = the files stay in the cache
   std::vector<std::string> libraries;
   std::string warnings = "default";
 };

@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
+#include "sim/base/file.h"
 #include "sim/cli/names.h"
 #include "sim/cli/output.h"
 #include "sim/cli/progress.h"
 #include "sim/client/runner.h"
 
 namespace robosim::cli {
+namespace fs = std::filesystem;
+
 namespace {
 
 sketch::Warnings warnings_of(const std::string& level) {
@@ -17,35 +22,98 @@ sketch::Warnings warnings_of(const std::string& level) {
   return sketch::Warnings::standard;
 }
 
-const BoardSpec& board_of(const Choice& robot, const std::string& target) {
-  client::Runner runner(target);
-  const std::string name = runner.describe_robot(robot.path.string()).board.name;
-  const BoardSpec* board = find_board(name.c_str());
-  if (!board) throw client::RunnerError("the runner named a board that this program lacks: " + name);
+const BoardSpec& board_of(const client::RobotInfo& robot) {
+  const BoardSpec* board = find_board(robot.board.name.c_str());
+  if (!board)
+    throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
   return *board;
+}
+
+/// The image and its products: where they are, or in `folder` if it is given.
+std::vector<fs::path> put_files(const sketch::Image& image, const std::string& folder) {
+  std::vector<fs::path> files{image.image};
+  files.insert(files.end(), image.products.begin(), image.products.end());
+  if (folder.empty()) return files;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError({folder, 0, 0}, "--out: no such folder can be made: " + error.message());
+  for (fs::path& file : files) {
+    const fs::path copy = fs::path(folder) / (image.name + file.extension().string());
+    write_file(copy, read_file(file));
+    file = copy;
+  }
+  return files;
+}
+
+std::string host_sizes(const sketch::Image& image, const BoardSpec& board) {
+  return fmt::format(
+      "{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n"
+      "How much of the {}'s {} bytes of flash and {} bytes of RAM it takes, --target avr tells.\n",
+      image.name, image.text_bytes, image.data_bytes, image.compiler,
+      image.from_cache ? ", unchanged since it was last compiled" : "", board.name, board.flash_bytes,
+      board.ram_bytes);
+}
+
+std::string chip_sizes(const sketch::Image& image, const BoardSpec& board) {
+  const std::int64_t left =
+      static_cast<std::int64_t>(board.ram_bytes) - static_cast<std::int64_t>(image.data_bytes);
+  return fmt::format(
+      "{} for the {} ({}{})\n"
+      "Sketch uses {} bytes ({}%) of program storage space. Maximum is {} bytes.\n"
+      "Global variables use {} bytes ({}%) of dynamic memory, leaving {} bytes for local variables. Maximum "
+      "is {} bytes.\n",
+      image.name, board.name, image.compiler,
+      image.from_cache ? ", unchanged since it was last compiled" : "", image.text_bytes,
+      image.text_bytes * 100 / board.flash_bytes, board.flash_bytes, image.data_bytes,
+      image.data_bytes * 100 / board.ram_bytes, left, board.ram_bytes);
+}
+
+void check_fits(const sketch::Image& image, const BoardSpec& board) {
+  if (image.text_bytes > board.flash_bytes)
+    throw sketch::CompileError(
+        fmt::format("{} does not fit: it takes {} bytes of flash, and the {} has {} for a sketch", image.name,
+                    image.text_bytes, board.name, board.flash_bytes));
+  if (image.data_bytes > board.ram_bytes)
+    throw sketch::CompileError(
+        fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM", image.name,
+                    image.data_bytes, board.name, board.ram_bytes));
 }
 
 }  // namespace
 
-std::string size_report(const std::string& sketch, const sketch::Image& image, const BoardSpec& board) {
-  std::string text = fmt::format("{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n",
-                                 sketch, image.text_bytes, image.data_bytes, image.compiler,
-                                 image.from_cache ? ", unchanged since it was last compiled" : "");
+std::string size_report(const sketch::Image& image, const std::string& target, const BoardSpec& board,
+                        const std::vector<fs::path>& files) {
+  std::string text = target == "host" ? host_sizes(image, board) : chip_sizes(image, board);
+  std::vector<std::string> limits;
+  for (const sketch::Limit& limit : sketch::stated_limits(image))
+    limits.push_back(fmt::format("{} {}", limit.value, limit.what));
+  if (!limits.empty()) text += fmt::format("Limits: {}\n", fmt::join(limits, ", "));
   if (!image.libraries.empty()) text += fmt::format("libraries: {}\n", fmt::join(image.libraries, ", "));
-  text += fmt::format("image: {}\n", image.image.string());
-  text += fmt::format(
-      "How much of the {}'s {} bytes of flash and {} bytes of RAM it takes, --target avr will tell; this "
-      "version "
-      "builds for host only.\n",
-      board.name, board.flash_bytes, board.ram_bytes);
+  for (const fs::path& file : files)
+    text += fmt::format("{}: {}\n", file.extension() == ".hex" ? "hex" : "image", file.string());
   return text;
 }
 
+std::vector<std::string> over_budget(const sketch::Image& image, const client::RobotInfo& robot) {
+  std::vector<std::string> sentences;
+  const auto check = [&](std::uint64_t used, std::int64_t allowed, const char* what) {
+    if (allowed > 0 && used > static_cast<std::uint64_t>(allowed))
+      sentences.push_back(
+          fmt::format("{} is over the budget: it takes {} bytes of {}, and the robot {} allows {}",
+                      image.name, used, what, robot.name, allowed));
+  };
+  check(image.text_bytes, robot.budget.flash_bytes, "flash");
+  check(image.data_bytes, robot.budget.ram_bytes, "RAM for variables");
+  return sentences;
+}
+
 int build_command(const BuildArguments& arguments) {
-  check_target(arguments.target);
+  check_build_target(arguments.target);
   const SketchChoice sketch = choose_sketch(arguments.sketch);
-  const Choice robot = choose_robot(arguments.robot, sketch.folder);
-  const BoardSpec& board = board_of(robot, arguments.target);
+  const Choice choice = choose_robot(arguments.robot, sketch.folder);
+  // The robot is the same for all targets, so the runner that is always there tells of it.
+  const client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
+  const BoardSpec& board = board_of(robot);
   sketch::Request request{sketch.path, board, arguments.target, {}, warnings_of(arguments.warnings)};
   for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
 
@@ -54,8 +122,12 @@ int build_command(const BuildArguments& arguments) {
   const sketch::Image image = sketch::build(request);
   progress.clear();
   fmt::print(stderr, "{}", image.messages);
-  print(size_report(sketch.name, image, board));
-  return 0;
+  print(size_report(image, arguments.target, board, put_files(image, arguments.out)));
+  if (arguments.target == "host") return 0;
+  check_fits(image, board);
+  const auto sentences = over_budget(image, robot);
+  for (const std::string& sentence : sentences) fmt::print(stderr, "robosim: {}\n", sentence);
+  return static_cast<int>(sentences.empty() ? ExitStatus::ok : ExitStatus::failed);
 }
 
 }  // namespace robosim::cli

@@ -1,19 +1,28 @@
 // `robosim build`
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "hal/board/board_spec.h"
 #include "sim/cli/arguments.h"
+#include "sim/client/messages.h"
 #include "sim/sketch/sketch.h"
 
 namespace robosim::cli {
 
-/// What `robosim build` says of a finished image: sizes, libraries, compiler, and where it is.
-std::string size_report(const std::string& sketch, const sketch::Image& image, const BoardSpec& board);
+/// What `robosim build` says of a finished image: sizes, for a chip as Arduino prints them; limits that the
+/// firmware states; libraries; and where the `files` are.
+std::string size_report(const sketch::Image& image, const std::string& target, const BoardSpec& board,
+                        const std::vector<std::filesystem::path>& files);
+
+/// Each way in which an image for a chip takes more than the robot's budget allows, as a sentence.
+std::vector<std::string> over_budget(const sketch::Image& image, const client::RobotInfo& robot);
 
 /// Compiles for the board of the robot that `robosim run` would take. The compiler's warnings go to standard
-/// error, the sizes to standard output. Throws InputError (sketch::CompileError) or ToolMissing.
+/// error, the report to standard output. Gives the exit status: 1 if it is over the budget. Throws InputError
+/// (sketch::CompileError also for what does not fit the chip) or ToolMissing.
 int build_command(const BuildArguments& arguments);
 
 }  // namespace robosim::cli

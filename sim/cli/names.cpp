@@ -46,6 +46,16 @@ std::string all_of(const std::vector<std::string>& names) {
   return text;
 }
 
+bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A target of this or a later version.
+void check_exists(const std::string& target) {
+  const std::vector<std::string> all{"host", "avr", "stm32"};
+  if (!is_one_of(target, all)) throw InputError("--target: " + unknown_name("target", target, all));
+}
+
 bool has_sketch(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -186,13 +196,21 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder) {
 
 void check_target(const std::string& target) {
   const auto& available = client::available_targets();
-  if (std::find(available.begin(), available.end(), target) != available.end()) return;
-  const std::vector<std::string> all{"host", "avr", "stm32"};
-  if (std::find(all.begin(), all.end(), target) == all.end()) {
-    throw InputError("--target: " + unknown_name("target", target, all));
-  }
-  throw ToolMissing("the target " + target + " is not in this version of Robosim yet; there is " +
-                    all_of(available) + ", which runs the same sketch compiled for this machine");
+  if (is_one_of(target, available)) return;
+  check_exists(target);
+  const bool builds = is_one_of(target, sketch::targets());
+  throw ToolMissing(fmt::format(
+      "this version of Robosim cannot run the target {} yet{}; there is {}, which runs the same sketch "
+      "compiled for this machine",
+      target, builds ? ", it only builds for it" : "", all_of(available)));
+}
+
+void check_build_target(const std::string& target) {
+  const auto available = sketch::targets();
+  if (is_one_of(target, available)) return;
+  check_exists(target);
+  throw ToolMissing(fmt::format("this version of Robosim does not build for the target {} yet; there are {}",
+                                target, all_of(available)));
 }
 
 }  // namespace robosim::cli

@@ -50,5 +50,7 @@ Choice choose_robot(const std::string& name, const std::filesystem::path& sketch
 
 /// Throws InputError for a target there is none of, ToolMissing for one that this version cannot run yet.
 void check_target(const std::string& target);
+/// The same for targets that sketches are compiled for.
+void check_build_target(const std::string& target);
 
 }  // namespace robosim::cli

@@ -30,6 +30,11 @@ struct RobotInfo {
     std::string fqbn;   ///< "arduino:avr:uno"
     std::string macro;  ///< "ARDUINO_AVR_UNO"
   };
+  /// What firmware may take of the chip, at most; 0 = all there is.
+  struct Budget {
+    std::int64_t flash_bytes = 0;
+    std::int64_t ram_bytes = 0;
+  };
   struct Sensor {
     std::string name;
     double x_mm = 0.0;  ///< forward of the axle's centre
@@ -45,6 +50,7 @@ struct RobotInfo {
   std::string file;
   std::string sha256;
   Board board;
+  Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
   std::vector<Sensor> sensors;
   std::vector<Part> parts;

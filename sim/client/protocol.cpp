@@ -53,6 +53,10 @@ RobotInfo robot(const Json& json) {
   const auto board = get<Json>(json, "board");
   info.board = {get<std::string>(board, "name"), get<std::string>(board, "fqbn"),
                 get<std::string>(board, "macro")};
+  if (json.contains("budget")) {
+    const auto budget = get<Json>(json, "budget");
+    info.budget = {get<std::int64_t>(budget, "flash_bytes"), get<std::int64_t>(budget, "ram_bytes")};
+  }
   info.outline_mm = get<std::vector<std::array<double, 2>>>(json, "outline");
   for (const Json& sensor : get<Json>(json, "sensors")) {
     info.sensors.push_back(

@@ -27,6 +27,7 @@ Summary describe(const Description& robot) {
   summary.sha256 = robot.sha256;
   summary.board = robot.board;
   summary.registers = robot.registers;
+  summary.budget = robot.budget;
   summary.outline = outline_of(robot.chassis);
   for (const auto& part : robot.parts) {
     PartSummary& about = summary.parts.emplace_back(PartSummary{part->name, part->type, {}});

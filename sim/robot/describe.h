@@ -23,6 +23,7 @@ struct Summary {
   std::string file;
   std::string sha256;
   const BoardSpec* board = nullptr;
+  Budget budget;
   std::vector<Vec2> outline;         ///< m; a circle as 24 corners
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
   std::vector<PartSummary> parts;

@@ -103,7 +103,9 @@ void override_parts(std::vector<ConfigValue>& parts, std::vector<ConfigValue>& o
 }
 
 // Whether `key` is a table of the robot file of which a derived file may give single keys.
-bool merged(const std::string& key) { return key == "chassis" || key == "motors" || key == "driver"; }
+bool merged(const std::string& key) {
+  return key == "chassis" || key == "motors" || key == "driver" || key == "budget";
+}
 
 // `own` on top of `base`: tables key by key, parts by name.
 ConfigValue derive(ConfigValue base, ConfigValue own) {
@@ -249,6 +251,15 @@ Motors read_motors(const ConfigValue& table) {
   return motors;
 }
 
+Budget read_budget(const ConfigValue& table, const BoardSpec& board) {
+  TableReader reader(table, "[budget]");
+  Budget budget;
+  budget.flash_bytes = reader.integer("flash", 0, 1, board.flash_bytes);
+  budget.ram_bytes = reader.integer("ram", 0, 1, board.ram_bytes);
+  reader.finish();
+  return budget;
+}
+
 Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::vector<Wire>& wires) {
   TableReader reader(table, "[driver]");
   std::vector<std::string> names;
@@ -347,6 +358,7 @@ Description parse_description(std::string_view text, const fs::path& file) {
   reader.find("base");
   reader.find("remove");
   robot.board = &read_board(reader);
+  if (const ConfigValue* budget = reader.find("budget")) robot.budget = read_budget(*budget, *robot.board);
   robot.chassis = read_chassis(reader.require("chassis"));
   robot.motors = read_motors(reader.require("motors"));
   const ConfigValue* parts = reader.find("part");

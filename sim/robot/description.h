@@ -1,6 +1,7 @@
 // A robot file (robot.toml), read and checked. docs/robots.md lists every key with unit, range and default.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -100,11 +101,18 @@ class PartSpec {
   virtual int driven_wheel() const { return -1; }
 };
 
+/// [budget]: what firmware may take of the board's chip. `robosim build` fails where a sketch takes more.
+struct Budget {
+  std::int64_t flash_bytes = 0;  ///< 0 = all there is
+  std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = all there is
+};
+
 struct Description {
   std::string name;  ///< the file's stem
   std::filesystem::path file;
   std::string sha256;  ///< of the file's bytes, followed by those of its bases
   const BoardSpec* board = nullptr;
+  Budget budget;
   Chassis chassis;
   Motors motors;
   Driver driver;

@@ -90,6 +90,7 @@ Json to_json(const robot::Summary& robot) {
       {"file", robot.file},
       {"sha256", robot.sha256},
       {"board", {{"name", robot.board->name}, {"fqbn", robot.board->fqbn}, {"macro", robot.board->macro}}},
+      {"budget", {{"flash_bytes", robot.budget.flash_bytes}, {"ram_bytes", robot.budget.ram_bytes}}},
       {"outline", std::move(outline)},
       {"sensors", std::move(sensors)},
       {"parts", std::move(parts)}};

@@ -72,7 +72,10 @@ TEST(Arguments, ViewHasASpeed) {
 }
 
 TEST(Arguments, OtherCommandsTakeTheirWords) {
-  const auto build = parsed<BuildArguments>({"build", "My", "--robot", "r.toml", "--libraries", "l"});
+  const auto build = parsed<BuildArguments>(
+      {"build", "My", "--robot", "r.toml", "--libraries", "l", "--target", "avr", "--out", "o"});
+  EXPECT_EQ(build.target, "avr");
+  EXPECT_EQ(build.out, "o");
   EXPECT_EQ(build.sketch, "My");
   EXPECT_EQ(build.robot, "r.toml");
   const auto map = parsed<MapArguments>({"map", "show", "d", "--start", "1,2,E"});

@@ -117,7 +117,14 @@ TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
   EXPECT_THAT(refusal([&] { choose_robot("uno55", folder_); }), HasSubstr("did you mean uno5?"));
 }
 
-TEST(Target, OnlyTheHostIsThereYet) {
+TEST(Target, SketchesAreCompiledForHostAndAvr) {
+  EXPECT_NO_THROW(check_build_target("host"));
+  EXPECT_NO_THROW(check_build_target("avr"));
+  EXPECT_THROW(check_build_target("stm32"), ToolMissing);
+  EXPECT_THROW(check_build_target("mars"), InputError);
+}
+
+TEST(Target, OnlyTheHostRunsYet) {
   EXPECT_NO_THROW(check_target("host"));
   EXPECT_THROW(check_target("avr"), ToolMissing);
   EXPECT_THROW(check_target("stm32"), ToolMissing);

@@ -68,9 +68,12 @@ TEST(Protocol, PinsOfARobotReadAsTextWhetherTheyAreNumbersNamesOrLists) {
   const auto robot = content<RobotInfo>(
       R"({"id": 1, "robot": {"name": "uno5", "file": "f", "sha256": "s",
           "board": {"name": "uno", "fqbn": "arduino:avr:uno", "macro": "ARDUINO_AVR_UNO"},
+          "budget": {"flash_bytes": 30000, "ram_bytes": 0},
           "outline": [[-40, 60.5]], "sensors": [{"name": "S1", "x": 70, "y": 19}],
           "parts": [{"name": "left", "type": "motor", "pins": {"in1": 8, "in2": "A0", "all": [1, 2]}}]}})");
   EXPECT_EQ(robot.board.macro, "ARDUINO_AVR_UNO");
+  EXPECT_EQ(robot.budget.flash_bytes, 30000);
+  EXPECT_EQ(robot.budget.ram_bytes, 0);
   EXPECT_EQ(robot.outline_mm[0][1], 60.5);
   EXPECT_EQ(robot.sensors[0].x_mm, 70);
   EXPECT_THAT(robot.parts[0].pins, ElementsAre(std::pair<std::string, std::string>("all", "[1,2]"),

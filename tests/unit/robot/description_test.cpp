@@ -141,6 +141,16 @@ TEST(Description, PinsHaveTheNamesPeopleUse) {
   EXPECT_EQ(robot.parts[2]->wires[0].pin, 15);
 }
 
+TEST(Description, ABudgetIsWhatFirmwareMayTakeOfTheChip) {
+  EXPECT_EQ(parse_description(kBareRobot, "r.toml").budget.flash_bytes, 0);
+  const Description robot = parse_description(kBareRobot + "[budget]\nflash = 28000\nram = 1500\n", "r.toml");
+  EXPECT_EQ(robot.budget.flash_bytes, 28000);
+  EXPECT_EQ(describe(robot).budget.ram_bytes, 1500);
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nflash = 31000\n"), HasSubstr("flash is 31000"));
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nram = 0\n"), HasSubstr("ram is 0"));
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nstack = 300\n"), HasSubstr("unknown key stack"));
+}
+
 TEST(Description, ABaseIsInheritedAndItsPartsAreOverriddenByName) {
   const Description base = load_description("uno5");
   const Description robot = parse_description(R"(

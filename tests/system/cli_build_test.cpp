@@ -1,0 +1,74 @@
+// `robosim build`, as a user starts it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+const std::string kBudget = "base = \"uno5\"\n[budget]\nflash = 1500\n";
+
+TEST(CliBuild, SaysWhatASketchTakesOfTheChipAndPutsTheFilesWhereTheyAreWanted) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  const Ended ended =
+      robosim_command({"build", "PidFollower", "--target", "avr", "--out", "made"}, folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("%) of program storage space. Maximum is 32256 bytes.\n"),
+                    HasSubstr("image: made/PidFollower.elf\n"), HasSubstr("hex: made/PidFollower.hex\n")));
+  EXPECT_THAT(read_file(folder / "made/PidFollower.hex"), StartsWith(":10"));
+  EXPECT_THAT(read_file(folder / "made/PidFollower.elf"), StartsWith("\177ELF"));
+}
+
+TEST(CliBuild, FailsWithASentenceWhereTheRobotsBudgetIsExceeded) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  folder.write("My/My.ino",
+               "void setup() { Serial.begin(9600); }\nvoid loop() { Serial.println(millis()); }\n");
+  folder.write("My/robot.toml", kBudget);
+  const Ended ended = robosim_command({"build", "My/", "--target", "avr"}, folder.path());
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.out, HasSubstr("Sketch uses "));
+  EXPECT_THAT(ended.err,
+              MatchesRegex("robosim: My is over the budget: it takes [0-9]+ bytes of flash, and the "
+                           "robot robot allows 1500\n"));
+  EXPECT_EQ(robosim_command({"build", "My/"}, folder.path()).status, 0) << "the host has no budget";
+}
+
+TEST(CliBuild, ACompileErrorForTheChipNamesFileAndLine) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  folder.write("My/My.ino", "void setup() {}\nvoid loop() { halt(); }\n");
+  const Ended ended = robosim_command({"build", "My/", "--target", "avr"}, folder.path());
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, StartsWith("My.ino:2:20: error: 'halt' was not declared"));
+}
+
+TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
+  const Folder folder;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);
+  const Ended ended = robosim_command({"build", "PidFollower", "--target", "avr"});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.status, 5);
+  EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
+}
+
+TEST(CliBuild, ATargetThatOnlyBuildsDoesNotRun) {
+  const Ended ended = robosim_command({"run", "PidFollower", "--target", "avr"});
+  EXPECT_EQ(ended.status, 5);
+  EXPECT_THAT(ended.err, HasSubstr("cannot run the target avr yet, it only builds for it; there is host"));
+}
+
+}  // namespace
+}  // namespace robosim::test

@@ -1,0 +1,64 @@
+#include "sim/cli/build_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// An image as a build gives it; the file is no ELF, so it states no limits.
+class BuildReport : public ::testing::Test {
+ protected:
+  BuildReport() {
+    image_.name = "My";
+    image_.image = folder_.path() / "My-0123.elf";
+    write_file(image_.image, "no ELF");
+    image_.compiler = "gcc 5.4.0 avr";
+    image_.libraries = {"LineKit", "EEPROM"};
+    image_.text_bytes = 5480;
+    image_.data_bytes = 165;
+    robot_.name = "uno5";
+  }
+
+  test::TemporaryFolder folder_;
+  sketch::Image image_;
+  client::RobotInfo robot_;
+};
+
+TEST_F(BuildReport, SaysTheSizesForAChipAsArduinoDoes) {
+  EXPECT_EQ(size_report(image_, "avr", *find_board("uno"), {"out/My.elf", "out/My.hex"}),
+            "My for the uno (gcc 5.4.0 avr)\n"
+            "Sketch uses 5480 bytes (16%) of program storage space. Maximum is 32256 bytes.\n"
+            "Global variables use 165 bytes (8%) of dynamic memory, leaving 1883 bytes for local variables. "
+            "Maximum is 2048 bytes.\n"
+            "libraries: LineKit, EEPROM\n"
+            "image: out/My.elf\n"
+            "hex: out/My.hex\n");
+}
+
+TEST_F(BuildReport, NamesTheChipsRoomAfterTheSizesOnTheHost) {
+  EXPECT_THAT(size_report(image_, "host", *find_board("nano"), {image_.image}),
+              HasSubstr("the nano's 30720 bytes of flash and 2048 bytes of RAM"));
+}
+
+TEST_F(BuildReport, SaysHowFarTheRobotsBudgetAllows) {
+  EXPECT_THAT(over_budget(image_, robot_), IsEmpty());
+  robot_.budget = {5480, 165};
+  EXPECT_THAT(over_budget(image_, robot_), IsEmpty());
+  robot_.budget = {5479, 164};
+  EXPECT_THAT(
+      over_budget(image_, robot_),
+      ElementsAre(
+          "My is over the budget: it takes 5480 bytes of flash, and the robot uno5 allows 5479",
+          "My is over the budget: it takes 165 bytes of RAM for variables, and the robot uno5 allows 164"));
+}
+
+}  // namespace
+}  // namespace robosim::cli
