@@ -10,7 +10,7 @@
 //   costs              1 byte for a node      -
 //   junctions' places  4 bytes for each of    -
 //   side lines         these, 130 in all      2 bytes for each of 16 (blocked arms only)
-//   in all             1125 bytes             435 bytes                      (200 nodes)
+//   in all             1126 bytes             436 bytes                      (200 nodes)
 //
 // A side line is a line that closes a cycle, or an arm that was blocked before anything behind it was seen.
 // So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms; or for
@@ -77,6 +77,8 @@ class FixedNodes {
     return kNone;
   }
   bool isTree() const { return memory_.joined() == 0; }
+  /// No line of the depth-first tree is blocked.
+  bool allOpen() const { return cuts_ == 0; }
   /// The number of junctions before this one: an index for tables of junctions.
   uint8_t row(Id node) const {
     uint8_t before = 0;
@@ -86,7 +88,7 @@ class FixedNodes {
   }
 
   void clear() {
-    size_ = junctions_ = 0;
+    size_ = junctions_ = cuts_ = 0;
     memory_.clear();
   }
   Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t cost) {
@@ -104,13 +106,13 @@ class FixedNodes {
   }
   bool block(Id node, uint8_t slot) {
     if (isParent(node, slot)) {
-      shape_[node] |= kCut;
+      cutOff(node);
       return true;
     }
     SideLine other;
     const Id child = memory_.sideLine(node, slot, other) ? Id(kNone) : childBehind(node, slot);
     if (child == kNone) return memory_.block(node, slot);
-    shape_[child] |= kCut;
+    cutOff(child);
     return true;
   }
 
@@ -149,6 +151,10 @@ class FixedNodes {
   }
   static bool isParent(Id node, uint8_t slot) { return slot == 0 && node != 0; }
   bool cut(Id node) const { return (shape_[node] & kCut) != 0; }
+  void cutOff(Id node) {
+    shape_[node] |= kCut;
+    cuts_ = 1;
+  }
 
   Id add(Id from, uint8_t shape, uint32_t cost) {
     parent_[size_] = from;
@@ -183,7 +189,7 @@ class FixedNodes {
 
   template <class Record>
   bool loadNodes(Record& record) {
-    size_ = 0;
+    size_ = cuts_ = 0;
     if (record.get() != Memory::kVersion) return false;
     const Id size = record.get();
     junctions_ = record.get();
@@ -196,7 +202,10 @@ class FixedNodes {
       }
       parent_[size_] = size_ == 0 ? Id(kNone) : up;
     }
-    for (Id node = 0; node < size; ++node) shape_[node] = record.get();
+    for (Id node = 0; node < size; ++node) {
+      shape_[node] = record.get();
+      if (cut(node)) cuts_ = 1;
+    }
     return true;
   }
 
@@ -231,6 +240,7 @@ class FixedNodes {
   Id parent_[kNodes];
   uint8_t shape_[kNodes];
   Id size_ = 0, junctions_ = 0;
+  uint8_t cuts_ = 0;  ///< 1 if there are any
   Memory memory_;
 };
 

@@ -1,0 +1,79 @@
+// Two plain ways to keep a network, for comparing planners: a table of links, as the paper's robot has it,
+// and a table of parents. No costs, no places, nothing of headings.
+#ifndef LINEKIT_NAV_LINK_TABLE_H
+#define LINEKIT_NAV_LINK_TABLE_H
+
+#include "FixedMemory.h"
+#include "Network.h"
+
+namespace nav {
+
+/// `kSlots` links for each node, in any numbering; a node's slot 0 is its parent (that of node 0 is a child).
+/// A byte for each link.
+template <uint8_t kNodes, uint8_t kSlots>
+class LinkTable {
+ public:
+  typedef uint8_t Id;
+  static constexpr Id kNone = 0xFF;
+  static constexpr Id kBlocked = kBlockedArm;
+  static_assert(kNodes < kBlocked && kSlots >= 1 && kSlots <= 4, "1 to 253 nodes with 1 to 4 links");
+
+  /// So many nodes, without any link.
+  void clear(Id size) {
+    size_ = size < kNodes ? size : kNodes;
+    ends_ = 0;
+    for (Id node = 0; node < size_; ++node)
+      for (uint8_t slot = 0; slot < kSlots; ++slot) links_[node][slot] = kNone;
+  }
+  /// One direction of a line; once for each slot.
+  void setLink(Id node, uint8_t slot, Id to) {
+    links_[node][slot] = to;
+    ++ends_;
+  }
+
+  Id size() const { return size_; }
+  uint8_t arms(Id) const { return (1 << kSlots) - 1; }
+  Id parent(Id node) const { return node == 0 ? Id(kNone) : links_[node][0]; }
+  Id link(Id node, uint8_t slot) const { return links_[node][slot]; }
+  uint32_t cost(Id, uint8_t) const { return 1; }
+  bool isTree() const { return ends_ + 2 == 2 * size_; }
+  bool isStation(Id node) const {
+    uint8_t known = 0;
+    for (uint8_t slot = 0; slot < kSlots; ++slot)
+      if (links_[node][slot] != kNone) ++known;
+    return known < 2;
+  }
+
+ private:
+  Id links_[kNodes][kSlots];
+  uint16_t ends_ = 0;
+  Id size_ = 0;
+};
+
+/// The parents of a tree's nodes, and nothing else: enough for climb() and intervalWay(). A byte for each
+/// node.
+template <uint8_t kNodes>
+class ParentTable {
+ public:
+  typedef uint8_t Id;
+  static constexpr Id kNone = 0xFF;
+  static constexpr Id kBlocked = kBlockedArm;
+
+  void clear() { size_ = 0; }
+  void add(Id parent) { parent_[size_++] = parent; }
+
+  Id size() const { return size_; }
+  Id parent(Id node) const { return parent_[node]; }
+  Id link(Id node, uint8_t) const { return parent_[node]; }
+  uint8_t arms(Id node) const { return node != 0; }
+  static bool isTree() { return true; }
+  static bool allOpen() { return true; }
+
+ private:
+  Id parent_[kNodes];
+  Id size_ = 0;
+};
+
+}  // namespace nav
+
+#endif

@@ -1,0 +1,146 @@
+// What all planners share. A planner finds a way from one node of a network to another:
+//
+//   nav::FixedPath<200> path;
+//   nav::FixedWork<200> work;
+//   if (nav::bfs(network, from, to, path, work) == nav::Plan::found)
+//     for (uint8_t i = 0; i < path.size(); ++i) show(path[i]);   // from, …, to
+//
+// All have this form, so that one can stand for another:
+//
+//   name        header          finds                        work memory beside the path, n nodes
+//   bfs         Search.h        fewest lines                 n ids
+//   dfs         Search.h        some way                     n ids
+//   iterative   Search.h        fewest lines                 n ids
+//   pruned      PrunedBfs.h     the way, on trees            n ids
+//   climb       TreeWay.h       the way, on trees            none
+//   interval    TreeWay.h       the way, on trees            n ids
+//   dijkstra    Dijkstra.h      the least cost               2 n ids, n costs
+//
+// An arm behind which there is an obstacle, or nothing known, is no line; nor is a line from a junction to
+// itself. Of parallel lines the way does not tell which: slotTowards() gives the cheapest.
+//
+// A robot that plans anew at each node need not keep a path: climbNext() in TreeWay.h takes no memory,
+// DijkstraNext in Dijkstra.h 137 bytes for 64 junctions.
+//
+// A Path is anything with   Id* room(count)    an array of so many, or nullptr
+//                           void setSize(n)    how many of them the way has
+// Work memory is anything with   Id* room(count)   and, for dijkstra, a type Cost and   Cost* costs(count)
+// On a host they may grow.
+#ifndef LINEKIT_NAV_PLAN_H
+#define LINEKIT_NAV_PLAN_H
+
+#include "Network.h"
+
+namespace nav {
+
+enum class Plan : uint8_t {
+  found,
+  no_way,        ///< both nodes exist; the path is left empty, as below
+  unknown_node,  ///< one of the two is no node of the network
+  no_room,       ///< the path or the work memory is too small for the network
+  not_a_tree,    ///< the planner can do trees only
+  not_preorder   ///< the planner needs ids in preorder, and these are not
+};
+
+template <unsigned kRoom>
+class FixedPath {
+ public:
+  typedef uint8_t Id;
+  Id* room(unsigned count) { return count <= kRoom ? ids_ : nullptr; }
+  void setSize(uint8_t size) { size_ = size; }
+  uint8_t size() const { return size_; }
+  Id operator[](uint8_t i) const { return ids_[i]; }
+  const Id* begin() const { return ids_; }
+  const Id* end() const { return ids_ + size_; }
+
+ private:
+  Id ids_[kRoom];
+  uint8_t size_ = 0;
+};
+
+template <unsigned kIds>
+class FixedWork {
+ public:
+  uint8_t* room(unsigned count) { return count <= kIds ? ids_ : nullptr; }
+
+ private:
+  uint8_t ids_[kIds];
+};
+
+/// Whether what is behind an arm of a node is another node, and the line to it open.
+template <class Network>
+bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
+  return behind != Network::kNone && behind != Network::kBlocked && behind != node;
+}
+
+static constexpr uint8_t kNoSlot = 0xFF;
+
+/// The slot of the cheapest open line from a node to a neighbour of it; kNoSlot if there is none.
+template <class Network>
+uint8_t slotTowards(const Network& network, typename Network::Id node, typename Network::Id neighbour) {
+  uint8_t best = kNoSlot;
+  uint32_t least = 0;
+  const uint8_t count = slots(network, node);
+  for (uint8_t slot = 0; slot < count; ++slot) {
+    if (neighbour == node || network.link(node, slot) != neighbour) continue;
+    const uint32_t cost = network.cost(node, slot);
+    if (best != kNoSlot && cost >= least) continue;
+    least = cost;
+    best = slot;
+  }
+  return best;
+}
+
+/// Whether ids are those of a depth-first walk: every node's parent is the node before it or one of that
+/// one's ancestors, and every line is one between a node and its parent.
+template <class Network>
+bool isPreorder(const Network& network) {
+  typedef typename Network::Id Id;
+  const Id size = network.size();
+  for (Id node = 0; node < size; ++node) {
+    const Id parent = network.parent(node);
+    if (node != 0) {
+      if (parent >= node) return false;
+      Id at = static_cast<Id>(node - 1);
+      while (at > parent) at = network.parent(at);
+      if (at != parent) return false;
+    }
+    const uint8_t count = slots(network, node);
+    for (uint8_t slot = 0; slot < count; ++slot) {
+      const Id next = network.link(node, slot);
+      if (!isOpen(network, node, next) || (node != 0 && next == parent)) continue;
+      if (next >= size || network.parent(next) != node) return false;
+    }
+  }
+  return true;
+}
+
+namespace detail {
+
+/// The way to `to`, from what node was reached from which; `from` was from itself.
+template <class Id, class Path>
+Plan backtrack(const Id* before, Id from, Id to, Path& path, Id* way) {
+  Id length = 1;
+  for (Id at = to; at != from; at = before[at]) ++length;
+  path.setSize(length);
+  Id* out = way + length;
+  for (Id at = to; at != from; at = before[at]) *--out = at;
+  *way = from;
+  return Plan::found;
+}
+
+/// Common to all planners: are there such nodes, and is there room?
+template <class Network, class Path>
+Plan beginPlan(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
+               typename Network::Id*& way) {
+  path.setSize(0);
+  if (from >= network.size() || to >= network.size()) return Plan::unknown_node;
+  way = path.room(network.size());
+  return way == nullptr ? Plan::no_room : Plan::found;
+}
+
+}  // namespace detail
+
+}  // namespace nav
+
+#endif

@@ -1,0 +1,135 @@
+// Ways on a tree need no search: two planners that read them off the numbering.
+#ifndef LINEKIT_NAV_TREE_WAY_H
+#define LINEKIT_NAV_TREE_WAY_H
+
+#include "Plan.h"
+
+namespace nav {
+
+namespace detail {
+
+// A network that knows that no line to a parent is blocked says so by allOpen(): planners are faster then.
+template <class Network>
+auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
+  return network.allOpen();
+}
+template <class Network>
+bool allOpen(const Network&, long) {
+  return false;
+}
+
+/// Whether all lines of a way are open.
+template <class Network>
+bool isOpenWay(const Network& network, const typename Network::Id* way, typename Network::Id size) {
+  for (typename Network::Id i = 1; i < size; ++i)
+    if (network.link(way[i] > way[i - 1] ? way[i] : way[i - 1], 0) == Network::kBlocked) return false;
+  return true;
+}
+
+}  // namespace detail
+
+/// Climb: replace the larger of the two ids by its parent, until they are the same. All it needs is that a
+/// parent's id is less than its children's.
+///
+/// The way up from `from` grows at the front of the path's memory, the way up from `to` from its back
+/// downwards. In the end the second is moved up to the first.
+template <class Network, class Path>
+Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path) {
+  typedef typename Network::Id Id;
+  Id* way = nullptr;
+  const Plan begun = detail::beginPlan(network, from, to, path, way);
+  if (begun != Plan::found) return begun;
+  if (!network.isTree()) return Plan::not_a_tree;
+  Id *up = way, *const end = way + network.size(), *down = end;
+  while (from != to) {
+    if (from > to) {
+      *up++ = from;
+      const Id parent = network.parent(from);
+      if (parent >= from) return Plan::not_preorder;
+      from = parent;
+    } else {
+      *--down = to;
+      const Id parent = network.parent(to);
+      if (parent >= to) return Plan::not_preorder;
+      to = parent;
+    }
+  }
+  *up++ = from;
+  while (down != end) *up++ = *down++;
+  const Id size = static_cast<Id>(up - way);
+  if (!detail::allOpen(network, 0) && !detail::isOpenWay(network, way, size)) return Plan::no_way;
+  path.setSize(size);
+  return Plan::found;
+}
+template <class Network, class Path, class Work>
+Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work&) {
+  return climb(network, from, to, path);
+}
+
+/// The next node on the way, by climbing: no memory at all. `here` itself if it is there; kNone if there is
+/// no such node or no way. For networks whose ids are in preorder because an explorer numbered them.
+template <class Network>
+typename Network::Id climbNext(const Network& network, typename Network::Id here, typename Network::Id to) {
+  typedef typename Network::Id Id;
+  if (here >= network.size() || to >= network.size()) return Network::kNone;
+  Id from = here, below = to;
+  while (from != to) {
+    Id& larger = from > to ? from : to;
+    const Id parent = network.link(larger, 0);
+    if (parent >= larger) return Network::kNone;  // kBlocked, too
+    if (from < to) below = to;
+    larger = parent;
+  }
+  return from == here ? below : network.parent(here);
+}
+
+/// The last id behind each node: its descendants are node + 1 to end[node]. Refuses ids not in preorder.
+template <class Network>
+Plan intervals(const Network& network, typename Network::Id* end) {
+  typedef typename Network::Id Id;
+  if (!network.isTree()) return Plan::not_a_tree;
+  if (!isPreorder(network)) return Plan::not_preorder;
+  for (Id node = 0; node < network.size(); ++node) end[node] = node;
+  for (Id node = network.size(); node-- > 1;) {
+    Id& last = end[network.parent(node)];
+    if (last < end[node]) last = end[node];
+  }
+  return Plan::found;
+}
+
+/// Interval routing: up until the destination is a descendant, then down by the child that has it. `end` is
+/// what intervals() made.
+template <class Network, class Path>
+Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
+                 const typename Network::Id* end) {
+  typedef typename Network::Id Id;
+  Id* way = nullptr;
+  const Plan begun = detail::beginPlan(network, from, to, path, way);
+  if (begun != Plan::found) return begun;
+  Id* out = way;
+  *out++ = from;
+  while (to < from || to > end[from]) *out++ = from = network.parent(from);
+  while (from != to) {
+    ++from;  // the first child; the next begins where it ends
+    while (end[from] < to) from = static_cast<Id>(end[from] + 1);
+    *out++ = from;
+  }
+  const Id size = static_cast<Id>(out - way);
+  if (!detail::allOpen(network, 0) && !detail::isOpenWay(network, way, size)) return Plan::no_way;
+  path.setSize(size);
+  return Plan::found;
+}
+
+template <class Network, class Path, class Work>
+Plan interval(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
+              Work& work) {
+  path.setSize(0);
+  typename Network::Id* const end = work.room(network.size());
+  if (end == nullptr) return Plan::no_room;
+  const Plan numbered = intervals(network, end);
+  return numbered == Plan::found ? intervalWay(network, from, to, path, end) : numbered;
+}
+
+}  // namespace nav
+
+#endif
