@@ -1,5 +1,6 @@
 // Reading a map of 20000 x 20000 cells (400 MB), against the least that any reader must do: read() of the
-// cached file and a copy into fresh pages. The promise: at most twice its time, and one byte a cell.
+// cached file and a copy into fresh pages. The promise: at most twice its time, and one byte a cell. Then
+// what is made of maps, and large maps made by chance.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -12,9 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/grid/generator.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
+#include "sim/grid/true_graph.h"
 
 namespace {
 
@@ -115,5 +118,19 @@ void BM_NearestStripeOval(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_NearestStripeOval);
+
+void BM_GenerateTreeOfAMillionStations(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(generate(Family::tree, 1'000'000, 1).cells.size());
+  state.counters["peak_MB"] = peak_megabytes();
+}
+BENCHMARK(BM_GenerateTreeOfAMillionStations)->Unit(benchmark::kMillisecond);
+
+void BM_TrueGraphOfAMillionStations(benchmark::State& state) {
+  const Map map = generate(Family::tree, 1'000'000, 1);
+  const Start start = default_start(map);
+  for (auto _ : state) benchmark::DoNotOptimize(true_graph(map, start).stations.size());
+  state.counters["peak_MB"] = peak_megabytes();
+}
+BENCHMARK(BM_TrueGraphOfAMillionStations)->Unit(benchmark::kMillisecond);
 
 }  // namespace
