@@ -174,8 +174,10 @@ std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
 }
 
 std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {
-  std::string out =
-      fmt::format("graph {} {{\n  layout=neato; overlap=true; splines=true\n", quoted(map.name));
+  std::string out = fmt::format(
+      "graph {} {{\n  layout=neato; overlap=true; splines=true\n  node [width=0.4, height=0.4, "
+      "margin=0.03]\n",
+      quoted(map.name));
   auto end = std::back_inserter(out);
   const auto node = [&](const std::string& name, CellAt cell, const std::string& look) {
     fmt::format_to(end, "  {} [{}, pos=\"{},{}!\"]\n", name, look, cell.x * 0.5,

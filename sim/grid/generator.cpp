@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -283,6 +284,8 @@ std::string generated_name(Family family, int stations, std::uint64_t seed) {
 }
 
 Map generate(Family family, int stations, std::uint64_t seed) {
+  if (stations < kMinStations || stations > kMaxStations)
+    throw std::invalid_argument(fmt::format("a map of {} stations cannot be generated", stations));
   Chance chance(family, seed);
   const auto n = static_cast<std::size_t>(stations);
   const Lattice lattice = family == Family::tree     ? tree(n, 2 * n + 2, chance)

@@ -36,9 +36,9 @@ std::optional<Family> family_of(std::string_view name);
 /// "tree-100-7" for 100 stations and seed 7: what the map is called.
 std::string generated_name(Family family, int stations, std::uint64_t seed);
 
-/// A connected map with exactly that many stations, kMinStations to kMaxStations. Its goal is `tour`, and
-/// `generator` says family, version, stations and seed. A million stations need some 55 (tree, cycles) or 70
-/// (grid) cells each.
+/// A connected map with exactly that many stations; std::invalid_argument beyond the limits. Its goal is
+/// `tour`, and `generator` says family, version, stations and seed. A million stations need some 55 (tree,
+/// cycles) or 70 (grid) cells each.
 Map generate(Family family, int stations, std::uint64_t seed);
 
 }  // namespace robosim::grid

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <bit>
+#include <stdexcept>
 #include <string>
 
 #include "sim/base/file.h"
@@ -140,6 +140,11 @@ TEST(Generator, NeedsLittleRoomForAStation) {
     const int stations = 20'000;
     EXPECT_LE(generate(family, stations, 1).cells.size(), std::size_t{75} * stations) << name_of(family);
   }
+}
+
+TEST(Generator, RefusesNumbersOfStationsBeyondItsLimits) {
+  EXPECT_THROW(generate(Family::tree, kMinStations - 1, 1), std::invalid_argument);
+  EXPECT_THROW(generate(Family::tree, kMaxStations + 1, 1), std::invalid_argument);
 }
 
 TEST(Generator, KnowsItsFamiliesByName) {
