@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 
 #include "sim/base/file.h"
@@ -31,13 +30,11 @@ class Build {
   /// Compiles and links; gives the image, still in the work folder.
   fs::path image() {
     const Object core = core_object(toolchain_, cache_, work_.path());
-    std::vector<fs::path> objects;
     inputs_.files = core.inputs;
     compile_all();
-    for (const Object& object : objects_) {
-      objects.push_back(object.path);
+    std::vector<fs::path> objects = linked_objects();
+    for (const Object& object : objects_)
       inputs_.files.insert(inputs_.files.end(), object.inputs.begin(), object.inputs.end());
-    }
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
@@ -59,6 +56,23 @@ class Build {
   const std::string& messages() const { return messages_; }
 
  private:
+  /// All objects, those of a library that wants it so as an archive.
+  std::vector<fs::path> linked_objects() const {
+    std::vector<fs::path> linked;
+    for (const Object& object : objects_)
+      if (object.archive.empty()) linked.push_back(object.path);
+    for (const Library& library : libraries_) {
+      std::vector<fs::path> members;
+      for (const Object& object : objects_)
+        if (object.archive == "libraries/" + library.name) members.push_back(object.path);
+      if (members.empty()) continue;
+      linked.push_back(work_.path() / fmt::format("library{}.a", linked.size()));
+      const Outcome outcome = run(archive_command(toolchain_, members, linked.back()));
+      if (outcome.status != 0) fail(toolchain_.target, text(outcome));
+    }
+    return linked;
+  }
+
   std::string text(const Outcome& outcome) const {
     return readable(toolchain_, sketch_.folder, outcome.output);
   }
@@ -100,11 +114,12 @@ class Build {
     return unit;
   }
 
-  static Unit library_unit(const Library& library, const std::string& source) {
+  Unit library_unit(const Library& library, const std::string& source) const {
     Unit unit;
     unit.kind = Unit::Kind::library;
     unit.folder = library.folder;
     unit.place = "libraries/" + library.name;
+    unit.archived = library.archive && toolchain_.target.chip;
     unit.source = (library.folder / source).string();
     return unit;
   }
@@ -113,6 +128,10 @@ class Build {
     if (!unit.input.empty()) return sketch_.inos[0];
     if (unit.kind == Unit::Kind::sketch) return unit.source;
     return unit.place + unit.source.substr(unit.folder.string().size());
+  }
+
+  Object object_of(const Unit& unit, const fs::path& path, std::vector<fs::path> inputs) const {
+    return {name_of(unit), path, std::move(inputs), unit.archived ? unit.place : ""};
   }
 
   std::vector<fs::path> include_folders(const Unit& unit) const {
@@ -154,7 +173,7 @@ class Build {
       const auto entry = unit.input.empty() ? cache_.find(key) : std::nullopt;
       if (entry) {
         add_message(entry->facts.at("messages"));
-        objects_.push_back({name_of(unit), entry->result, split_paths(entry->facts.at("inputs"))});
+        objects_.push_back(object_of(unit, entry->result, split_paths(entry->facts.at("inputs"))));
         continue;
       }
       slots.push_back(objects_.size());
@@ -218,10 +237,10 @@ class Build {
   Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
               fs::file_time_type since) {
     std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
-    if (!unit.input.empty()) return {name_of(unit), object, std::move(inputs)};
+    if (!unit.input.empty()) return object_of(unit, object, std::move(inputs));
     const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
                                      {{"inputs", join_paths(inputs)}, {"messages", messages}}, since);
-    return {name_of(unit), entry.result, std::move(inputs)};
+    return object_of(unit, entry.result, std::move(inputs));
   }
 
   void add_message(const std::string& message) {
@@ -280,32 +299,6 @@ class Build {
   int count_ = 0;
 };
 
-std::vector<fs::path> library_folders(const Request& request, const Sketch& sketch, const Core& core) {
-  std::vector<fs::path> folders = {sketch.folder / "libraries"};
-  std::vector<fs::path> inner;
-  for (const auto& entry : fs::directory_iterator(sketch.folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name[0] != '.' && name != "src" && name != "libraries" &&
-        (fs::exists(entry.path() / "library.properties") || fs::exists(entry.path() / (name + ".h"))))
-      inner.push_back(entry.path());
-  }
-  std::sort(inner.begin(), inner.end());
-  folders.insert(folders.end(), inner.begin(), inner.end());
-  for (const fs::path& folder : request.libraries) {
-    std::error_code error;
-    const fs::path absolute = fs::canonical(folder, error);
-    if (error || !fs::is_directory(absolute))
-      throw InputError({folder.string()},
-                       "is no folder; --libraries takes a folder of libraries, or one library");
-    folders.push_back(absolute);
-  }
-  folders.push_back(data_folder() / "firmware");
-  if (const char* home = std::getenv("HOME"); home && *home == '/')
-    folders.push_back(fs::path(home) / "Arduino/libraries");
-  folders.insert(folders.end(), core.libraries.begin(), core.libraries.end());
-  return folders;
-}
-
 /// A product of an image, from the cache or made anew: the image's content is all that it depends on.
 fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
   const std::string key =
@@ -360,7 +353,8 @@ Image build(const Request& request) try {
   Toolchain toolchain{
       target,        compiler,        {}, core_for(target, request.board, genuine, cache.folder()),
       request.board, request.warnings};
-  const std::vector<fs::path> folders = library_folders(request, sketch, toolchain.core);
+  const std::vector<fs::path> folders =
+      library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);
   if (const auto entry = cache.find(key)) return image_of(target, sketch, *entry, cache, true);
 

@@ -16,6 +16,7 @@ struct Unit {
   std::filesystem::path folder;  ///< the sketch's, the library's, or the core's
   std::string source;            ///< relative to `folder` in a sketch, else absolute
   std::filesystem::path input;   ///< the joined .ino files; `source` is then empty
+  bool archived = false;         ///< goes into an archive of its library's objects
   std::string place;             ///< what `folder` is called in debug information: "libraries/Servo"
   std::vector<std::filesystem::path> includes;  ///< for -I, besides the core's
 };
@@ -25,6 +26,7 @@ struct Object {
   std::string name;  ///< of its source, as messages have it
   std::filesystem::path path;
   std::vector<std::filesystem::path> inputs;
+  std::string archive;  ///< its library's place, if all of that become one archive; else empty
 };
 
 /// Paths as text, one a line, and back.

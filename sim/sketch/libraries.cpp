@@ -1,9 +1,11 @@
 #include "sim/sketch/libraries.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 #include <system_error>
 
+#include "sim/base/error.h"
 #include "sim/base/file.h"
 
 namespace robosim::sketch {
@@ -54,20 +56,22 @@ bool is_library(const fs::path& folder) {
   return std::any_of(files.begin(), files.end(), [](const fs::path& file) { return is_header(file); });
 }
 
-std::string name_of(const fs::path& folder) {
-  if (is_file(folder / "library.properties")) {
-    std::istringstream lines(read_file(folder / "library.properties"));
-    for (std::string line; std::getline(lines, line);) {
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.rfind("name=", 0) == 0 && line.size() > 5) return line.substr(5);
-    }
+/// The value of a key in library.properties; empty if there is none.
+std::string property(const fs::path& folder, const std::string& key) {
+  if (!is_file(folder / "library.properties")) return {};
+  std::istringstream lines(read_file(folder / "library.properties"));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.rfind(key + "=", 0) == 0) return line.substr(key.size() + 1);
   }
-  return folder.filename().string();
+  return {};
 }
 
 Library read_library(const fs::path& folder) {
   Library library;
-  library.name = name_of(folder);
+  library.name = property(folder, "name");
+  if (library.name.empty()) library.name = folder.filename().string();
+  library.archive = property(folder, "dot_a_linkage") == "true";
   library.folder = folder;
   if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
     library.includes = {folder / "src"};
@@ -95,6 +99,33 @@ int rank(const Library& library, const std::string& header) {
 }
 
 }  // namespace
+
+std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<fs::path>& chosen,
+                                      const std::vector<fs::path>& core) {
+  std::vector<fs::path> folders = {sketch / "libraries"};
+  std::vector<fs::path> inner;
+  for (const auto& entry : fs::directory_iterator(sketch)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name[0] != '.' && name != "src" && name != "libraries" &&
+        (fs::exists(entry.path() / "library.properties") || fs::exists(entry.path() / (name + ".h"))))
+      inner.push_back(entry.path());
+  }
+  std::sort(inner.begin(), inner.end());
+  folders.insert(folders.end(), inner.begin(), inner.end());
+  for (const fs::path& folder : chosen) {
+    std::error_code error;
+    const fs::path absolute = fs::canonical(folder, error);
+    if (error || !fs::is_directory(absolute))
+      throw InputError({folder.string()},
+                       "is no folder; --libraries takes a folder of libraries, or one library");
+    folders.push_back(absolute);
+  }
+  folders.push_back(data_folder() / "firmware");
+  if (const char* home = std::getenv("HOME"); home && *home == '/')
+    folders.push_back(fs::path(home) / "Arduino/libraries");
+  folders.insert(folders.end(), core.begin(), core.end());
+  return folders;
+}
 
 LibraryFinder::LibraryFinder(std::vector<fs::path> folders) : folders_(std::move(folders)) {
   for (const fs::path& folder : folders_) {

@@ -16,7 +16,15 @@ struct Library {
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
   std::vector<std::string> assembler;           ///< .S, likewise, for a chip only
   std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
+  bool archive =
+      false;  ///< library.properties has dot_a_linkage=true: on a chip only what is needed is linked
 };
+
+/// Where the libraries of a sketch are: in its own folder, in the folders that the user has `chosen`, in
+/// Robosim, in ~/Arduino/libraries, and the `core`'s. Throws InputError for a chosen one that is no folder.
+std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
+                                                   const std::vector<std::filesystem::path>& chosen,
+                                                   const std::vector<std::filesystem::path>& core);
 
 /// Where libraries are looked for, in this order. A folder may hold libraries, or be one.
 class LibraryFinder {

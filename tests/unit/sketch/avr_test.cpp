@@ -142,6 +142,21 @@ TEST_F(AvrTest, TheCoresOwnLibrariesAreFoundAndAMissingOneIsToldWithWhereItWasLo
                     HasSubstr("home/Arduino/libraries"), HasSubstr("arduino/avr/libraries")));
 }
 
+TEST_F(AvrTest, OfALibraryThatWantsToBeAnArchiveOnlyWhatIsNeededIsLinked) {
+  write("Part/Part.ino", "#include <Two.h>\nvoid setup() { one(); }\nvoid loop() {}\n");
+  write("Part/libraries/Two/src/Two.h", "void one();\nvoid two();\n");
+  write("Part/libraries/Two/src/one.cpp", "#include <Arduino.h>\nvoid one() { pinMode(1, OUTPUT); }\n");
+  write("Part/libraries/Two/src/two.cpp",
+        "#include <Arduino.h>\nvoid two() {}\n"
+        "ISR(INT0_vect) { Serial.print(1); }\n");
+  write("Part/libraries/Two/library.properties", "name=Two\n");
+  const Image whole = build_avr_here("Part");
+  write("Part/libraries/Two/library.properties", "name=Two\ndot_a_linkage=true\n");
+  const Image part = build_avr_here("Part");
+  EXPECT_FALSE(part.from_cache);
+  EXPECT_LT(part.text_bytes + 500, whole.text_bytes);
+}
+
 TEST_F(AvrTest, AssemblerSourcesBelongToTheSketch) {
   write("Asm/Asm.ino",
         "extern \"C\" byte seven();\nvoid setup() { Serial.print(seven()); }\nvoid loop() {}\n");
