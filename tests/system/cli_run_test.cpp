@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NoSuchMap", {"run", "./Still", "--map", "ovla"}, 2, "did you mean oval?"},
         Case{"Avr", {"run", "./Still", "--target", "avr"}, 5, "not in this version of Robosim yet"},
         Case{"View", {"run", "./Still", "--view"}, 2, "--view needs a terminal"},
-        Case{"BadRecord", {"run", "./Still", "--record", "x.vcd"}, 2, "must be .csv"},
+        Case{"BadRecord", {"run", "./Still", "--record", "x.png"}, 2, "must be .csv or .vcd"},
         Case{"Test", {"test"}, 2, "not in this version yet"},
         Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},
         Case{"CheckMap", {"map", "check", "bad.map"}, 2, "bad.map:2:2"},
