@@ -18,7 +18,7 @@ const char* name_of(Sense sense);
 
 class CellFloor {
  public:
-  /// The map must outlive this. Takes some 0.5 ns a cell.
+  /// The map must outlive this. Takes about 1 ns a cell.
   explicit CellFloor(const grid::Map& map);
 
   const grid::Map& map() const { return map_; }
@@ -28,7 +28,8 @@ class CellFloor {
     return static_cast<std::size_t>(c.y + 1) * columns_ + static_cast<std::size_t>(c.x + 1);
   }
   grid::CellAt cell_at(std::size_t index) const {
-    return {static_cast<int>(index % columns_) - 1, static_cast<int>(index / columns_) - 1};
+    const auto i = static_cast<std::uint32_t>(index);  // maps have at most 10^9 cells
+    return {static_cast<int>(i % columns_) - 1, static_cast<int>(i / columns_) - 1};
   }
   /// What to add to a cell's number to get the next one in a direction.
   std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
@@ -37,6 +38,9 @@ class CellFloor {
   bool is_open(std::size_t index) const { return (cells_[index] & kOpen) != 0; }
   /// Off the map, or an obstacle stands there.
   bool is_shut(std::size_t index) const { return (cells_[index] & kShut) != 0; }
+  bool is_wall(std::size_t index) const { return (cells_[index] & kWall) != 0; }
+  /// The directions in which open line is beside a cell: bit 1 << Direction.
+  unsigned open_neighbours(std::size_t index) const { return cells_[index] & kNeighbours; }
   /// Whether an obstacle stands on a cell beside this one.
   bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
 
@@ -54,6 +58,7 @@ class CellFloor {
   static constexpr std::uint8_t kOpen = 0x10;
   static constexpr std::uint8_t kNearObstacle = 0x20;
   static constexpr std::uint8_t kShut = 0x40;
+  static constexpr std::uint8_t kWall = 0x80;
 
   struct Table {
     using Entry = std::uint8_t;
@@ -63,10 +68,12 @@ class CellFloor {
   };
   static const Table kTable;
 
+  void pack_own(int y);
+  void pack_neighbours(int y, std::uint8_t* bits);
   Sense sense_alone(std::size_t index, grid::Direction d) const;
 
   const grid::Map& map_;
-  std::size_t columns_;
+  std::uint32_t columns_;
   std::array<std::ptrdiff_t, 4> step_;
   std::vector<std::uint8_t> cells_;
 };

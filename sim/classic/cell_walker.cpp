@@ -11,8 +11,11 @@ using nav::LandmarkKind;
 
 namespace {
 
+// Where line leaves the robot's cell, also under obstacles.
 unsigned lines_at(const CellRobot& robot) {
-  return grid::line_neighbours(robot.floor().map(), robot.pose().cell);
+  const CellFloor& floor = robot.floor();
+  if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
+  return grid::line_neighbours(floor.map(), robot.pose().cell);
 }
 
 nav::Heading heading_of(Direction d) { return static_cast<nav::Heading>(d); }
@@ -24,8 +27,8 @@ Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading)
   heading_ = heading;
   const auto cost = static_cast<std::uint32_t>(robot_.moves() - counted_);
   counted_ = robot_.moves();
-  const unsigned arms = kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading))
-                                                  : grid::line_neighbours(robot_.floor().map(), cell);
+  const unsigned arms =
+      kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading)) : lines_at(robot_);
   return {kind, static_cast<std::uint8_t>(arms), heading_of(heading), {cell.x, cell.y}, cost};
 }
 
@@ -60,15 +63,18 @@ bool CellWalker::is_junction() const {
 
 // It has sensed no_path: a line's end, a wall into which it has stepped there, or an obstacle.
 Landmark CellWalker::end_of_line() {
-  const grid::Map& map = robot_.floor().map();
+  const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();
-  if (!robot_.floor().is_open(robot_.at())) {
+  if (!floor.is_open(robot_.at())) {
     const CellAt end = ahead(pose.cell, reversed(pose.facing));
-    const bool stepped_off = robot_.floor().is_open(robot_.floor().index_of(end));
+    const bool stepped_off = floor.is_open(floor.index_of(end));
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
-  if (grid::is_dead_end(map, pose.cell)) return landmark(LandmarkKind::end, pose.cell, pose.facing);
-  return landmark(LandmarkKind::blocked, pose.cell, pose.facing);
+  // Only an obstacle makes it something else, and that may be a wall.
+  const bool may_be_blocked = floor.is_near_obstacle(robot_.at()) ||
+                              floor.is_wall(robot_.at() + static_cast<std::size_t>(floor.step(pose.facing)));
+  const bool ends = !may_be_blocked || grid::is_dead_end(floor.map(), pose.cell);
+  return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
 }
 
 // Onto the line in the middle of which it stands, whichever way it faces.
