@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hal/board/board.h"
 
@@ -19,6 +20,8 @@ struct SourceLine {
 struct Crash {
   std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
   SourceLine where;
+  std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
+  std::string registers;          ///< of a chip's processor, for people; else empty
 };
 
 /// What the firmware did last: lets a verdict say what it waits for.

@@ -1,0 +1,140 @@
+#include "sim/executors/avr/firmware.h"
+
+#include <elf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/executors/avr/registers.h"
+
+namespace robosim::executors::avr {
+namespace {
+
+constexpr std::uint32_t kDataSpace = 0x800000;    // avr-gcc's address of data memory
+constexpr std::uint32_t kEepromSpace = 0x810000;  // and of what is neither flash nor RAM
+
+/// Reads records of a file without ever leaving it.
+class Reader {
+ public:
+  Reader(const std::string& content, std::string file) : content_(content), file_(std::move(file)) {}
+
+  template <typename T>
+  T at(std::size_t offset) const {
+    T value;
+    std::memcpy(&value, bytes(offset, sizeof value), sizeof value);
+    return value;
+  }
+  const char* bytes(std::size_t offset, std::size_t size) const {
+    if (offset > content_.size() || size > content_.size() - offset) damaged();
+    return content_.data() + offset;
+  }
+  std::string text(std::size_t offset) const {
+    const std::size_t end = offset < content_.size() ? content_.find('\0', offset) : std::string::npos;
+    if (end == std::string::npos) damaged();
+    return content_.substr(offset, end - offset);
+  }
+  [[noreturn]] void damaged() const {
+    throw InputError({file_}, "is damaged: it ends before what it announces");
+  }
+
+ private:
+  const std::string& content_;
+  std::string file_;
+};
+
+void load_segments(const Reader& in, const Elf32_Ehdr& header, const BoardSpec& board, Firmware& firmware) {
+  for (unsigned i = 0; i < header.e_phnum; ++i) {
+    const auto segment = in.at<Elf32_Phdr>(header.e_phoff + i * std::size_t{header.e_phentsize});
+    if (segment.p_type != PT_LOAD || segment.p_filesz == 0 || segment.p_paddr >= kDataSpace) continue;
+    const std::uint64_t end = std::uint64_t{segment.p_paddr} + segment.p_filesz;
+    if (end > board.flash_bytes) {
+      throw InputError({firmware.file}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch",
+                                                    end, board.name, board.flash_bytes));
+    }
+    if (firmware.flash.size() < end) firmware.flash.resize(end, 0xFF);
+    std::memcpy(firmware.flash.data() + segment.p_paddr, in.bytes(segment.p_offset, segment.p_filesz),
+                segment.p_filesz);
+    if (segment.p_flags & PF_X)
+      firmware.code_end = std::max(firmware.code_end, static_cast<std::uint32_t>(end));
+  }
+}
+
+void load_symbols(const Reader& in, const Elf32_Ehdr& header, Firmware& firmware) {
+  const auto section = [&](unsigned number) {
+    return in.at<Elf32_Shdr>(header.e_shoff + number * std::size_t{header.e_shentsize});
+  };
+  std::uint32_t data_end = kDataSpace + reg::kFirstRam;
+  for (unsigned i = 0; i < header.e_shnum; ++i) {
+    const Elf32_Shdr table = section(i);
+    if (table.sh_flags & SHF_ALLOC && table.sh_addr >= kDataSpace && table.sh_addr < kEepromSpace)
+      data_end = std::max(data_end, table.sh_addr + table.sh_size);
+    if (table.sh_type != SHT_SYMTAB || table.sh_link >= header.e_shnum) continue;
+    const Elf32_Shdr names = section(table.sh_link);
+    for (std::size_t at = 0; at + sizeof(Elf32_Sym) <= table.sh_size; at += sizeof(Elf32_Sym)) {
+      const auto symbol = in.at<Elf32_Sym>(table.sh_offset + at);
+      const int type = ELF32_ST_TYPE(symbol.st_info);
+      if (symbol.st_shndx == SHN_UNDEF || (symbol.st_shndx == SHN_ABS) || type == STT_FILE ||
+          type == STT_SECTION)
+        continue;
+      const std::string name = in.text(names.sh_offset + symbol.st_name);
+      if (name.empty()) continue;
+      firmware.symbols.push_back({name, symbol.st_value, symbol.st_size, symbol.st_value < kDataSpace});
+    }
+  }
+  std::stable_sort(firmware.symbols.begin(), firmware.symbols.end(),
+                   [](const auto& a, const auto& b) { return a.address < b.address; });
+  firmware.ram_bytes = data_end - kDataSpace - reg::kFirstRam;
+  firmware.globals_end = static_cast<std::uint16_t>(data_end - kDataSpace);
+}
+
+}  // namespace
+
+Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& board) {
+  const std::string content = read_file(file);
+  const Reader in(content, file.string());
+  Firmware firmware;
+  firmware.file = file.string();
+  if (content.size() < sizeof(Elf32_Ehdr) || std::memcmp(content.data(), ELFMAG, SELFMAG) != 0)
+    throw InputError({firmware.file},
+                     "is no ELF file; the target avr runs what “robosim build --target avr” makes");
+  const auto header = in.at<Elf32_Ehdr>(0);
+  if (header.e_ident[EI_CLASS] != ELFCLASS32 || header.e_machine != EM_AVR || header.e_type != ET_EXEC)
+    throw InputError({firmware.file}, "is an ELF file, but no program for an AVR chip");
+  if (header.e_phentsize != sizeof(Elf32_Phdr) ||
+      (header.e_shnum > 0 && header.e_shentsize != sizeof(Elf32_Shdr)))
+    in.damaged();
+  load_segments(in, header, board, firmware);
+  load_symbols(in, header, firmware);
+  if (firmware.code_end < 4) throw InputError({firmware.file}, "holds no code");
+  if (firmware.ram_bytes > board.ram_bytes) {
+    throw InputError({firmware.file}, fmt::format("needs {} bytes of RAM for its variables; the {} has {}",
+                                                  firmware.ram_bytes, board.name, board.ram_bytes));
+  }
+  return firmware;
+}
+
+std::optional<std::uint32_t> Firmware::find(const std::string& name) const {
+  for (const Symbol& symbol : symbols)
+    if (symbol.name == name) return symbol.address;
+  return std::nullopt;
+}
+
+std::optional<std::uint16_t> Firmware::find_variable(const std::string& name) const {
+  const auto address = find(name);
+  if (!address || *address < kDataSpace || *address >= kEepromSpace) return std::nullopt;
+  return static_cast<std::uint16_t>(*address - kDataSpace);
+}
+
+const Firmware::Symbol* Firmware::function_at(std::uint32_t pc) const {
+  const Symbol* best = nullptr;
+  for (const Symbol& symbol : symbols) {
+    if (symbol.address > pc) break;
+    if (symbol.code && (symbol.size == 0 || pc < symbol.address + symbol.size)) best = &symbol;
+  }
+  return pc < code_end ? best : nullptr;
+}
+
+}  // namespace robosim::executors::avr

@@ -1,0 +1,43 @@
+// A finished AVR ELF file: what goes into the chip's flash, and where its names are.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::executors::avr {
+
+constexpr std::uint32_t kFlashBytes = 0x8000;  ///< of an ATmega328P, boot loader included
+
+struct Firmware {
+  struct Symbol {
+    std::string name;
+    std::uint32_t address = 0;  ///< avr-gcc's: flash from 0, data memory from 0x800000
+    std::uint32_t size = 0;
+    bool code = false;
+  };
+
+  std::string file;
+  std::vector<std::uint8_t> flash;  ///< as it is flashed: code, constants, initial values of variables
+  std::uint32_t code_end = 0;       ///< end of .text
+  std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
+  std::uint32_t ram_bytes = 0;      ///< variables
+  std::vector<Symbol> symbols;      ///< functions and variables, by address
+
+  /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for an
+  /// ATmega328P.
+  static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
+
+  /// Address of a symbol, if the image has it.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+  /// Data address of a variable.
+  std::optional<std::uint16_t> find_variable(const std::string& name) const;
+  /// The function that holds a flash address; null if none does.
+  const Symbol* function_at(std::uint32_t pc) const;
+};
+
+}  // namespace robosim::executors::avr

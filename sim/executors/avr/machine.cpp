@@ -1,0 +1,151 @@
+#include "sim/executors/avr/machine.h"
+
+namespace robosim::executors::avr {
+namespace {
+
+constexpr std::uint8_t kEempe = 0x04, kEepe = 0x02;
+constexpr Cycle kEepromWrite = 54'400;  // 3.4 ms (datasheet, table 8-1)
+
+/// The timer whose PWM a write to this register changes; -1 = none. Of 16-bit registers the low byte counts.
+int timer_of(reg::Address address) {
+  if (address >= reg::kTccr0a && address <= reg::kOcr0b && address != reg::kTcnt0) return 0;
+  switch (address) {
+    case reg::kTccr1a:
+    case reg::kTccr1b:
+    case reg::kIcr1L:
+    case reg::kOcr1aL:
+    case reg::kOcr1bL:
+      return 1;
+    case reg::kTccr2a:
+    case reg::kTccr2b:
+    case reg::kOcr2a:
+    case reg::kOcr2b:
+      return 2;
+    default:
+      return -1;
+  }
+}
+
+bool selects_interrupts(reg::Address address) {
+  return address == reg::kEimsk || address == reg::kEicra || address == reg::kPcicr ||
+         (address >= reg::kPcmsk0 && address < reg::kPcmsk0 + 3) || address == reg::kTimsk1 ||
+         address == reg::kTccr0b || address == reg::kTccr1b;
+}
+
+}  // namespace
+
+Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, SimTime t)
+    : board_(board),
+      chip_(firmware, board.spec(), *this),
+      link_{chip_, board, t},
+      stack_(chip_, firmware),
+      ports_(link_),
+      adc_(link_),
+      uart_(link_) {
+  avr_eeprom_desc_t content{board.eeprom(), 0, board.spec().eeprom_bytes};
+  avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &content);
+  if (loop) chip_.set_trap(Chip::Trap::loop, *loop);
+}
+
+Machine::~Machine() = default;
+
+void Machine::io_write(reg::Address address, std::uint8_t value) {
+  if (Ports::owns(address)) {
+    ports_.write(address, value);
+  } else if (Uart::owns(address)) {
+    uart_.write(address, value);
+  } else if (address == reg::kEecr) {
+    write_eeprom_control(value);
+  } else {
+    chip_.write_through(address, value);
+    timer_written(address);
+    if (selects_interrupts(address)) ports_.interrupts_changed();
+  }
+  if (board_.next_input() != kNever) chip_.stop_at(link_.cycle_at(board_.next_input()));
+}
+
+std::uint8_t Machine::io_read(reg::Address address) {
+  if (Ports::owns(address)) return ports_.read(address);
+  if (Uart::owns(address)) return uart_.read(address);
+  if (address == reg::kAdcL || address == reg::kAdcH) return adc_.read(address);
+  return chip_.read_through(address);
+}
+
+void Machine::timer_written(reg::Address address) {
+  const int timer = timer_of(address);
+  if (timer < 0) return;
+  if (address == reg::kIcr1L) {
+    // libsimavr overlooks a new top; stopping and starting the timer makes it look.
+    const std::uint8_t control = chip_.data(reg::kTccr1b);
+    if (control & 0x10 && control & 7) {
+      chip_.write_through(reg::kTccr1b, static_cast<std::uint8_t>(control & ~7));
+      chip_.write_through(reg::kTccr1b, control);
+    }
+  }
+  ports_.timer_changed(timer);
+}
+
+avr_cycle_count_t Machine::on_eeprom_written(avr_t* avr, avr_cycle_count_t, void* self) {
+  static_cast<Machine*>(self)->eeprom_busy_ = false;
+  avr->data[reg::kEecr] &= static_cast<std::uint8_t>(~kEepe);
+  return 0;
+}
+
+void Machine::write_eeprom_control(std::uint8_t value) {
+  if (eeprom_busy_) return;  // the chip ignores it while it writes
+  const bool writes = value & kEepe && chip_.data(reg::kEecr) & kEempe;
+  chip_.write_through(reg::kEecr, value);
+  if (!writes) return;
+  const int address = (chip_.data(reg::kEearL) | chip_.data(reg::kEearH) << 8) % board_.spec().eeprom_bytes;
+  avr_eeprom_desc_t byte{board_.eeprom() + address, static_cast<std::uint16_t>(address), 1};
+  avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_GET, &byte);
+  // libsimavr is done at once; the chip takes its time.
+  eeprom_busy_ = true;
+  chip_.memory()[reg::kEecr] |= kEepe;
+  avr_cycle_timer_register(chip_.simavr(), kEepromWrite, &Machine::on_eeprom_written, this);
+}
+
+void Machine::was_reset() {
+  eeprom_busy_ = false;
+  looped_ = false;
+  ports_.was_reset();
+  adc_.was_reset();
+  uart_.was_reset();
+}
+
+void Machine::take_inputs() {
+  BoardInput input;
+  while (board_.take_input(link_.time_of(chip_.cycle()), input)) {
+    if (input.kind == BoardInput::Kind::edge) {
+      ports_.deliver(input);
+    } else {
+      uart_.receive(input.value);
+    }
+  }
+}
+
+void Machine::loop_began() {
+  const Cycle now = chip_.cycle();
+  if (looped_) {
+    const Cycle took = now - loop_began_;
+    ++loop_times_.count;
+    loop_times_.total += took;
+    if (took > loop_times_.longest) loop_times_.longest = took;
+  }
+  looped_ = true;
+  loop_began_ = now;
+}
+
+void Machine::run_until(SimTime t) {
+  link_.limit = t;
+  const Cycle end = link_.cycle_at(t);
+  while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
+    take_inputs();
+    const SimTime next = board_.next_input();
+    const Cycle stop = next < t ? std::max(link_.cycle_at(next), chip_.cycle() + 1) : end;
+    chip_.run_to(std::min(stop, end));
+    if (chip_.take_trap() == Chip::Trap::loop) loop_began();
+  }
+}
+
+}  // namespace robosim::executors::avr

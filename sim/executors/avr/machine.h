@@ -1,0 +1,58 @@
+// The chip with everything around it that firmware can touch.
+#pragma once
+
+#include "sim/executors/avr/adc.h"
+#include "sim/executors/avr/ports.h"
+#include "sim/executors/avr/stack.h"
+#include "sim/executors/avr/uart.h"
+
+namespace robosim::executors::avr {
+
+/// How long sketches take.
+struct LoopTimes {
+  std::uint64_t count = 0;  ///< passes of loop(), from one beginning to the next
+  Cycle longest = 0;
+  Cycle total = 0;
+};
+
+class Machine final : Peripherals {
+ public:
+  /// `loop`: the first instruction of loop(), if it is known.
+  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, SimTime t);
+  ~Machine();
+
+  void run_until(SimTime t);
+
+  Chip& chip() { return chip_; }
+  const Chip& chip() const { return chip_; }
+  const Stack& stack() const { return stack_; }
+  const Ports& ports() const { return ports_; }
+  const Link& link() const { return link_; }
+  const LoopTimes& loop_times() const { return loop_times_; }
+
+ private:
+  void io_write(reg::Address address, std::uint8_t value) override;
+  std::uint8_t io_read(reg::Address address) override;
+  void was_reset() override;
+  void look() override { stack_.look(); }
+
+  static avr_cycle_count_t on_eeprom_written(avr_t* avr, avr_cycle_count_t when, void* self);
+  void write_eeprom_control(std::uint8_t value);
+  void timer_written(reg::Address address);
+  void take_inputs();
+  void loop_began();
+
+  BoardState& board_;
+  Chip chip_;
+  Link link_;
+  Stack stack_;
+  Ports ports_;
+  Adc adc_;
+  Uart uart_;
+  bool eeprom_busy_ = false;
+  LoopTimes loop_times_;
+  Cycle loop_began_ = 0;
+  bool looped_ = false;
+};
+
+}  // namespace robosim::executors::avr

@@ -1,0 +1,60 @@
+#include "sim/executors/avr_executor.h"
+
+#include "sim/executors/avr/diagnosis.h"
+
+namespace robosim::executors {
+
+struct AvrExecutor::Image {
+  Image(const std::filesystem::path& file, const BoardSpec& spec)
+      : firmware(avr::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
+    if (!loop) loop = firmware.find("loop");
+  }
+
+  avr::Firmware firmware;
+  avr::DebugInfo debug;
+  std::optional<std::uint32_t> loop;
+};
+
+AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)
+    : board_(spec), image_(std::make_unique<Image>(image, spec)) {}
+
+AvrExecutor::~AvrExecutor() = default;
+
+void AvrExecutor::power_on(SimTime t) {
+  power_off(t);
+  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, t);
+}
+
+void AvrExecutor::power_off(SimTime t) {
+  machine_.reset();
+  crash_.reset();
+  board_.reset(t);
+  reached_ = t;
+}
+
+void AvrExecutor::run_until(SimTime t) {
+  if (!machine_ || crash_) return;
+  machine_->run_until(t);
+  reached_ = t;
+  if (const auto& fault = machine_->chip().fault())
+    crash_ = avr::Diagnosis(image_->firmware, image_->debug, *machine_).crash(*fault);
+  board_.forget_edges(t);
+}
+
+SimTime AvrExecutor::last_call() const {
+  if (!machine_) return reached_;
+  return machine_->chip().is_asleep() ? reached_ : machine_->link().time_of(machine_->chip().last_io());
+}
+
+Activity AvrExecutor::activity() {
+  if (!machine_) {
+    Activity activity;
+    activity.last_call = reached_;
+    return activity;
+  }
+  Activity activity = avr::Diagnosis(image_->firmware, image_->debug, *machine_).activity();
+  if (crash_) activity.where = crash_->where;
+  return activity;
+}
+
+}  // namespace robosim::executors

@@ -1,0 +1,49 @@
+// The target avr: the very ELF that is flashed, in an emulated ATmega328P (libsimavr, see avr/simavr.h about
+// its licence), in lockstep with the world.
+//
+//   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► Board
+//
+// Time: one cycle is 62.5 ns. A tick runs to the first instruction that ends at or behind its end, up to 3
+// cycles over; edges and bytes that the robot has scheduled reach the chip at their cycle, or at the end of
+// the instruction that is running then.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "hal/board/board_spec.h"
+#include "sim/executors/board_state.h"
+#include "sim/executors/executor.h"
+
+namespace robosim::executors {
+
+namespace avr {
+class Machine;
+}
+
+class AvrExecutor final : public Executor {
+ public:
+  /// Throws InputError if `image` is no ELF that this board's chip can run.
+  AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
+  ~AvrExecutor() override;
+
+  Board& board() override { return board_; }
+  void power_on(SimTime t) override;
+  void power_off(SimTime t) override;
+  void run_until(SimTime t) override;
+  const std::optional<Crash>& crash() const override { return crash_; }
+  Activity activity() override;
+  SimTime last_call() const override;
+
+ private:
+  struct Image;
+
+  BoardState board_;
+  std::unique_ptr<const Image> image_;
+  std::unique_ptr<avr::Machine> machine_;
+  std::optional<Crash> crash_;
+  SimTime reached_ = 0;  ///< until when firmware has run
+};
+
+}  // namespace robosim::executors
