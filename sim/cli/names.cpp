@@ -72,6 +72,19 @@ void check_path(const std::string& what, const std::string& path) {
 
 }  // namespace
 
+std::string target_of_elf(const fs::path& file) {
+  // Byte 18 of an ELF file's header names the machine: 40 = ARM, 83 = AVR.
+  const std::string content = read_file(file);
+  const bool elf = content.size() > 52 && content.starts_with(
+                                              "\x7F"
+                                              "ELF\x01\x01");
+  const int machine = elf ? static_cast<unsigned char>(content[18]) : 0;
+  if (machine == 83) return "avr";
+  if (machine == 40) return "stm32";
+  throw InputError({file.string(), 0, 0},
+                   "is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
+}
+
 bool is_path(const std::string& name) { return name.find_first_of("/.") != std::string::npos; }
 
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates) {
@@ -127,14 +140,9 @@ SketchChoice choose_sketch(const std::string& name) {
     }
     choice.path = fs::current_path();
   } else if (is_path(name)) {
-    if (fs::path(name).extension() == ".elf") {
-      throw ToolMissing(
-          name +
-          ": a finished .elf runs on its chip, and this version has no chip target yet; give the "
-          "sketch's folder instead, to run it on the target host");
-    }
     check_path("sketch", name);
     choice.path = name;
+    if (fs::path(name).extension() == ".elf") choice.elf_target = target_of_elf(name);
   } else {
     const auto stock = sketch::stock_sketches();
     if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
@@ -198,11 +206,8 @@ void check_target(const std::string& target) {
   const auto& available = client::available_targets();
   if (is_one_of(target, available)) return;
   check_exists(target);
-  const bool builds = is_one_of(target, sketch::targets());
-  throw ToolMissing(fmt::format(
-      "this version of Robosim cannot run the target {} yet{}; there is {}, which runs the same sketch "
-      "compiled for this machine",
-      target, builds ? ", it only builds for it" : "", all_of(available)));
+  throw ToolMissing(fmt::format("this version of Robosim cannot run the target {} yet; there are {}", target,
+                                all_of(available)));
 }
 
 void check_build_target(const std::string& target) {

@@ -8,6 +8,9 @@
 
 namespace robosim::cli {
 
+/// The target whose chip an ELF file is for. Throws InputError for a file that is for none.
+std::string target_of_elf(const std::filesystem::path& file);
+
 /// A name with '/' or '.' is a path.
 bool is_path(const std::string& name);
 
@@ -39,6 +42,7 @@ struct SketchChoice {
   std::string name;
   std::filesystem::path path;
   std::filesystem::path folder;
+  std::string elf_target;  ///< of a finished .elf, the target that it is for; else empty: it must be built
 };
 SketchChoice choose_sketch(const std::string& name);
 

@@ -61,6 +61,13 @@ const BoardSpec& board_of(const client::RobotInfo& robot) {
 
 sketch::Image build_image(const RunArguments& arguments, const SketchChoice& sketch, const BoardSpec& board,
                           Progress& progress) {
+  if (!sketch.elf_target.empty()) {
+    sketch::Image image;
+    image.name = sketch.name;
+    image.image = sketch.path;
+    image.sketch_sha256 = sha256_of_file(sketch.path);
+    return image;
+  }
   sketch::Request request{sketch.path, board};
   request.target = arguments.target;
   for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
@@ -155,7 +162,8 @@ std::string scenario_text(const RunArguments& arguments) {
   return text;
 }
 
-int run_command(const RunArguments& arguments) {
+int run_command(const RunArguments& given) {
+  RunArguments arguments = given;
   check_target(arguments.target);
   for (const std::string& file : arguments.record) view::check_record_ending(file);
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
@@ -163,6 +171,14 @@ int run_command(const RunArguments& arguments) {
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
   }
   const SketchChoice sketch = choose_sketch(arguments.sketch);
+  if (!sketch.elf_target.empty()) {
+    if (arguments.target != "host" && arguments.target != sketch.elf_target) {
+      throw InputError({sketch.name, 0, 0}, fmt::format("is for the target {}, and --target asks for {}",
+                                                        sketch.elf_target, arguments.target));
+    }
+    arguments.target = sketch.elf_target;
+    check_target(arguments.target);
+  }
   const Choice map = choose_map(arguments.map, sketch.folder);
   const Choice robot = choose_robot(arguments.robot, sketch.folder);
   for (const Choice* choice : {&map, &robot}) {

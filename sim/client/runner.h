@@ -18,7 +18,8 @@
 
 namespace robosim::client {
 
-/// The targets that this version has runners for: "host".
+/// The targets that this version has runners for: "host", "avr". A build without an emulator's package lacks
+/// its runner all the same: Runner then throws ToolMissing.
 const std::vector<std::string>& available_targets();
 
 class Process;

@@ -148,12 +148,10 @@ void write_figures(Writer& out, const Report& report) {
   }
 }
 
-std::string chip_hint(const Report& report) {
-  return fmt::format(
-      "this ran on the target {}, where int has 32 bits and memory is plenty. An Uno's chip has a 16-bit "
-      "int, 2 KB of "
-      "memory and its own timing: --target avr will run on it, but is not in this version yet.",
-      report.target);
+std::string chip_hint() {
+  return "this ran on the target host, where int has 32 bits and memory is plenty. An Uno's chip has a "
+         "16-bit "
+         "int, 2 KB of memory and its own timing: run it there with --target avr.";
 }
 
 }  // namespace
@@ -206,7 +204,7 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
   }
   out.line();
   if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
-  out.labelled("chip:", chip_hint(report), Ink::faint);
+  if (report.target == "host") out.labelled("chip:", chip_hint(), Ink::faint);
   return out.take();
 }
 

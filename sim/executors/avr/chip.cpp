@@ -103,13 +103,13 @@ void Chip::patch_timers() {
 
 void Chip::hook_registers() {
   for (reg::Address address = reg::kFirstIo; address < reg::kFirstRam; ++address) {
-    if (address == reg::kSpL || address == reg::kSpH) continue;
     auto& io = avr_->io[AVR_DATA_TO_IO(address)];
     Hook& hook = hooks_[address];
     hook = {io.r.c, io.r.param, io.w.c, io.w.param};
-    io.w.c = address == reg::kSreg ? &Chip::on_status_write : &Chip::on_write;
+    const bool stack = address == reg::kSpL || address == reg::kSpH;
+    io.w.c = stack ? &Chip::on_stack_write : address == reg::kSreg ? &Chip::on_status_write : &Chip::on_write;
     io.w.param = this;
-    if (address == reg::kSreg) continue;
+    if (stack || address == reg::kSreg) continue;
     io.r.c = &Chip::on_read;
     io.r.param = this;
   }
@@ -160,6 +160,33 @@ void Chip::on_status_write(avr_t* avr, avr_io_addr_t, std::uint8_t, void* self) 
   auto& chip = *static_cast<Chip*>(self);
   if (avr->pc >= 2 && (chip.word(avr->pc - 2) & 0xFE0F) == 0xBE0E) return;
   chip.touch();
+}
+
+void Chip::on_stack_write(avr_t* avr, avr_io_addr_t address, std::uint8_t value, void* self) {
+  avr->data[address] = value;
+  // Functions write SPH, then SPL, by `out`; calls, returns, push and pop write SPL, then SPH. Only then is
+  // it whole.
+  const unsigned opcode = avr->flash[avr->pc] | avr->flash[avr->pc + 1] << 8;
+  const bool by_out = (opcode & 0xFE0E) == 0xBE0C;
+  if (by_out != (address == reg::kSpL)) return;
+  auto& chip = *static_cast<Chip*>(self);
+  const bool push_or_pop = (opcode & 0xFC0F) == 0x900F;
+  if (!by_out && !push_or_pop) chip.jumps_[chip.jump_count_++ % chip.jumps_.size()] = avr->pc;
+  chip.stack_moved();
+}
+
+void Chip::stack_moved() {
+  const std::uint16_t now = sp();
+  if (now >= lowest_sp_) return;
+  lowest_sp_ = now;
+  if (now < stack_limit_) fail(Fault::Kind::stack, avr_->pc, 0);
+}
+
+std::vector<std::uint32_t> Chip::last_jumps() const {
+  std::vector<std::uint32_t> jumps;
+  for (std::uint32_t i = jump_count_; i-- > 0 && jumps.size() < jumps_.size();)
+    jumps.push_back(jumps_[i % jumps_.size()]);
+  return jumps;
 }
 
 void Chip::on_handler(avr_irq_t*, std::uint32_t value, void* self) {

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/executors/avr/firmware.h"
 #include "sim/executors/avr/registers.h"
@@ -34,7 +35,7 @@ class Peripherals {
   virtual std::uint8_t io_read(reg::Address address) = 0;
   /// After the watchdog has reset the chip.
   virtual void was_reset() = 0;
-  /// Every few hundred cycles: a look at what cannot be hooked.
+  /// Every thousand cycles: a look at what cannot be hooked.
   virtual void look() = 0;
 
  protected:
@@ -94,6 +95,13 @@ class Chip {
   /// The trap that run_to() returned for; it is armed again as the chip runs on.
   std::optional<Trap> take_trap();
 
+  // --- the stack, followed at every change of the stack pointer
+  std::uint16_t lowest_sp() const { return lowest_sp_; }
+  /// Fails when the stack pointer goes below this.
+  void set_stack_limit(std::uint16_t limit) { stack_limit_ = limit; }
+  /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
+  std::vector<std::uint32_t> last_jumps() const;
+
   // --- accounts, in cycles
   Cycle last_io() const { return last_io_; }  ///< last access to an I/O register outside handlers
   std::uint32_t last_io_pc() const { return last_io_pc_; }
@@ -115,6 +123,7 @@ class Chip {
   static void on_write(avr_t* avr, avr_io_addr_t address, std::uint8_t value, void* self);
   static std::uint8_t on_read(avr_t* avr, avr_io_addr_t address, void* self);
   static void on_status_write(avr_t* avr, avr_io_addr_t address, std::uint8_t value, void* self);
+  static void on_stack_write(avr_t* avr, avr_io_addr_t address, std::uint8_t value, void* self);
   static void on_handler(avr_irq_t* irq, std::uint32_t value, void* self);
   static avr_cycle_count_t on_stop(avr_t* avr, avr_cycle_count_t when, void* self);
   static void on_sleep(avr_t* avr, avr_cycle_count_t cycles);
@@ -131,6 +140,7 @@ class Chip {
   void invalid_opcode();
   void enter_sleep();
   void leave_sleep();
+  void stack_moved();
   void touch() {
     if (in_handler()) return;
     last_io_ = avr_->cycle;
@@ -157,6 +167,10 @@ class Chip {
   std::optional<Trap> passing_;
   std::optional<Fault> fault_;
   int (*flash_ioctl_)(avr_io_t*, std::uint32_t, void*) = nullptr;
+  std::uint16_t lowest_sp_ = reg::kLastRam;
+  std::uint16_t stack_limit_ = 0;
+  std::array<std::uint32_t, 32> jumps_{};
+  std::uint32_t jump_count_ = 0;
   bool off_ = false;
   bool deep_ = false;                           ///< asleep with the timers' clock stopped
   std::array<std::uint8_t, 5> held_enables_{};  ///< interrupts that cannot wake it

@@ -39,9 +39,11 @@ SourceLine Diagnosis::where_now() const {
 }
 
 std::string Diagnosis::jump_text(const Fault& fault) const {
-  const std::string target = fault.kind == Fault::Kind::restart
-                                 ? "address 0, where a reset begins: the sketch would start again"
-                                 : fmt::format("address 0x{:04X}, where there is no code", fault.pc);
+  const std::string target =
+      fault.kind == Fault::Kind::restart
+          ? "address 0, where a reset begins: the sketch would start again"
+          : fmt::format("address 0x{:04X}, {}", fault.pc,
+                        fault.pc < kFlashBytes ? "where there is no code" : "behind the flash");
   const auto calls = machine_.stack().open_calls();
   if (!calls.empty() && calls[0].by_pointer) return "call through a wrong function pointer to " + target;
   if (machine_.stack().last_return() == fault.pc)
@@ -50,11 +52,10 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
 }
 
 std::string Diagnosis::reason(const Fault& fault) const {
-  const std::uint32_t stack_room = reg::kLastRam + 1u - firmware_.globals_end;
   if (fault.kind == Fault::Kind::stack ||
       (fault.kind != Fault::Kind::watchdog && machine_.stack().has_overflown()))
     return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
-                       stack_room);
+                       machine_.stack().room_bytes());
   switch (fault.kind) {
     case Fault::Kind::bad_read:
       return fmt::format("read of address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",
@@ -105,9 +106,10 @@ Crash Diagnosis::crash(const Fault& fault) const {
   crash.reason = reason(fault);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = place(fault.pc);
-  // Of a jump into the void: who called, or what ran before the wrong return.
-  if (crash.where.file.empty() && is_jump(fault) && stack.last_return() == fault.pc)
-    crash.where = place_of_calls(stack.past_calls());
+  // Of a jump into the void: the call or return that led there.
+  if (is_jump(fault))
+    for (const std::uint32_t pc : machine_.chip().last_jumps())
+      if (crash.where.file.empty()) crash.where = place(pc);
   if (crash.where.file.empty() && machine_.chip().in_handler())
     crash.where = place(machine_.chip().interrupted_pc());
   if (crash.where.file.empty()) crash.where = place_of_calls(stack.open_calls());

@@ -1,8 +1,9 @@
 // The stack: how deep it has been, whether it has met the variables, and who called whom.
 //
-// At power-on the RAM behind the variables is painted. What has lost its paint, from the top of the RAM down
-// to the lowest such byte above the heap, has been stack. An interrupt's or a call's few bytes count as any
-// others; a local array that is never written to leaves its paint, so what lies below it may be missed.
+//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF
+//
+// The chip follows the stack pointer at every change, so that neither a short deep call nor a large array
+// that is never written to is missed.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +17,14 @@ class Stack {
  public:
   Stack(Chip& chip, const Firmware& firmware);
 
-  /// A look at the stack pointer and at the border to the heap; fails the chip if the stack has crossed it.
+  /// Looks how far the heap has grown: the stack must not cross it.
   void look();
-  /// The most bytes that were in use, 0 before anything ran.
-  std::uint32_t most_bytes() const;
+  /// The most bytes that were in use.
+  std::uint32_t most_bytes() const { return reg::kLastRam - static_cast<std::uint32_t>(chip_.lowest_sp()); }
+  /// What variables and heap leave.
+  std::uint32_t room_bytes() const { return reg::kLastRam + 1u - heap_end_; }
   /// Whether the stack has reached the variables or the heap.
-  bool has_overflown() const;
+  bool has_overflown() const { return chip_.lowest_sp() < heap_end_; }
 
   /// An instruction in the code that called something.
   struct Call {
@@ -31,15 +34,12 @@ class Stack {
   /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
   /// Saved registers may look like one by chance.
   std::vector<Call> open_calls() const;
-  /// Calls that have returned lately and whose words are still there, the last first.
-  std::vector<Call> past_calls() const;
   /// The word that the last `ret` has taken, as a flash address.
   std::uint32_t last_return() const;
 
  private:
   std::uint32_t return_address(std::uint32_t at) const;
   bool find_call(std::uint32_t return_pc, Call& call) const;
-  std::uint16_t lowest() const { return heap_end_; }
 
   Chip& chip_;
   const Firmware& firmware_;

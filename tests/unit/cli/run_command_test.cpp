@@ -34,7 +34,7 @@ TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   arguments.record = {"a.png"};
   EXPECT_THROW(run_command(arguments), InputError);
   arguments = {};
-  arguments.target = "avr";
+  arguments.target = "stm32";
   EXPECT_THROW(run_command(arguments), ToolMissing);
 }
 

@@ -1,0 +1,9 @@
+// Runs an instruction that the chip has not.
+void broken() { asm volatile(".word 0x0001"); }
+
+void setup() {
+  delay(20);
+  broken();
+}
+
+void loop() {}

@@ -1,0 +1,13 @@
+// Reads far behind the chip's memory: an index computed wrongly.
+volatile byte table[4];
+
+byte look(unsigned index) { return table[index]; }
+
+void setup() {
+  Serial.begin(115200);
+  delay(20);
+  volatile unsigned wrong = 40000;
+  Serial.println(look(wrong));
+}
+
+void loop() {}
