@@ -25,11 +25,12 @@ nav::Heading heading_of(Direction d) { return static_cast<nav::Heading>(d); }
 Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading) {
   on_junction_ = kind == LandmarkKind::junction;
   heading_ = heading;
-  const auto cost = static_cast<std::uint32_t>(robot_.moves() - counted_);
+  cell_ = cell;
+  cost_ = static_cast<std::uint32_t>(robot_.moves() - counted_);
   counted_ = robot_.moves();
   const unsigned arms =
       kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading)) : lines_at(robot_);
-  return {kind, static_cast<std::uint8_t>(arms), heading_of(heading), {cell.x, cell.y}, cost};
+  return {kind, static_cast<std::uint8_t>(arms), heading_of(heading), {cell.x, cell.y}, cost_};
 }
 
 Landmark CellWalker::begin() {
@@ -48,7 +49,7 @@ Landmark CellWalker::begin() {
   at.arms = static_cast<std::uint8_t>(lines);
   if (lines == 0) return at;
   const auto along = static_cast<Direction>(std::countr_zero(lines));
-  if (pose.facing == reversed(along)) robot_.turn_around();
+  if (pose.facing == reversed(along)) turn_around();
   at.heading = heading_of(along);
   return at;
 }
@@ -94,7 +95,7 @@ Landmark CellWalker::first_follow() {
     robot_.turn_left();
   } else if (is_open(reversed(facing))) {
     if (faces_obstacle()) return landmark(LandmarkKind::blocked, robot_.pose().cell, facing);
-    robot_.turn_around();
+    turn_around();
     robot_.step_forward();
   } else {
     return landmark(LandmarkKind::blocked, robot_.pose().cell, facing);
@@ -153,13 +154,33 @@ Landmark CellWalker::follow() {
   }
 }
 
+void CellWalker::reset() {
+  pending_ = Pending::nothing;
+  on_junction_ = false;
+  counted_ = robot_.moves();
+}
+
+// Not a part of the line's length.
+void CellWalker::turn_around() {
+  robot_.turn_around();
+  counted_ = robot_.moves();
+}
+
+CellAt CellWalker::obstacle() const {
+  if (pending_ == Pending::blocked) return ahead(cell_, arm_);
+  // Where the line would go on: ahead, or to a side in a bend.
+  const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
+  const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
+  return ahead(cell_, to);
+}
+
 void CellWalker::leave(nav::Turn turn) {
   if (pending_ == Pending::blocked) {
     pending_ = Pending::back;
     return;
   }
   if (!on_junction_) {
-    robot_.turn_around();
+    turn_around();
     return;
   }
   const auto is_open = [&](Direction d) {
@@ -174,7 +195,7 @@ void CellWalker::leave(nav::Turn turn) {
   const Direction facing = robot_.facing();
   const Direction right = turned_right(facing), left = turned_left(facing);
   if (out == reversed(facing)) {
-    robot_.turn_around();
+    turn_around();
     robot_.step_forward();
   } else if (out == right || (out == facing && !is_open(right))) {
     robot_.choose_right();

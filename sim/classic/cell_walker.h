@@ -26,15 +26,25 @@ class CellWalker {
   nav::Landmark follow();
   void leave(nav::Turn turn);
   void relocate(const nav::Place&) {}
+  /// The robot was put onto a line's end, facing along it.
+  void reset();
+
+  /// Of the last landmark: its cell, the moves before it, and, if it is `blocked`, where the obstacle stands.
+  grid::CellAt cell() const { return cell_; }
+  std::uint32_t cost() const { return cost_; }
+  grid::CellAt obstacle() const;
 
  private:
   nav::Landmark landmark(nav::LandmarkKind kind, grid::CellAt cell, grid::Direction heading);
   nav::Landmark end_of_line();
   nav::Landmark first_follow();
+  void turn_around();
   bool is_junction() const;
   bool faces_obstacle() const;
 
   CellRobot& robot_;
+  grid::CellAt cell_;
+  std::uint32_t cost_ = 0;
   std::uint64_t counted_ = 0;                        ///< moves before the last landmark
   grid::Direction heading_ = grid::Direction::east;  ///< of the last landmark
   bool on_junction_ = false;                         ///< the last landmark

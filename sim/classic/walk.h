@@ -1,0 +1,42 @@
+// The first two algorithms: the walk that keeps to the left, and the one that keeps to the right. On a tree
+// either visits everything and comes home.
+#pragma once
+
+#include <vector>
+
+#include "sim/classic/cell_robot.h"
+
+namespace robosim::classic {
+
+enum class Side { left, right };
+
+/// One move of the walk.
+inline void walk_on(CellRobot& robot, Side side) {
+  switch (robot.sense()) {
+    case Sense::straight:
+      return robot.step_forward();
+    case Sense::right_turn:
+      return robot.turn_right();
+    case Sense::left_turn:
+      return robot.turn_left();
+    case Sense::no_path:
+      return robot.turn_around();
+    case Sense::junction:
+      return side == Side::left ? robot.choose_left() : robot.choose_right();
+  }
+}
+
+struct Walk {
+  std::uint64_t moves = 0;
+  double time = 0.0;  ///< of the clock, seconds
+  CellPose end;
+  bool closed = false;  ///< it ended because the robot was at its start again, facing as it did
+  std::vector<grid::CellAt> dead_ends;  ///< in the order of the first visit
+};
+
+/// The original walks for ever. This ends when the robot stands again as it did at the start, or as it did
+/// after some 2^k moves (it may begin beside the round that it then walks); at the latest when its moves are
+/// used up.
+Walk walk(CellRobot& robot, Side side);
+
+}  // namespace robosim::classic

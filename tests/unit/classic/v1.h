@@ -1,0 +1,50 @@
+// Robosim v1's way of sensing, moving and scanning, re-stated plainly from what was measured of it: the
+// reference against which the cell engine is held, and beside which it is timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+
+namespace robosim::classic::v1 {
+
+struct Robot {
+  const grid::Map* map;
+  int x, y;
+  char facing;  ///< 'N', 'S', 'E' or 'W'
+  long clock = 0;
+  std::vector<std::string>* moves = nullptr;  ///< "x,y,dir,sense,move,clock" of each move, if wanted
+
+  /// "no_path", "straight", "right_turn", "left_turn" or "junction".
+  const char* sense() const;
+  void step_forward();
+  void turn_right();
+  void turn_left();
+  void turn_around();
+  void choose_right();
+  void choose_left();
+
+ private:
+  char at(int cx, int cy) const;  ///< '0', '1' or '2'; '?' off the map
+  void side(char to, int& dx, int& dy) const;
+  void note(const char* move);
+};
+
+struct Node {
+  int no = 0;
+  int visit = 0;
+  int station[3] = {0, 0, 0};   ///< by slot, 0 = none
+  int junction[3] = {0, 0, 0};  ///< by slot, 0 = none
+};
+
+struct Scan {
+  std::vector<Node> nodes;  ///< by number, from 1
+  int stations = 1;
+};
+
+/// The third algorithm. The start must be a dead end, facing the line, of a tree of three-way junctions with
+/// at least one.
+Scan scan(Robot& robot);
+
+}  // namespace robosim::classic::v1
