@@ -1,20 +1,24 @@
 // Everything of LineKit: the parts of a line follower, one header each.
 //
-//   LineSensors.h    where is the line?           analog, digital and RC sensors
-//   DriveMotors.h    two wheels                   L298N, TB6612, drivers with PWM on their IN pins
-//   PidController.h  how much to steer            output limits, no wind-up
-//   PushButton.h     start and stop               debounced, never waits
-//   PathFollower.h   lines with junctions         three digital sensors, left or right branch first
+//   LineSensors.h      where is the line?         analog, digital and RC sensors
+//   DriveMotors.h      two wheels                 L298N, TB6612, drivers with PWM on their IN pins
+//   PidController.h    how much to steer          output limits, no wind-up
+//   PushButton.h       start and stop             debounced, never waits
+//   PathFollower.h     lines with junctions       three digital sensors, left or right branch first
+//   ShiftRegisters.h   more outputs               a chain of 74HC595
+//   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
 // Nothing here waits, except for the sensors themselves (a few hundred microseconds), and nothing allocates
 // memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 
+#include "ClockedReceiver.h"
 #include "DriveMotors.h"
 #include "LineSensors.h"
 #include "PathFollower.h"
 #include "PidController.h"
 #include "PushButton.h"
+#include "ShiftRegisters.h"
 
 #endif

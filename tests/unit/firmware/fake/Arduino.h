@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #define HIGH 1
 #define LOW 0
 #define INPUT 0
 #define OUTPUT 1
 #define INPUT_PULLUP 2
+#define CHANGE 1
+#define RISING 3
+#define MSBFIRST 1
+#define digitalPinToInterrupt(pin) (pin)
 
 namespace fake {
 
@@ -19,10 +24,14 @@ struct Pin {
   int analog = 0;                 ///< what analogRead gives
   std::uint32_t drains_us = 0;    ///< as an input it stays HIGH for so long after it was an output
   std::uint32_t released_us = 0;  ///< when it became an input
+  int rises = 0;                  ///< how often the firmware has made it HIGH that was LOW
+  void (*handler)() = nullptr;    ///< what it has given to attachInterrupt
+  int handler_mode = 0;
 };
 
 struct Board {
   Pin pins[32];
+  std::vector<std::uint8_t> shifted;  ///< bytes of shiftOut
   std::uint32_t now_us = 0;
   std::uint32_t millis_at_start = 0;  ///< what millis() gives at now_us = 0; it wraps round at 2^32
 };
@@ -40,3 +49,7 @@ void analogWrite(std::uint8_t pin, int duty);
 unsigned long millis();
 unsigned long micros();
 void delayMicroseconds(unsigned int us);
+void shiftOut(std::uint8_t data, std::uint8_t clock, std::uint8_t order, std::uint8_t value);
+void attachInterrupt(std::uint8_t pin, void (*handler)(), int mode);
+void interrupts();
+void noInterrupts();

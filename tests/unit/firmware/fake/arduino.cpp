@@ -12,6 +12,7 @@ void pinMode(std::uint8_t pin, std::uint8_t mode) {
 }
 
 void digitalWrite(std::uint8_t pin, std::uint8_t level) {
+  if (level == HIGH && board.pins[pin].level == LOW) ++board.pins[pin].rises;
   board.pins[pin].level = level;
   board.pins[pin].duty = -1;
 }
@@ -32,3 +33,16 @@ unsigned long millis() { return board.millis_at_start + board.now_us / 1000; }
 unsigned long micros() { return board.now_us; }
 
 void delayMicroseconds(unsigned int us) { board.now_us += us; }
+
+void shiftOut(std::uint8_t, std::uint8_t, std::uint8_t, std::uint8_t value) {
+  board.shifted.push_back(value);
+}
+
+void attachInterrupt(std::uint8_t pin, void (*handler)(), int mode) {
+  board.pins[pin].handler = handler;
+  board.pins[pin].handler_mode = mode;
+}
+
+void interrupts() {}
+
+void noInterrupts() {}

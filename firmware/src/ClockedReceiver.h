@@ -1,0 +1,47 @@
+// Receives messages bit by bit from a radio receiver (433 or 315 MHz) with its decoder: three wires.
+//
+//   ENABLE  high while a message lasts      DATA  a bit      CLOCK  rises in the middle of each bit
+//
+// Both ENABLE and CLOCK work by interrupts (pins 2 and 3 on an Uno), so no bit is missed whatever the sketch
+// does. A message counts once ENABLE has fallen; if the next one comes before anybody has asked, the older
+// one is lost. One receiver a sketch.
+//
+//   ClockedReceiver radio(5, 2, 3);   // data, clock, enable
+//   void setup() { radio.begin(); }
+//   void loop() {
+//     if (radio.available() && radio.bits() == 8) go(radio.value());
+//   }
+#ifndef LINEKIT_CLOCKED_RECEIVER_H
+#define LINEKIT_CLOCKED_RECEIVER_H
+
+#include <Arduino.h>
+
+class ClockedReceiver {
+ public:
+  ClockedReceiver(uint8_t data, uint8_t clock, uint8_t enable)
+      : data_(data), clock_(clock), enable_(enable) {}
+
+  void begin();
+  /// Whether a message has come since the last call; bits() and value() are then its.
+  bool available();
+  /// How many bits it had; 255 stands for more, too.
+  uint8_t bits() const { return bits_; }
+  /// Its last 16 bits, most significant first.
+  uint16_t value() const { return value_; }
+
+ private:
+  static void onClock();
+  static void onEnable();
+
+  static ClockedReceiver* receiver_;
+
+  uint8_t data_, clock_, enable_;
+  uint8_t bits_ = 0;
+  uint16_t value_ = 0;
+  // Shared with the interrupts.
+  volatile uint8_t coming_bits_ = 0, come_bits_ = 0;
+  volatile uint16_t coming_ = 0, come_ = 0;
+  volatile bool has_come_ = false;
+};
+
+#endif

@@ -1,0 +1,38 @@
+// A chain of 74HC595: eight outputs more for each of them, for three pins of the board.
+//
+// Wiring: DATA to the first one's SER (DS), its QH' (Q7S) to the next one's SER, and so on; CLOCK to SRCLK
+// (SHCP) and LATCH to RCLK (STCP) of all; OE to ground, SRCLR (MR) to 5 V.
+//
+// Bit q of byte i is output Qq of the i-th register, 0 being the one at the board. set() only notes it;
+// show() sends all bytes, and then all outputs change at once. At power-on the outputs are anything: call
+// begin() early in setup().
+//
+//   ShiftRegisters out(11, 13, 10, 2);   // data, clock, latch, two registers
+//   void setup() { out.begin(); out.set(1, 0x80); out.show(); }
+#ifndef LINEKIT_SHIFT_REGISTERS_H
+#define LINEKIT_SHIFT_REGISTERS_H
+
+#include <Arduino.h>
+
+class ShiftRegisters {
+ public:
+  static const uint8_t kMost = 4;
+
+  ShiftRegisters(uint8_t data, uint8_t clock, uint8_t latch, uint8_t count)
+      : data_(data), clock_(clock), latch_(latch), count_(count < kMost ? count : kMost) {}
+
+  /// Makes the pins outputs, and all outputs of the registers low.
+  void begin();
+  void set(uint8_t index, uint8_t bits) {
+    if (index < kMost) bits_[index] = bits;
+  }
+  uint8_t get(uint8_t index) const { return index < kMost ? bits_[index] : 0; }
+  /// Takes about 0.13 ms for each register on an Uno.
+  void show();
+
+ private:
+  uint8_t data_, clock_, latch_, count_;
+  uint8_t bits_[kMost] = {0};
+};
+
+#endif
