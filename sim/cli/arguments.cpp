@@ -16,8 +16,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run", "build", "map", "robot", "test"};
-const std::vector<std::string> kLater{"play", "classic", "compare", "sweep", "flash"};
+const std::vector<std::string> kCommands{"run", "classic", "build", "map", "robot", "test"};
+const std::vector<std::string> kLater{"play", "compare", "sweep", "flash"};
 
 constexpr const char* kExamples =
     R"(Robosim runs your Arduino line follower on a simulated robot, and judges it.
@@ -35,6 +35,7 @@ robosim --help lists the commands, robosim run --help the options.
 constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
+  classic MAP                 the robot on cells: walk, scan and find the way
   build [SKETCH]              compile a sketch as Arduino would, and say its size
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
   map generate                make maps by chance: trees, cycles, streets
@@ -260,6 +261,72 @@ Command parse_map(Words words) {
   return map;
 }
 
+double seconds_a_move(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || value > 1e6)
+    refuse_value("--speed", text, "the seconds that a move takes, a number from 0 to 1000000");
+  return value;
+}
+
+// "miss=0.01,slip=0.005"
+void read_noise(const std::string& text, ClassicArguments& classic) {
+  std::size_t at = 0;
+  while (at <= text.size()) {
+    const std::string part = text.substr(at, text.find(',', at) - at);
+    at += part.size() + 1;
+    const std::size_t equals = part.find('=');
+    const std::string name = part.substr(0, equals),
+                      number = equals == part.npos ? "" : part.substr(equals + 1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    const bool is_chance =
+        error == std::errc() && end == number.data() + number.size() && value >= 0.0 && value <= 1.0;
+    if (!is_chance || (name != "miss" && name != "slip"))
+      refuse_value("--noise", text, "miss=P, slip=P or both with a comma between them, P from 0 to 1");
+    (name == "miss" ? classic.miss : classic.slip) = value;
+  }
+}
+
+Command parse_classic(const Words& words) {
+  ClassicArguments classic;
+  std::string speed, steps, noise, seed_text;
+  Options options("classic", "The robot on cells: it walks, scans a floor into a graph, and finds its way.");
+  options.positional("MAP", classic.map, "file, or name of a sample map");
+  options.text("--start", classic.start, "X,Y,DIR", "start; default: the map's");
+  options.text("--algorithm", classic.algorithm, "WHICH",
+               "left, right, ai (default), or a C++ file of your own");
+  options.text("--speed", speed, "S", "seconds a move takes (default 1)");
+  options.text("--steps", steps, "N", "moves allowed");
+  options.texts("--to", classic.to, "STATION",
+                "after the scan: drive there; all = every ordered pair; may be repeated");
+  options.text(
+      "--planner", classic.planner, "WHICH",
+      "bfs, dfs, iterative, pruned, climb, interval or dijkstra (default: climb on trees, else dijkstra)");
+  options.text("--noise", noise, "miss=P,slip=P", "chances that a cell is not seen, that a move fails");
+  options.text("--seed", seed_text, "N", "of the noise (default 1)");
+  options.flag("--trace", classic.trace, "every move");
+  options.flag("--json", classic.json, "for programs");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (classic.map.empty()) {
+    throw InputError("robosim classic needs a map: a file, or one of " +
+                     one_of(names_in(stock_map_folder(), ".map")));
+  }
+  if (classic.algorithm.empty()) classic.algorithm = "ai";
+  if (!is_path(classic.algorithm))
+    check_choice("--algorithm", classic.algorithm, {"left", "right", "ai", "a C++ file"});
+  if (!speed.empty()) classic.speed = seconds_a_move(speed);
+  if (!steps.empty()) classic.steps = whole_number("--steps", steps, 1, kMostSeed);
+  if (!noise.empty()) read_noise(noise, classic);
+  if (!seed_text.empty()) classic.seed = seed(seed_text);
+  if (!classic.planner.empty())
+    check_choice("--planner", classic.planner,
+                 {"bfs", "dfs", "iterative", "pruned", "climb", "interval", "dijkstra"});
+  if (classic.algorithm != "ai" && (!classic.to.empty() || !classic.planner.empty()))
+    throw InputError("--to and --planner go with --algorithm ai: the others know no stations");
+  return classic;
+}
+
 Command parse_robot(Words words) {
   RobotArguments robot;
   const auto action = take_action("robot", words, {"list", "show", "check"});
@@ -291,6 +358,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
+  if (first == "classic") return parse_classic(rest);
   if (first == "build") return parse_build(rest);
   if (first == "map") return parse_map(rest);
   if (first == "robot") return parse_robot(rest);

@@ -64,6 +64,22 @@ struct RobotArguments {
   std::string robot;
 };
 
+/// `robosim classic`
+struct ClassicArguments {
+  std::string map;
+  std::string start;
+  std::string algorithm;        ///< "left", "right", "ai", or a C++ file
+  double speed = 1.0;           ///< seconds a move takes
+  std::uint64_t steps = 0;      ///< moves allowed; 0 = see classic_command.cpp
+  std::vector<std::string> to;  ///< stations by number or name, or "all"
+  std::string planner;          ///< empty = as AiNavigator chooses
+  double miss = 0.0;            ///< chances, 0..1
+  double slip = 0.0;
+  std::uint64_t seed = 1;
+  bool trace = false;
+  bool json = false;
+};
+
 /// `robosim test`
 struct TestArguments {};
 
@@ -72,8 +88,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, BuildArguments, MapArguments, GenerateArguments, RobotArguments,
-                             TestArguments, PrintText>;
+using Command = std::variant<RunArguments, ClassicArguments, BuildArguments, MapArguments, GenerateArguments,
+                             RobotArguments, TestArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -118,6 +118,11 @@ std::string graph_text(const grid::Map& map, const grid::Start& start, const Tru
                   letter(start.facing), counted(graph.stations.size(), "station"),
                   counted(graph.junctions.size(), "junction"), counted(grid::line_count(graph), "line"),
                   counted(moves, "move"), counted(grid::cycle_count(graph), "cycle"));
+  return out + graph_tables(graph);
+}
+
+std::string graph_tables(const TrueGraph& graph) {
+  std::string out;
   auto end = std::back_inserter(out);
   const auto at = [](CellAt cell) { return fmt::format("{},{}", cell.x, cell.y); };
   if (!graph.stations.empty()) out += "\nstation   at         leads to (junction.slot), in moves\n";
@@ -141,9 +146,8 @@ std::string graph_text(const grid::Map& map, const grid::Start& start, const Tru
   return out;
 }
 
-std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
-  std::string out = fmt::format("{{\n  \"schema\": \"robosim.graph/1\",\n  \"start\": [{}, {}, \"{}\"]",
-                                start.cell.x, start.cell.y, letter(start.facing));
+std::string graph_members(const TrueGraph& graph) {
+  std::string out;
   List stations(out, "stations");
   for (int id = 0; const grid::GraphStation& station : graph.stations) {
     const std::string name = station.name.empty() ? "" : fmt::format(", \"name\": \"{}\"", station.name);
@@ -162,6 +166,13 @@ std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
   List unreachable(out, "unreachable");
   for (const CellAt cell : graph.unreachable) unreachable.add(place(cell));
   unreachable.end();
+  return out;
+}
+
+std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
+  std::string out = fmt::format("{{\n  \"schema\": \"robosim.graph/1\",\n  \"start\": [{}, {}, \"{}\"]",
+                                start.cell.x, start.cell.y, letter(start.facing));
+  out += graph_members(graph);
   List edges(out, "edges");
   for_each_line(graph, [&](const End& from, const Arm& arm) {
     edges.add(fmt::format(

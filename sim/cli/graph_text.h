@@ -14,6 +14,11 @@ std::string graph_text(const grid::Map& map, const grid::Start& start, const gri
 /// Schema robosim.graph/1, see docs/formats.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
+/// Its members `stations`, `junctions` and `unreachable`, each with a comma before it.
+std::string graph_members(const grid::TrueGraph& graph);
+/// The tables of graph_text alone.
+std::string graph_tables(const grid::TrueGraph& graph);
+
 /// An undirected graph for `dot -Tsvg`, laid out as the map is; lines are labelled with their moves.
 std::string graph_dot(const grid::Map& map, const grid::TrueGraph& graph);
 

@@ -1,0 +1,11 @@
+// `robosim classic`: the robot on cells.
+#pragma once
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// Gives the exit status.
+int classic_command(const ClassicArguments& arguments);
+
+}  // namespace robosim::cli
