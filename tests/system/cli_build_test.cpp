@@ -64,10 +64,10 @@ TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
 }
 
-TEST(CliBuild, ATargetThatOnlyBuildsDoesNotRun) {
-  const Ended ended = robosim_command({"run", "PidFollower", "--target", "avr"});
+TEST(CliBuild, ATargetOfALaterVersionIsStatus5) {
+  const Ended ended = robosim_command({"build", "PidFollower", "--target", "stm32"});
   EXPECT_EQ(ended.status, 5);
-  EXPECT_THAT(ended.err, HasSubstr("cannot run the target avr yet, it only builds for it; there is host"));
+  EXPECT_THAT(ended.err, HasSubstr("does not build for the target stm32 yet; there are host and avr"));
 }
 
 }  // namespace

@@ -40,18 +40,19 @@ class Wrapper : public testing::Test {
       fs::copy(source / file, checkout() / file);
     write_file(checkout() / "toolchain/packages.txt",
                "[host]\nplenty\nscarce  # why\n[test]\ncheck-kit\n[avr]\nchip\n");
-    tool("dpkg-query", "printf '%s installed\\n' plenty check-kit $(cat have 2>/dev/null)");
+    tool("dpkg-query", "printf '%s installed\\n' plenty check-kit chip $(cat have 2>/dev/null)");
     tool("sudo", "exec \"$@\"");
     tool("apt-get", "case \" $* \" in *' update '*) echo Hit:1;; *) echo scarce >have;; esac");
     tool("ctest", "pwd");
     tool("cmake", R"(
       case $1 in
         --version) echo 'cmake version 3.25.1' ;;
-        --preset) mkdir -p build/$2; touch build/$2/build.ninja
+        --preset) mkdir -p build/$2; echo 'build robosim-avr: phony' >build/$2/build.ninja
                   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
                   echo 'ROBOSIM_TESTS:BOOL='${3#*=} >>build/$2/CMakeCache.txt ;;
         --build) echo compiling
-                 printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim ;;
+                 printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim
+                 case "$*" in *robosim-avr*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-avr ;; esac ;;
       esac)");
     write_file(folder_ / "have", "scarce\n");
   }
@@ -127,13 +128,34 @@ TEST_F(Wrapper, ConfiguresAMovedCheckoutAfresh) {
   EXPECT_THAT(calls(), HasSubstr("cmake --preset release"));
 }
 
+TEST_F(Wrapper, BuildsTheChipsRunnerOnceItIsWantedAndKeepsItUpToDate) {
+  run("../checkout/robosim run X --target host");
+  EXPECT_THAT(calls(), Not(HasSubstr("chip")));
+  run("../checkout/robosim run X --target avr");
+  const std::string asked = calls();
+  EXPECT_THAT(asked, testing::ContainsRegex("dpkg-query .* plenty scarce chip\n"));
+  EXPECT_THAT(asked, HasSubstr("cmake --preset release"));
+  EXPECT_THAT(asked, HasSubstr("--target robosim robosim-host robosim-avr\n"));
+  run("../checkout/robosim run X --target=avr");
+  EXPECT_EQ(calls(), "");
+  write_file(checkout() / "sim/new.cpp", "");
+  fs::last_write_time(checkout() / "sim/new.cpp", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  run("../checkout/robosim");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
+TEST_F(Wrapper, BuildsTheChipsRunnerForAFinishedProgramToo) {
+  run("../checkout/robosim run my/made.elf");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
   run("../checkout/robosim");
   calls();
   const Result result = run("../checkout/robosim test -R Golden");
   EXPECT_EQ(result.out, checkout().string() + "\n");
   const std::string asked = calls();
-  EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit\n"));
+  EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit chip\n"));
   EXPECT_THAT(asked, HasSubstr("cmake --preset release -DROBOSIM_TESTS=ON\n"));
   EXPECT_THAT(asked, Not(HasSubstr("--target")));
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -R Golden\n"));

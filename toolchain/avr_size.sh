@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# toolchain/avr_size.sh AVR-SIZE ELF NAME FLASH RAM: prints what a program takes of a chip, as Arduino does; status 1 if
+# that is more than there is.
+set -euo pipefail
+
+"$1" -A "$2" | awk -v name="$3" -v flash="$4" -v ram="$5" '
+  $1 == ".text" || $1 == ".data" { code += $2 }
+  $1 == ".data" || $1 == ".bss" || $1 == ".noinit" { data += $2 }
+  END {
+    printf "%s: Sketch uses %d bytes (%d%%) of program storage space. Maximum is %d bytes.\n", name, code,
+           int(code * 100 / flash), flash
+    printf "%s: Global variables use %d bytes (%d%%) of dynamic memory, leaving %d bytes for local variables. ", name,
+           data, int(data * 100 / ram), ram - data
+    printf "Maximum is %d bytes.\n", ram
+    if (code > flash || data > ram) { print name ": does not fit the chip"; exit 1 }
+  }'

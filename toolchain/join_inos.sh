@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# toolchain/join_inos.sh CTAGS OUT.cpp INO...: joins .ino files to a C++ source, as Arduino does: Arduino.h on top, and
+# a prototype of each function before the first. For plain functions without default arguments; `robosim build` knows
+# the rest.
+set -euo pipefail
+
+ctags=$1 out=$2
+shift 2
+{
+  echo '#include <Arduino.h>'
+  for ino; do
+    printf '#line 1 "%s"\n' "$ino"
+    cat "$ino"
+    echo
+  done
+} >"$out.joined"
+
+# Name, file, pattern, then fields as "kind:function". A scope makes it a member, a `template` needs no prototype.
+"$ctags" -u --language-force=c++ -f - --c++-kinds=f --fields=KSTtzns "$out.joined" | awk -F'\t' '
+  { line = signature = type = scope = "" }
+  {
+    for (i = 4; i <= NF; ++i) {
+      if ($i ~ /^line:/) line = substr($i, 6)
+      if ($i ~ /^signature:/) signature = substr($i, 11)
+      if ($i ~ /^returntype:/) type = substr($i, 12)
+      if ($i ~ /^(class|struct|namespace|union):/) scope = $i
+    }
+    if (scope != "" || type == "") next
+    if (!first || line < first) first = line
+    if (type ~ /^template/ || signature ~ /=/) next
+    prototypes = prototypes ($0 ~ /\/\^static /? "static " : "") type " " $1 signature ";\n"
+  }
+  END { printf "%d\n%s", first, prototypes }' >"$out.prototypes"
+
+read -r first <"$out.prototypes"
+awk -v first="$first" -v prototypes="$out.prototypes" '
+  /^#line 1 / { file = $3; base = NR }
+  NR == first {
+    while ((getline text < prototypes) > 0) if (text !~ /^[0-9]+$/) print text
+    printf "#line %d %s\n", NR - base, file
+  }
+  { print }' "$out.joined" >"$out.new"
+rm "$out.joined" "$out.prototypes"
+mv "$out.new" "$out"
