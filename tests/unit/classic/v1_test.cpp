@@ -9,7 +9,7 @@
 #include "sim/classic/survey.h"
 #include "sim/classic/walk.h"
 #include "sim/grid/generator.h"
-#include "tests/unit/classic/v1.h"
+#include "tests/support/v1.h"
 
 namespace robosim::classic {
 namespace {

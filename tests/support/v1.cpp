@@ -1,4 +1,4 @@
-#include "tests/unit/classic/v1.h"
+#include "tests/support/v1.h"
 
 #include <cstring>
 

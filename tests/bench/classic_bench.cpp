@@ -1,0 +1,86 @@
+// The robot on cells: moves per second on map d, beside a plain re-statement of the original's way of
+// sensing; and a full scan of a tree of a million stations. The promises: at least 1e8 moves a second, and at
+// most 0.5 s after reading.
+#include <benchmark/benchmark.h>
+
+#include "sim/classic/survey.h"
+#include "sim/classic/walk.h"
+#include "sim/grid/generator.h"
+#include "tests/support/v1.h"
+
+namespace {
+
+using namespace robosim;
+using namespace robosim::classic;
+
+constexpr int kMoves = 100'000;  // between two looks at the clock
+
+void count_moves(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * kMoves);
+  state.counters["moves/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * kMoves, benchmark::Counter::kIsRate);
+}
+
+void CellsWalkMapD(benchmark::State& state) {
+  const grid::Map map = grid::read_map(grid::find_map("d"));
+  const grid::Start start = grid::default_start(map);
+  const CellFloor floor(map);
+  CellRobot robot(floor, {start.cell, start.facing});
+  for (auto _ : state) {
+    for (int i = 0; i < kMoves; ++i) walk_on(robot, Side::left);
+    benchmark::DoNotOptimize(robot.pose());
+  }
+  count_moves(state);
+}
+BENCHMARK(CellsWalkMapD);
+
+void OriginalsSensingWalksMapD(benchmark::State& state) {
+  const grid::Map map = grid::read_map(grid::find_map("d"));
+  const grid::Start start = grid::default_start(map);
+  v1::Robot robot{&map, start.cell.x, start.cell.y, letter(start.facing)};
+  for (auto _ : state) {
+    for (int i = 0; i < kMoves; ++i) {
+      switch (*robot.sense()) {  // the names differ in their first letter
+        case 's':
+          robot.step_forward();
+          break;
+        case 'r':
+          robot.turn_right();
+          break;
+        case 'l':
+          robot.turn_left();
+          break;
+        case 'j':
+          robot.choose_left();
+          break;
+        default:
+          robot.turn_around();
+      }
+    }
+    benchmark::DoNotOptimize(robot.x);
+  }
+  count_moves(state);
+}
+BENCHMARK(OriginalsSensingWalksMapD);
+
+// Packs the cells, scans all of it into a graph.
+void CellsScanAMillionStations(benchmark::State& state) {
+  const grid::Map map = grid::generate(grid::Family::tree, 1'000'000, 1);
+  const grid::Start start = grid::default_start(map);
+  std::uint64_t moves = 0;
+  for (auto _ : state) {
+    const CellFloor floor(map);
+    CellRobot robot(floor, {start.cell, start.facing});
+    CellWalker walker(robot);
+    GrowingNetwork network;
+    nav::Explorer<CellWalker, GrowingNetwork> explorer(walker, network);
+    while (explorer.step()) {
+    }
+    if (explorer.state() != nav::ScanState::complete) state.SkipWithError("the scan is not complete");
+    moves = robot.moves();
+  }
+  state.counters["moves"] = static_cast<double>(moves);
+}
+BENCHMARK(CellsScanAMillionStations)->Unit(benchmark::kMillisecond);
+
+}  // namespace
