@@ -2,6 +2,7 @@
 // either visits everything and comes home.
 #pragma once
 
+#include <unordered_set>
 #include <vector>
 
 #include "sim/classic/cell_robot.h"
@@ -27,11 +28,29 @@ inline void walk_on(CellRobot& robot, Side side) {
 }
 
 struct Walk {
+  enum class Ending {
+    closed,        ///< the same round would begin again
+    out_of_moves,  ///< those allowed are used up
+    returned       ///< an algorithm of the user's own has ended
+  };
+  Ending ending = Ending::out_of_moves;
   std::uint64_t moves = 0;
   double time = 0.0;  ///< of the clock, seconds
   CellPose end;
-  bool closed = false;  ///< it ended because the robot was at its start again, facing as it did
   std::vector<grid::CellAt> dead_ends;  ///< in the order of the first visit
+};
+
+/// The ends of lines on which a robot has stood, in the order of the first visit.
+class DeadEnds {
+ public:
+  /// After every move.
+  void look(const CellRobot& robot);
+  const std::vector<grid::CellAt>& cells() const { return cells_; }
+
+ private:
+  std::size_t at_ = 0;  // the cell of the last look; 0 is off the map
+  std::unordered_set<std::size_t> seen_;
+  std::vector<grid::CellAt> cells_;
 };
 
 /// The original walks for ever. This ends when the robot stands again as it did at the start, or as it did

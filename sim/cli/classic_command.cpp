@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
+#include <filesystem>
 
 #include "sim/base/error.h"
+#include "sim/classic/custom.h"
 #include "sim/classic/survey.h"
 #include "sim/classic/walk.h"
 #include "sim/cli/classic_text.h"
 #include "sim/cli/graph_text.h"
+#include "sim/cli/names.h"
 #include "sim/cli/output.h"
+#include "sim/cli/supervise.h"
 #include "sim/grid/map.h"
+#include "sim/sketch/algorithm.h"
 
 namespace robosim::cli {
 namespace {
@@ -21,14 +24,19 @@ using classic::Ending;
 // A scan takes two moves for each of the line's cells and some for its ends; with noise it may wander.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
+// Notes moves, if they are to be printed, and passes them on.
 class Tape final : public classic::MoveWatcher {
  public:
+  explicit Tape(classic::MoveWatcher* next, bool wanted) : next_(next), wanted_(wanted) {}
   void moved(const classic::CellPose& pose, classic::Sense sense, classic::Move move, double clock) override {
-    moves_.push_back({pose, sense, move, clock});
+    if (wanted_) moves_.push_back({pose, sense, move, clock});
+    if (next_) next_->moved(pose, sense, move, clock);
   }
   const std::vector<TapedMove>& moves() const { return moves_; }
 
  private:
+  classic::MoveWatcher* next_;
+  bool wanted_;
   std::vector<TapedMove> moves_;
 };
 
@@ -76,6 +84,37 @@ std::vector<classic::Route> drive(classic::Survey& survey, const grid::TrueGraph
   return routes;
 }
 
+/// Everything from the start to the report. `library`: the user's own algorithm, if it is one; `progressed`
+/// is told of its moves.
+int run_on(const grid::Map& map, const grid::Start& start, const ClassicArguments& arguments,
+           const std::filesystem::path& library, classic::MoveWatcher* progressed) {
+  const classic::CellFloor floor(map);
+  classic::CellRobot robot(floor, {start.cell, start.facing}, arguments.speed);
+  robot.limit_moves(arguments.steps > 0 ? arguments.steps : enough_moves(map));
+  robot.set_noise({arguments.miss, arguments.slip, arguments.seed});
+  Tape tape(progressed, arguments.trace);
+  if (arguments.trace || progressed) robot.watch(&tape);
+
+  ClassicReport report{map, start, arguments, {}, {}, {}, tape.moves()};
+  ExitStatus status = ExitStatus::ok;
+  if (!library.empty()) {
+    report.walk = classic::run_custom(robot, library);
+    if (report.walk->ending == classic::Walk::Ending::out_of_moves) status = ExitStatus::timeout;
+  } else if (arguments.algorithm == "ai") {
+    classic::Survey survey(robot);
+    report.scan = survey.scan();
+    status = status_of(report.scan->ending);
+    if (status == ExitStatus::ok) report.routes = drive(survey, report.scan->graph, arguments);
+    for (const classic::Route& route : report.routes)
+      if (status == ExitStatus::ok) status = status_of(route.ending);
+  } else {
+    report.walk =
+        classic::walk(robot, arguments.algorithm == "left" ? classic::Side::left : classic::Side::right);
+  }
+  print(arguments.json ? classic_json(report) : classic_text(report));
+  return static_cast<int>(status);
+}
+
 }  // namespace
 
 int classic_command(const ClassicArguments& arguments) {
@@ -85,28 +124,11 @@ int classic_command(const ClassicArguments& arguments) {
   if (map.at(start.cell) == grid::Cell::obstacle)
     throw InputError(
         fmt::format("{}: an obstacle stands on the start, {},{}", map.file, start.cell.x, start.cell.y));
-  const classic::CellFloor floor(map);
-  classic::CellRobot robot(floor, {start.cell, start.facing}, arguments.speed);
-  robot.limit_moves(arguments.steps > 0 ? arguments.steps : enough_moves(map));
-  robot.set_noise({arguments.miss, arguments.slip, arguments.seed});
-  Tape tape;
-  if (arguments.trace) robot.watch(&tape);
-
-  ClassicReport report{map, start, arguments, {}, {}, {}, tape.moves()};
-  Ending ending = Ending::complete;
-  if (arguments.algorithm == "ai") {
-    classic::Survey survey(robot);
-    report.scan = survey.scan();
-    ending = report.scan->ending;
-    if (ending == Ending::complete) report.routes = drive(survey, report.scan->graph, arguments);
-    for (const classic::Route& route : report.routes)
-      if (route.ending != Ending::complete) ending = route.ending;
-  } else {
-    report.walk =
-        classic::walk(robot, arguments.algorithm == "left" ? classic::Side::left : classic::Side::right);
-  }
-  print(arguments.json ? classic_json(report) : classic_text(report));
-  return static_cast<int>(status_of(ending));
+  if (!is_path(arguments.algorithm)) return run_on(map, start, arguments, {}, nullptr);
+  const sketch::Algorithm algorithm(arguments.algorithm);
+  return supervise(arguments.algorithm, [&](Progressed& progressed) {
+    return run_on(map, start, arguments, algorithm.shared_object(), &progressed);
+  });
 }
 
 }  // namespace robosim::cli

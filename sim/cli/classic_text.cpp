@@ -48,13 +48,24 @@ std::string scan_json(const classic::Scan& scan) {
       scan.moves, pose_json(scan.end), name_of(scan.ending), graph_members(scan.graph));
 }
 
+const char* state_of(const classic::Walk& walk) {
+  static constexpr const char* kNames[] = {"closed", "out_of_moves", "returned"};
+  return kNames[static_cast<int>(walk.ending)];
+}
+
+const char* ending_of(const classic::Walk& walk) {
+  static constexpr const char* kTexts[] = {", and from here it would go the same round again",
+                                           ", all that were allowed", ", and it has ended"};
+  return kTexts[static_cast<int>(walk.ending)];
+}
+
 std::string walk_json(const classic::Walk& walk) {
   std::string cells;
   for (const grid::CellAt cell : walk.dead_ends)
     cells += fmt::format("{}[{}, {}]", cells.empty() ? "" : ", ", cell.x, cell.y);
   return fmt::format(
-      ",\n  \"walk\": {{\"time\": {}, \"moves\": {}, \"end\": {}, \"closed\": {}, \"dead_ends\": [{}]}}",
-      walk.time, walk.moves, pose_json(walk.end), walk.closed, cells);
+      ",\n  \"walk\": {{\"time\": {}, \"moves\": {}, \"end\": {}, \"state\": \"{}\", \"dead_ends\": [{}]}}",
+      walk.time, walk.moves, pose_json(walk.end), state_of(walk), cells);
 }
 
 std::string route_json(const classic::Route& route) {
@@ -120,10 +131,8 @@ std::string classic_text(const ClassicReport& r) {
     out += graph_tables(r.scan->graph);
   }
   if (r.walk) {
-    fmt::format_to(
-        end, "{}: {} in {} s{}; the robot is at {}\n", from, counted(r.walk->moves, "move"), r.walk->time,
-        r.walk->closed ? ", and from here it would go the same round again" : ", all that were allowed",
-        pose_text(r.walk->end));
+    fmt::format_to(end, "{}: {} in {} s{}; the robot is at {}\n", from, counted(r.walk->moves, "move"),
+                   r.walk->time, ending_of(*r.walk), pose_text(r.walk->end));
     fmt::format_to(end, "ends of lines visited:");
     for (const grid::CellAt cell : r.walk->dead_ends) fmt::format_to(end, " {},{}", cell.x, cell.y);
     out += r.walk->dead_ends.empty() ? " none\n" : "\n";

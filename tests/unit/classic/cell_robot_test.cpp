@@ -129,7 +129,7 @@ TEST(Walk, OnATreeVisitsEveryDeadEndAndComesHome) {
       "0000000\n");
   CellRobot left(f.floor, {{0, 2}, Direction::east});
   const Walk l = walk(left, Side::left);
-  EXPECT_TRUE(l.closed);
+  EXPECT_EQ(l.ending, Walk::Ending::closed);
   EXPECT_THAT(l.dead_ends,
               ElementsAre(grid::CellAt{0, 2}, grid::CellAt{3, 1}, grid::CellAt{5, 2}, grid::CellAt{1, 3}));
   CellRobot right(f.floor, {{0, 2}, Direction::east});
@@ -142,7 +142,7 @@ TEST(Walk, EndsBeforeAnObstacleAsAtALinesEnd) {
   const OnFloor f("111x1\n");
   CellRobot robot(f.floor, {{0, 0}, Direction::east});
   const Walk w = walk(robot, Side::left);
-  EXPECT_TRUE(w.closed);
+  EXPECT_EQ(w.ending, Walk::Ending::closed);
   EXPECT_EQ(w.moves, 2u + 1 + 2 + 1);
 }
 

@@ -1,0 +1,56 @@
+// What a navigation algorithm of your own can sense and do on Robosim's floor of cells.
+//
+// Write one file:
+//
+//   #include <robosim/cells.h>
+//
+//   void navigate(robosim::Cells& robot) {
+//     while (robot.sense() == robosim::Sense::straight) robot.step_forward();
+//   }
+//
+// and run it:   robosim classic d --algorithm ./mine.cpp
+//
+// The run ends when navigate() returns, or when the moves are used up (--steps). docs/algorithms.md has more.
+#pragma once
+
+namespace robosim {
+
+/// By how many of four cells are line: ahead, right, left, and the robot's own.
+enum class Sense {
+  no_path,     ///< the line has ended
+  straight,    ///< it goes on
+  right_turn,  ///< it bends
+  left_turn,
+  junction  ///< three or four ways; which, you find out by going there
+};
+
+class Cells {
+ public:
+  virtual Sense sense() = 0;
+
+  // Moves. Each takes the same time.
+  virtual void step_forward() = 0;
+  virtual void turn_right() = 0;    ///< onto the cell on the right, facing that way, in one move
+  virtual void turn_left() = 0;     ///< the same to the left
+  virtual void turn_around() = 0;   ///< on the spot
+  virtual void choose_right() = 0;  ///< turn_right if that cell is line, else step_forward
+  virtual void choose_left() = 0;   ///< turn_left if that cell is line, else step_forward
+
+  /// Moves made so far.
+  virtual unsigned long long moves() const = 0;
+  /// Where the robot is: column and row from the top left, and 'E', 'S', 'W' or 'N'. A real robot does not
+  /// know.
+  virtual int x() const = 0;
+  virtual int y() const = 0;
+  virtual char facing() const = 0;
+  /// How many different ends of lines it has stood on.
+  virtual int dead_ends() const = 0;
+
+ protected:
+  ~Cells() = default;
+};
+
+}  // namespace robosim
+
+/// Yours.
+extern "C" __attribute__((visibility("default"))) void navigate(robosim::Cells& robot);

@@ -1,0 +1,128 @@
+// `robosim classic` as a user types it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// The robot's floor of these tests: two junctions, a station that faces a wall.
+constexpr const char* kFloor =
+    "00000000000\n"
+    "00001000000\n"
+    "00001000000\n"
+    "01111111120\n"
+    "00000010000\n"
+    "00000010000\n"
+    "00000000000\n";
+
+json classic(const Folder& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"classic", "./floor.map", "--json"});
+  const Ended run = robosim_command(words, folder.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  return json::parse(run.out, nullptr, false);
+}
+
+TEST(CliClassic, TellsScanAndRoutesForPrograms) {
+  const Folder folder;
+  folder.write("floor.map", kFloor);
+  const json out = classic(folder, {"--start", "1,3,E", "--speed", "2", "--to", "3", "--to", "2"});
+  EXPECT_EQ(out["schema"], "robosim.classic/1");
+  const int cells = 12, ends = 4, facing_a_wall = 1;
+  EXPECT_EQ(out["scan"]["moves"], 2 * (cells - 1) + ends + 2 * facing_a_wall);
+  EXPECT_EQ(out["scan"]["time"], 2 * (2 * (cells - 1) + ends + 2 * facing_a_wall));
+  EXPECT_EQ(out["scan"]["end"], json::parse(R"([1, 3, "E"])"));
+  EXPECT_EQ(out["scan"]["stations"], json::parse(R"([{"id": 1, "x": 1, "y": 3}, {"id": 2, "x": 6, "y": 5},
+                                                     {"id": 3, "x": 8, "y": 3}, {"id": 4, "x": 4, "y": 1}])"));
+  EXPECT_EQ(out["scan"]["junctions"][1]["slots"],
+            json::parse(R"([{"junction": 1}, {"station": 2}, {"station": 3}])"));
+  ASSERT_EQ(out["routes"].size(), 2u);
+  EXPECT_EQ(out["routes"][0]["junctions"], json::parse("[1, 2]"));
+  EXPECT_EQ(out["routes"][0]["turns"], "RL");
+  EXPECT_EQ(out["routes"][0]["time"], 2 * (7 + 1 + 1)) << "path, turn, the wall";
+  EXPECT_EQ(out["routes"][0]["ratio_to_shortest"], 1);
+  EXPECT_EQ(out["routes"][1]["from"], 3);
+  EXPECT_EQ(out["routes"][1]["turns"], "L");
+}
+
+TEST(CliClassic, AllIsEveryOrderedPair) {
+  const Folder folder;
+  folder.write("floor.map", kFloor);
+  EXPECT_EQ(classic(folder, {"--to", "all"})["routes"].size(), 4u * 3u);
+}
+
+TEST(CliClassic, TheTraceHoldsEveryMove) {
+  const Folder folder;
+  folder.write("floor.map", kFloor);
+  const json out = classic(folder, {"--start", "1,3,E", "--trace"});
+  EXPECT_EQ(out["trace"].size(), out["scan"]["moves"]);
+  EXPECT_EQ(out["trace"][0], json::parse(R"([1, 3, "E", "straight", "step_forward", 1])"));
+  EXPECT_EQ(out["trace"][3], json::parse(R"([4, 3, "E", "junction", "choose_right", 4])"));
+}
+
+TEST(CliClassic, AnUnknownDestinationIsRefusedWithTheStationsThatExist) {
+  const Ended run = robosim_command({"classic", "c", "--to", "9"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("no station “9”"));
+  EXPECT_THAT(run.err, HasSubstr("1, 2, 3, 4, 5, 6"));
+  EXPECT_THAT(run.out, IsEmpty());
+}
+
+TEST(CliClassic, TheWalksEndWhenTheSameRoundBeginsAgainOrAfterTheirSteps) {
+  const Ended closed = robosim_command({"classic", "oval", "--algorithm", "left"});
+  EXPECT_EQ(closed.status, 0);
+  EXPECT_THAT(closed.out, HasSubstr("the same round again"));
+  const Ended limited = robosim_command({"classic", "oval", "--algorithm", "right", "--steps", "5"});
+  EXPECT_EQ(limited.status, 0);
+  EXPECT_THAT(limited.out, HasSubstr("5 moves in 5 s, all that were allowed"));
+}
+
+TEST(CliClassic, RunsTheTemplateOfAnAlgorithmOfOnesOwn) {
+  const std::string file = std::string(ROBOSIM_EXAMPLES) + "/my_algorithm.cpp";
+  const Ended run = robosim_command({"classic", "d", "--algorithm", file});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("ends of lines visited: 3,10 "));
+  EXPECT_EQ(robosim_command({"classic", "d", "--algorithm", file}).out, run.out);
+}
+
+TEST(CliClassic, AnAlgorithmThatCrashesIsToldInASentence) {
+  const Folder folder;
+  folder.write("crash.cpp",
+               "#include <robosim/cells.h>\n"
+               "void navigate(robosim::Cells& robot) { robot.step_forward(); *(volatile int*)8 = 1; }\n");
+  const Ended run = robosim_command({"classic", "d", "--algorithm", "./crash.cpp"}, folder.path());
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("./crash.cpp crashed"));
+  EXPECT_THAT(run.err, HasSubstr("after 1 move, the last from 3,10,E"));
+}
+
+TEST(CliClassic, AnAlgorithmThatWalksForEverEndsWithItsMoves) {
+  const Folder folder;
+  folder.write("spin.cpp",
+               "#include <robosim/cells.h>\n"
+               "void navigate(robosim::Cells& robot) { for (;;) robot.turn_around(); }\n");
+  const Ended run =
+      robosim_command({"classic", "d", "--algorithm", "./spin.cpp", "--steps", "50"}, folder.path());
+  EXPECT_EQ(run.status, 4);
+  EXPECT_THAT(run.out, HasSubstr("50 moves"));
+}
+
+TEST(CliClassic, AnAlgorithmThatDoesNotCompileShowsFileAndLine) {
+  const Folder folder;
+  folder.write("bad.cpp",
+               "#include <robosim/cells.h>\nvoid navigate(robosim::Cells& robot) { robot.fly(); }\n");
+  const Ended run = robosim_command({"classic", "d", "--algorithm", "./bad.cpp"}, folder.path());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("./bad.cpp:2:"));
+}
+
+}  // namespace
+}  // namespace robosim::test
