@@ -54,18 +54,25 @@ std::string host_sizes(const sketch::Image& image, const BoardSpec& board) {
       board.ram_bytes);
 }
 
+// From this share of the RAM on Arduino warns.
+constexpr std::uint64_t kMuch_percent = 75;
+
 std::string chip_sizes(const sketch::Image& image, const BoardSpec& board) {
   const std::int64_t left =
       static_cast<std::int64_t>(board.ram_bytes) - static_cast<std::int64_t>(image.data_bytes);
   return fmt::format(
-      "{} for the {} ({}{})\n"
-      "Sketch uses {} bytes ({}%) of program storage space. Maximum is {} bytes.\n"
-      "Global variables use {} bytes ({}%) of dynamic memory, leaving {} bytes for local variables. Maximum "
-      "is {} bytes.\n",
-      image.name, board.name, image.compiler,
-      image.from_cache ? ", unchanged since it was last compiled" : "", image.text_bytes,
-      image.text_bytes * 100 / board.flash_bytes, board.flash_bytes, image.data_bytes,
-      image.data_bytes * 100 / board.ram_bytes, left, board.ram_bytes);
+             "{} for the {} ({}{})\n"
+             "Sketch uses {} bytes ({}%) of program storage space. Maximum is {} bytes.\n"
+             "Global variables use {} bytes ({}%) of dynamic memory, leaving {} bytes for local variables. "
+             "Maximum "
+             "is {} bytes.\n",
+             image.name, board.name, image.compiler,
+             image.from_cache ? ", unchanged since it was last compiled" : "", image.text_bytes,
+             image.text_bytes * 100 / board.flash_bytes, board.flash_bytes, image.data_bytes,
+             image.data_bytes * 100 / board.ram_bytes, left, board.ram_bytes) +
+         (image.data_bytes * 100 > kMuch_percent * board.ram_bytes
+              ? "Low memory available, stability problems may occur.\n"
+              : "");
 }
 
 void check_fits(const sketch::Image& image, const BoardSpec& board) {

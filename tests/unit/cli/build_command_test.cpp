@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 // An image as a build gives it; the file is no ELF, so it states no limits.
 class BuildReport : public ::testing::Test {
@@ -41,6 +42,15 @@ TEST_F(BuildReport, SaysTheSizesForAChipAsArduinoDoes) {
             "libraries: LineKit, EEPROM\n"
             "image: out/My.elf\n"
             "hex: out/My.hex\n");
+}
+
+TEST_F(BuildReport, WarnsAsArduinoDoesWhereLittleIsLeftForTheStack) {
+  const auto report = [&](std::uint64_t data_bytes) {
+    image_.data_bytes = data_bytes;
+    return size_report(image_, "avr", *find_board("uno"), {});
+  };
+  EXPECT_THAT(report(1536), Not(HasSubstr("Low memory")));
+  EXPECT_THAT(report(1537), HasSubstr("bytes.\nLow memory available, stability problems may occur.\n"));
 }
 
 TEST_F(BuildReport, NamesTheChipsRoomAfterTheSizesOnTheHost) {
