@@ -16,8 +16,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run", "classic", "build", "map", "robot", "test"};
-const std::vector<std::string> kLater{"play", "compare", "sweep", "flash"};
+const std::vector<std::string> kCommands{"run", "play", "classic", "build", "map", "robot", "test"};
+const std::vector<std::string> kLater{"compare", "sweep", "flash"};
 
 constexpr const char* kExamples =
     R"(Robosim runs your Arduino line follower on a simulated robot, and judges it.
@@ -35,6 +35,7 @@ robosim --help lists the commands, robosim run --help the options.
 constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
+  play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
   classic MAP                 the robot on cells: walk, scan and find the way
   build [SKETCH]              compile a sketch as Arduino would, and say its size
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
@@ -56,10 +57,10 @@ a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up ·
   throw InputError(fmt::format("{}: “{}” is not possible; it must be {}", option, value, allowed));
 }
 
-std::int64_t simulated_time(const std::string& text) {
+std::int64_t simulated_time(const char* option, const std::string& text) {
   const auto ns = parse_duration_ns(text);
   if (!ns || *ns <= 0) {
-    refuse_value("--for", text,
+    refuse_value(option, text,
                  "a time above 0 with its unit, as in 60s (" + unit_names(Dimension::time) + ")");
   }
   return *ns;
@@ -158,7 +159,7 @@ using Words = std::vector<std::string>;
 
 Command parse_run(const Words& words) {
   RunArguments run;
-  std::string duration, number, speed;
+  std::string duration, clock, number, speed;
   Options options("run", "Runs a sketch on a robot on a map, and judges it.");
   options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
@@ -167,6 +168,7 @@ Command parse_run(const Words& words) {
   options.text("--start", run.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
   options.text("--goal", run.goal, "GOAL", "tour, laps:N, station:N, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
+  options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--seed", number, "N", "of all noise and spread; default: 1");
   options.text("--profile", run.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
@@ -178,7 +180,8 @@ Command parse_run(const Words& words) {
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
   if (const auto help = options.parse(words)) return PrintText{*help};
-  if (!duration.empty()) run.for_ns = simulated_time(duration);
+  if (!duration.empty()) run.for_ns = simulated_time("--for", duration);
+  if (!clock.empty()) run.clock_ns = simulated_time("--clock", clock);
   if (!number.empty()) run.seed = seed(number);
   if (!speed.empty()) run.speed = view_speed(speed);
   check_choice("--profile", run.profile, {"ideal", "typical"});
@@ -342,6 +345,17 @@ Command parse_robot(Words words) {
   return robot;
 }
 
+Command parse_play(const Words& words) {
+  PlayArguments play;
+  Options options("play", "A session in the terminal: place the robot, watch it scan, send it to stations.");
+  options.positional("MAP", play.map, "file, or name of a sample map; without it, a list to choose from");
+  options.text("--start", play.start, "X,Y,DIR", "where placing the robot begins; default: the map's start");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (play.map.empty() && !play.start.empty())
+    throw InputError("--start is a place on a map; name the map too, as in robosim play d --start 2,10,E");
+  return play;
+}
+
 Command parse_test(const Words& words) {
   Options options("test",
                   "Checks a sketch automatically. In a checkout, ./robosim test runs Robosim's own tests.");
@@ -358,6 +372,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
+  if (first == "play") return parse_play(rest);
   if (first == "classic") return parse_classic(rest);
   if (first == "build") return parse_build(rest);
   if (first == "map") return parse_map(rest);

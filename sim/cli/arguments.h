@@ -19,6 +19,7 @@ struct RunArguments {
   std::string goal;
   std::int64_t for_ns = 600'000'000'000;  ///< simulated time
   std::uint64_t seed = 1;
+  std::int64_t clock_ns = 0;  ///< what millis() begins with
   std::string profile = "typical";
   std::string script;             ///< a file
   std::vector<std::string> send;  ///< texts as a scenario writes them, between its double quotes
@@ -80,6 +81,12 @@ struct ClassicArguments {
   bool json = false;
 };
 
+/// `robosim play`
+struct PlayArguments {
+  std::string map;
+  std::string start;
+};
+
 /// `robosim test`
 struct TestArguments {};
 
@@ -88,8 +95,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, ClassicArguments, BuildArguments, MapArguments, GenerateArguments,
-                             RobotArguments, TestArguments, PrintText>;
+using Command = std::variant<RunArguments, PlayArguments, ClassicArguments, BuildArguments, MapArguments,
+                             GenerateArguments, RobotArguments, TestArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -200,6 +200,7 @@ int run_command(const RunArguments& given) {
   request.goal = arguments.goal;
   request.for_ns = arguments.for_ns;
   request.seed = arguments.seed;
+  request.clock_ns = arguments.clock_ns;
   request.profile = arguments.profile;
   request.samples_every_ns = samples_every_ns(arguments, progress.active());
   request.serial = request.notes = arguments.view;

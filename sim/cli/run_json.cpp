@@ -36,6 +36,26 @@ std::string run_json(const RunInputs& in, const client::RunResult& r, std::optio
                      {"function", r.crash->function},
                      {"file", r.crash->file},
                      {"line", r.crash->line}};
+    if (!r.crash->registers.empty()) {
+      Json calls = Json::array();
+      for (const client::Crash::Call& call : r.crash->calls)
+        calls.push_back({{"function", call.function}, {"file", call.file}, {"line", call.line}});
+      json["crash"]["calls"] = std::move(calls);
+      json["crash"]["registers"] = r.crash->registers;
+    }
+  }
+  if (r.resources) {
+    const client::Resources& used = *r.resources;
+    json["resources"] = {{"flash_bytes", used.flash_bytes},
+                         {"ram_bytes", used.ram_bytes},
+                         {"stack_bytes_max", used.stack_bytes_max},
+                         {"interrupt_share", used.interrupt_share},
+                         {"cpu_load", used.cpu_load}};
+    if (used.loops > 0) {
+      json["resources"]["loops"] = used.loops;
+      json["resources"]["loop_us_max"] = used.loop_us_max;
+      json["resources"]["loop_us_mean"] = used.loop_us_mean;
+    }
   }
   json["serial"] = r.serial;
   json["trace_hash"] = r.trace_hash;

@@ -66,6 +66,7 @@ struct RunRequest {
   std::int64_t for_ns = 600'000'000'000;  ///< simulated time
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< or "ideal"
+  std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< its name in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
@@ -145,8 +146,8 @@ struct Note {
 };
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte>;
-/// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it does not return, the runner is held up by
-/// the full pipe; no result depends on that.
+/// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
+/// does not return, the runner is held up by the full pipe; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;
 
 /// Figures of a run; docs/formats.md says how each is measured.
@@ -168,6 +169,25 @@ struct Crash {
   std::string function;
   std::string file;
   int line = 0;
+  struct Call {
+    std::string function;
+    std::string file;
+    int line = 0;
+  };
+  std::vector<Call> calls;  ///< on a chip: innermost first, the core's included
+  std::string registers;    ///< on a chip: of its processor, lines for people
+};
+
+/// What the firmware took of its chip; docs/formats.md says how each is measured.
+struct Resources {
+  std::int64_t flash_bytes = 0;
+  std::int64_t ram_bytes = 0;
+  std::int64_t stack_bytes_max = 0;
+  std::int64_t loops = 0;  ///< 0 = loop() was not found or ran once; the next two are then 0
+  double loop_us_max = 0.0;
+  double loop_us_mean = 0.0;
+  double interrupt_share = 0.0;
+  double cpu_load = 0.0;
 };
 
 struct RunResult {
@@ -186,7 +206,8 @@ struct RunResult {
   std::string profile;
   Metrics metrics;
   std::optional<Crash> crash;
-  std::vector<Entry> events;  ///< the last ones
+  std::optional<Resources> resources;  ///< on a chip
+  std::vector<Entry> events;           ///< the last ones
   std::string serial;
   std::string trace_hash;
   std::string map_sha256;

@@ -142,6 +142,19 @@ Metrics metrics(const Json& json) {
   return m;
 }
 
+Resources resources(const Json& json) {
+  Resources r;
+  r.flash_bytes = get<std::int64_t>(json, "flash_bytes");
+  r.ram_bytes = get<std::int64_t>(json, "ram_bytes");
+  r.stack_bytes_max = get<std::int64_t>(json, "stack_bytes_max");
+  r.loops = get<std::int64_t>(json, "loops", 0);
+  r.loop_us_max = get<double>(json, "loop_us_max", 0.0);
+  r.loop_us_mean = get<double>(json, "loop_us_mean", 0.0);
+  r.interrupt_share = get<double>(json, "interrupt_share");
+  r.cpu_load = get<double>(json, "cpu_load");
+  return r;
+}
+
 RunResult result(const Json& json) {
   RunResult r;
   r.verdict = get<std::string>(json, "verdict");
@@ -155,9 +168,19 @@ RunResult result(const Json& json) {
   r.profile = get<std::string>(json, "profile");
   r.metrics = metrics(get<Json>(json, "metrics"));
   if (const auto crash = json.find("crash"); crash != json.end() && crash->is_object()) {
-    r.crash = Crash{get<std::string>(*crash, "reason"), get<std::string>(*crash, "function", ""),
-                    get<std::string>(*crash, "file", ""), get<int>(*crash, "line", 0)};
+    r.crash = Crash{get<std::string>(*crash, "reason"),
+                    get<std::string>(*crash, "function", ""),
+                    get<std::string>(*crash, "file", ""),
+                    get<int>(*crash, "line", 0),
+                    {},
+                    {}};
+    for (const Json& call : get<Json>(*crash, "calls", Json::array())) {
+      r.crash->calls.push_back(
+          {get<std::string>(call, "function"), get<std::string>(call, "file"), get<int>(call, "line")});
+    }
+    r.crash->registers = get<std::string>(*crash, "registers", "");
   }
+  if (json.contains("resources")) r.resources = resources(get<Json>(json, "resources"));
   for (const Json& entry : get<Json>(json, "events")) {
     r.events.push_back({get<double>(entry, "t_s"), get<std::string>(entry, "text")});
   }
@@ -211,6 +234,7 @@ std::string run_line(long long id, const RunRequest& r) {
     json["script"] = r.script;
     json["script_file"] = r.script_file;
   }
+  if (r.clock_ns > 0) json["clock_ns"] = r.clock_ns;
   if (r.samples_every_ns > 0) json["samples_every_ns"] = r.samples_every_ns;
   Json stream = Json::array();
   if (r.pins) stream.push_back("pin");

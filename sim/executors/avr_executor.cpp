@@ -1,5 +1,7 @@
 #include "sim/executors/avr_executor.h"
 
+#include <algorithm>
+
 #include "sim/executors/avr/diagnosis.h"
 
 namespace robosim::executors {
@@ -23,9 +25,11 @@ AvrExecutor::~AvrExecutor() = default;
 void AvrExecutor::power_on(SimTime t) {
   power_off(t);
   machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, t);
+  if (clock_start_ > 0) machine_->set_clock(clock_start_);
 }
 
 void AvrExecutor::power_off(SimTime t) {
+  before_ = resources();
   machine_.reset();
   crash_.reset();
   board_.reset(t);
@@ -44,6 +48,23 @@ void AvrExecutor::run_until(SimTime t) {
 SimTime AvrExecutor::last_call() const {
   if (!machine_) return reached_;
   return machine_->chip().is_asleep() ? reached_ : machine_->link().time_of(machine_->chip().last_io());
+}
+
+std::optional<Resources> AvrExecutor::resources() const {
+  if (!machine_) return before_;
+  Resources r = machine_->resources();
+  if (before_) {
+    r.stack_bytes_max = std::max(r.stack_bytes_max, before_->stack_bytes_max);
+    r.loop_us_max = std::max(r.loop_us_max, before_->loop_us_max);
+  }
+  return r;
+}
+
+void AvrExecutor::set_clock_start(SimTime start) {
+  if (!image_->firmware.find_variable("timer0_millis") || !image_->firmware.find("main"))
+    throw InputError({image_->firmware.file},
+                     "has no clock that --clock could set (it never calls millis())");
+  clock_start_ = start;
 }
 
 Activity AvrExecutor::activity() {

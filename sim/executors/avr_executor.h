@@ -35,6 +35,8 @@ class AvrExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SimTime last_call() const override;
+  std::optional<Resources> resources() const override;
+  void set_clock_start(SimTime start) override;
 
  private:
   struct Image;
@@ -43,6 +45,8 @@ class AvrExecutor final : public Executor {
   std::unique_ptr<const Image> image_;
   std::unique_ptr<avr::Machine> machine_;
   std::optional<Crash> crash_;
+  std::optional<Resources> before_;  ///< what was measured before the last power-on
+  SimTime clock_start_ = 0;
   SimTime reached_ = 0;  ///< until when firmware has run
 };
 

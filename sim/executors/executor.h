@@ -1,11 +1,13 @@
 // Who executes the firmware. An executor knows pins and time; it knows no robot and no world.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/board/board.h"
+#include "sim/base/error.h"
 
 namespace robosim::executors {
 
@@ -34,6 +36,18 @@ struct Activity {
   std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
 };
 
+/// What firmware takes of its chip, as measured from power-on.
+struct Resources {
+  std::uint32_t flash_bytes = 0;      ///< code, constants, initial values of variables
+  std::uint32_t ram_bytes = 0;        ///< variables
+  std::uint32_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
+  std::uint64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
+  double loop_us_max = 0.0;           ///< longest time from one beginning of loop() to the next
+  double loop_us_mean = 0.0;
+  double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
+  double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load
+};
+
 class Executor {
  public:
   virtual ~Executor() = default;
@@ -56,6 +70,14 @@ class Executor {
   virtual Activity activity() = 0;
   /// When the firmware last called the API; cheap.
   virtual SimTime last_call() const = 0;
+
+  /// Measured on chip targets only.
+  virtual std::optional<Resources> resources() const { return std::nullopt; }
+  /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
+  virtual void set_clock_start(SimTime) {
+    throw InputError(
+        "--clock: only on a chip target can the clock be set; on the host it is wider and never wraps");
+  }
 };
 
 }  // namespace robosim::executors

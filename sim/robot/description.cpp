@@ -256,6 +256,9 @@ Budget read_budget(const ConfigValue& table, const BoardSpec& board) {
   Budget budget;
   budget.flash_bytes = reader.integer("flash", 0, 1, board.flash_bytes);
   budget.ram_bytes = reader.integer("ram", 0, 1, board.ram_bytes);
+  budget.stack_bytes = reader.integer("stack", 0, 1, board.ram_bytes);
+  if (const ConfigValue* loop = reader.find("loop"))
+    budget.loop_s = as_quantity(*loop, "loop", Dimension::time, 1e-6, 100.0);
   reader.finish();
   return budget;
 }

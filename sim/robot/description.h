@@ -101,10 +101,13 @@ class PartSpec {
   virtual int driven_wheel() const { return -1; }
 };
 
-/// [budget]: what firmware may take of the board's chip. `robosim build` fails where a sketch takes more.
+/// [budget]: what firmware may take of the board's chip. `robosim build` fails where a sketch takes more
+/// flash or RAM, a run on a chip ends as over_budget where it takes more stack or time.
 struct Budget {
   std::int64_t flash_bytes = 0;  ///< 0 = all there is
   std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = all there is
+  std::int64_t stack_bytes = 0;  ///< the most in use while it runs; 0 = all there is
+  double loop_s = 0.0;           ///< the longest pass of loop(); 0 = any
 };
 
 struct Description {

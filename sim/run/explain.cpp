@@ -98,7 +98,7 @@ std::string explain(const Evidence& e) {
       return fmt::format("The {} of simulated time are up before the goal {}: {}{}.", seconds(e.limit),
                          to_string(*e.goal), done, waiting(e));
     case Verdict::over_budget:
-      return fmt::format("A budget of the robot file was exceeded ({}).", done);
+      return fmt::format("The sketch is over its budget: {} ({}).", e.exceeded, done);
     case Verdict::interrupted:
       return fmt::format("Interrupted by you after {} of simulated time ({}).", seconds(e.t), done);
   }

@@ -23,6 +23,7 @@ struct Evidence {
   const Judge* judge = nullptr;
   executors::Activity activity;
   std::optional<executors::Crash> crash;
+  std::string exceeded;  ///< the budget that was
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once

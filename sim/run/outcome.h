@@ -53,8 +53,9 @@ struct Outcome {
   SimTime time = 0;  ///< simulated, at the end
   Metrics metrics;
   std::optional<executors::Crash> crash;
-  std::vector<Event> events;  ///< the last few
-  std::string serial;         ///< all that the firmware sent, up to kSerialKept bytes
+  std::optional<executors::Resources> resources;  ///< of a chip
+  std::vector<Event> events;                      ///< the last few
+  std::string serial;                             ///< all that the firmware sent, up to kSerialKept bytes
   std::string trace_hash;
 };
 

@@ -19,6 +19,18 @@ namespace {
 constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
 constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
 constexpr std::size_t kEventsKept = 8;
+constexpr SimTime kBudgetEvery = 100 * kMillisecond;
+
+std::string exceeded_budget(const robot::Budget& budget, const std::optional<executors::Resources>& used) {
+  if (!used) return "";
+  if (budget.stack_bytes > 0 && used->stack_bytes_max > budget.stack_bytes)
+    return fmt::format("its stack took {} bytes; the robot file allows {}", used->stack_bytes_max,
+                       budget.stack_bytes);
+  if (budget.loop_s > 0.0 && used->loop_us_max > 1e6 * budget.loop_s)
+    return fmt::format("a pass of loop() took {:.3f} ms; the robot file allows {:.3f} ms",
+                       1e-3 * used->loop_us_max, 1e3 * budget.loop_s);
+  return "";
+}
 
 /// Everything of one run. Built in the order in which things depend on each other.
 class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
@@ -54,6 +66,7 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   Director director_;
   Judge judge_;
+  std::string exceeded_;  ///< the budget that was, as a sentence
   trace::TraceHash hash_;
 
   Vec2 sensor_midpoint_;
@@ -159,6 +172,10 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
 
   if (progress_.reached()) return Verdict::reached;
   if (executor.crash()) return Verdict::crashed;
+  if (end % kBudgetEvery == 0) {
+    exceeded_ = exceeded_budget(setup_.robot->budget, executor.resources());
+    if (!exceeded_.empty()) return Verdict::over_budget;
+  }
   Situation now{end,
                 &body_.pose(),
                 body_.wheel_travel(),
@@ -194,6 +211,7 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   e.progress = &progress_;
   e.judge = &judge_;
   e.crash = setup_.executor->crash();
+  e.exceeded = exceeded_;
   e.wiring = robot_.wiring();
   e.went_high = went_high_;
   e.was_output = was_output_;
@@ -214,6 +232,7 @@ Outcome Simulation::finish(Verdict verdict, SimTime t) {
   outcome.goal = goal_;
   outcome.time = t;
   outcome.crash = e.crash;
+  outcome.resources = setup_.executor->resources();
   outcome.events.assign(events_.begin(), events_.end());
   outcome.serial = std::move(serial_);
   outcome.trace_hash = hash_.text();

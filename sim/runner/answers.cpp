@@ -22,6 +22,20 @@ Json metrics(const run::Metrics& m) {
           {"junctions", m.junctions}};
 }
 
+Json resources(const executors::Resources& r) {
+  Json json = {{"flash_bytes", r.flash_bytes},
+               {"ram_bytes", r.ram_bytes},
+               {"stack_bytes_max", r.stack_bytes_max},
+               {"interrupt_share", r.interrupt_share},
+               {"cpu_load", r.cpu_load}};
+  if (r.loops > 0) {
+    json["loops"] = r.loops;
+    json["loop_us_max"] = r.loop_us_max;
+    json["loop_us_mean"] = r.loop_us_mean;
+  }
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const run::Beginning& beginning) {
@@ -60,7 +74,15 @@ Json to_json(const run::Outcome& outcome) {
                      {"function", where.function},
                      {"file", where.file},
                      {"line", where.line}};
+    if (!outcome.crash->registers.empty()) {
+      Json calls = Json::array();
+      for (const executors::SourceLine& call : outcome.crash->calls)
+        calls.push_back({{"function", call.function}, {"file", call.file}, {"line", call.line}});
+      json["crash"]["calls"] = std::move(calls);
+      json["crash"]["registers"] = outcome.crash->registers;
+    }
   }
+  if (outcome.resources) json["resources"] = resources(*outcome.resources);
   Json events = Json::array();
   for (const run::Event& event : outcome.events)
     events.push_back({{"t_s", seconds(event.t)}, {"text", event.text}});

@@ -82,6 +82,7 @@ RunRequest parse_run_request(const json& object) {
   request.script_file = keys.text("script_file", "script");
   request.samples_every = keys.whole("samples_every_ns", 0);
   if (request.samples_every % kTick != 0) Keys::wrong("samples_every_ns", "a multiple of the tick, 1000000");
+  request.clock_start = keys.whole("clock_ns", 0);
   if (const json* stream = keys.find("stream")) {
     if (!stream->is_array()) Keys::wrong("stream", "an array");
     for (const json& name : *stream) {

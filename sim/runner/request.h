@@ -18,8 +18,8 @@ struct RunRequest {
   std::string script;
   std::string script_file = "script";
   SimTime samples_every = 0;
-  bool stream_pins = false, stream_serial = false, stream_notes = false,
-       stream_io = false;
+  SimTime clock_start = 0;  ///< of millis(); 0 = as it is
+  bool stream_pins = false, stream_serial = false, stream_notes = false, stream_io = false;
 };
 
 /// Throws InputError for unknown keys and values of the wrong kind.

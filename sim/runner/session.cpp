@@ -149,6 +149,8 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   const robot::Description robot = robot::load_description(request.robot);
   const std::unique_ptr<executors::Executor> executor = target.make_executor(*robot.board, request.image);
 
+  if (request.clock_start > 0) executor->set_clock_start(request.clock_start);
+
   run::Setup setup;
   setup.map = &map;
   setup.robot = &robot;

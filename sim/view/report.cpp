@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "sim/view/floor_picture.h"
 #include "sim/view/text.h"
@@ -142,6 +143,17 @@ void write_figures(Writer& out, const Report& report) {
                                              report.started.stations.size(), m.stations.empty() ? "" : ": ",
                                              list(m.stations), m.junctions));
   }
+  if (r.resources) {
+    const client::Resources& used = *r.resources;
+    out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most",
+                                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max));
+    const std::string loop = used.loops == 0
+                                 ? ""
+                                 : fmt::format("loop() {:.3f} ms on average, {:.3f} ms at most · ",
+                                               1e-3 * used.loop_us_mean, 1e-3 * used.loop_us_max);
+    out.labelled("processor   ", fmt::format("{}interrupts {:.1f} % · awake {:.1f} %", loop,
+                                             100.0 * used.interrupt_share, 100.0 * used.cpu_load));
+  }
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
                                              r.time_s / std::max(*report.wall_s, 1e-9)));
@@ -196,6 +208,15 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
     out.line();
     out.line("last events", Ink::strong);
     for (const auto& event : r.events) out.line(fmt::format("  {:>9.2f} s  {}", event.t_s, event.text));
+  }
+  if (r.crash && !r.crash->calls.empty()) {
+    out.line();
+    out.line("calls that were open, the last first", Ink::strong);
+    for (const client::Crash::Call& call : r.crash->calls)
+      out.line(call.file.empty() ? "  " + call.function
+                                 : fmt::format("  {}, {}:{}", call.function, call.file, call.line));
+    std::istringstream registers(r.crash->registers);
+    for (std::string line; std::getline(registers, line);) out.line("  " + line);
   }
   if (const auto lines = last_lines(r.serial, kSerialLines); !lines.empty()) {
     out.line();

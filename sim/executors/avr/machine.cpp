@@ -35,7 +35,8 @@ bool selects_interrupts(reg::Address address) {
 }  // namespace
 
 Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, SimTime t)
-    : board_(board),
+    : firmware_(firmware),
+      board_(board),
       chip_(firmware, board.spec(), *this),
       link_{chip_, board, t},
       stack_(chip_, firmware),
@@ -136,6 +137,39 @@ void Machine::loop_began() {
   loop_began_ = now;
 }
 
+void Machine::set_clock(SimTime start) {
+  clock_start_ = start;
+  if (const auto main = firmware_.find("main")) chip_.set_trap(Chip::Trap::main, *main);
+}
+
+void Machine::start_clock() {
+  chip_.clear_trap(Chip::Trap::main);
+  // The core's (wiring.c): milliseconds, and overflows of timer 0, each of 1024 us.
+  const auto set = [&](const char* variable, std::uint64_t value) {
+    const auto address = firmware_.find_variable(variable);
+    for (int i = 0; address && i < 4; ++i)
+      chip_.memory()[*address + i] = static_cast<std::uint8_t>(value >> (8 * i));
+  };
+  set("timer0_millis", static_cast<std::uint64_t>(clock_start_ / kMillisecond));
+  set("timer0_overflow_count", static_cast<std::uint64_t>(clock_start_ / (1024 * kMicrosecond)));
+}
+
+Resources Machine::resources() const {
+  constexpr double kCycle_us = 1.0 / 16.0;
+  Resources r;
+  r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
+  r.ram_bytes = firmware_.ram_bytes;
+  r.stack_bytes_max = stack_.most_bytes();
+  r.loops = loop_times_.count;
+  r.loop_us_max = static_cast<double>(loop_times_.longest) * kCycle_us;
+  if (r.loops > 0)
+    r.loop_us_mean = static_cast<double>(loop_times_.total) * kCycle_us / static_cast<double>(r.loops);
+  const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));
+  r.interrupt_share = static_cast<double>(chip_.handler_cycles()) / all;
+  r.cpu_load = 1.0 - static_cast<double>(chip_.sleep_cycles()) / all;
+  return r;
+}
+
 void Machine::run_until(SimTime t) {
   link_.limit = t;
   const Cycle end = link_.cycle_at(t);
@@ -144,7 +178,9 @@ void Machine::run_until(SimTime t) {
     const SimTime next = board_.next_input();
     const Cycle stop = next < t ? std::max(link_.cycle_at(next), chip_.cycle() + 1) : end;
     chip_.run_to(std::min(stop, end));
-    if (chip_.take_trap() == Chip::Trap::loop) loop_began();
+    const std::optional<Chip::Trap> trap = chip_.take_trap();
+    if (trap == Chip::Trap::loop) loop_began();
+    if (trap == Chip::Trap::main) start_clock();
   }
 }
 

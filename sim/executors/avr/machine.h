@@ -5,6 +5,7 @@
 #include "sim/executors/avr/ports.h"
 #include "sim/executors/avr/stack.h"
 #include "sim/executors/avr/uart.h"
+#include "sim/executors/executor.h"
 
 namespace robosim::executors::avr {
 
@@ -22,13 +23,15 @@ class Machine final : Peripherals {
   ~Machine();
 
   void run_until(SimTime t);
+  /// millis() begins with `start` when main() begins.
+  void set_clock(SimTime start);
+  Resources resources() const;
 
   Chip& chip() { return chip_; }
   const Chip& chip() const { return chip_; }
   const Stack& stack() const { return stack_; }
   const Ports& ports() const { return ports_; }
   const Link& link() const { return link_; }
-  const LoopTimes& loop_times() const { return loop_times_; }
 
  private:
   void io_write(reg::Address address, std::uint8_t value) override;
@@ -41,7 +44,9 @@ class Machine final : Peripherals {
   void timer_written(reg::Address address);
   void take_inputs();
   void loop_began();
+  void start_clock();
 
+  const Firmware& firmware_;
   BoardState& board_;
   Chip chip_;
   Link link_;
@@ -53,6 +58,7 @@ class Machine final : Peripherals {
   LoopTimes loop_times_;
   Cycle loop_began_ = 0;
   bool looped_ = false;
+  SimTime clock_start_ = 0;
 };
 
 }  // namespace robosim::executors::avr

@@ -148,7 +148,11 @@ TEST(Description, ABudgetIsWhatFirmwareMayTakeOfTheChip) {
   EXPECT_EQ(describe(robot).budget.ram_bytes, 1500);
   EXPECT_THAT(message_of(kBareRobot + "[budget]\nflash = 31000\n"), HasSubstr("flash is 31000"));
   EXPECT_THAT(message_of(kBareRobot + "[budget]\nram = 0\n"), HasSubstr("ram is 0"));
-  EXPECT_THAT(message_of(kBareRobot + "[budget]\nstack = 300\n"), HasSubstr("unknown key stack"));
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nheap = 300\n"), HasSubstr("unknown key heap"));
+  const Description run =
+      parse_description(kBareRobot + "[budget]\nstack = 300\nloop = \"20 ms\"\n", "r.toml");
+  EXPECT_EQ(run.budget.stack_bytes, 300);
+  EXPECT_DOUBLE_EQ(run.budget.loop_s, 0.02);
 }
 
 TEST(Description, ABaseIsInheritedAndItsPartsAreOverriddenByName) {
