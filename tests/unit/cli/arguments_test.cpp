@@ -125,8 +125,7 @@ TEST_P(RefusedArguments, AreToldInASentence) {
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedArguments,
     ::testing::Values(
-        Refused{{"rnu"},
-                "there is no command “rnu”; did you mean run? There are run, "},
+        Refused{{"rnu"}, "there is no command “rnu”; did you mean run? There are run, "},
         Refused{{"--verson"}, "did you mean --version?"},
         Refused{{"sweep"}, "sweep is not in this version yet"},
         Refused{{"run", "--mapp", "x"}, "run has no option --mapp; did you mean --map?"},
