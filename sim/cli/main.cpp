@@ -10,6 +10,7 @@
 #include "sim/cli/interrupts.h"
 #include "sim/cli/map_command.h"
 #include "sim/cli/output.h"
+#include "sim/cli/play_command.h"
 #include "sim/cli/robot_command.h"
 #include "sim/cli/run_command.h"
 #include "sim/sketch/sketch.h"
@@ -24,6 +25,7 @@ struct Perform {
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
   int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
+  int operator()(const PlayArguments& arguments) const { return play_command(arguments); }
   int operator()(const TestArguments&) const {
     throw InputError(
         "robosim test is not in this version yet (it will check a sketch by a checks.toml); in a checkout of "

@@ -94,6 +94,38 @@ Key take_key(std::string& bytes) {
   }
 }
 
+Press take_press(std::string& bytes) {
+  using Kind = Press::Kind;
+  if (bytes.empty()) return {};
+  if (bytes[0] == '\033') {
+    if (bytes.size() > 1 && bytes[1] != '[' && bytes[1] != 'O') {
+      bytes.erase(0, 1);
+      return {Kind::other};
+    }
+    switch (take_key(bytes)) {
+      case Key::up:
+        return {Kind::up};
+      case Key::down:
+        return {Kind::down};
+      case Key::left:
+        return {Kind::left};
+      case Key::right:
+        return {Kind::right};
+      case Key::none:
+        return {};
+      default:
+        return {Kind::other};
+    }
+  }
+  const char c = bytes[0];
+  bytes.erase(0, 1);
+  if (c == '\n' || c == '\r') return {Kind::enter};
+  if (c == '\b' || c == 0x7F) return {Kind::erase};
+  if (c == 4) return {Kind::end};
+  if (static_cast<unsigned char>(c) >= ' ') return {Kind::character, c};
+  return {Kind::other};
+}
+
 Screen::Screen(int input, int output, Look look)
     : input_(input), output_(output), look_(look), has_keys_(::isatty(input) != 0) {
   if (has_keys_ && ::tcgetattr(input_, &before_us) != 0) has_keys_ = false;
@@ -139,20 +171,31 @@ void Screen::show(const Frame& frame) {
   shown_ = frame;
 }
 
-Key Screen::wait_key(int timeout_ms) {
-  if (const Key key = take_key(bytes_); key != Key::none) return key;
+void Screen::read_bytes(int timeout_ms) {
   pollfd ready{input_, POLLIN, 0};
   const int polled = ::poll(&ready, has_keys_ ? 1 : 0, timeout_ms);
   if (stop_asked) handle_stop();
-  if (polled <= 0) return Key::none;
+  if (polled <= 0) return;
   char chunk[64];
   const ssize_t n = ::read(input_, chunk, sizeof chunk);
-  if (n <= 0) {
-    if (n == 0 || errno != EINTR) has_keys_ = false;  // hung up: do not spin
-    return Key::none;
+  if (n > 0) {
+    bytes_.append(chunk, static_cast<std::size_t>(n));
+  } else if (n == 0 || errno != EINTR) {
+    has_keys_ = false;  // hung up: do not spin
   }
-  bytes_.append(chunk, static_cast<std::size_t>(n));
+}
+
+Key Screen::wait_key(int timeout_ms) {
+  if (const Key key = take_key(bytes_); key != Key::none) return key;
+  read_bytes(timeout_ms);
   return take_key(bytes_);
+}
+
+Press Screen::wait_press(int timeout_ms) {
+  if (const Press press = take_press(bytes_); press.kind != Press::Kind::nothing) return press;
+  if (!has_keys_) return {Press::Kind::end};
+  read_bytes(timeout_ms);
+  return take_press(bytes_);
 }
 
 bool Screen::take_resized() {

@@ -27,6 +27,27 @@ enum class Key { none, space, plus, minus, quit, follow, up, down, left, right, 
 /// that is not complete yet stays.
 Key take_key(std::string& bytes);
 
+/// The same for whoever also wants letters.
+struct Press {
+  enum class Kind : unsigned char {
+    nothing,    ///< none came in time
+    character,  ///< `character`: printable ASCII, or a byte of UTF-8
+    enter,
+    erase,
+    up,
+    down,
+    left,
+    right,
+    other,
+    end,       ///< no more will come: end of the input, Ctrl-D, the terminal is gone
+    interrupt  ///< Ctrl-C and its kin
+  };
+  Kind kind = Kind::nothing;
+  char character = 0;
+  bool operator==(const Press&) const = default;
+};
+Press take_press(std::string& bytes);
+
 /// Full-screen mode, from construction to destruction: alternate screen, no cursor, keys unbuffered and not
 /// echoed. Afterwards the terminal is as it was, also when the process dies of a fault (SIGSEGV, SIGABRT, …)
 /// or is stopped by Ctrl-Z and goes on. There can be one at a time.
@@ -44,6 +65,8 @@ class Screen {
   void show(const Frame& frame);
   /// Waits at most so long for a key; gives none after that, after a signal, and after a resize.
   Key wait_key(int timeout_ms);
+  /// The same with letters; `end` once there is no keyboard any more.
+  Press wait_press(int timeout_ms);
   /// Whether the window was resized, or the process continued after a stop, since the last call.
   bool take_resized();
 
@@ -51,6 +74,7 @@ class Screen {
   void enter();
   void leave();
   void handle_stop();
+  void read_bytes(int timeout_ms);
 
   int input_, output_;
   Look look_;

@@ -1,0 +1,12 @@
+// `robosim play`: the session of the original program.
+#pragma once
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// On a terminal that can address its cursor the session takes the whole screen; elsewhere it reads and
+/// writes lines. The exit status: 130 after Ctrl-C. Throws InputError for the map or start in the arguments.
+int play_command(const PlayArguments& arguments);
+
+}  // namespace robosim::cli

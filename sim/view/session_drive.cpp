@@ -1,0 +1,190 @@
+// The session from the first move on cells to the last.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/view/graph_table.h"
+#include "sim/view/session.h"
+#include "sim/view/text.h"
+
+namespace robosim::view {
+namespace {
+
+constexpr const char* kTurnLetters = " (R the first way out to the right, L the last, S between them)";
+
+// The turns as they look on the map: "east at J1, north at J2".
+std::string directions_text(const grid::TrueGraph& graph, int from, const RouteReport& route) {
+  std::string text;
+  const grid::Arm* arm = &graph.stations[static_cast<std::size_t>(from - 1)].arm;
+  for (std::size_t i = 0; i < route.turns.size(); ++i) {
+    if (arm->behind != grid::Arm::Behind::junction) break;
+    const auto& arms = graph.junctions[static_cast<std::size_t>(arm->id - 1)].arms;
+    const std::size_t right_hand = route.turns[i] == 'R' ? 1 : route.turns[i] == 'L' ? arms.size() - 1 : 2;
+    const grid::Arm& out = arms[(static_cast<std::size_t>(arm->slot) + right_hand) % arms.size()];
+    text += fmt::format("{}{} at J{}", i ? ", " : "", direction_word(out.out), arm->id);
+    arm = &out;
+  }
+  return text;
+}
+
+std::string consumed(const WalkReport& report) {
+  return fmt::format("Time consumed: {:.10g} s, {} moves.", report.time_s, report.moves);
+}
+
+// "S1, S2 dock and S3": as many as a sentence can take.
+std::string stations_text(const grid::TrueGraph& graph) {
+  constexpr int kListed = 30;
+  const int count = static_cast<int>(graph.stations.size());
+  std::string text;
+  for (int n = 1; n <= std::min(count, kListed); ++n)
+    text += (n == 1 ? "" : n == count ? " and " : ", ") + station_name(graph, n);
+  return count > kListed ? fmt::format("{}, … S{}", text, count) : text;
+}
+
+}  // namespace
+
+Session::Next Session::on_cells() {
+  driver_ = host_.cells(*map_, start_, speed_s_);
+  if (algorithm_ == Algorithm::ai) return scan_and_drive();
+  const bool is_left = algorithm_ == Algorithm::left;
+  const auto report = watch(fmt::format("Map {}: keeping to the {}", map_->name, is_left ? "left" : "right"),
+                            {}, [&](const OnStep& on_step) { return driver_->walk(algorithm_, on_step); });
+  if (!report) return choose_next("The walk was broken off.", Ink::plain);
+  return choose_next(consumed(*report) + ' ' + report->note, Ink::strong);
+}
+
+Session::Next Session::scan_and_drive() {
+  const auto report = watch(fmt::format("Map {}: scanning", map_->name), {},
+                            [&](const OnStep& on_step) { return driver_->scan(on_step); });
+  if (!report) return choose_next("The scan was broken off: the robot knows no stations.", Ink::plain);
+  const grid::TrueGraph& graph = driver_->graph();
+  show_graph((report->complete ? "Scan complete. " : "Scan not complete. ") + consumed(*report) +
+             (report->note.empty() ? "" : ' ' + report->note));
+  if (graph.stations.size() < 2) {
+    const char* why = graph.stations.empty() ? "There is no station to drive to."
+                                             : "There is only one station: nowhere to drive to.";
+    return choose_next(why, Ink::plain);
+  }
+  if (driver_->here() == 0) driver_->put_back(1);
+  std::string result;
+  do {
+    result = drive_to(choose_destination());
+  } while (ask_whether_to_continue(result));
+  return choose_next("The robot has done its drives.", Ink::plain);
+}
+
+void Session::show_graph(const std::string& result) {
+  const grid::TrueGraph& graph = driver_->graph();
+  const std::vector<CellLabel> labels = graph_labels(graph);
+  const std::vector<std::string> lines = graph_lines(graph, console_.size().columns - 1, console_.look());
+  std::size_t selected = 0;
+  bool wants_map = true, wants_lines = !console_.is_live();
+  // Map and list share the screen if they fit both; else they take turns.
+  for (;;) {
+    const Press press = read(
+        [&](Page& page) {
+          page.text(result, Ink::strong);
+          page.text(graph_summary(graph));
+          page.blank();
+          const int list_rows = static_cast<int>(std::min<std::size_t>(lines.size(), 1000));
+          const bool both = page.rows_left() >= map_->height + 1 + list_rows;
+          if (wants_map || both) {
+            draw_map(page, both ? map_->height : page.rows_left() - (wants_lines ? list_rows + 1 : 0),
+                     labels);
+            if (both || wants_lines) page.blank();
+          }
+          if (!wants_map || both || wants_lines) page.list(lines, selected, page.rows_left(), false);
+        },
+        {{wants_map ? "g shows it as a list, Enter goes on, q quits"
+                    : "g shows it on the map, arrows up and down scroll, Enter goes on, q quits",
+          Ink::faint}});
+    if (press.kind == Press::Kind::enter) return;
+    if (press.kind == Press::Kind::up && selected > 0) --selected;
+    if (press.kind == Press::Kind::down && selected + 1 < lines.size()) ++selected;
+    if (press.kind != Press::Kind::character) continue;
+    if (press.character == 'q') throw SessionQuit{};
+    if (press.character == 'g') wants_map = !wants_map;
+    if (press.character == 'g' && !console_.is_live()) wants_map = wants_lines = true;
+  }
+}
+
+int Session::choose_destination() {
+  const grid::TrueGraph& graph = driver_->graph();
+  const std::vector<CellLabel> labels = graph_labels(graph);
+  for (;;) {
+    const std::string answer = ask(
+        [&](Page& page) {
+          page.line(
+              fmt::format("Map {}: the robot is at {}", map_->name, station_name(graph, driver_->here())),
+              Ink::strong);
+          page.text(fmt::format("Stations: {}", stations_text(graph)));
+          draw_map(page, page.rows_left(), labels);
+        },
+        "Destination (a number or a name; q quits):");
+    const int station = find_station(graph, answer);
+    if (station == 0) {
+      refuse(fmt::format("There is no station “{}” that can be reached; there are {}.", answer,
+                         stations_text(graph)));
+    } else if (station == driver_->here()) {
+      refuse(
+          fmt::format("The robot is at {} already: choose another station.", station_name(graph, station)));
+    } else {
+      return station;
+    }
+  }
+}
+
+std::string Session::drive_to(int station) {
+  const grid::TrueGraph& graph = driver_->graph();
+  const std::vector<CellLabel> labels = graph_labels(graph);
+  const int from = driver_->here();
+  const std::string trip = fmt::format("{} to {}", station_name(graph, from), station_name(graph, station));
+  const RouteReport route = driver_->route(station);
+  if (!route.possible) return fmt::format("{}: {}", trip, route.why_not);
+
+  std::string junctions, turns;
+  for (std::size_t i = 0; i < route.junctions.size(); ++i) {
+    junctions += fmt::format("{}J{}", i ? ", " : "", route.junctions[i]);
+    turns += fmt::format("{}{}", i ? ", " : "", route.turns[i]);
+  }
+  picture_->clear_trail();
+  const auto body = [&](Page& page) {
+    page.line(trip, Ink::strong);
+    page.text("Junctions: " + (junctions.empty() ? "none" : junctions));
+    page.text("Turns: " + (turns.empty() ? "none" : turns + kTurnLetters));
+    if (!turns.empty()) page.text("On the map: " + directions_text(graph, from, route));
+    page.text(fmt::format("Time: {:.10g} s", route.time_s));
+    draw_map(page, page.rows_left(), labels);
+  };
+  ask(body, "Enter drives there:");
+
+  const auto report = watch(fmt::format("Map {}: {}", map_->name, trip), labels,
+                            [&](const OnStep& on_step) { return driver_->drive(station, on_step); });
+  if (!report) {
+    driver_->put_back(from);
+    pose_ = driver_->pose();
+    picture_->clear_trail();
+    return fmt::format("The drive was broken off; the robot is put back to {}.", station_name(graph, from));
+  }
+  if (report->complete)
+    return fmt::format("Arrived at {}. {}", station_name(graph, station), consumed(*report));
+  return fmt::format("It did not arrive at {}. {} {}", station_name(graph, station), report->note,
+                     consumed(*report));
+}
+
+bool Session::ask_whether_to_continue(const std::string& result) {
+  const std::vector<CellLabel> labels = graph_labels(driver_->graph());
+  for (;;) {
+    const std::string answer = ask(
+        [&](Page& page) {
+          page.text(result, Ink::strong);
+          draw_map(page, page.rows_left(), labels);
+        },
+        "Continue to another station (y/n) [y]:");
+    if (answer.empty() || answer == "y" || answer == "yes") return true;
+    if (answer == "n" || answer == "no") return false;
+    refuse(fmt::format("“{}” is neither: answer y to continue or n to stop.", answer));
+  }
+}
+
+}  // namespace robosim::view
