@@ -46,6 +46,12 @@ struct Place {
   int32_t x, y;
 };
 
+/// Turned about the start, in quarter turns clockwise.
+inline Place rotated(Place at, uint8_t quarters) {
+  for (quarters &= 3; quarters > 0; --quarters) at = {-at.y, at.x};
+  return at;
+}
+
 enum class LandmarkKind : uint8_t { line, junction, end, blocked, loop, lost };
 
 struct Landmark {
@@ -55,6 +61,12 @@ struct Landmark {
   Place at;
   uint32_t cost;  ///< of the way since the last landmark: moves on a grid, else time in units of 20 ms
 };
+
+/// The same arms with each heading h counted as h + quarters.
+inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
+  quarters &= 3;
+  return static_cast<uint8_t>((arms << quarters | (arms & 15) >> (4 - quarters)) & 15);
+}
 
 inline bool hasArm(uint8_t arms, Heading h) { return (arms >> h & 1) != 0; }
 

@@ -43,15 +43,26 @@ class Pilot {
       return true;
     }
     if (!Walker::kKnowsPlaces) return true;
-    if (met.heading != heading_ || network_.find(met.at) != node) return false;
-    walker_.relocate(network_.place(node));
+    if (((met.heading + frame_) & 3) != heading_) return false;
+    if (placed_ && network_.find(rotated(met.at, frame_)) != node) return false;
+    placeOn(node);
     return true;
+  }
+
+  /// "You are on this junction."
+  void placeOn(Id node) {
+    walker_.relocate(rotated(network_.place(node), static_cast<uint8_t>(4 - frame_)));
+    placed_ = true;
   }
 
   Walker& walker_;
   Network& network_;
   Id here_ = Network::kNone;
   Heading heading_ = 0;
+  // The walker counts headings and places from how it stood when it began. After a power cycle that is
+  // another way than when it scanned.
+  Heading frame_ = 0;   ///< of the walker, in the network's headings
+  bool placed_ = true;  ///< whether the walker's places are the network's, turned by frame_
 };
 
 }  // namespace nav

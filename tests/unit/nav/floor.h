@@ -10,15 +10,8 @@
 
 namespace nav_test {
 
-inline nav::Place rotated(nav::Place at, int quarters) {
-  for (int i = quarters & 3; i > 0; --i) at = {-at.y, at.x};
-  return at;
-}
-
-inline uint8_t rotatedArms(uint8_t arms, int quarters) {
-  const int q = quarters & 3;
-  return static_cast<uint8_t>((arms << q | arms >> (4 - q)) & 15);
-}
+using nav::rotated;
+using nav::rotatedArms;
 
 /// One arm of one node.
 struct Arm {
@@ -83,8 +76,10 @@ class FloorWalker {
   int follows = 0;
   /// Times it was told to go where there is no line, to turn where it cannot, or that it was somewhere else.
   int errors = 0;
-  /// Odometry's error at each landmark, in the place's unit.
+  /// Odometry's error at each landmark, in the place's unit. It does not add up.
   int32_t drift = 0;
+  /// It was started elsewhere than where places count from: the first relocate() may tell it anything.
+  bool strange = false;
   /// Before that follow(), an obstacle comes to stand on that line.
   int block_before = -1, block_line = -1;
 
@@ -98,7 +93,7 @@ class FloorWalker {
   bool inward_ = false;  ///< on a line: faces that arm
   bool must_turn_ = false;
   int frame_ = 0;
-  nav::Place origin_{0, 0};
+  nav::Place origin_{0, 0}, offset_{0, 0};
 };
 
 /// Without odometry: headings follow from the turns it was told to make, and bends go unnoticed.

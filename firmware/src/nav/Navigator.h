@@ -1,0 +1,149 @@
+// Drives a robot to any node of a network that it knows, from landmark to landmark.
+//
+//   nav::Navigator<MyWalker, MyNetwork, nav::TreeOrDijkstra<>> navigator(walker, network);
+//   navigator.start(explorer.here(), explorer.heading());      // after a scan
+//   if (!navigator.goTo(nav::stationNode(network, 3))) refuse();
+//   while (navigator.step()) showProgress();
+//   if (navigator.state() == nav::NavState::arrived) …
+//
+// An obstacle on a line: it notes it in the network, goes back to the node it left, plans anew and goes
+// round. If there is no way left, it says so and stays at that node; goTo() somewhere else is then still
+// possible.
+//
+// At a station it turns, so that it faces along the line: ready to leave. At a junction it stays as it came.
+//
+// After a power cycle, the network having been loaded from EEPROM, restore() takes the place of start(). It
+// looks round, and refuses if what it sees is not what it should see there.
+//
+// A planner is anything with
+//
+//   Id next(const Network&, Id here, Id to)   the next node on the way, or kNone if there is none
+//   void forget()                             called when what it planned before no longer holds
+//
+// Ready-made: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of
+// the planners in Plan.h. Only the one that is named in the template takes flash.
+#ifndef LINEKIT_NAV_NAVIGATOR_H
+#define LINEKIT_NAV_NAVIGATOR_H
+
+#include "Limits.h"
+#include "Pilot.h"
+#include "Plan.h"
+
+namespace nav {
+
+enum class NavState : uint8_t {
+  idle,     ///< no destination yet
+  driving,  ///< on the way; at each step() the robot stands at a node
+  arrived,
+  no_way,   ///< obstacles leave none; it stands at a node, here()
+  trapped,  ///< obstacles before it and behind it: it stands between two nodes, the last of them here()
+  lost      ///< the walker is lost, or met something that cannot be there
+};
+
+template <class Walker, class Network, class Planner>
+class Navigator : public Pilot<Walker, Network> {
+  typedef Pilot<Walker, Network> Base;
+
+ public:
+  typedef typename Network::Id Id;
+
+  Navigator(Walker& walker, Network& network) : Base(walker, network) {}
+  Navigator(Walker& walker, Network& network, const Planner& planner)
+      : Base(walker, network), planner_(planner) {}
+
+  /// The robot stands at this node and faces so, as an explorer on the same walker left it.
+  void start(Id here, Heading heading) {
+    here_ = to_ = here;
+    heading_ = heading;
+    frame_ = 0;
+    placed_ = true;
+    state_ = NavState::idle;
+    planner_.forget();
+  }
+
+  /// The robot was left at this node, facing so, and its walker has just been started. False, and lost, if it
+  /// sees something else.
+  bool restore(Id here, Heading heading) {
+    start(here, heading);
+    state_ = NavState::lost;
+    if (here >= network_.size()) return false;
+    const bool station = network_.isStation(here);
+    const Landmark at = walker_.begin();
+    if (at.kind != (station ? LandmarkKind::end : LandmarkKind::junction)) return false;
+    if (station && at.arms != 0) heading_ = headingOf(network_, here, 0);
+    frame_ = static_cast<Heading>((heading_ - at.heading) & 3);
+    if (rotatedArms(at.arms, frame_) != network_.arms(here)) return false;
+    placed_ = false;
+    if (!station && Walker::kKnowsPlaces) this->placeOn(here);
+    state_ = NavState::idle;
+    return true;
+  }
+
+  /// Where to. False, and nothing changes, if there is no such node or the robot does not know where it is.
+  bool goTo(Id to) {
+    if (to >= network_.size() || here_ >= network_.size()) return false;
+    if (state_ == NavState::trapped || state_ == NavState::lost) return false;
+    to_ = to;
+    state_ = here_ == to ? NavState::arrived : NavState::driving;
+    planner_.forget();
+    return true;
+  }
+
+  /// Goes on to the next node. False once it has ended, see state().
+  bool step() {
+    if (state_ != NavState::driving) return false;
+    const Id next = planner_.next(network_, here_, to_);
+    const uint8_t slot = next == Network::kNone ? kNoSlot : slotTowards(network_, here_, next);
+    if (slot == kNoSlot) {
+      state_ = NavState::no_way;
+    } else {
+      drive(slot, next);
+    }
+    return state_ == NavState::driving;
+  }
+
+  NavState state() const { return state_; }
+  Id destination() const { return to_; }
+  Planner& planner() { return planner_; }
+
+ private:
+  using Base::arrive;
+  using Base::frame_;
+  using Base::heading_;
+  using Base::here_;
+  using Base::network_;
+  using Base::placed_;
+  using Base::take;
+  using Base::turnBack;
+  using Base::walker_;
+
+  void drive(uint8_t slot, Id next) {
+    const Id from = here_;
+    const uint8_t back = network_.backSlot(from, slot);
+    take(slot);
+    Landmark met = walker_.follow();
+    if (met.kind == LandmarkKind::blocked) {
+      network_.block(from, slot);
+      planner_.forget();
+      turnBack();
+      met = walker_.follow();
+      if (met.kind == LandmarkKind::blocked) {
+        state_ = NavState::trapped;
+      } else if (!arrive(met, from, slot)) {
+        state_ = NavState::lost;
+      }
+    } else if (!arrive(met, next, back)) {
+      state_ = NavState::lost;
+    } else if (next == to_) {
+      state_ = NavState::arrived;
+    }
+  }
+
+  Planner planner_;
+  Id to_ = Network::kNone;
+  NavState state_ = NavState::idle;
+};
+
+}  // namespace nav
+
+#endif

@@ -1,0 +1,87 @@
+// Planners for a Navigator: what is the next node?
+#ifndef LINEKIT_NAV_NEXT_PLANNERS_H
+#define LINEKIT_NAV_NEXT_PLANNERS_H
+
+#include "Dijkstra.h"
+#include "Limits.h"
+#include "TreeWay.h"
+
+namespace nav {
+
+/// For trees. No memory.
+struct ClimbPlanner {
+  template <class Network>
+  typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
+    return climbNext(network, here, to);
+  }
+  void forget() {}
+};
+
+/// For any FixedNetwork; plans anew at each node, in 137 bytes.
+template <uint8_t kJunctions = kCyclicJunctions>
+class DijkstraPlanner {
+ public:
+  template <class Network>
+  typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
+    return dijkstra_.next(network, here, to);
+  }
+  void forget() {}
+
+ private:
+  DijkstraNext<kJunctions> dijkstra_;
+};
+
+/// ClimbPlanner where the network is a tree, of up to 200 nodes; DijkstraPlanner elsewhere.
+template <uint8_t kJunctions = kCyclicJunctions>
+class TreeOrDijkstra {
+ public:
+  template <class Network>
+  typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
+    return network.isTree() ? climbNext(network, here, to) : dijkstra_.next(network, here, to);
+  }
+  void forget() {}
+
+ private:
+  DijkstraNext<kJunctions> dijkstra_;
+};
+
+/// Any planner of Plan.h: plans the whole way once, and again if it must. Path needs size() and [] as well.
+///
+///   typedef nav::PathPlanner<Network, Path, Work> Planner;
+///   nav::Navigator<Walker, Network, Planner> navigator(walker, network, Planner(nav::bfs<Network, Path,
+///   Work>));
+template <class Network, class Path, class Work>
+class PathPlanner {
+ public:
+  typedef typename Network::Id Id;
+  typedef Plan (*Function)(const Network&, Id from, Id to, Path&, Work&);
+
+  explicit PathPlanner(Function plan) : plan_(plan) {}
+
+  Id next(const Network& network, Id here, Id to) {
+    if (!planned_ || path_[at_] != here) {
+      result_ = plan_(network, here, to, path_, work_);
+      planned_ = result_ == Plan::found;
+      at_ = 0;
+    }
+    if (!planned_ || at_ + Id(1) >= path_.size()) return Network::kNone;
+    return path_[++at_];
+  }
+  void forget() { planned_ = false; }
+
+  /// What the last plan came to: why there is no way.
+  Plan result() const { return result_; }
+  const Path& path() const { return path_; }
+
+ private:
+  Function plan_;
+  Path path_;
+  Work work_;
+  Id at_ = 0;
+  bool planned_ = false;
+  Plan result_ = Plan::found;
+};
+
+}  // namespace nav
+
+#endif
