@@ -3,6 +3,7 @@
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part_reader.h"
+#include "sim/robot/parts/bumper.h"
 #include "sim/robot/parts/button.h"
 #include "sim/robot/parts/encoder.h"
 #include "sim/robot/parts/indicator.h"
@@ -51,6 +52,7 @@ const std::vector<PartType>& part_types() {
       {"reflectance", read_reflectance},
       {"reflectance-array", read_reflectance_array},
       {"button", read_button},
+      {"bumper", read_bumper},
       {"led", read_led},
       {"buzzer", read_buzzer},
       {"encoder", read_encoder},

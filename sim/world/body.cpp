@@ -162,7 +162,7 @@ void Body::place(const Pose& pose) {
   pose_.heading = norm > 0.0 ? pose.heading * (1.0 / norm) : Vec2{1.0, 0.0};
   v_ = u_ = omega_ = 0.0;
   surface_[left] = surface_[right] = 0.0;
-  slips_ = touched_ = near_ = in_contact_ = false;
+  slips_ = touched_ = near_ = in_contact_ = near_ahead_ = pressed_ahead_ = false;
 }
 
 bool Body::covers(Vec2 p) const {

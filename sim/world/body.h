@@ -114,6 +114,8 @@ class Body {
   /// Contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
   int collisions() const { return collisions_; }
   bool in_contact() const { return in_contact_; }
+  /// Whether something presses against it from ahead: within 60 degrees of straight on. What a bumper feels.
+  bool pressed_ahead() const { return pressed_ahead_; }
   /// Whether the body's outline covers a point of the floor.
   bool covers(Vec2 p) const;
   /// Of the circle about the outline's middle that holds the outline, m.
@@ -174,6 +176,7 @@ class Body {
   Vec2 bound_centre_;
   bool slips_ = false;
   bool touched_ = false, near_ = false, in_contact_ = false;
+  bool near_ahead_ = false, pressed_ahead_ = false;
   int collisions_ = 0;
   double distance_ = 0.0;
   double wheel_travel_ = 0.0;

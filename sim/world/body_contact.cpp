@@ -9,6 +9,7 @@ namespace robosim::world {
 namespace {
 
 constexpr int kContactRounds = 4;  // in a corner two walls take turns
+constexpr double kAhead = 0.5;     // cosine of 60 degrees
 
 }  // namespace
 
@@ -26,6 +27,8 @@ void Body::collide(const Walls& walls) {
   }
   if (contacts.empty()) return;
   near_ = true;
+  for (const Contact& contact : contacts)
+    near_ahead_ |= !contact.embedded && dot(contact.normal, pose_.heading) < -kAhead;
   const Vec2 from = pose_.position;
   bool pushed = false;
   for (int round = 0; round < kContactRounds; ++round) {
@@ -63,6 +66,7 @@ bool Body::push_out(const Contact& contact, Vec2 moved) {
 }
 
 void Body::meet(Vec2 normal, double depth, double approach) {
+  near_ahead_ |= dot(normal, pose_.heading) < -kAhead;
   pose_.position = pose_.position + normal * depth;
   if (!(approach > 0.0)) return;
   set_velocity(velocity() + normal * approach);
@@ -92,7 +96,8 @@ void Body::grip_after_contact() {
 void Body::settle_contact() {
   if (touched_ && !in_contact_) ++collisions_;
   in_contact_ = touched_ || (in_contact_ && near_);
-  touched_ = near_ = false;
+  pressed_ahead_ = in_contact_ && near_ahead_;
+  touched_ = near_ = near_ahead_ = false;
 }
 
 }  // namespace robosim::world

@@ -16,7 +16,10 @@ constexpr FaultKind kFaults[] = {
 }  // namespace
 
 std::shared_ptr<const PartSpec> read_button(PartReader& reader) {
-  auto spec = std::make_shared<ButtonSpec>();
+  return read_button_keys(reader, std::make_shared<ButtonSpec>());
+}
+
+std::shared_ptr<const PartSpec> read_button_keys(PartReader& reader, std::shared_ptr<ButtonSpec> spec) {
   spec->pin = reader.pin("pin", PinUse::digital);
   spec->active_high = reader.high("active", false);
   spec->resistor = reader.table().boolean("resistor", spec->active_high);

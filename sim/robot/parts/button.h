@@ -16,7 +16,7 @@ namespace robosim::robot {
 
 std::shared_ptr<const PartSpec> read_button(PartReader&);
 
-class ButtonSpec final : public PartSpec {
+class ButtonSpec : public PartSpec {
  public:
   Pin pin = kNoPin;
   bool active_high = false;
@@ -26,12 +26,15 @@ class ButtonSpec final : public PartSpec {
   std::unique_ptr<Part> make(Setting&) const override;
 };
 
-class ButtonPart final : public Part, public PinSource, public Breakable {
+/// What a button's table says, into a spec of its own or of a part that is one, too.
+std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
+
+class ButtonPart : public Part, public PinSource, public Breakable {
  public:
   ButtonPart(const ButtonSpec&, Setting&);
 
   /// Held down from `t` on, or let go. Until it is settled() it wants begin_tick.
-  void hold(bool down, SimTime t);
+  virtual void hold(bool down, SimTime t);
   bool settled() const { return announced_ == flips_.size(); }
 
   void join(Roster&) override;

@@ -1,0 +1,30 @@
+// type = "bumper": a collision sensor at the robot's front, a switch that closes while something presses
+// against the body from ahead (world::Body::pressed_ahead). Electrically it is a button, and a script can
+// press it by hand: it is pressed as long as either does.
+#pragma once
+
+#include "sim/robot/parts/button.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_bumper(PartReader&);
+
+class BumperSpec final : public ButtonSpec {
+ public:
+  std::unique_ptr<Part> make(Setting&) const override;
+};
+
+class BumperPart final : public ButtonPart {
+ public:
+  BumperPart(const BumperSpec& spec, Setting& setting) : ButtonPart(spec, setting), view_(setting.view) {}
+
+  void join(Roster&) override;
+  void hold(bool down, SimTime t) override;
+  void begin_tick(SimTime) override;
+
+ private:
+  const View& view_;
+  bool held_ = false, touches_ = false;
+};
+
+}  // namespace robosim::robot

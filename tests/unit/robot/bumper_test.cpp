@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/robot/bench_robot.h"
+
+namespace robosim::robot {
+namespace {
+
+const std::string kBumper = "[[part]]\nname = \"bumper\"\ntype = \"bumper\"\npin = 4\nresistor = true\n";
+
+/// A disc 100 mm away from the robot's middle, whose radius is 60 mm; it is run into at 0.3 m/s.
+struct Crash {
+  BenchRobot bench{kBumper};
+
+  explicit Crash(Vec2 away) {
+    bench.world.add_obstacle(bench.line() + away * 0.1, 0.02);
+    bench.body().place({bench.line(), {1.0, 0.0}});
+  }
+  void drive(double speed) {
+    for (const world::Side side : {world::left, world::right}) bench.body().command(side, {speed, 0.0});
+    bench.ticks(400);
+  }
+};
+
+TEST(Bumper, IsPressedByWhatStandsAheadAndReleasedBehindIt) {
+  Crash crash({1.0, 0.0});
+  EXPECT_TRUE(crash.bench.level(4));
+  crash.drive(0.3);
+  EXPECT_TRUE(crash.bench.body().in_contact());
+  EXPECT_FALSE(crash.bench.level(4));
+  crash.drive(0.0);
+  EXPECT_FALSE(crash.bench.level(4)) << "it stands against it";
+  crash.drive(-0.1);
+  EXPECT_TRUE(crash.bench.level(4));
+}
+
+TEST(Bumper, DoesNotFeelWhatItBacksInto) {
+  Crash crash({-1.0, 0.0});
+  crash.drive(-0.3);
+  EXPECT_TRUE(crash.bench.body().in_contact());
+  EXPECT_TRUE(crash.bench.level(4));
+}
+
+TEST(Bumper, CanBePressedByHandLikeAButton) {
+  BenchRobot bench(kBumper);
+  bench.robot.press("bumper", 0);
+  bench.ticks(5);
+  EXPECT_FALSE(bench.level(4));
+  bench.robot.release("bumper", bench.now);
+  bench.ticks(5);
+  EXPECT_TRUE(bench.level(4));
+}
+
+TEST(Bumper, StaysPressedByAnObstacleWhenTheHandLetsGo) {
+  Crash crash({1.0, 0.0});
+  crash.drive(0.3);
+  crash.bench.robot.press("bumper", crash.bench.now);
+  crash.bench.ticks(5);
+  crash.bench.robot.release("bumper", crash.bench.now);
+  crash.bench.ticks(5);
+  EXPECT_FALSE(crash.bench.level(4));
+}
+
+}  // namespace
+}  // namespace robosim::robot
