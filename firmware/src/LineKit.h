@@ -5,20 +5,24 @@
 //   PidController.h    how much to steer          output limits, no wind-up
 //   PushButton.h       start and stop             debounced, never waits
 //   PathFollower.h     lines with junctions       three digital sensors, left or right branch first
+//   WheelEncoders.h    how far have I come?       one channel a wheel, by interrupts
+//   LineWalker.h       from landmark to landmark  five analog sensors and encoders; drives nav/
 //   ShiftRegisters.h   more outputs               a chain of 74HC595
 //   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
-// Nothing here waits, except for the sensors themselves (a few hundred microseconds), and nothing allocates
-// memory.
+// Nothing here waits, except for LineWalker, which drives until it is there, and for the sensors themselves (a
+// few hundred microseconds). Nothing allocates memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 
 #include "ClockedReceiver.h"
 #include "DriveMotors.h"
 #include "LineSensors.h"
+#include "LineWalker.h"
 #include "PathFollower.h"
 #include "PidController.h"
 #include "PushButton.h"
 #include "ShiftRegisters.h"
+#include "WheelEncoders.h"
 
 #endif

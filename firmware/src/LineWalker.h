@@ -1,0 +1,145 @@
+// A robot that runs along lines from landmark to landmark, and knows where it is: the Walker that nav/ drives
+// (nav/Landmark.h says what its members mean), on five analog sensors, two motors, two encoders and a bumper.
+//
+//                        1 2 3 4 5      the sensors, in a row across the line, ahead of the axle
+//                            |
+//                    [L]-----+-----[R]  the axle
+//
+// Every 5 ms it reads its sensors, adds up what the wheels have turned, and drives on:
+//
+//   Steering. e is how far the line is to the right of the middle sensor (mm). It turns with w = steering * e
+//   (rad/s, clockwise), which brings the sensors back over the line with the time constant
+//   1 / (steering * sensors_ahead), and the axle behind them.
+//   Speed. Each wheel has a place where it should be by now, and its duty is
+//   duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
+//
+// Landmarks.
+//   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover. It stays
+//   so
+//             for the width of a line; the middle of that is where the arm leaves.
+//   ahead     once the row is past the arms: is there a line under it?
+//   bend      one arm and nothing ahead. It rolls on until the axle stands over the corner, turns, and goes
+//   on. junction  two or more ways. It rolls on until the axle stands over it. end       nothing dark, and
+//   the line was not lost to a side. It rolls on until the axle stands over the end.
+//             If there is a line again before that, this was a gap.
+//   blocked   the bumper is pressed. It stops and waits; if that lasts for patience_ms, it backs up a little.
+// Smooth bends with a radius of 130 mm to 1 m are followed as they come; tighter ones are taken like corners,
+// or followed.
+//
+// Where it is. Wheels tell how far it has run (ds) and turned: (left - right) / track. Its heading is kept as
+// quarter turns and the rest of it, the angle off. Lines run along quarters, so an angle off of less than
+// 0.15 rad fades away with ds / 150 mm: differences between the wheels do not add up. At a junction it is
+// known to stand on the line by which it leaves.
+//
+// follow(), leave() and begin() return when they are done.
+//
+// The sensors' range must be set (LineSensors::setRange or calibrate) so that a line gives about 1000. A
+// sketch can have one LineWalker (WheelEncoders.h says why).
+#ifndef LINEKIT_LINE_WALKER_H
+#define LINEKIT_LINE_WALKER_H
+
+#include <Arduino.h>
+
+#include "DriveMotors.h"
+#include "LineSensors.h"
+#include "WheelEncoders.h"
+#include "nav/Landmark.h"
+
+class LineWalker {
+ public:
+  static constexpr bool kKnowsPlaces = true;
+
+  /// Everything that is not the same for every robot. Lengths in mm, speeds in mm/s, angles in rad.
+  struct Settings {
+    // The robot.
+    float wheel = 32;             ///< diameter
+    float periods = 154.35f;      ///< of an encoder's channel, for each turn of a wheel
+    float track = 98;             ///< between the wheels
+    float sensors_ahead = 70;     ///< of the axle
+    float pitch = 9.525f;         ///< between two sensors
+    float line = 20;              ///< width of a line
+    float duty_per_speed = 0.2f;  ///< of 255, above the smallest duty: 255 / top speed
+    uint8_t smallest_duty = 20;   ///< at which the wheels just turn
+
+    // How it drives.
+    float cruise = 300;
+    float turning = 150;        ///< of the wheels, on the spot
+    float creeping = 60;        ///< at the end of a roll or a turn
+    float acceleration = 1500;  ///< mm/s2
+    float steering = 0.2f;      ///< rad/s for each mm that the line is off
+    float slowing = 6;          ///< mm/s less for each mm that the line is off
+    float duty_per_mm = 4;      ///< for each mm that a wheel is behind
+
+    uint16_t patience_ms = 4000;  ///< how long it waits for an obstacle to go away
+  };
+
+  LineWalker(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin)
+      : sensors_(sensors), motors_(motors), encoders_(encoders), bumper_pin_(bumper_pin) {}
+  LineWalker(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin,
+             const Settings& settings)
+      : sensors_(sensors), motors_(motors), encoders_(encoders), bumper_pin_(bumper_pin), s_(settings) {}
+
+  /// Starts all of the hardware. Call it in setup().
+  void setup();
+  /// Called when something has pressed the bumper (true), and when it goes on (false).
+  void setOnPause(void (*on_pause)(bool)) { on_pause_ = on_pause; }
+
+  nav::Landmark begin();
+  nav::Landmark follow();
+  void leave(nav::Turn turn);
+  void relocate(const nav::Place& at);
+
+ private:
+  enum class Met : uint8_t { nothing, junction, end, blocked, lost, loop };
+  enum class Roll : uint8_t { on_line, straight, off_line };
+
+  // The step of everything: drives with these wheel speeds, waits for its time, looks, reckons.
+  void step(float left, float right);
+  void drive(float forward, float clockwise);
+  void spin(float speed);
+  void brake();
+  void pause();
+  void reckon();
+  void advance(float along, float aside);
+
+  Met run();
+  Met cross();
+  bool roll(float to, Roll how);
+  bool turnToLine(float target);
+  bool face(nav::Heading heading, float angle);
+  void backUp();
+  bool darkAhead() const;
+  bool armAt(uint8_t sensor) const;
+  float offLine() const;
+  nav::Landmark landmark(nav::LandmarkKind kind, uint8_t arms);
+
+  static const uint8_t kStepMs = 5;
+
+  LineSensors& sensors_;
+  DriveMotors& motors_;
+  WheelEncoders& encoders_;
+  uint8_t bumper_pin_;
+  Settings s_;
+  void (*on_pause_)(bool) = nullptr;
+
+  uint32_t due_us_ = 0;  ///< of the next step
+  uint16_t steps_ = 0;   ///< driven since the last landmark
+  // Where it is.
+  nav::Heading heading_ = 0;
+  float off_ = 0;                  ///< clockwise of heading_, rad
+  float x_ = 0, y_ = 0;            ///< mm, as nav::Place
+  float travelled_ = 0;            ///< mm, since it began to follow
+  float turned_ = 0;               ///< rad, clockwise, since it began to turn
+  bool fade_ = false;              ///< the angle off fades away: it follows a line
+  float mark_x_ = 0, mark_y_ = 0;  ///< the last landmark
+  // What its wheels do.
+  float speed_ = 0;                           ///< that it has accelerated to
+  float behind_left_ = 0, behind_right_ = 0;  ///< mm
+  bool blocked_ = false;
+  bool from_line_ = false;  ///< began in the middle of a line, and has met nothing yet
+  nav::Heading start_heading_ = 0;
+  uint8_t arms_ = 0;   ///< of the junction
+  uint8_t still_ = 0;  ///< steps without a count
+};
+
+#endif
