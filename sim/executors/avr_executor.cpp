@@ -10,6 +10,7 @@ struct AvrExecutor::Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
       : firmware(avr::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
     if (!loop) loop = firmware.find("loop");
+    if (loop) loop = firmware.loop_head(*loop);
   }
 
   avr::Firmware firmware;

@@ -28,6 +28,9 @@ struct Firmware {
   std::uint32_t ram_bytes = 0;      ///< variables
   std::vector<Symbol> symbols;      ///< functions and variables, by address
 
+  /// The instruction word at an even flash address.
+  int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
+
   /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for an
   /// ATmega328P.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
@@ -36,6 +39,10 @@ struct Firmware {
   std::optional<std::uint32_t> find(const std::string& name) const;
   /// Data address of a variable.
   std::optional<std::uint16_t> find_variable(const std::string& name) const;
+  /// Where a new round begins of the endless loop that runs the code at `entry` again and again: `entry`
+  /// itself, or, if the compiler has moved something out of the loop to its front, the first instruction that
+  /// is repeated.
+  std::uint32_t loop_head(std::uint32_t entry) const;
   /// The function that holds a flash address; null if none does.
   const Symbol* function_at(std::uint32_t pc) const;
 };

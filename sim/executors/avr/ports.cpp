@@ -66,6 +66,12 @@ std::uint8_t Ports::asked_bits() const {
     const int other = (next & 0xF) | (next >> 5 & 0x10);
     return other == target ? kAllPins : avr.data[other];
   }
+  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then takes the
+  // place of.
+  const int after = word(avr.pc + 4);
+  const bool replaced = (after & 0xF000) == 0xE000 && 16 + (after >> 4 & 15) == target;  // ldi
+  if ((next & 0xFC00) == 0x2000 && ((next & 0xF) | (next >> 5 & 0x10)) == target && replaced)
+    return avr.data[next >> 4 & 31];
   if ((next & 0xF000) == 0x7000 && 16 + (next >> 4 & 15) == target)  // andi
     return static_cast<std::uint8_t>((next >> 4 & 0xF0) | (next & 0xF));
   return kAllPins;

@@ -31,7 +31,7 @@ std::uint32_t Stack::return_address(std::uint32_t at) const {
 
 bool Stack::find_call(std::uint32_t pc, Call& call) const {
   if (pc < 4 || pc > firmware_.code_end) return false;
-  const auto word = [&](std::uint32_t at) { return firmware_.flash[at] | firmware_.flash[at + 1] << 8; };
+  const auto word = [&](std::uint32_t at) { return firmware_.word(at); };
   if ((word(pc - 4) & 0xFE0E) == 0x940E) {
     call = {pc - 4, false};
     return true;

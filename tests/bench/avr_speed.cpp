@@ -1,0 +1,77 @@
+// How many times faster than real time the emulated chip runs, on one core. An executable of its own: what
+// links libsimavr (GPL-3) shall link no other emulator.
+
+#include <benchmark/benchmark.h>
+
+#include "sim/executors/avr_executor.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/sketch/sketch.h"
+
+namespace robosim {
+namespace {
+
+constexpr SimTime kSimulated = 10 * kSecond;
+const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
+
+std::filesystem::path image_of(const std::filesystem::path& sketch) {
+  sketch::Request request{sketch, *find_board("uno")};
+  request.target = "avr";
+  return sketch::build(request).image;
+}
+
+void report(benchmark::State& state) {
+  const double seconds = 1e-9 * static_cast<double>(kSimulated) * static_cast<double>(state.iterations());
+  state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
+}
+
+// The whole simulation: robot, world and judge too.
+void whole(benchmark::State& state, const std::filesystem::path& sketch) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description robot = robot::load_description("uno5");
+  const auto image = image_of(sketch);
+  for (auto _ : state) {
+    executors::AvrExecutor executor(*robot.board, image);
+    run::Setup setup;
+    setup.map = &map;
+    setup.robot = &robot;
+    setup.executor = &executor;
+    setup.goal = run::parse_goal("none");
+    setup.limit = kSimulated;
+    run::Listener nobody;
+    const run::Outcome outcome = run::simulate(setup, nobody);
+    if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+  }
+  report(state);
+}
+
+// The chip alone, its pins open, in steps of `range` milliseconds: 1 is the lockstep, 1000 next to none.
+void chip(benchmark::State& state, const std::filesystem::path& sketch) {
+  const auto image = image_of(sketch);
+  const SimTime step = state.range(0) * kMillisecond;
+  for (auto _ : state) {
+    executors::AvrExecutor executor(*find_board("uno"), image);
+    executor.power_on(0);
+    for (SimTime t = step; t <= kSimulated; t += step) executor.run_until(t);
+    if (executor.crash()) state.SkipWithError(executor.crash()->reason.c_str());
+  }
+  report(state);
+}
+
+BENCHMARK_CAPTURE(whole, follower, sketch::find_sketch("PidFollower"))
+    ->Name("avr/PidFollower on oval")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(chip, follower, sketch::find_sketch("PidFollower"))
+    ->Name("avr/PidFollower, chip alone")
+    ->ArgName("step_ms")
+    ->Arg(1)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(chip, sleeps, kSketches / "SleepsIdle")
+    ->Name("avr/sleeps")
+    ->ArgName("step_ms")
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace robosim
