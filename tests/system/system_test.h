@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "hal/board/board_spec.h"
@@ -29,6 +30,8 @@ struct Run {
   std::string script;
   std::uint64_t seed = 1;
   double for_s = 600.0;
+  std::string target = "host";
+  double clock_s = 0.0;  ///< what millis() begins with; chip targets only
 };
 
 inline client::RunRequest request_of(const Run& run) {
@@ -38,20 +41,24 @@ inline client::RunRequest request_of(const Run& run) {
   }();
   const std::string board = runner.describe_robot(run.robot).board.name;
   client::RunRequest request;
-  request.image = sketch::build({sketch_folder(run.sketch), *find_board(board.c_str())}).image;
+  sketch::Request sketch{sketch_folder(run.sketch), *find_board(board.c_str())};
+  sketch.target = run.target;
+  request.image = sketch::build(sketch).image;
   request.map = grid::find_map(run.map);
   request.robot = run.robot;
   request.goal = run.goal;
   request.script = run.script;
   request.seed = run.seed;
   request.for_ns = static_cast<std::int64_t>(run.for_s * 1e9);
+  request.clock_ns = static_cast<std::int64_t>(run.clock_s * 1e9);
   return request;
 }
 
 /// All tests of one process share a runner: no run may harm the next.
 inline client::RunResult run(const Run& run) {
-  static client::Runner runner("host");
-  return runner.run(request_of(run));
+  static std::map<std::string, client::Runner> runners;
+  const auto runner = runners.try_emplace(run.target, run.target).first;
+  return runner->second.run(request_of(run));
 }
 
 }  // namespace robosim::test

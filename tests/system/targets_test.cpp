@@ -1,0 +1,130 @@
+// The same sketch, map, robot and seed on every target; and what only a chip finds.
+
+#include "sim/base/file.h"
+#include "tests/support/require_target.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The sentence that says what this target lacks; empty if it runs.
+std::string what_is_missing(const std::string& target) {
+  const std::string tool = sketch::missing_tool(target);
+  if (!tool.empty()) return tool;
+  try {
+    client::Runner runner(target);
+  } catch (const ToolMissing& missing) {
+    return missing.what();
+  }
+  return "";
+}
+
+class OnEveryTarget : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const std::string missing = what_is_missing(GetParam());
+    if (!missing.empty() && is_required(GetParam())) FAIL() << missing;
+    if (!missing.empty()) GTEST_SKIP() << missing;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr"),
+                         [](const auto& target) { return std::string(target.param); });
+
+TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const client::RunResult r =
+        run({.sketch = "PidFollower", .goal = "laps:1", .seed = seed, .for_s = 60.0, .target = GetParam()});
+    ASSERT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
+    EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << "seed " << seed;
+  }
+}
+
+TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsOfMapD) {
+  const client::RunResult right =
+      run({.sketch = "RightPath", .map = "d", .robot = "uno3", .goal = "tour", .target = GetParam()});
+  EXPECT_EQ(right.verdict, "reached") << right.why;
+  EXPECT_THAT(right.metrics.stations, ElementsAre("1", "2", "3", "4", "5", "6", "7"));
+  const client::RunResult left =
+      run({.sketch = "LeftPath", .map = "d", .robot = "uno3", .goal = "tour", .target = GetParam()});
+  EXPECT_EQ(left.verdict, "reached") << left.why;
+  EXPECT_THAT(left.metrics.stations, ElementsAre("1", "7", "6", "5", "4", "3", "2"));
+}
+
+TEST_P(OnEveryTarget, TwoRunsAreTheSameBitForBit) {
+  const test::Run once{
+      .sketch = "PidFollower", .goal = "none", .seed = 7, .for_s = 3.0, .target = GetParam()};
+  EXPECT_EQ(run(once).trace_hash, run(once).trace_hash);
+}
+
+TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
+  const std::string robot = (sketch_folder("WaitsForFlag") / "robot.toml").string();
+  const client::RunResult r = run({.sketch = "WaitsForFlag",
+                                   .robot = robot,
+                                   .goal = "none",
+                                   .script = "at 500ms press go",
+                                   .for_s = 1.0,
+                                   .target = GetParam()});
+  EXPECT_EQ(r.verdict, "reached") << r.why;
+  EXPECT_EQ(r.serial, "went on\r\n");
+}
+
+class OnTheChip : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string missing = what_is_missing("avr");
+    if (!missing.empty() && is_required("avr")) FAIL() << missing;
+    if (!missing.empty()) GTEST_SKIP() << missing;
+  }
+};
+
+TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
+  EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0}).verdict, "reached");
+  EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"}).verdict, "lost");
+}
+
+TEST_F(OnTheChip, MillisWrapsInATest) {
+  const test::Run soon{.sketch = "ChipClock", .goal = "none", .for_s = 1.0, .target = "avr"};
+  test::Run wraps = soon;
+  wraps.clock_s = 4294967.0;
+  EXPECT_EQ(run(soon).serial, "0000000000\r\n");
+  EXPECT_EQ(run(wraps).serial, "0000000100\r\n") << "the wrong comparison says yes at once";
+}
+
+TEST_F(OnTheChip, AHangIsFoundThoughTimer0GoesOnInterrupting) {
+  const client::RunResult r = run({.sketch = "ChipHang", .target = "avr"});
+  EXPECT_EQ(r.verdict, "hung");
+  EXPECT_THAT(r.why, AllOf(HasSubstr("wait"), HasSubstr("ChipHang.ino:5")));
+}
+
+TEST_F(OnTheChip, ACrashHasItsCallsAndRegisters) {
+  const client::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
+  EXPECT_EQ(r.verdict, "crashed");
+  ASSERT_TRUE(r.crash);
+  EXPECT_EQ(r.crash->function, "call");
+  ASSERT_FALSE(r.crash->calls.empty());
+  EXPECT_THAT(r.crash->registers, AllOf(HasSubstr("PC 0x"), HasSubstr("r31")));
+}
+
+TEST_F(OnTheChip, ResourcesAreMeasuredAndABudgetEndsTheRun) {
+  const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "tight.toml";
+  write_file(robot, "base = \"uno5\"\n[budget]\nloop = \"5500 us\"\n");
+  test::Run follower{.sketch = "PidFollower", .goal = "none", .for_s = 2.0, .target = "avr"};
+  const client::RunResult free = run(follower);
+  ASSERT_TRUE(free.resources);
+  EXPECT_GT(free.resources->stack_bytes_max, 20);
+  EXPECT_GT(free.resources->loop_us_max, 5500.0) << "delay(5) and some arithmetic";
+  EXPECT_GT(free.resources->interrupt_share, 0.001);
+  follower.robot = robot.string();
+  const client::RunResult r = run(follower);
+  EXPECT_EQ(r.verdict, "over_budget");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.why, HasSubstr("the robot file allows 5.500 ms"));
+}
+
+}  // namespace
+}  // namespace robosim::test
