@@ -87,6 +87,15 @@ TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
   EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"}).verdict, "lost");
 }
 
+TEST_F(OnTheChip, AFollowersRunIsPinned) {
+  sketch::Request request{sketch_folder("PidFollower"), *find_board("uno")};
+  request.target = "avr";
+  const std::string compiler = sketch::build(request).compiler;
+  if (compiler != "gcc 5.4.0 avr") GTEST_SKIP() << "pinned for gcc 5.4.0 avr, this is " << compiler;
+  const client::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
+  EXPECT_EQ(r.trace_hash, "1:6d18cecf76a602d6") << r.why;
+}
+
 TEST_F(OnTheChip, MillisWrapsInATest) {
   const test::Run soon{.sketch = "ChipClock", .goal = "none", .for_s = 1.0, .target = "avr"};
   test::Run wraps = soon;

@@ -36,7 +36,7 @@ std::uint32_t reset_target(const std::uint8_t* flash) {
 }  // namespace
 
 Chip::Chip(const Firmware& firmware, const BoardSpec& board, Peripherals& peripherals)
-    : firmware_(firmware), peripherals_(peripherals) {
+    : peripherals_(peripherals) {
   avr_global_logger_set(&Chip::on_log);
   avr_ = avr_make_mcu_by_name("atmega328p");
   if (!avr_) throw std::runtime_error("libsimavr knows no ATmega328P");

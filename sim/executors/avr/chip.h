@@ -157,7 +157,6 @@ class Chip {
     std::uint16_t opcode = 0;
   };
 
-  const Firmware& firmware_;
   Peripherals& peripherals_;
   avr_t* avr_ = nullptr;
   avr_run_t run_ = nullptr;
