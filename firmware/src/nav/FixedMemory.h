@@ -40,11 +40,13 @@ static constexpr uint8_t kBlockedArm = 0xFE;
 
 /// Places and side lines share `kCells` cells of four bytes: places from the front, side lines from the back.
 /// Two junctions less than `kTolerance` apart, both in x and in y, are one.
-template <uint8_t kNodes, uint8_t kCells, uint16_t kTolerance>
+///
+/// Costs are kept of lines between the first `kCosts` junctions: only networks with cycles need any, and
+/// those are not larger.
+template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
  public:
-  static constexpr uint8_t kVersion = 1;
-  static constexpr uint8_t kCellBytes = 4, kCostBytes = 1;
+  static constexpr uint8_t kVersion = 3;
 
   void clear() { places_ = lines_ = joined_ = 0; }
   uint8_t lines() const { return lines_; }
@@ -72,8 +74,11 @@ class MapMemory {
     return best;
   }
 
-  void setCost(uint8_t node, uint32_t cost) { costs_[node] = packCost(cost); }
-  uint16_t cost(uint8_t node) const { return unpackCost(costs_[node]); }
+  /// Of the line to the parent, by the junction's row.
+  void setCost(uint8_t row, uint32_t cost) {
+    if (row < kCosts) costs_[row] = packCost(cost);
+  }
+  uint16_t cost(uint8_t row) const { return row < kCosts ? unpackCost(costs_[row]) : 1; }
   static uint16_t cost(const SideLine& line) { return unpackCost(line.cost); }
 
   /// The other end of the side line behind an arm. False if there is none.
@@ -114,9 +119,9 @@ class MapMemory {
   }
 
   template <class Record>
-  void save(Record& record, uint8_t nodes) const {
+  void save(Record& record) const {
     record.put(lines_);
-    for (uint8_t i = 0; i < nodes; ++i) record.put(costs_[i]);
+    for (uint8_t i = 0; i < places_ && i < kCosts; ++i) record.put(costs_[i]);
     for (uint8_t i = 0; i < places_; ++i) {
       put16(record, cells_[i].place.x);
       put16(record, cells_[i].place.y);
@@ -129,11 +134,11 @@ class MapMemory {
     }
   }
   template <class Record>
-  bool load(Record& record, uint8_t nodes, uint8_t junctions) {
+  bool load(Record& record, uint8_t junctions) {
     clear();
     const uint8_t lines = record.get();
     if (junctions > kCells || lines > kCells - junctions) return false;
-    for (uint8_t i = 0; i < nodes; ++i) costs_[i] = record.get();
+    for (uint8_t i = 0; i < junctions && i < kCosts; ++i) costs_[i] = record.get();
     for (places_ = 0; places_ < junctions; ++places_) {
       cells_[places_].place.x = get16(record);
       cells_[places_].place.y = get16(record);
@@ -207,7 +212,7 @@ class MapMemory {
     }
   }
 
-  uint8_t costs_[kNodes];  ///< of the line to the parent
+  uint8_t costs_[kCosts];
   Cell cells_[kCells];
   uint8_t places_ = 0, lines_ = 0, joined_ = 0;
 };
@@ -249,7 +254,7 @@ class TreeMemory {
   }
 
   template <class Record>
-  void save(Record& record, uint8_t) const {
+  void save(Record& record) const {
     record.put(lines_);
     for (uint8_t i = 0; i < lines_; ++i) {
       record.put(arms_[i].node);
@@ -257,7 +262,7 @@ class TreeMemory {
     }
   }
   template <class Record>
-  bool load(Record& record, uint8_t, uint8_t) {
+  bool load(Record& record, uint8_t) {
     const uint8_t lines = record.get();
     if (lines > kBlockedArms) return false;
     for (lines_ = 0; lines_ < lines; ++lines_) {

@@ -7,10 +7,10 @@
 //
 //                      FixedNetwork<60>       FixedTree<>
 //   parents, arms      2 bytes for a node     2 bytes for a node
-//   costs              1 byte for a node      -
+//   costs              64 bytes               -
 //   junctions' places  4 bytes for each of    -
 //   side lines         these, 130 in all      2 bytes for each of 16 (blocked arms only)
-//   in all             1126 bytes             436 bytes                      (200 nodes)
+//   in all             990 bytes              436 bytes                      (200 nodes)
 //
 // A side line is a line that closes a cycle, or an arm that was blocked before anything behind it was seen.
 // So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms; or for
@@ -20,7 +20,7 @@
 // the order of its slots 1, 2, 3 (and 0, for the root) that have no side line. Looking up a link takes a walk
 // through the node's descendants and the side lines: at most some 300 short steps.
 //
-// It can be kept in EEPROM, in 1024 bytes (976 if it is full):
+// It can be kept in EEPROM, in 1024 bytes (some 840 if it is full):
 //
 //   network.save(sink);         // sink.put(byte), byte by byte
 //   if (network.load(source))   // source.get(); false, and empty, if the record is damaged or foreign
@@ -64,11 +64,11 @@ class FixedNodes {
     return memory_.sideLine(node, slot, other) ? other.slot : 0;
   }
   uint32_t cost(Id node, uint8_t slot) const {
-    if (isParent(node, slot)) return memory_.cost(node);
+    if (isParent(node, slot)) return costToParent(node);
     SideLine other;
     if (memory_.sideLine(node, slot, other)) return memory_.cost(other);
     const Id child = childBehind(node, slot);
-    return child == kNone ? 0 : memory_.cost(child);
+    return child == kNone ? 0 : costToParent(child);
   }
   Id find(const Place& at) const {
     uint8_t row = memory_.find(at);
@@ -91,15 +91,16 @@ class FixedNodes {
     size_ = junctions_ = cuts_ = 0;
     memory_.clear();
   }
-  Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t cost) {
-    return size_ < kNodes ? add(from, shapeOf(arms, entry), cost) : Id(kNone);
+  Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t) {
+    return size_ < kNodes ? add(from, shapeOf(arms, entry)) : Id(kNone);
   }
   /// Refuses a place beyond ±32767, too.
   Id addJunction(Id from, uint8_t, uint8_t arms, Heading entry, const Place& at, uint32_t cost) {
     if (size_ >= kNodes || (!isTree() && junctions_ >= kCyclicJunctions) || !memory_.addPlace(at))
       return kNone;
+    memory_.setCost(junctions_, cost);
     ++junctions_;
-    return add(from, shapeOf(arms, entry) | kJunction, cost);
+    return add(from, shapeOf(arms, entry) | kJunction);
   }
   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost) {
     return junctions_ <= kCyclicJunctions && memory_.join(a, slot_a, b, slot_b, cost);
@@ -127,15 +128,14 @@ class FixedNodes {
       record.putBit(true);
     }
     for (Id node = 0; node < size_; ++node) record.put(shape_[node]);
-    memory_.save(record, size_);
+    memory_.save(record);
     record.finish();
   }
 
   template <class Source>
   bool load(Source& source) {
     RecordReader<Source> record(source);
-    if (loadNodes(record) && memory_.load(record, size_, junctions_) && record.finish() && isSound())
-      return true;
+    if (loadNodes(record) && memory_.load(record, junctions_) && record.finish() && isSound()) return true;
     clear();
     return false;
   }
@@ -156,10 +156,12 @@ class FixedNodes {
     cuts_ = 1;
   }
 
-  Id add(Id from, uint8_t shape, uint32_t cost) {
+  // Every way to a station takes the one line there is: any cost will do.
+  uint32_t costToParent(Id node) const { return isStation(node) ? 1 : memory_.cost(row(node)); }
+
+  Id add(Id from, uint8_t shape) {
     parent_[size_] = from;
     shape_[size_] = shape;
-    memory_.setCost(size_, cost);
     return size_++;
   }
 
@@ -245,7 +247,7 @@ class FixedNodes {
 };
 
 template <uint16_t kTolerance, uint8_t kNodes = kTreeNodes, uint8_t kCells = kNodes / 2 + 30>
-using FixedNetwork = FixedNodes<MapMemory<kNodes, kCells, kTolerance>, kNodes>;
+using FixedNetwork = FixedNodes<MapMemory<kCyclicJunctions, kCells, kTolerance>, kNodes>;
 
 template <uint8_t kNodes = kTreeNodes, uint8_t kBlockedArms = 16>
 using FixedTree = FixedNodes<TreeMemory<kBlockedArms>, kNodes>;

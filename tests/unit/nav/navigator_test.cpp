@@ -122,6 +122,8 @@ TEST(Navigator, TakesTheCheapestWay) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomNet(dice, 2 + dice.below(20), 10);
+    for (Floor::Line& line : floor.lines)
+      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks keep it
     Scanned<SeeingWalker, Map> robot(floor, randomStand(dice, floor));
     nav::Navigator<SeeingWalker, Map, nav::TreeOrDijkstra<>> navigator(robot.walker, robot.network);
     navigator.start(0, robot.heading);

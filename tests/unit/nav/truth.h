@@ -55,7 +55,11 @@ std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found
       EXPECT_EQ(where[next].node, other.node) << "node " << +id << " slot " << +slot;
       EXPECT_EQ((nav::headingOf(network, next, back) + where[next].frame) & 3, other.heading);
       EXPECT_EQ(network.link(next, back), id);
-      EXPECT_EQ(network.cost(id, slot), floor.lines[line].cost);
+      const bool keeps_cost =
+          !network.isStation(id) && !network.isStation(next) && network.junctions() <= nav::kCyclicJunctions;
+      if (keeps_cost) {
+        EXPECT_EQ(network.cost(id, slot), floor.lines[line].cost);
+      }
       if (slot == 0 && id != 0) {
         EXPECT_EQ(network.parent(id), next);
       }
