@@ -17,11 +17,12 @@ constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Where to begin showing `count` of `size`, if it began at `now` and `middle` must be well in sight.
-int keep_in_sight(int now, int size, int count, int middle) {
+// Where to begin showing `count` of what lies from `least` to `most`, if it began at `now` and `middle` must
+// be well in sight.
+int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;
-  return std::clamp(now, 0, size - count);
+  return std::clamp(now, least, most - count);
 }
 
 }  // namespace
@@ -35,6 +36,24 @@ std::vector<CellLabel> graph_labels(const grid::TrueGraph& graph) {
   for (const grid::GraphStation& station : graph.stations)
     labels.push_back({station.cell, fmt::format("S{}", ++number), Ink::good});
   return labels;
+}
+
+CellPicture::CellPicture(const grid::Map& map) : map_(map) {
+  int right = 0, bottom = 0;
+  left_line_ = map.width;
+  top_line_ = map.height;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (!grid::is_line(map.cells[i])) continue;
+    const CellAt c = map.cell_at(i);
+    left_line_ = std::min(left_line_, c.x);
+    top_line_ = std::min(top_line_, c.y);
+    right = std::max(right, c.x);
+    bottom = std::max(bottom, c.y);
+  }
+  left_line_ = std::max(left_line_ - 1, 0);
+  top_line_ = std::max(top_line_ - 1, 0);
+  right_line_ = std::min(right + 2, map.width);
+  bottom_line_ = std::min(bottom + 2, map.height);
 }
 
 void CellPicture::add_trail(CellAt cell) {
@@ -51,12 +70,17 @@ CellPicture::Part CellPicture::choose_part(int columns, int rows, CellAt around)
     if (map_.width * wide > columns || map_.height * high > rows) continue;
     part.wide = wide;
     part.high = high;
-    break;
+    part.columns = map_.width;
+    part.rows = map_.height;
+    return part;
   }
-  part.columns = std::clamp(columns / part.wide, 1, map_.width);
-  part.rows = std::clamp(rows / part.high, 1, map_.height);
-  part.x = keep_in_sight(left_, map_.width, part.columns, around.x);
-  part.y = keep_in_sight(top_, map_.height, part.rows, around.y);
+  // Of what does not fit, floor and walls around the line are left out first.
+  const int least_x = std::min(left_line_, around.x), most_x = std::max(right_line_, around.x + 1);
+  const int least_y = std::min(top_line_, around.y), most_y = std::max(bottom_line_, around.y + 1);
+  part.columns = std::clamp(columns / part.wide, 1, most_x - least_x);
+  part.rows = std::clamp(rows / part.high, 1, most_y - least_y);
+  part.x = keep_in_sight(left_, least_x, most_x, part.columns, around.x);
+  part.y = keep_in_sight(top_, least_y, most_y, part.rows, around.y);
   return part;
 }
 

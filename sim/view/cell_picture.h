@@ -25,7 +25,7 @@ std::vector<CellLabel> graph_labels(const grid::TrueGraph& graph);
 class CellPicture {
  public:
   /// The map must outlive the picture.
-  explicit CellPicture(const grid::Map& map) : map_(map) {}
+  explicit CellPicture(const grid::Map& map);
 
   /// Notes that the robot was on a cell.
   void add_trail(grid::CellAt cell);
@@ -50,8 +50,9 @@ class CellPicture {
   }
 
   const grid::Map& map_;
-  std::vector<bool> trail_;  // by cell; empty until the robot was somewhere
-  int left_ = 0, top_ = 0;   // of the part shown last: it moves only when it must
+  int left_line_, top_line_, right_line_, bottom_line_;  // the line's surroundings
+  std::vector<bool> trail_;                              // by cell; empty until the robot was somewhere
+  int left_ = 0, top_ = 0;                               // of the part shown last: it moves only when it must
 };
 
 }  // namespace robosim::view

@@ -134,8 +134,12 @@ std::string Session::map_title() const {
 }
 
 void Session::draw_map(Page& page, int rows, const std::vector<CellLabel>& labels) {
-  page.took(picture_->draw(page.frame(), page.row(), std::min(rows, page.rows_left()), pose_.cell, pose_,
-                           labels, page.look()));
+  draw_map_around(page, rows, pose_.cell, labels);
+}
+
+void Session::draw_map_around(Page& page, int rows, CellAt around, const std::vector<CellLabel>& labels) {
+  page.took(picture_->draw(page.frame(), page.row(), std::min(rows, page.rows_left()), around, pose_, labels,
+                           page.look()));
 }
 
 bool Session::try_accept() {

@@ -142,6 +142,8 @@ class Session {
   std::string pace_text() const;
 
   void draw_map(Page& page, int rows, const std::vector<CellLabel>& labels = {});
+  /// The same with another cell in sight than the robot's.
+  void draw_map_around(Page& page, int rows, grid::CellAt around, const std::vector<CellLabel>& labels);
   std::string map_title() const;
 
   SessionHost& host_;

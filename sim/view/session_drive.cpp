@@ -10,6 +10,8 @@
 namespace robosim::view {
 namespace {
 
+constexpr int kScroll = 5;  // cells
+
 constexpr const char* kTurnLetters = " (R the first way out to the right, L the last, S between them)";
 
 // The turns as they look on the map: "east at J1, north at J2".
@@ -77,34 +79,51 @@ void Session::show_graph(const std::string& result) {
   const grid::TrueGraph& graph = driver_->graph();
   const std::vector<CellLabel> labels = graph_labels(graph);
   const std::vector<std::string> lines = graph_lines(graph, console_.size().columns - 1, console_.look());
+  const auto list_rows = static_cast<int>(std::min<std::size_t>(lines.size(), 1000));
+  const bool lines_too = !console_.is_live();  // nobody presses g
   std::size_t selected = 0;
-  bool wants_map = true, wants_lines = !console_.is_live();
-  // Map and list share the screen if they fit both; else they take turns.
+  grid::CellAt around = pose_.cell;
+  bool wants_map = true;
+  // Map and list share the screen if both fit; else they take turns.
   for (;;) {
     const Press press = read(
         [&](Page& page) {
           page.text(result, Ink::strong);
           page.text(graph_summary(graph));
           page.blank();
-          const int list_rows = static_cast<int>(std::min<std::size_t>(lines.size(), 1000));
-          const bool both = page.rows_left() >= map_->height + 1 + list_rows;
-          if (wants_map || both) {
-            draw_map(page, both ? map_->height : page.rows_left() - (wants_lines ? list_rows + 1 : 0),
-                     labels);
-            if (both || wants_lines) page.blank();
-          }
-          if (!wants_map || both || wants_lines) page.list(lines, selected, page.rows_left(), false);
+          const bool both = lines_too || page.rows_left() >= map_->height + 1 + list_rows;
+          const int map_rows = page.rows_left() - (both ? std::min(list_rows, page.rows_left() / 2) + 1 : 0);
+          if (wants_map || both) draw_map_around(page, map_rows, around, labels);
+          if (both) page.blank();
+          if (!wants_map || both) page.list(lines, selected, page.rows_left(), false);
         },
-        {{wants_map ? "g shows it as a list, Enter goes on, q quits"
+        {{wants_map ? "g shows it as a list, arrows move the map, Enter goes on, q quits"
                     : "g shows it on the map, arrows up and down scroll, Enter goes on, q quits",
           Ink::faint}});
-    if (press.kind == Press::Kind::enter) return;
-    if (press.kind == Press::Kind::up && selected > 0) --selected;
-    if (press.kind == Press::Kind::down && selected + 1 < lines.size()) ++selected;
-    if (press.kind != Press::Kind::character) continue;
-    if (press.character == 'q') throw SessionQuit{};
-    if (press.character == 'g') wants_map = !wants_map;
-    if (press.character == 'g' && !console_.is_live()) wants_map = wants_lines = true;
+    switch (press.kind) {
+      case Press::Kind::enter:
+        return;
+      case Press::Kind::up:
+        if (wants_map) around.y = std::max(around.y - kScroll, 0);
+        if (!wants_map && selected > 0) --selected;
+        break;
+      case Press::Kind::down:
+        if (wants_map) around.y = std::min(around.y + kScroll, map_->height - 1);
+        if (!wants_map && selected + 1 < lines.size()) ++selected;
+        break;
+      case Press::Kind::left:
+        around.x = std::max(around.x - kScroll, 0);
+        break;
+      case Press::Kind::right:
+        around.x = std::min(around.x + kScroll, map_->width - 1);
+        break;
+      case Press::Kind::character:
+        if (press.character == 'q') throw SessionQuit{};
+        if (press.character == 'g') wants_map = !wants_map;
+        break;
+      default:
+        break;
+    }
   }
 }
 

@@ -63,9 +63,10 @@ void Session::show_step(const std::string& title, const std::vector<CellLabel>& 
       console_.size(), console_.look(),
       {{"space pauses, s or arrow right steps, + faster, - slower, e to the end, q breaks off", Ink::faint}});
   page.line(fmt::format("{}   {}", title, pace_text()), Ink::strong);
-  page.line(fmt::format("time {:.10g} s   {} moves   at {},{},{}   senses {}, then {}", step.time_s, moves,
-                        step.pose.cell.x, step.pose.cell.y, grid::letter(step.pose.facing), step.sense,
-                        step.move));
+  const std::string where = fmt::format("{:.10g} s, {} moves, at {},{},{}", step.time_s, moves,
+                                        step.pose.cell.x, step.pose.cell.y, grid::letter(step.pose.facing));
+  page.line(page.columns() < 72 ? fmt::format("{}: {}", where, step.move)
+                                : fmt::format("{}: senses {}, then {}", where, step.sense, step.move));
   draw_map(page, page.rows_left(), labels);
   console_.show(page.finish());
 }

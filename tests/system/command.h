@@ -57,15 +57,17 @@ inline int exit_status(int wait_status) {
   return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
 }
 
-/// Runs `robosim WORDS` in `folder` to its end, without a terminal.
+/// Runs `robosim WORDS` in `folder` to its end, without a terminal. Files for its standard output (else it is
+/// in the result) and input.
 inline Ended robosim_command(std::vector<std::string> words, const std::filesystem::path& folder = ".",
-                             const char* standard_output = nullptr) {
+                             const char* standard_output = nullptr,
+                             const char* standard_input = "/dev/null") {
   const Folder files;
   const std::string out = standard_output ? standard_output : (files / "out").string();
   const std::string err = (files / "err").string();
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, 0, standard_input, O_RDONLY, 0);
   ::posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
   ::posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
