@@ -42,7 +42,7 @@ struct Resources {
   std::uint32_t ram_bytes = 0;        ///< variables
   std::uint32_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
   std::uint64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
-  double loop_us_max = 0.0;           ///< longest time from one beginning of loop() to the next
+  double loop_us_max = 0.0;           ///< longest time from one beginning of loop() to the next, or to now
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
   double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load

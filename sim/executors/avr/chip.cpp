@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace robosim::executors::avr {
 namespace {
@@ -19,6 +20,14 @@ constexpr std::uint8_t kIntervalsToRepeat = 3;
 constexpr Cycle kRepeatWithin = 10 * 16'000'000ull;
 
 constexpr std::uint8_t kSleepModeMask = 0x0E, kIdle = 0x00, kNoiseReduction = 0x02;
+
+// Interrupts that need a clock which stands still in deep sleep: the register that enables them, and its
+// bits.
+constexpr std::array<std::pair<reg::Address, std::uint8_t>, 5> kClocked = {{{reg::kTimsk0, 0x07},
+                                                                            {reg::kTimsk1, 0x27},
+                                                                            {reg::kTimsk2, 0x07},
+                                                                            {reg::kUcsrb, 0xE0},
+                                                                            {reg::kAdcsra, 0x08}}};
 
 Chip* chip_of(avr_t* avr) { return static_cast<Chip*>(avr->custom.data); }
 
@@ -336,20 +345,24 @@ void Chip::enter_sleep() {
   const int mode = data(reg::kSmcr) & kSleepModeMask;
   if (mode == kIdle || mode == kNoiseReduction) return;
   deep_ = true;
-  constexpr std::array<reg::Address, 5> kStopped = {reg::kTimsk0, reg::kTimsk1, reg::kTimsk2, reg::kUcsrb,
-                                                    reg::kAdcsra};
-  constexpr std::array<std::uint8_t, 5> kEnables = {0x07, 0x27, 0x07, 0xE0, 0x08};
-  for (std::size_t i = 0; i < kStopped.size(); ++i) {
-    held_enables_[i] = data(kStopped[i]) & kEnables[i];
-    avr_->data[kStopped[i]] = static_cast<std::uint8_t>(data(kStopped[i]) & ~kEnables[i]);
+  for (std::size_t i = 0; i < kClocked.size(); ++i) {
+    const auto [enables, mask] = kClocked[i];
+    held_enables_[i] = data(enables) & mask;
+    avr_->data[enables] = static_cast<std::uint8_t>(data(enables) & ~mask);
   }
 }
 
 void Chip::leave_sleep() {
   deep_ = false;
-  constexpr std::array<reg::Address, 5> kStopped = {reg::kTimsk0, reg::kTimsk1, reg::kTimsk2, reg::kUcsrb,
-                                                    reg::kAdcsra};
-  for (std::size_t i = 0; i < kStopped.size(); ++i) avr_->data[kStopped[i]] |= held_enables_[i];
+  for (std::size_t i = 0; i < kClocked.size(); ++i) {
+    const reg::Address enables = kClocked[i].first;
+    const auto value = static_cast<std::uint8_t>(data(enables) | held_enables_[i]);
+    if (enables == reg::kUcsrb) {
+      peripherals_.io_write(enables, value);  // a transmitter that has become free meanwhile must say so
+    } else {
+      avr_->data[enables] = value;
+    }
+  }
 }
 
 void Chip::watchdog_bites() {

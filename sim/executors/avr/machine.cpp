@@ -161,7 +161,8 @@ Resources Machine::resources() const {
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_.most_bytes();
   r.loops = loop_times_.count;
-  r.loop_us_max = static_cast<double>(loop_times_.longest) * kCycle_us;
+  const Cycle present = looped_ ? chip_.cycle() - loop_began_ : 0;
+  r.loop_us_max = static_cast<double>(std::max(loop_times_.longest, present)) * kCycle_us;
   if (r.loops > 0)
     r.loop_us_mean = static_cast<double>(loop_times_.total) * kCycle_us / static_cast<double>(r.loops);
   const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));

@@ -54,6 +54,13 @@ void loop() { static byte n; delayMicroseconds(++n % 10 == 0 ? 3000 : 1000); PIN
   EXPECT_DOUBLE_EQ(r.cpu_load, 1.0);
 }
 
+TEST_F(MemoryTest, APassOfLoopThatHasNotEndedCounts) {
+  const Resources r =
+      used("void setup() {}\nvoid loop() { static byte n; if (++n == 10) delay(10000); }", kSecond);
+  EXPECT_EQ(r.loops, 9u);
+  EXPECT_GT(r.loop_us_max, 990e3);
+}
+
 TEST_F(MemoryTest, TimeInHandlersIsCounted) {
   const Resources r = used(R"(ISR(TIMER1_COMPA_vect) { delayMicroseconds(250); }
 void setup() { TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS11); OCR1A = 1999; TIMSK1 = _BV(OCIE1A); }

@@ -100,6 +100,24 @@ void loop() {})");
   EXPECT_LT(numbers()[0], 3) << "millis() stood still";
 }
 
+TEST_F(PowerTest, WhatWasToBeSentIsSentAfterADeepSleep) {
+  start(R"(#include <avr/sleep.h>
+void wake() {}
+void setup() {
+  Serial.begin(115200);
+  attachInterrupt(0, wake, CHANGE);
+  Serial.print("before and after");
+  set_sleep_mode(SLEEP_MODE_PWR_DOWN);
+  sleep_mode();
+}
+void loop() {})");
+  run(100 * kMillisecond);
+  EXPECT_LT(serial_.size(), 16u);
+  board().schedule_edge(2, true, now_ + 100);
+  run(20 * kMillisecond);
+  EXPECT_EQ(serial_, "before and after");
+}
+
 TEST_F(PowerTest, SleepWithInterruptsOffIsTheEnd) {
   start("#include <avr/sleep.h>\nvoid setup() { cli(); sleep_enable(); sleep_cpu(); }\nvoid loop() {}");
   run(10 * kMillisecond);
