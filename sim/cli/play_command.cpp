@@ -94,8 +94,8 @@ class Host final : public view::SessionHost {
     return drive_cells(map, start, seconds_per_move);
   }
   std::string drive_robot(const grid::Map& map, const grid::Start& start, view::Algorithm algorithm,
-                          view::Console& console) override {
-    return play_robot(map, start, algorithm, console);
+                          view::Console& console, const view::AskPerson& ask) override {
+    return play_robot(map, start, algorithm, console, ask);
   }
 };
 

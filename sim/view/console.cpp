@@ -109,9 +109,6 @@ Press LineConsole::wait(int timeout_ms) {
   }
 }
 
-void LineConsole::lend(const std::function<void()>& use) {
-  flush();
-  use();
-}
+void LineConsole::lend(const std::function<void()>& use) { use(); }
 
 }  // namespace robosim::view

@@ -287,7 +287,17 @@ Session::Next Session::choose_next(const std::string& result, Ink ink) {
 
 Session::Next Session::on_robot() {
   try {
-    const std::string result = host_.drive_robot(*map_, start_, algorithm_, console_);
+    const AskPerson ask_person = [this](const std::vector<std::string>& told, const std::string& question) {
+      return ask(
+          [&](Page& page) {
+            page.line(fmt::format("Map {}: the driven robot", map_->name), Ink::strong);
+            page.blank();
+            page.list(told, told.empty() ? 0 : told.size() - 1, page.rows_left() - 1, false);
+            page.blank();
+          },
+          question);
+    };
+    const std::string result = host_.drive_robot(*map_, start_, algorithm_, console_, ask_person);
     return choose_next(result, Ink::plain);
   } catch (const InputError& error) {
     return choose_next(fmt::format("The robot did not drive: {}", error.what()), Ink::bad);

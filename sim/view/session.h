@@ -70,6 +70,10 @@ struct MapEntry {
   std::string note;  ///< "24 x 15 cells, 7 stations"
 };
 
+/// Asks the person on a page of its own: what is told first, then the question. Gives the line typed.
+using AskPerson =
+    std::function<std::string(const std::vector<std::string>& told, const std::string& question)>;
+
 class SessionHost {
  public:
   virtual ~SessionHost() = default;
@@ -81,7 +85,7 @@ class SessionHost {
   /// The simulated Arduino robot, from compiling its sketch to the end of the run, on the terminal itself.
   /// Gives a sentence about how it ended. Throws what `robosim run` would throw for bad input.
   virtual std::string drive_robot(const grid::Map& map, const grid::Start& start, Algorithm algorithm,
-                                  Console& console) = 0;
+                                  Console& console, const AskPerson& ask) = 0;
 };
 
 /// Ends the session from within.

@@ -87,6 +87,18 @@ TEST(CliPlay, LeftAndRightWalkAndComeBack) {
   }
 }
 
+TEST(CliPlay, TheDrivenRobotScansAndGoesWhereItIsSent) {
+  const Ended ended = play({"b"}, "\n2\n3\n99\n2\n1\n\nq\n");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  for (const char* text : {"scan complete: 4 stations, 2 junctions", "> 99\nrefused. Stations: 1",
+                           "arrived at 2", "arrived at 1", "The robot has done its drives."})
+    EXPECT_THAT(ended.out, HasSubstr(text));
+}
+
+TEST(CliPlay, TheDrivenRobotToursByTheLeftHand) {
+  EXPECT_THAT(play({"b"}, "\n2\n1\n").out, HasSubstr("reached: "));
+}
+
 TEST(CliPlay, AStartThatIsNoneAndAMapThatIsNoneAreRefusedAtOnce) {
   EXPECT_EQ(play({"d", "--start", "0,0,E"}, "").status, 2);
   EXPECT_EQ(play({"nowhere"}, "").status, 2);

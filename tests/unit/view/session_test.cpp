@@ -112,7 +112,9 @@ class FakeHost final : public SessionHost {
     driver->way_ = way;
     return driver;
   }
-  std::string drive_robot(const grid::Map&, const grid::Start&, Algorithm algorithm, Console&) override {
+  std::string drive_robot(const grid::Map&, const grid::Start&, Algorithm algorithm, Console&,
+                          const AskPerson& ask) override {
+    if (algorithm == Algorithm::ai) return "sent to " + ask({"scan complete", "at 1"}, "Where to:");
     if (algorithm == Algorithm::right) throw InputError("it does not compile");
     return "reached: all stations.";
   }
@@ -230,6 +232,12 @@ TEST_F(SessionTest, TheDrivenRobotsResultOrTroubleIsTold) {
   EXPECT_THAT(shown("1\n\n2\n2\n"), HasSubstr("The robot did not drive: it does not compile"));
 }
 
+TEST_F(SessionTest, TheDrivenRobotMayAskThePerson) {
+  const std::string text = shown("1\n\n2\n3\n5\n");
+  EXPECT_THAT(text, HasSubstr("scan complete\nat 1\n\nWhere to:"));
+  EXPECT_THAT(text, HasSubstr("sent to 5"));
+}
+
 TEST_F(SessionTest, CtrlCEndsItAsInterrupted) {
   FakeConsole console("1\n");
   console.at_end = {Kind::interrupt};
@@ -295,7 +303,8 @@ TEST_F(SessionTest, EveryScreenFitsASmallWindow) {
   console.during_walk = [](FakeConsole&) { return Press{Kind::character, 'e'}; };
   EXPECT_TRUE(play(console));
   EXPECT_THAT(console.all, Not(HasSubstr("\n\n\n")));
-  for (const char* part : {"Map (a number", "goes to the next end", "Speed", "Algorithm", "Destination", "And now"})
+  for (const char* part :
+       {"Map (a number", "goes to the next end", "Speed", "Algorithm", "Destination", "And now"})
     EXPECT_THAT(console.all, HasSubstr(part));
 }
 
