@@ -38,7 +38,7 @@ class Floor {
     nodes.push_back({at});
     return static_cast<int>(nodes.size()) - 1;
   }
-  int addNode() { return addNode({1000 * static_cast<int32_t>(nodes.size()), 500}); }
+  int addNode() { return addNode({150 * static_cast<int32_t>(nodes.size()), 500}); }
   /// A line between two free arms.
   int join(Arm a, Arm b, uint32_t cost = 10);
   int degree(int node) const { return nav::slotCount(nodes[node].arms); }
