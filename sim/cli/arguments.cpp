@@ -26,7 +26,7 @@ constexpr const char* kExamples =
   robosim run PidFollower --view            watch it drive
   robosim run my/Sketch --map my.map        your own sketch, on your own map
   robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
-  robosim map show d                        look at a map: stations and coordinates
+  robosim play                              choose a map, watch it scanned, send the robot to stations
   robosim run LeftPath --map d --robot uno3 --json     results for a program to read
 
 robosim --help lists the commands, robosim run --help the options.
