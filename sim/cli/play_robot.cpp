@@ -1,6 +1,7 @@
 #include "sim/cli/play_robot.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <optional>
@@ -133,7 +134,9 @@ class Drive {
       if (live && !waiting_ && !quit_) live->finish(result_);
       signal = Interrupts::signal();
     });
-    if (signal != 0) throw view::SessionQuit{true};
+    if (signal == 0) return;
+    ::raise(signal);  // for whoever noted signals before
+    throw view::SessionQuit{true};
   }
 
   void hear(const client::SerialText& serial) {

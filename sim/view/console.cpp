@@ -39,17 +39,19 @@ void ScreenConsole::show(const Frame& frame) {
 }
 
 Press ScreenConsole::wait(int timeout_ms) {
-  if (stopped_()) return {Kind::interrupt};
-  const bool small = is_too_small();
-  const int pause_ms = timeout_ms < 0 || small ? kLook_ms : std::min(timeout_ms, kLook_ms);
-  Press press = screen_->wait_press(pause_ms);
-  screen_->take_resized();
-  if (stopped_()) return {Kind::interrupt};
-  if (small && press.kind != Kind::end) {
-    if (press == Press{Kind::character, 'q'}) return {Kind::end};
-    return {};
-  }
-  return press;
+  const bool was_small = is_too_small();
+  do {
+    if (stopped_()) return {Kind::interrupt};
+    const bool small = is_too_small();
+    if (small) show(Frame(0, 0));
+    const Press press =
+        screen_->wait_press(timeout_ms < 0 || small ? kLook_ms : std::min(timeout_ms, kLook_ms));
+    screen_->take_resized();
+    if (stopped_()) return {Kind::interrupt};
+    if (press.kind == Kind::end || (small && press == Press{Kind::character, 'q'})) return {Kind::end};
+    if (!was_small) return press;
+  } while (is_too_small());
+  return {};
 }
 
 std::int64_t ScreenConsole::now_us() {
