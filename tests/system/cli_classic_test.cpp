@@ -93,6 +93,16 @@ TEST(CliClassic, RunsTheTemplateOfAnAlgorithmOfOnesOwn) {
   EXPECT_EQ(robosim_command({"classic", "d", "--algorithm", file}).out, run.out);
 }
 
+TEST(CliClassic, TheTemplateOfASketchVisitsEveryStationOnADrivenRobot) {
+  const std::string sketch = std::string(ROBOSIM_EXAMPLES) + "/MyNavigator";
+  const Ended run = robosim_command({"run", sketch, "--map", "b", "--robot", "uno5", "--json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const json out = json::parse(run.out, nullptr, false);
+  EXPECT_EQ(out["verdict"], "reached");
+  EXPECT_EQ(out["metrics"]["stations"], json::parse(R"(["1", "4", "3", "2"])"))
+      << "to the left: last number first";
+}
+
 TEST(CliClassic, AnAlgorithmThatCrashesIsToldInASentence) {
   const Folder folder;
   folder.write("crash.cpp",
@@ -113,6 +123,62 @@ TEST(CliClassic, AnAlgorithmThatWalksForEverEndsWithItsMoves) {
       robosim_command({"classic", "d", "--algorithm", "./spin.cpp", "--steps", "50"}, folder.path());
   EXPECT_EQ(run.status, 4);
   EXPECT_THAT(run.out, HasSubstr("50 moves"));
+}
+
+TEST(CliClassic, AnAlgorithmThatLoopsWithoutAMoveIsToldInASentence) {
+  const Folder folder;
+  folder.write(
+      "loop.cpp",
+      "#include <robosim/cells.h>\n"
+      "void navigate(robosim::Cells& robot) { while (robot.sense() != robosim::Sense::no_path); }\n");
+  const Ended run = robosim_command({"classic", "d", "--algorithm", "./loop.cpp"}, folder.path());
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("loops without end"));
+  EXPECT_THAT(run.err, HasSubstr("before its first move"));
+}
+
+TEST(CliClassic, AnAlgorithmThatThrowsIsToldInASentence) {
+  const Folder folder;
+  folder.write("throw.cpp",
+               "#include <robosim/cells.h>\n#include <stdexcept>\n"
+               "void navigate(robosim::Cells&) { throw std::runtime_error(\"no idea\"); }\n");
+  const Ended run = robosim_command({"classic", "d", "--algorithm", "./throw.cpp"}, folder.path());
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("./throw.cpp threw an exception: no idea"));
+}
+
+TEST(CliClassic, EqualSeedsOfNoiseGiveEqualOutputAndTheExitStatusTellsHowItEnded) {
+  const std::vector<std::string> words{"classic", "d", "--noise", "miss=0.02,slip=0.01",
+                                       "--seed",  "3", "--json"};
+  const Ended run = robosim_command(words);
+  const json out = json::parse(run.out, nullptr, false);
+  EXPECT_EQ(run.status, out["scan"]["state"] == "complete" ? 0 : 1);
+  EXPECT_EQ(robosim_command(words).out, run.out);
+}
+
+TEST(CliClassic, AMalformedMapIsRefusedWithLineAndColumn) {
+  const Folder folder;
+  folder.write("ragged.map", "00000\n0111\n00000\n");
+  folder.write("letters.map", "00000\n01q10\n00000\n");
+  folder.write("cr.map", "00000\r01110\r00000\r");
+  folder.write("blank.map", "\n00000\n01110\n");
+  folder.write("empty.map", "");
+  const std::vector<std::pair<std::string, std::string>> expected{{"ragged.map", "ragged.map:2"},
+                                                                  {"letters.map", "letters.map:2:3"},
+                                                                  {"cr.map", "cr.map:1"},
+                                                                  {"blank.map", "blank.map:1"},
+                                                                  {"empty.map", "empty.map"}};
+  for (const auto& [file, place] : expected) {
+    const Ended run = robosim_command({"classic", "./" + file}, folder.path());
+    EXPECT_EQ(run.status, 2) << file;
+    EXPECT_THAT(run.err, HasSubstr(place));
+    EXPECT_THAT(run.out, IsEmpty());
+  }
+}
+
+TEST(CliClassic, AStartThatIsNoLineIsRefused) {
+  for (const char* start : {"0,0,E", "999,1,E", "4,9,Q", "4;9"})
+    EXPECT_EQ(robosim_command({"classic", "c", "--start", start}).status, 2) << start;
 }
 
 TEST(CliClassic, AnAlgorithmThatDoesNotCompileShowsFileAndLine) {
