@@ -33,6 +33,12 @@
 //
 // follow(), leave() and begin() return when they are done.
 //
+// Another robot has settings of its own, which replace some of those below. They are constants, so that they
+// take no memory:
+//
+//   struct MySettings : LineWalkerSettings { static constexpr float wheel = 42; };
+//   LineWalkerOf<MySettings> walker(sensors, motors, encoders, BUMPER_PIN);
+//
 // The sensors' range must be set (LineSensors::setRange or calibrate) so that a line gives about 1000. A
 // sketch can have one LineWalker (WheelEncoders.h says why).
 #ifndef LINEKIT_LINE_WALKER_H
@@ -45,39 +51,37 @@
 #include "WheelEncoders.h"
 #include "nav/Landmark.h"
 
-class LineWalker {
+/// Everything that is not the same for every robot. Lengths in mm, speeds in mm/s, angles in rad.
+struct LineWalkerSettings {
+  // The robot.
+  static constexpr float wheel = 32;             ///< diameter
+  static constexpr float periods = 154.35f;      ///< of an encoder's channel, for each turn of a wheel
+  static constexpr float track = 98;             ///< between the wheels
+  static constexpr float sensors_ahead = 70;     ///< of the axle
+  static constexpr float pitch = 9.525f;         ///< between two sensors
+  static constexpr float line = 20;              ///< width of a line
+  static constexpr float duty_per_speed = 0.2f;  ///< of 255, above the smallest duty: 255 / top speed
+  static constexpr uint8_t smallest_duty = 20;   ///< at which the wheels just turn
+
+  // How it drives.
+  static constexpr float cruise = 300;
+  static constexpr float turning = 150;        ///< of the wheels, on the spot
+  static constexpr float creeping = 60;        ///< at the end of a roll or a turn
+  static constexpr float acceleration = 1500;  ///< mm/s2
+  static constexpr float steering = 0.2f;      ///< rad/s for each mm that the line is off
+  static constexpr float slowing = 6;          ///< mm/s less for each mm that the line is off
+  static constexpr float duty_per_mm = 4;      ///< for each mm that a wheel is behind
+
+  static constexpr uint16_t patience_ms = 4000;  ///< how long it waits for an obstacle to go away
+};
+
+template <class Settings>
+class LineWalkerOf {
  public:
   static constexpr bool kKnowsPlaces = true;
 
-  /// Everything that is not the same for every robot. Lengths in mm, speeds in mm/s, angles in rad.
-  struct Settings {
-    // The robot.
-    float wheel = 32;             ///< diameter
-    float periods = 154.35f;      ///< of an encoder's channel, for each turn of a wheel
-    float track = 98;             ///< between the wheels
-    float sensors_ahead = 70;     ///< of the axle
-    float pitch = 9.525f;         ///< between two sensors
-    float line = 20;              ///< width of a line
-    float duty_per_speed = 0.2f;  ///< of 255, above the smallest duty: 255 / top speed
-    uint8_t smallest_duty = 20;   ///< at which the wheels just turn
-
-    // How it drives.
-    float cruise = 300;
-    float turning = 150;        ///< of the wheels, on the spot
-    float creeping = 60;        ///< at the end of a roll or a turn
-    float acceleration = 1500;  ///< mm/s2
-    float steering = 0.2f;      ///< rad/s for each mm that the line is off
-    float slowing = 6;          ///< mm/s less for each mm that the line is off
-    float duty_per_mm = 4;      ///< for each mm that a wheel is behind
-
-    uint16_t patience_ms = 4000;  ///< how long it waits for an obstacle to go away
-  };
-
-  LineWalker(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin)
+  LineWalkerOf(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin)
       : sensors_(sensors), motors_(motors), encoders_(encoders), bumper_pin_(bumper_pin) {}
-  LineWalker(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin,
-             const Settings& settings)
-      : sensors_(sensors), motors_(motors), encoders_(encoders), bumper_pin_(bumper_pin), s_(settings) {}
 
   /// Starts all of the hardware. Call it in setup().
   void setup();
@@ -119,7 +123,6 @@ class LineWalker {
   DriveMotors& motors_;
   WheelEncoders& encoders_;
   uint8_t bumper_pin_;
-  Settings s_;
   void (*on_pause_)(bool) = nullptr;
 
   uint32_t due_us_ = 0;  ///< of the next step
@@ -141,5 +144,10 @@ class LineWalker {
   uint8_t arms_ = 0;   ///< of the junction
   uint8_t still_ = 0;  ///< steps without a count
 };
+
+/// With the settings above: the robot uno5.
+typedef LineWalkerOf<LineWalkerSettings> LineWalker;
+
+#include "LineWalkerCode.h"
 
 #endif

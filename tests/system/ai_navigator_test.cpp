@@ -24,9 +24,9 @@ std::uint64_t seeds() {
   return text ? std::strtoull(text, nullptr, 10) : 2;
 }
 
-grid::TrueGraph graph_of(const std::string& map_name) {
+grid::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
   const grid::Map map = grid::read_map(grid::find_map(map_name));
-  return grid::true_graph(map, grid::default_start(map));
+  return grid::true_graph(map, start.empty() ? grid::default_start(map) : grid::parse_start(map, start));
 }
 
 // What a run has shown.
@@ -41,11 +41,12 @@ struct Seen {
 const std::string kScan = "at 300ms press start 100ms\n";
 
 // Interrupts the run when it has said the line `until`.
-Seen watch(const Run& of, const std::string& until) {
+Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
   static client::Runner runner("host");
   const grid::Map map = grid::read_map(grid::find_map(of.map));
-  const grid::TrueGraph graph = grid::true_graph(map, grid::default_start(map));
+  const grid::TrueGraph graph = graph_of(of.map, start);
   client::RunRequest request = request_of(of);
+  request.start = start;
   request.serial = true;
   request.samples_every_ns = 10'000'000;
   Seen seen;
@@ -104,6 +105,115 @@ TEST_P(AiNavigator, ScansTheMapAndThenVisitsEveryStation) {
       EXPECT_EQ(seen.collisions, 0);
     }
   }
+}
+
+Seen watch(const std::string& map, const std::string& script, const std::string& until) {
+  return watch({.sketch = "AiNavigator", .map = map, .goal = "none", .script = script}, until);
+}
+
+TEST(AiNavigatorsDestinations, AreNumbersOrNamesAndTheRestIsRefusedWithTheList) {
+  const std::string list = "refused. Stations: 1 home, 2 dock, 3 shelf, 4\n";
+  std::string script = kScan;
+  int second = 60;
+  for (const char* word : {"", "0", "5", "2x", "-1", "65537", "Home", "much too long a word for it", "dock"})
+    script += "at " + std::to_string(second++) + "s send \"" + word + "\\r\\n\"\n";
+  script += send_after("arrived at 2", "home");
+  const Seen seen = watch("b", script, "arrived at 1");
+  EXPECT_THAT(seen.arrivals, ElementsAre(2, 1)) << seen.text;
+  std::size_t refusals = 0;
+  for (std::size_t at = 0; (at = seen.text.find(list, at)) != std::string::npos; ++at) ++refusals;
+  EXPECT_EQ(refusals, 7u) << seen.text;
+  EXPECT_THAT(seen.text, HasSubstr("way: junction 1 straight, junction 2 right, station 2\n"));
+}
+
+TEST(AiNavigatorsDestinations, AreRefusedBeforeItHasScanned) {
+  const Seen seen = watch("b", "at 1s send \"2\\n\"\n", "refused: I do not know where I am.");
+  EXPECT_EQ(seen.verdict, "interrupted");
+}
+
+TEST(AiNavigatorsMap, OutlastsAPowerCycleAtAStation) {
+  const Seen seen =
+      watch("c",
+            kScan + send_after("at 1\\r\\n", "4") + "after serial \"arrived at 4\" power off 100ms\n" +
+                send_after("I have a map: 6 stations, 4 junctions\\r\\nat 4", "2") +
+                send_after("arrived at 2", "1"),
+            "arrived at 1");
+  EXPECT_THAT(seen.arrivals, ElementsAre(4, 2, 1)) << seen.text;
+}
+
+TEST(AiNavigatorsMap, IsNoUseAfterAPowerCycleUnderWay) {
+  const Seen seen = watch("c",
+                          kScan + send_after("at 1\\r\\n", "4") + "after serial \"way:\" power off 2s\n" +
+                              "after serial \"I was switched off under way.\" press start 100ms\n" +
+                              send_after("under way.\\r\\nPut me on a line and press the button: I will "
+                                         "scan.\\r\\nscanning",
+                                         "3"),
+                          "going to 3");
+  EXPECT_THAT(seen.text, HasSubstr("I do not know where I am: I was switched off under way.\n"
+                                   "Put me on a line and press the button: I will scan.\nscanning"));
+}
+
+TEST(AiNavigatorsMap, IsNoUseIfThePowerFailedWhileItWasStored) {
+  const Seen seen =
+      watch("c", kScan + "after serial \"scan complete\" power off 100ms\n", "My map is damaged.");
+  EXPECT_EQ(seen.verdict, "interrupted") << seen.text;
+}
+
+TEST(AiNavigatorsMap, IsNotTrustedWhereTheRobotWasCarriedElsewhere) {
+  const Seen seen = watch("c",
+                          kScan + "after serial \"at 1\\r\\n\" power off 100ms\n" +
+                              "after serial \"I have a map\" place 6,9,E\n" +
+                              send_after("I have a map: 6 stations, 4 junctions\\r\\nat 1", "2"),
+                          "Put me on a line and press the button: I will scan.");
+  EXPECT_THAT(seen.text, Not(HasSubstr("arrived")));
+}
+
+TEST(AiNavigatorsBumper, PausesTheRobotUntilTheWayIsFree) {
+  const Seen seen = watch(
+      "b", kScan + send_after("at 1\\r\\n", "2") + "after serial \"way:\" press bumper 2s\n", "arrived at 2");
+  EXPECT_THAT(seen.text, HasSubstr("collision: waiting\ngoing on\narrived at 2"));
+}
+
+TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
+  const Seen seen = watch(
+      "b", kScan + send_after("at 1\\r\\n", "2") + "after serial \"way:\" press bumper 6s\n", "no way to 2");
+  EXPECT_THAT(seen.text, HasSubstr("an obstacle: going back\n"));
+  EXPECT_THAT(seen.arrivals, ElementsAre()) << seen.text;
+}
+
+struct Beginning {
+  const char* name;
+  const char* map;
+  const char* start;
+};
+
+class AiNavigatorsStart : public testing::TestWithParam<Beginning> {};
+
+INSTANTIATE_TEST_SUITE_P(At, AiNavigatorsStart,
+                         testing::Values(Beginning{"MidLine", "c", "6,9,E"},
+                                         Beginning{"MidLineTheOtherWay", "c", "6,9,W"},
+                                         Beginning{"AStationFacingOutward", "c", "4,9,W"},
+                                         Beginning{"AJunction", "warehouse", "13,8,E"},
+                                         Beginning{"AJunctionFacingNoLine", "warehouse", "10,14,E"},
+                                         Beginning{"ACrossing", "city", "11,11,N"}),
+                         [](const auto& at) { return std::string(at.param.name); });
+
+TEST_P(AiNavigatorsStart, DoesNotMatter) {
+  const auto [name, map, start] = GetParam();
+  const grid::TrueGraph graph = graph_of(map, start);
+  const int stations = static_cast<int>(graph.stations.size());
+  std::string script = kScan;
+  std::vector<int> all;
+  for (int at = 1; at <= stations; ++at) {
+    script +=
+        send_after(at == 1 ? "destination?" : "arrived at " + std::to_string(at - 1), std::to_string(at));
+    all.push_back(at);
+  }
+  const Seen seen = watch({.sketch = "AiNavigator", .map = map, .goal = "none", .script = script},
+                          "arrived at " + std::to_string(stations), start);
+  EXPECT_EQ(seen.arrivals, all) << seen.text;
+  EXPECT_THAT(seen.text, HasSubstr("scan complete: " + std::to_string(stations) + " stations, " +
+                                   std::to_string(graph.junctions.size()) + " junctions"));
 }
 
 }  // namespace
