@@ -10,7 +10,8 @@
 namespace robosim::view {
 namespace {
 
-constexpr int kScroll = 5;  // cells
+constexpr int kScroll = 5;               // cells
+constexpr std::size_t kMostListed = 40;  // junctions of a route
 
 constexpr const char* kTurnLetters = " (R the first way out to the right, L the last, S between them)";
 
@@ -18,7 +19,7 @@ constexpr const char* kTurnLetters = " (R the first way out to the right, L the 
 std::string directions_text(const grid::TrueGraph& graph, int from, const RouteReport& route) {
   std::string text;
   const grid::Arm* arm = &graph.stations[static_cast<std::size_t>(from - 1)].arm;
-  for (std::size_t i = 0; i < route.turns.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(route.turns.size(), kMostListed); ++i) {
     if (arm->behind != grid::Arm::Behind::junction) break;
     const auto& arms = graph.junctions[static_cast<std::size_t>(arm->id - 1)].arms;
     const std::size_t right_hand = route.turns[i] == 'R' ? 1 : route.turns[i] == 'L' ? arms.size() - 1 : 2;
@@ -40,7 +41,7 @@ std::string stations_text(const grid::TrueGraph& graph) {
   std::string text;
   for (int n = 1; n <= std::min(count, kListed); ++n)
     text += (n == 1 ? "" : n == count ? " and " : ", ") + station_name(graph, n);
-  return count > kListed ? fmt::format("{}, … S{}", text, count) : text;
+  return count > kListed ? fmt::format("{}, ... S{}", text, count) : text;
 }
 
 }  // namespace
@@ -162,10 +163,13 @@ std::string Session::drive_to(int station) {
   if (!route.possible) return fmt::format("{}: {}", trip, route.why_not);
 
   std::string junctions, turns;
-  for (std::size_t i = 0; i < route.junctions.size(); ++i) {
+  const std::size_t count = route.junctions.size();
+  for (std::size_t i = 0; i < std::min(count, kMostListed); ++i) {
     junctions += fmt::format("{}J{}", i ? ", " : "", route.junctions[i]);
     turns += fmt::format("{}{}", i ? ", " : "", route.turns[i]);
   }
+  if (count > kMostListed) junctions += fmt::format(", ... ({} in all)", count);
+  if (count > kMostListed) turns += ", ...";
   picture_->clear_trail();
   const auto body = [&](Page& page) {
     page.line(trip, Ink::strong);

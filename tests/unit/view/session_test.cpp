@@ -76,7 +76,7 @@ class FakeDriver final : public CellDriver {
   int here() const override { return here_; }
   RouteReport route(int) override {
     if (!way_) return {false, "An obstacle is between here and there.", {}, "", 0.0};
-    return {true, "", {1}, "R", 5.0};
+    return {true, "", std::vector<int>(way_junctions_, 1), std::string(way_junctions_, 'R'), 5.0};
   }
   WalkReport drive(int to, const OnStep& on_step) override {
     const WalkReport report = go(on_step, "");
@@ -86,6 +86,7 @@ class FakeDriver final : public CellDriver {
   void put_back(int station) override { here_ = station; }
 
   bool way_ = true;
+  std::size_t way_junctions_ = 1;
 
  private:
   WalkReport go(const OnStep& on_step, const std::string& note) {
@@ -110,6 +111,7 @@ class FakeHost final : public SessionHost {
     starts.push_back(start);
     auto driver = std::make_unique<FakeDriver>(map, start, speed);
     driver->way_ = way;
+    driver->way_junctions_ = way_junctions;
     return driver;
   }
   std::string drive_robot(const grid::Map&, const grid::Start&, Algorithm algorithm, Console&,
@@ -122,6 +124,7 @@ class FakeHost final : public SessionHost {
   std::vector<std::string> opened;
   std::vector<grid::Start> starts;
   bool way = true;
+  std::size_t way_junctions = 1;
 };
 
 class SessionTest : public ::testing::Test {
@@ -220,6 +223,13 @@ TEST_F(SessionTest, DrivesListJunctionsAndTurnsAndMayGoOn) {
   EXPECT_THAT(text, HasSubstr("Arrived at S2. Time consumed: 5 s, 5 moves."));
   EXPECT_THAT(text, HasSubstr("S2 to S1"));
   EXPECT_THAT(text, HasSubstr("And now"));
+}
+
+TEST_F(SessionTest, AVeryLongRouteIsCutSoThatTheMapStillShows) {
+  host_.way_junctions = 5000;
+  const std::string text = shown("1\n\n\n\n\n\n2\n\n");
+  EXPECT_THAT(text, HasSubstr("... (5000 in"));
+  EXPECT_THAT(text, HasSubstr("Arrived at S2."));
 }
 
 TEST_F(SessionTest, NoWayIsToldAndTheSessionGoesOn) {
