@@ -23,10 +23,13 @@ constexpr int kPatience_s = 5;
 constexpr int kLoopsStatus = 99;
 
 const Progressed* watched = nullptr;
-std::uint64_t moves_at_last_look = ~std::uint64_t{0};
+std::uint64_t moves_at_last_look = 0;
+int seconds_without_a_move = 0;
 
 void on_timer(int) {
-  if (watched->moves() == moves_at_last_look) ::_exit(kLoopsStatus);
+  const bool moved = watched->moves() != moves_at_last_look;
+  seconds_without_a_move = moved ? 0 : seconds_without_a_move + 1;
+  if (seconds_without_a_move == kPatience_s) ::_exit(kLoopsStatus);
   moves_at_last_look = watched->moves();
 }
 
@@ -36,7 +39,7 @@ void start_watchdog(const Progressed& progressed) {
   action.sa_handler = on_timer;
   action.sa_flags = SA_RESTART;
   ::sigaction(SIGVTALRM, &action, nullptr);
-  const timeval every{kPatience_s, 0};
+  const timeval every{1, 0};
   const itimerval timer{every, every};
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
