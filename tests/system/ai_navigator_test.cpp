@@ -155,7 +155,7 @@ TEST(AiNavigatorsMap, IsNoUseAfterAPowerCycleUnderWay) {
 
 TEST(AiNavigatorsMap, IsNoUseIfThePowerFailedWhileItWasStored) {
   const Seen seen =
-      watch("c", kScan + "after serial \"scan complete\" power off 100ms\n", "My map is damaged.");
+      watch("c", kScan + "after serial \" s\\r\\n\" power off 100ms\n", "My map is damaged.");
   EXPECT_EQ(seen.verdict, "interrupted") << seen.text;
 }
 
