@@ -108,6 +108,10 @@ std::string explain(const Evidence& e) {
 std::string next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";
   if (e.moved) {
+    if (e.verdict == Verdict::lost && e.on_chip)
+      return "run it with --target host too: if it keeps the line there, look where an int goes beyond "
+             "32767, as in "
+             "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it";
     if (e.verdict == Verdict::lost)
       return "watch it with --view --speed 0.2, or record what the sensors saw with --record run.csv";
     return "";
