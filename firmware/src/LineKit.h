@@ -10,6 +10,13 @@
 //   ShiftRegisters.h   more outputs               a chain of 74HC595
 //   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
+// And, to be included by name, what needs neither pins nor Arduino.h: networks of lines.
+//
+//   nav/Explorer.h      scans a network           nav/Landmark.h says what a robot must be able to do
+//   nav/FixedNetwork.h  keeps it in a chip        200 nodes in 1 KB of RAM; in EEPROM, too
+//   nav/Navigator.h     drives to any node        round obstacles; nav/NextPlanners.h
+//   nav/Plan.h          seven planners            breadth-first search to Dijkstra's algorithm
+//
 // Nothing here waits, except for LineWalker, which drives until it is there, and for the sensors themselves (a
 // few hundred microseconds). Nothing allocates memory.
 #ifndef LINEKIT_H

@@ -41,6 +41,7 @@ class FixedNodes {
   static constexpr Id kNone = 0xFF;
   static constexpr Id kBlocked = kBlockedArm;
   static constexpr Id kCapacity = kNodes;
+  static constexpr bool kPreorder = true;  ///< explorers number so, and load() takes nothing else
   static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");
 
   Id size() const { return size_; }

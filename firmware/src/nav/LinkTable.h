@@ -58,9 +58,15 @@ class ParentTable {
   typedef uint8_t Id;
   static constexpr Id kNone = 0xFF;
   static constexpr Id kBlocked = kBlockedArm;
+  static constexpr bool kPreorder = true;
 
   void clear() { size_ = 0; }
-  void add(Id parent) { parent_[size_++] = parent; }
+  /// The next node; of the first, kNone. False if the parent is none before it, or the table is full.
+  bool add(Id parent) {
+    if (size_ >= kNodes || (size_ == 0 ? parent != kNone : parent >= size_)) return false;
+    parent_[size_++] = parent;
+    return true;
+  }
 
   Id size() const { return size_; }
   Id parent(Id node) const { return parent_[node]; }

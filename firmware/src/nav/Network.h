@@ -16,7 +16,8 @@
 //   Id parent(Id) const               the node from which it was first entered; it is behind slot 0
 //   Id link(Id, uint8_t slot) const   the node behind that arm, or kNone, or kBlocked
 //   uint8_t backSlot(Id, uint8_t slot) const    the slot of link() to which this line leads
-//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost
+//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a storage that
+//                                             has no room for it may say 1 for a line to a station
 //   Id find(const Place&) const       the junction there, or kNone
 //   bool isTree() const               whether no line was joined beyond those of the depth-first walk
 //

@@ -18,6 +18,16 @@ bool allOpen(const Network&, long) {
   return false;
 }
 
+// A network that cannot have a parent with a larger id than its child says so by a constant kPreorder.
+template <class Network>
+constexpr auto surelyPreorder(int) -> decltype(Network::kPreorder) {
+  return Network::kPreorder;
+}
+template <class Network>
+constexpr bool surelyPreorder(long) {
+  return false;
+}
+
 /// Whether all lines of a way are open.
 template <class Network>
 bool isOpenWay(const Network& network, const typename Network::Id* way, typename Network::Id size) {
@@ -32,7 +42,8 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 /// parent's id is less than its children's.
 ///
 /// The way up from `from` grows at the front of the path's memory, the way up from `to` from its back
-/// downwards. In the end the second is moved up to the first.
+/// downwards. In the end the second is moved up to the first. (The loops test at their end: on an ATmega that
+/// saves two of some twenty cycles for each node.)
 template <class Network, class Path>
 Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path) {
   typedef typename Network::Id Id;
@@ -41,21 +52,30 @@ Plan climb(const Network& network, typename Network::Id from, typename Network::
   if (begun != Plan::found) return begun;
   if (!network.isTree()) return Plan::not_a_tree;
   Id *up = way, *const end = way + network.size(), *down = end;
+  constexpr bool sure = detail::surelyPreorder<Network>(0);
   while (from != to) {
     if (from > to) {
-      *up++ = from;
-      const Id parent = network.parent(from);
-      if (parent >= from) return Plan::not_preorder;
-      from = parent;
+      do {
+        *up++ = from;
+        const Id parent = network.parent(from);
+        if (!sure && parent >= from) return Plan::not_preorder;
+        from = parent;
+      } while (from > to);
     } else {
-      *--down = to;
-      const Id parent = network.parent(to);
-      if (parent >= to) return Plan::not_preorder;
-      to = parent;
+      do {
+        *--down = to;
+        const Id parent = network.parent(to);
+        if (!sure && parent >= to) return Plan::not_preorder;
+        to = parent;
+      } while (to > from);
     }
   }
   *up++ = from;
-  while (down != end) *up++ = *down++;
+  if (down != end) {
+    do {
+      *up++ = *down++;
+    } while (down != end);
+  }
   const Id size = static_cast<Id>(up - way);
   if (!detail::allOpen(network, 0) && !detail::isOpenWay(network, way, size)) return Plan::no_way;
   path.setSize(size);
