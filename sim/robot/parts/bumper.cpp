@@ -21,7 +21,9 @@ void BumperPart::hold(bool down, SimTime t) {
 }
 
 void BumperPart::begin_tick(SimTime t) {
-  touches_ = view_.body->pressed_ahead();
+  const bool touches = view_.body->pressed_ahead();
+  if (touches == touches_ && settled()) return;
+  touches_ = touches;
   hold(held_, t);
   ButtonPart::begin_tick(t);
 }
