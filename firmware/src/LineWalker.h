@@ -23,8 +23,8 @@
 //   the line was not lost to a side. It rolls on until the axle stands over the end.
 //             If there is a line again before that, this was a gap.
 //   blocked   the bumper is pressed. It stops and waits; if that lasts for patience_ms, it backs up a little.
-// Smooth bends with a radius of 130 mm to 1 m are followed as they come; tighter ones are taken like corners,
-// or followed.
+// Smooth bends with a radius of 150 mm to 1 m are followed as they come; tighter ones are taken like corners,
+// or followed; about 130 mm it may take the one for the other, and lose the line.
 //
 // Where it is. Wheels tell how far it has run (ds) and turned: (left - right) / track. Its heading is kept as
 // quarter turns and the rest of it, the angle off. Lines run along quarters, so an angle off of less than
