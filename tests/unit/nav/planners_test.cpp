@@ -327,6 +327,18 @@ TEST(Planners, TakeTheCheapestOpenOneOfParallelLines) {
   EXPECT_EQ(nav::slotTowards(map, 0, 1), nav::kNoSlot);
 }
 
+TEST(ParentTable, RefusesAParentThatIsNotBeforeItsChildAndOneNodeTooMany) {
+  nav::ParentTable<3> parents;
+  parents.clear();
+  EXPECT_FALSE(parents.add(0)) << "the first has none";
+  EXPECT_TRUE(parents.add(0xFF));
+  EXPECT_FALSE(parents.add(1));
+  EXPECT_TRUE(parents.add(0));
+  EXPECT_TRUE(parents.add(1));
+  EXPECT_FALSE(parents.add(1));
+  EXPECT_EQ(parents.size(), 3);
+}
+
 TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
   // A ring of 64 junctions, each line ten minutes long, one of them much shorter than its opposite way round.
   Map map;
