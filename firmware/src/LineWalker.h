@@ -14,17 +14,19 @@
 //   duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
 //
 // Landmarks.
-//   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover. It stays
-//   so
-//             for the width of a line; the middle of that is where the arm leaves.
+//   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
+//             It stays so for the width of a line; the middle of that is where the arm leaves.
 //   ahead     once the row is past the arms: is there a line under it?
-//   bend      one arm and nothing ahead. It rolls on until the axle stands over the corner, turns, and goes
-//   on. junction  two or more ways. It rolls on until the axle stands over it. end       nothing dark, and
-//   the line was not lost to a side. It rolls on until the axle stands over the end.
-//             If there is a line again before that, this was a gap.
-//   blocked   the bumper is pressed. It stops and waits; if that lasts for patience_ms, it backs up a little.
-// Smooth bends with a radius of 150 mm to 1 m are followed as they come; tighter ones are taken like corners,
-// or followed; about 130 mm it may take the one for the other, and lose the line.
+//   bend      one arm and nothing ahead. It rolls on until the axle stands over the corner, and turns.
+//   junction  two or more ways. It rolls on until the axle stands over it.
+//   end       nothing dark, and the line was not lost to a side. It rolls on until the axle stands
+//             over the end. If there is a line again before that, this was a gap.
+//   blocked   the bumper is pressed. It stops and waits; if that lasts for patience_ms, it backs up
+//             a little; from near the last landmark or corner, onto that: turned on the spot between
+//             the two, its sensors would be beyond it and see no line.
+//
+// Smooth bends with a radius of 150 mm to 1 m are followed as they come; tighter ones are taken like
+// corners, or followed; about 130 mm it may take the one for the other, and lose the line.
 //
 // Where it is. Wheels tell how far it has run (ds) and turned: (left - right) / track. Its heading is kept as
 // quarter turns and the rest of it, the angle off. Lines run along quarters, so an angle off of less than
@@ -96,6 +98,7 @@ class LineWalkerOf {
  private:
   enum class Met : uint8_t { nothing, junction, end, blocked, lost, loop };
   enum class Roll : uint8_t { on_line, straight, off_line };
+  enum class Passed : uint8_t { nothing, corner, landmark };
 
   // The step of everything: drives with these wheel speeds, waits for its time, looks, reckons.
   void step(float left, float right);
@@ -111,7 +114,8 @@ class LineWalkerOf {
   bool roll(float to, Roll how);
   bool turnToLine(float target);
   bool face(nav::Heading heading, float angle);
-  void backUp();
+  void backUp(float distance);
+  bool backUpToPassed();
   bool darkAhead() const;
   bool armAt(uint8_t sensor) const;
   float offLine() const;
@@ -141,8 +145,16 @@ class LineWalkerOf {
   bool blocked_ = false;
   bool from_line_ = false;  ///< began in the middle of a line, and has met nothing yet
   nav::Heading start_heading_ = 0;
-  uint8_t arms_ = 0;   ///< of the junction
-  uint8_t still_ = 0;  ///< steps without a count
+  // What it stood on last, and how far along the way; from near there it backs up onto it.
+  Passed passed_ = Passed::nothing;
+  float passed_at_ = 0;
+  nav::Heading passed_heading_ = 0;  ///< in which it came to the corner
+  nav::LandmarkKind passed_kind_ = nav::LandmarkKind::line;
+  uint8_t passed_arms_ = 0;
+  bool returned_ = false;  ///< it has backed up onto it
+  bool deaf_ = false;      ///< turns away from an obstacle: the bumper says nothing new
+  uint8_t arms_ = 0;       ///< of the junction
+  uint8_t still_ = 0;      ///< steps without a count
 };
 
 /// With the settings above: the robot uno5.

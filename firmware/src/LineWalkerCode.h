@@ -39,7 +39,7 @@ void LineWalkerOf<S>::step(float left, float right) {
   reckon();
   behind_left_ = line_walker::limited(behind_left_, line_walker::kMostBehind);
   behind_right_ = line_walker::limited(behind_right_, line_walker::kMostBehind);
-  if (left + right >= 0 && (left != 0 || right != 0) && digitalRead(bumper_pin_) == LOW) pause();
+  if (left + right >= 0 && (left != 0 || right != 0) && !deaf_ && digitalRead(bumper_pin_) == LOW) pause();
 }
 
 template <class S>
@@ -113,7 +113,7 @@ void LineWalkerOf<S>::pause() {
     if (digitalRead(bumper_pin_) == LOW) pressed = now;
   }
   blocked_ = now - pressed < line_walker::kClearMs;
-  if (on_pause_) on_pause_(false);
+  if (!blocked_ && on_pause_) on_pause_(false);
   reckon();
   behind_left_ = behind_right_ = speed_ = 0;
   due_us_ = micros();
@@ -197,17 +197,35 @@ bool LineWalkerOf<S>::face(nav::Heading heading, float angle) {
 }
 
 template <class S>
-void LineWalkerOf<S>::backUp() {
-  const float from = travelled_;
+void LineWalkerOf<S>::backUp(float distance) {
+  const float to = travelled_ - distance;
   brake();
-  while (from - travelled_ < line_walker::kBackUpMm) step(-S::creeping, -S::creeping);
+  while (travelled_ > to) step(-S::creeping, -S::creeping);
   brake();
   blocked_ = false;
 }
 
 template <class S>
+bool LineWalkerOf<S>::backUpToPassed() {
+  const float distance = travelled_ - passed_at_;
+  if (passed_ == Passed::nothing || distance > S::sensors_ahead + line_walker::kNearMm) return false;
+  backUp(distance);
+  x_ = mark_x_;
+  y_ = mark_y_;
+  off_ = 0;
+  return returned_ = true;
+}
+
+template <class S>
 nav::Landmark LineWalkerOf<S>::landmark(nav::LandmarkKind kind, uint8_t arms) {
   from_line_ = kind == nav::LandmarkKind::line;
+  if (kind == nav::LandmarkKind::end || kind == nav::LandmarkKind::junction) {
+    passed_ = Passed::landmark;
+    passed_kind_ = kind;
+    passed_arms_ = arms;
+  } else if (!returned_) {
+    passed_ = Passed::nothing;
+  }
   nav::Landmark met;
   met.kind = kind;
   met.arms = arms;
@@ -260,8 +278,14 @@ nav::Landmark LineWalkerOf<S>::begin() {
 
 template <class S>
 nav::Landmark LineWalkerOf<S>::follow() {
+  if (returned_ && passed_ == Passed::landmark) {
+    returned_ = false;
+    return landmark(passed_kind_, passed_arms_);
+  }
+  if (returned_) passed_ = Passed::nothing;
+  returned_ = false;
   due_us_ = micros();
-  travelled_ = 0;
+  travelled_ = passed_at_ = 0;
   start_heading_ = heading_;
   for (;;) {
     fade_ = true;
@@ -269,17 +293,18 @@ nav::Landmark LineWalkerOf<S>::follow() {
     const uint8_t back = static_cast<uint8_t>(1 << nav::opposite(heading_));
     if (met == Met::nothing) continue;
     if (met == Met::junction) return landmark(nav::LandmarkKind::junction, arms_);
+    if (met == Met::blocked && backUpToPassed()) return landmark(nav::LandmarkKind::blocked, back);
     mark_x_ = x_;
     mark_y_ = y_;
     switch (met) {
       case Met::end:
-        if (blocked_) backUp();
+        if (blocked_) backUp(line_walker::kBackUpMm);
         return landmark(nav::LandmarkKind::end, back);
       case Met::loop:
         brake();
         return landmark(nav::LandmarkKind::loop, 0);
       case Met::blocked:
-        backUp();
+        backUp(line_walker::kBackUpMm);
         return landmark(nav::LandmarkKind::blocked, back);
       default:
         brake();
@@ -340,9 +365,12 @@ typename LineWalkerOf<S>::Met LineWalkerOf<S>::cross() {
   y_ = y;
   if (!ahead && to_left != to_right) {  // a bend
     const nav::Turn turn = to_left ? nav::Turn::left : nav::Turn::right;
-    return face(nav::turned(heading_, turn), to_left ? -line_walker::kQuarter : line_walker::kQuarter)
-               ? Met::nothing
-               : Met::lost;
+    passed_ = Passed::corner;
+    passed_heading_ = heading_;
+    const bool found =
+        face(nav::turned(heading_, turn), to_left ? -line_walker::kQuarter : line_walker::kQuarter);
+    passed_at_ = travelled_;
+    return found ? Met::nothing : Met::lost;
   }
   arms_ = static_cast<uint8_t>(1 << nav::opposite(heading_));
   if (ahead) arms_ |= static_cast<uint8_t>(1 << heading_);
@@ -354,9 +382,13 @@ typename LineWalkerOf<S>::Met LineWalkerOf<S>::cross() {
 template <class S>
 void LineWalkerOf<S>::leave(nav::Turn turn) {
   due_us_ = micros();
+  deaf_ = returned_ || passed_ == Passed::nothing;  // after `blocked`
+  if (returned_ && passed_ == Passed::corner)
+    turn = nav::turnBetween(heading_, nav::opposite(passed_heading_));
   const float angle =
       turn == nav::Turn::left ? -line_walker::kQuarter : static_cast<uint8_t>(turn) * line_walker::kQuarter;
   face(nav::turned(heading_, turn), angle);
+  deaf_ = false;
   steps_ = 0;
 }
 

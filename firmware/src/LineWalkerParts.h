@@ -17,6 +17,7 @@ static constexpr float kCreepFrom = 3;        // mm before the end of a roll
 static constexpr float kEndMm = 12;           // so long without a line, and it may have ended
 static constexpr float kSideMm = 150;         // so far it looks for a line lost to a side
 static constexpr float kBackUpMm = 35;
+static constexpr float kNearMm = 40;  // beyond sensors_ahead: turned there, it would not see the line
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // mm
 static constexpr int16_t kTurnLead = 300;  // 0.001 sensor distances before the middle a turn brakes
 static constexpr uint16_t kLineAndArm =

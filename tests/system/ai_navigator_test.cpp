@@ -154,8 +154,7 @@ TEST(AiNavigatorsMap, IsNoUseAfterAPowerCycleUnderWay) {
 }
 
 TEST(AiNavigatorsMap, IsNoUseIfThePowerFailedWhileItWasStored) {
-  const Seen seen =
-      watch("c", kScan + "after serial \" s\\r\\n\" power off 100ms\n", "My map is damaged.");
+  const Seen seen = watch("c", kScan + "after serial \" s\\r\\n\" power off 100ms\n", "My map is damaged.");
   EXPECT_EQ(seen.verdict, "interrupted") << seen.text;
 }
 
@@ -179,6 +178,17 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
       "b", kScan + send_after("at 1\\r\\n", "2") + "after serial \"way:\" press bumper 6s\n", "no way to 2");
   EXPECT_THAT(seen.text, HasSubstr("an obstacle: going back\n"));
   EXPECT_THAT(seen.arrivals, ElementsAre()) << seen.text;
+}
+
+// At a node, soon after it, at its bends, before the next one: where it turns, the line may be out of sight.
+TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
+  for (int moment = 0; moment < 12; ++moment) {
+    const Seen seen = watch("d",
+                            kScan + "at 130s send \"4\\n\"\nat " + std::to_string(130100 + 530 * moment) +
+                                "ms press bumper 6s\n" + send_after("no way to 4", "1"),
+                            "arrived at 1");
+    EXPECT_THAT(seen.arrivals, ElementsAre(1)) << "moment " << moment << "\n" << seen.text;
+  }
 }
 
 struct Beginning {

@@ -1,9 +1,9 @@
 // Explores a network of lines, keeps a map of it, and drives to any station by the best way. Robot: uno5.
 //
-//   button          scans. Where a line ends is a station; they are numbered as it finds them. Put it on any
-//   line Serial, 115200  a destination: a station's number, or its name as below, and a newline. Anything
-//   else is
-//                   refused
+//   button          scans, put on any line. Where a line ends is a station; they are numbered as it
+//                   finds them
+//   Serial, 115200  a destination: a station's number, or its name as below, and a newline. Anything
+//                   else is refused
 //   LEDs            pin 13: on a junction, A5: at a station
 //   buzzer          a short beep: done; a long one: something is wrong
 //   bumper          it stops; if the obstacle stays, it goes back and takes another way
