@@ -200,10 +200,22 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  /// Back along the line behind the arm in `slot` of `from`.
+  /// Back along the line behind the arm in `slot` of `from`. If an obstacle has come to stand there, to the
+  /// node ahead again, if one is known.
   void retreat(Id from, uint8_t slot) {
+    const Id ahead = network_.link(from, slot);
     turnBack();
-    if (!arrive(walker_.follow(), from, slot)) lose();
+    Landmark met = walker_.follow();
+    if (met.kind != LandmarkKind::blocked || ahead >= network_.size()) {
+      if (!arrive(met, from, slot)) lose();
+      return;
+    }
+    const uint8_t ahead_slot = network_.backSlot(from, slot);
+    network_.block(from, slot);
+    state_ = ScanState::cut_off;
+    turnBack();
+    met = walker_.follow();
+    if (!arrive(met, ahead, ahead_slot)) lose();
   }
 
   static bool isJunction(const Landmark& met) {

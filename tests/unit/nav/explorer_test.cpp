@@ -203,6 +203,28 @@ TEST(Explorer, GoesToTheNodeItLeftWhenItsWayBackIsCutOff) {
   EXPECT_EQ(map.link(2, 0), Map::kBlocked);
 }
 
+TEST(Explorer, GoesOnToTheJunctionItKnowsIfAnObstacleCutsItOffBehindACycle) {
+  Floor floor;
+  for (int i = 0; i < 4; ++i) floor.addNode({100 * i, 0});
+  floor.join({0, kE}, {1, kW});
+  floor.join({1, kE}, {2, kW});
+  floor.join({2, kE}, {3, kW});
+  const int round = floor.join({1, kN}, {2, kN});
+  SeeingWalker walker(floor, {{0, kE}});
+  walker.block_line = round;
+  walker.block_before = 5;  // 0 to 1, 2, 3, back to 2, round to 1, and then back
+  Map map;
+  nav::Explorer<SeeingWalker, Map> explorer(walker, map);
+  while (explorer.step()) {
+  }
+  EXPECT_EQ(explorer.state(), ScanState::cut_off);
+  EXPECT_EQ(walker.errors, 0);
+  EXPECT_EQ(walker.at().node, 1);
+  EXPECT_EQ(explorer.here(), 1);
+  EXPECT_EQ(map.link(1, 2), Map::kBlocked);
+  EXPECT_EQ(map.link(2, 2), Map::kBlocked);
+}
+
 /// Tells landmarks from a list, whatever it is told to do.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
