@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "firmware/src/nav/Navigator.h"
 #include "sim/classic/planners.h"
 
 namespace robosim::classic {
@@ -138,26 +139,39 @@ void Survey::find_unreachable() {
   }
 }
 
-// Along a way of nodes, beginning at the first of them. Ends turned to the line if the last is a station.
-Ending Survey::follow_way(const std::vector<Id>& way, nav::Heading heading) {
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const Id here = way[i], next = way[i + 1];
-    const std::uint8_t out = nav::slotTowards(network_, here, next);
-    if (!network_.isStation(here))
-      walker_.leave(nav::turnBetween(heading, nav::headingOf(network_, here, out)));
-    const Landmark met = walker_.follow();
-    if (met.kind != (network_.isStation(next) ? LandmarkKind::end : LandmarkKind::junction))
-      return Ending::lost;
-    const bool is_there =
-        network_.isStation(next)
-            ? met.at.x == network_.stations[static_cast<std::size_t>(numbers_[next] - 1)].x &&
-                  met.at.y == network_.stations[static_cast<std::size_t>(numbers_[next] - 1)].y
-            : network_.find(met.at) == next;
-    if (!is_there) return Ending::lost;
-    heading = met.heading;
+// The navigator's planner, by name.
+struct Survey::NamedPlanner {
+  std::string name;
+  std::vector<Id> way;
+  std::size_t at = 0;
+
+  Id next(const GrowingNetwork& network, Id here, Id to) {
+    if (way.empty()) {
+      GrowingMemory path;
+      if (plan(name, network, here, to, path) == nav::Plan::found) way = path.way();
+      at = 0;
+    }
+    return at + 1 < way.size() ? way[++at] : GrowingNetwork::kNone;
   }
-  if (network_.isStation(way.back())) walker_.leave(nav::Turn::back);
-  return Ending::complete;
+  void forget() { way.clear(); }
+};
+
+// Ends turned to the line if it ends at a station.
+Ending Survey::navigate(Id from, nav::Heading heading, Id to, const std::string& planner) {
+  nav::Navigator<CellWalker, Network, NamedPlanner> navigator(walker_, network_,
+                                                              NamedPlanner{planner, {}, 0});
+  navigator.start(from, heading);
+  navigator.goTo(to);
+  try {
+    while (navigator.step()) {
+    }
+  } catch (const OutOfMoves&) {
+    return Ending::out_of_moves;
+  }
+  if (navigator.state() == nav::NavState::no_way) return Ending::no_way;
+  const bool is_there = navigator.state() == nav::NavState::arrived &&
+                        walker_.cell() == network_.stations[static_cast<std::size_t>(numbers_[to] - 1)];
+  return is_there ? Ending::complete : Ending::lost;
 }
 
 void Survey::go_to_first_station(nav::Heading heading, Id node) {
@@ -165,13 +179,10 @@ void Survey::go_to_first_station(nav::Heading heading, Id node) {
   here_ = 1;
   const Id first = station_nodes_[1];
   if (node == first) return;
-  GrowingMemory path;
-  if (plan(default_planner(), network_, node, first, path) != nav::Plan::found) {
-    here_ = network_.isStation(node) ? numbers_[node] : 0;
-    return;
-  }
-  scan_.ending = follow_way(path.way(), heading);
-  if (scan_.ending != Ending::complete) here_ = 0;
+  const Ending ending = navigate(node, heading, first, default_planner());
+  if (ending == Ending::complete) return;
+  here_ = ending == Ending::no_way && network_.isStation(node) ? numbers_[node] : 0;
+  if (ending != Ending::no_way) scan_.ending = ending;
 }
 
 void Survey::place_at(int station) {
@@ -211,11 +222,7 @@ Route Survey::drive(int to, const std::string& planner) {
     route.why = reason(planned);
   } else if (here_ != to) {
     describe(path.way(), route);
-    try {
-      route.ending = follow_way(path.way(), nav::opposite(network_.entry(from_node)));
-    } catch (const OutOfMoves&) {
-      route.ending = Ending::out_of_moves;
-    }
+    route.ending = navigate(from_node, nav::opposite(network_.entry(from_node)), to_node, planner);
     const std::uint64_t moves = robot_.moves() - moves_before;
     const std::uint64_t fewest = fewest_moves(here_, to);
     if (fewest > 0) route.ratio_to_shortest = static_cast<double>(moves) / static_cast<double>(fewest);

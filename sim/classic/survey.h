@@ -91,6 +91,7 @@ class Survey {
     }
   };
   using Id = GrowingNetwork::Id;
+  struct NamedPlanner;
 
   // The map's own graph, for the lengths of shortest ways.
   struct Truth {
@@ -104,7 +105,7 @@ class Survey {
   void read_graph();
   void find_unreachable();
   grid::Arm arm(Id node, std::uint8_t slot) const;
-  Ending follow_way(const std::vector<Id>& way, nav::Heading heading);
+  Ending navigate(Id from, nav::Heading heading, Id to, const std::string& planner);
   void go_to_first_station(nav::Heading heading, Id node);
   void describe(const std::vector<Id>& way, Route& route) const;
   std::uint64_t fewest_moves(int from, int to);
