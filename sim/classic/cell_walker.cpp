@@ -78,6 +78,30 @@ Landmark CellWalker::end_of_line() {
   return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
 }
 
+// One move along the line. False if there is none to make.
+inline bool CellWalker::goes_on() {
+  if (is_junction()) return false;
+  switch (robot_.sense()) {
+    case Sense::straight:
+      robot_.step_forward();
+      return true;
+    case Sense::right_turn:
+      robot_.turn_right();
+      return true;
+    case Sense::left_turn:
+      robot_.turn_left();
+      return true;
+    default:
+      return false;
+  }
+}
+
+// What stopped it.
+Landmark CellWalker::met() {
+  const bool junction = is_junction() || robot_.sense() == Sense::junction;
+  return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
+}
+
 // Onto the line in the middle of which it stands, whichever way it faces.
 Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
@@ -102,22 +126,7 @@ Landmark CellWalker::first_follow() {
   }
   const CellPose begun = robot_.pose();
   do {
-    if (is_junction()) return landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing());
-    switch (robot_.sense()) {
-      case Sense::straight:
-        robot_.step_forward();
-        break;
-      case Sense::right_turn:
-        robot_.turn_right();
-        break;
-      case Sense::left_turn:
-        robot_.turn_left();
-        break;
-      case Sense::junction:
-        return landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing());
-      case Sense::no_path:
-        return end_of_line();
-    }
+    if (!goes_on()) return met();
   } while (robot_.pose() != begun);
   return landmark(LandmarkKind::loop, robot_.pose().cell, robot_.facing());
 }
@@ -134,24 +143,9 @@ Landmark CellWalker::follow() {
     case Pending::nothing:
       break;
   }
-  for (;;) {
-    if (is_junction()) return landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing());
-    switch (robot_.sense()) {
-      case Sense::straight:
-        robot_.step_forward();
-        break;
-      case Sense::right_turn:
-        robot_.turn_right();
-        break;
-      case Sense::left_turn:
-        robot_.turn_left();
-        break;
-      case Sense::junction:
-        return landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing());
-      case Sense::no_path:
-        return end_of_line();
-    }
+  while (goes_on()) {
   }
+  return met();
 }
 
 void CellWalker::reset() {

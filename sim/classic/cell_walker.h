@@ -37,6 +37,8 @@ class CellWalker {
  private:
   nav::Landmark landmark(nav::LandmarkKind kind, grid::CellAt cell, grid::Direction heading);
   nav::Landmark end_of_line();
+  bool goes_on();
+  nav::Landmark met();
   nav::Landmark first_follow();
   void turn_around();
   bool is_junction() const;

@@ -27,6 +27,9 @@ class GrowingNetwork {
   std::uint8_t backSlot(Id node, std::uint8_t slot) const { return line(node, slot).back; }
   std::uint32_t cost(Id node, std::uint8_t slot) const { return line(node, slot).cost; }
   Id find(const nav::Place& place) const;
+  bool isAt(Id junction, const nav::Place& at) const {
+    return place(junction).x == at.x && place(junction).y == at.y;
+  }
   bool isTree() const { return is_tree_; }
 
   void clear();

@@ -77,6 +77,7 @@ class FixedNodes {
       if (!isStation(node) && row-- == 0) return node;
     return kNone;
   }
+  bool isAt(Id junction, const Place& at) const { return find(at) == junction; }
   bool isTree() const { return memory_.joined() == 0; }
   /// No line of the depth-first tree is blocked.
   bool allOpen() const { return cuts_ == 0; }

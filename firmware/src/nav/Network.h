@@ -19,6 +19,7 @@
 //   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a storage that
 //                                             has no room for it may say 1 for a line to a station
 //   Id find(const Place&) const       the junction there, or kNone
+//   bool isAt(Id junction, const Place&) const   find(place) == junction
 //   bool isTree() const               whether no line was joined beyond those of the depth-first walk
 //
 // Built in preorder, children of a node in the order of its slots 1, 2, 3, and 0 last where it is the root:

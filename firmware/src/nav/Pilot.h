@@ -44,7 +44,7 @@ class Pilot {
     }
     if (!Walker::kKnowsPlaces) return true;
     if (((met.heading + frame_) & 3) != heading_) return false;
-    if (placed_ && network_.find(rotated(met.at, frame_)) != node) return false;
+    if (placed_ && !network_.isAt(node, rotated(met.at, frame_))) return false;
     placeOn(node);
     return true;
   }
