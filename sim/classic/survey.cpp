@@ -237,7 +237,7 @@ Route Survey::drive(int to, const std::string& planner) {
 std::uint64_t Survey::fewest_moves(int from, int to) {
   const grid::Map& map = robot_.floor().map();
   if (!truth_) {
-    truth_.emplace();
+    truth_ = Truth();
     truth_->graph = grid::true_graph(map, {start_.cell, start_.facing});
     int number = 0;
     for (const grid::GraphStation& station : truth_->graph.stations)
