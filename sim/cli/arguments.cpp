@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 
 #include "sim/base/error.h"
-#include "sim/base/units.h"
 #include "sim/cli/names.h"
+#include "sim/cli/options.h"
 #include "sim/grid/generator.h"
 
 namespace robosim::cli {
@@ -53,33 +50,6 @@ Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, 
 a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
 )";
 
-[[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed) {
-  throw InputError(fmt::format("{}: “{}” is not possible; it must be {}", option, value, allowed));
-}
-
-std::int64_t simulated_time(const char* option, const std::string& text) {
-  const auto ns = parse_duration_ns(text);
-  if (!ns || *ns <= 0) {
-    refuse_value(option, text,
-                 "a time above 0 with its unit, as in 60s (" + unit_names(Dimension::time) + ")");
-  }
-  return *ns;
-}
-
-std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
-                           std::uint64_t most) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
-    refuse_value(option, text, fmt::format("a whole number from {} to {}", least, most));
-  }
-  return value;
-}
-
-constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
-
-std::uint64_t seed(const std::string& text) { return whole_number("--seed", text, 0, kMostSeed); }
-
 double view_speed(const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -88,72 +58,6 @@ double view_speed(const std::string& text) {
   }
   return value;
 }
-
-void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed) {
-  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
-    refuse_value(option, value, one_of(allowed));
-  }
-}
-
-/// One command's options. All are read as text; what is allowed is then checked here, for one kind of
-/// message.
-class Options {
- public:
-  Options(const std::string& command, const std::string& what)
-      : command_(command), app_(what, "robosim " + command) {
-    app_.allow_extras();
-    app_.get_formatter()->column_width(28);
-    app_.failure_message([](const CLI::App*, const CLI::Error&) { return std::string(); });
-  }
-
-  void positional(const char* name, std::string& value, const char* what) {
-    app_.add_option(name, value, what)->option_text(" ");
-  }
-  void text(const char* name, std::string& value, const char* meta, const char* what) {
-    app_.add_option(name, value, what)->option_text(meta);
-  }
-  void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
-    app_.add_option(name, values, what)->option_text(meta)->allow_extra_args(false);
-  }
-  void flag(const char* name, bool& value, const char* what) { app_.add_flag(name, value, what); }
-
-  /// The help text if it was asked for.
-  std::optional<std::string> parse(std::vector<std::string> words) {
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
-    try {
-      app_.parse(std::move(words));
-    } catch (const CLI::CallForHelp&) {
-      return app_.help();
-    } catch (const CLI::ArgumentMismatch& error) {
-      const std::string text = error.what();
-      const std::string option = text.substr(0, text.find_first_of(": "));
-      throw InputError(text.find("received") == std::string::npos ? option + " needs a value after it"
-                                                                  : option + " is given more than once");
-    } catch (const CLI::ParseError& error) {
-      throw InputError(command_ + ": " + error.what());
-    }
-    for (const std::string& extra : app_.remaining()) refuse(extra);
-    return std::nullopt;
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& word) {
-    const std::string help = "see robosim " + command_ + " --help";
-    if (word.empty() || word[0] != '-') {
-      throw InputError(fmt::format("{}: “{}” is one word too many; {}", command_, word, help));
-    }
-    std::vector<std::string> options;
-    for (const CLI::Option* option : app_.get_options()) {
-      for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
-    }
-    const auto guess = nearest(word.substr(0, word.find('=')), options);
-    throw InputError(fmt::format("{} has no option {}; {}", command_, word,
-                                 guess ? "did you mean " + *guess + "? (" + help + ")" : help));
-  }
-
-  std::string command_;
-  CLI::App app_;
-};
 
 using Words = std::vector<std::string>;
 
@@ -182,7 +86,7 @@ Command parse_run(const Words& words) {
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (!duration.empty()) run.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) run.clock_ns = simulated_time("--clock", clock);
-  if (!number.empty()) run.seed = seed(number);
+  if (!number.empty()) run.seed = seed_number(number);
   if (!speed.empty()) run.speed = view_speed(speed);
   check_choice("--profile", run.profile, {"ideal", "typical"});
   if (run.view && run.json)
@@ -236,7 +140,7 @@ Command parse_generate(const Words& words) {
   check_choice("--family", generate.family, {"tree", "cycles", "grid"});
   generate.stations =
       static_cast<int>(whole_number("--stations", stations, grid::kMinStations, grid::kMaxStations));
-  generate.seed = seed(first_seed);
+  generate.seed = seed_number(first_seed);
   generate.count = whole_number("--count", count, 1, 1'000'000);
   if (generate.count - 1 > kMostSeed - generate.seed) refuse_value("--count", count, "less: the seeds end");
   return generate;
@@ -321,7 +225,7 @@ Command parse_classic(const Words& words) {
   if (!speed.empty()) classic.speed = seconds_a_move(speed);
   if (!steps.empty()) classic.steps = whole_number("--steps", steps, 1, kMostSeed);
   if (!noise.empty()) read_noise(noise, classic);
-  if (!seed_text.empty()) classic.seed = seed(seed_text);
+  if (!seed_text.empty()) classic.seed = seed_number(seed_text);
   if (!classic.planner.empty())
     check_choice("--planner", classic.planner,
                  {"bfs", "dfs", "iterative", "pruned", "climb", "interval", "dijkstra"});
