@@ -158,7 +158,10 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
     const int error = errno;
     buffer_.resize(searched + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
     if (n < 0 && error == EINTR) continue;
-    if (n <= 0) return std::nullopt;
+    if (n <= 0) {
+      silent_ = true;
+      return std::nullopt;
+    }
   }
 }
 

@@ -28,6 +28,11 @@ class Process {
   /// unfinished last line is dropped) or when `timeout_ms` of wall time have passed; -1 = wait for ever.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
+  /// Readable, as poll(2) has it, when the program has said something or ended.
+  int descriptor() const { return answers_; }
+  /// read_line() came to the end of the output.
+  bool silent() const { return silent_; }
+
   /// Makes the pipe of its output as short as possible (a page), so that it cannot run far ahead of its
   /// reader.
   void keep_close() const;
@@ -52,6 +57,7 @@ class Process {
   int requests_ = -1;  // socket to its standard input
   int answers_ = -1;   // pipe from its standard output
   volatile sig_atomic_t interrupted_ = 0;
+  bool silent_ = false;
   std::string buffer_;
   std::size_t next_ = 0;  // where in buffer_ the next line begins
 };

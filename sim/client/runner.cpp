@@ -66,29 +66,29 @@ Runner::~Runner() = default;
 Runner::Runner(Runner&&) noexcept = default;
 Runner& Runner::operator=(Runner&&) noexcept = default;
 
-Line Runner::next_line() {
-  const auto text = process_->read_line();
-  if (!text && process_->interrupted()) {
+void Runner::fail_silent() {
+  if (process_->interrupted()) {
     kill();
     process_->finish();
     throw Unstoppable("the run did not stop when it was interrupted, and was killed");
   }
-  if (!text) {
-    throw RunnerError("the runner " + name_ + " " + process_->finish() +
-                      " before it answered; this is a fault of Robosim, not of your sketch");
-  }
-  return parse_line(*text);
+  throw RunnerError("the runner " + name_ + " " + process_->finish() +
+                    " before it answered; this is a fault of Robosim, not of your sketch");
 }
 
+/// The answer to the last request; nothing if it has not come and `wait` is false.
 template <typename Answer>
-Answer Runner::await(long long id, const OnEvent& on_event) {
+std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
   bool answered = false;
   try {
     for (;;) {
-      Line line = next_line();
-      if (line.id != id) {
+      const auto text = process_->read_line(wait ? -1 : 0);
+      if (!text && !wait && !process_->silent()) return std::nullopt;
+      if (!text) fail_silent();
+      Line line = parse_line(*text);
+      if (line.id != last_id_) {
         throw RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
-                          " instead of " + std::to_string(id));
+                          " instead of " + std::to_string(last_id_));
       }
       if (auto* answer = std::get_if<Answer>(&line.content)) {
         process_->forget_interrupt();
@@ -113,16 +113,20 @@ Answer Runner::await(long long id, const OnEvent& on_event) {
 }
 
 RobotInfo Runner::describe_robot(const std::string& robot) {
-  const long long id = ++last_id_;
-  process_->write(describe_robot_line(id, robot));
-  return await<RobotInfo>(id, {});
+  process_->write(describe_robot_line(++last_id_, robot));
+  return *take<RobotInfo>(true, {});
 }
 
 RunResult Runner::run(const RunRequest& request, const OnEvent& on_event) {
-  const long long id = ++last_id_;
-  process_->write(run_line(id, request));
-  return await<RunResult>(id, on_event);
+  begin(request);
+  return *take<RunResult>(true, on_event);
 }
+
+void Runner::begin(const RunRequest& request) { process_->write(run_line(++last_id_, request)); }
+
+std::optional<RunResult> Runner::take(const OnEvent& on_event) { return take<RunResult>(false, on_event); }
+
+int Runner::descriptor() const noexcept { return process_->descriptor(); }
 
 void Runner::keep_close() noexcept { process_->keep_close(); }
 

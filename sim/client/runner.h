@@ -10,6 +10,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,13 @@ class Runner {
   /// of no more use. What `on_event` throws ends the runner and passes through.
   RunResult run(const RunRequest& request, const OnEvent& on_event = {});
 
+  /// run() in two parts, for those who wait for several runners at once: begin() asks, and take() has the
+  /// result if it has come, without waiting for it; it throws as run() does. In between descriptor() is
+  /// readable, as poll(2) has it, whenever take() has something to do.
+  void begin(const RunRequest& request);
+  std::optional<RunResult> take(const OnEvent& on_event = {});
+  int descriptor() const noexcept;
+
   /// From now on the runner gets ahead of `on_event` by a few kilobytes of events at most, for those who
   /// watch: what is interrupted then is what is seen. Costs speed.
   void keep_close() noexcept;
@@ -61,9 +69,9 @@ class Runner {
     std::string path;
   };
   explicit Runner(const Program& program);
-  Line next_line();
+  [[noreturn]] void fail_silent();
   template <typename Answer>
-  Answer await(long long id, const OnEvent& on_event);
+  std::optional<Answer> take(bool wait, const OnEvent& on_event);
 
   std::string name_;
   std::unique_ptr<Process> process_;
