@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Raised with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 2;
+constexpr uint32_t kImageVersion = 3;
 
 /// Something reaches the chip from outside while firmware does not look.
 struct Input {
@@ -45,6 +45,10 @@ class Host {
   /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells
   /// the place.
   virtual void crash(const char* reason, const char* file, uint32_t line, const void* where) = 0;
+  /// A check of gcc's UndefinedBehaviorSanitizer has failed; does not return. `check` is its handler's name
+  /// without "__ubsan_handle_"; `data` and the values are what gcc hands to that.
+  virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,
+                         const void* where) = 0;
 
  protected:
   ~Host() = default;

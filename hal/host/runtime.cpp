@@ -1,5 +1,4 @@
-// How firmware ends: abort, exit, a failed assert, a division by zero (gcc's
-// -fsanitize=integer-divide-by-zero).
+// How firmware ends: abort, exit, a failed assert.
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,13 +12,6 @@ __attribute__((noreturn)) void crash(const char* reason, const char* file, uint3
   host::executor->crash(reason, file, line, where);
   __builtin_unreachable();
 }
-
-/// What gcc hands to a handler of its undefined behaviour sanitizer, as far as it is used here.
-struct DivisionData {
-  const char* file;
-  uint32_t line;
-  uint32_t column;
-};
 
 /// `name` is a function of one number, and was called with `status`.
 __attribute__((noreturn)) void stop(const char* name, int status) {
@@ -50,14 +42,6 @@ void _exit(int status) {
 
 void __assert(const char*, const char* file, int line, const char*) {
   crash("assert() failed", file, static_cast<uint32_t>(line), __builtin_return_address(0));
-}
-
-void __ubsan_handle_divrem_overflow(DivisionData* data, uintptr_t, uintptr_t) {
-  crash("division by zero", data->file, data->line, __builtin_return_address(0));
-}
-
-void __ubsan_handle_divrem_overflow_abort(DivisionData* data, uintptr_t, uintptr_t) {
-  crash("division by zero", data->file, data->line, __builtin_return_address(0));
 }
 
 }  // extern "C"

@@ -25,6 +25,7 @@ struct RunArguments {
   std::vector<std::string> send;  ///< texts as a scenario writes them, between its double quotes
   std::vector<std::string> libraries;
   std::vector<std::string> record;  ///< files
+  bool sanitize = false;            ///< the sketch checks itself
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;
@@ -39,6 +40,7 @@ struct BuildArguments {
   std::string out;  ///< a folder; empty = the files stay in the cache
   std::vector<std::string> libraries;
   std::string warnings = "default";
+  bool sanitize = false;
 };
 
 /// `robosim map check|show|graph`

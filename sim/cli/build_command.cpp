@@ -116,13 +116,15 @@ std::vector<std::string> over_budget(const sketch::Image& image, const client::R
 
 int build_command(const BuildArguments& arguments) {
   check_build_target(arguments.target);
+  if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const SketchChoice sketch = choose_sketch(arguments.sketch);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
   const Choice choice = choose_robot(arguments.robot, sketch.folder);
   // The robot is the same for all targets, so the runner that is always there tells of it.
   const client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
   const BoardSpec& board = board_of(robot);
-  sketch::Request request{sketch.path, board, arguments.target, {}, warnings_of(arguments.warnings)};
+  sketch::Request request{sketch.path,       board, arguments.target, {}, warnings_of(arguments.warnings),
+                          arguments.sanitize};
   for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
 
   Progress progress(true);

@@ -71,6 +71,7 @@ sketch::Image build_image(const RunArguments& arguments, const SketchChoice& ske
   sketch::Request request{sketch.path, board};
   request.target = arguments.target;
   for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
+  request.sanitize = arguments.sanitize;
   progress.say("compiling " + sketch.name + " …");
   sketch::Image image = sketch::build(request);
   progress.clear();
@@ -179,6 +180,7 @@ int run_command(const RunArguments& given) {
     arguments.target = sketch.elf_target;
     check_target(arguments.target);
   }
+  if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const Choice map = choose_map(arguments.map, sketch.folder);
   const Choice robot = choose_robot(arguments.robot, sketch.folder);
   for (const Choice* choice : {&map, &robot}) {
@@ -218,7 +220,7 @@ int run_command(const RunArguments& given) {
 
   if (arguments.json) {
     print(run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
-                    image.sketch_sha256, image.compiler},
+                    image.sketch_sha256, image.compiler, arguments.sanitize},
                    result, wall_s));
   } else {
     const auto size = view::terminal_size(STDOUT_FILENO);

@@ -22,6 +22,7 @@ std::string run_json(const RunInputs& in, const client::RunResult& r, std::optio
                     {"map_sha256", r.map_sha256},
                     {"robot_sha256", r.robot_sha256},
                     {"compiler", in.compiler}};
+  if (in.sanitize) json["inputs"]["sanitize"] = true;
   json["metrics"] = {{"distance_m", m.distance_m},
                      {"laps_s", m.laps_s},
                      {"cross_track_rms_mm", m.cross_track_rms_mm},

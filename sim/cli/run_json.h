@@ -17,6 +17,7 @@ struct RunInputs {
   std::string robot;
   std::string sketch_sha256;
   std::string compiler;
+  bool sanitize = false;
 };
 
 /// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.

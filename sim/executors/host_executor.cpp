@@ -13,6 +13,7 @@
 
 #include "sim/executors/fiber.h"
 #include "sim/executors/image_file.h"
+#include "sim/executors/undefined.h"
 
 namespace robosim::executors {
 namespace {
@@ -138,22 +139,32 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
-    std::vector<CodeAddress> addresses = {{where, true}};
-    add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
-    addresses.push_back({state_.place, true});
-    Crash crash{reason, image_.locate(addresses)};
-    if (file && !is_own_file(file)) {
-      crash.where.file = std::strncmp(file, "./", 2) == 0 ? file + 2 : file;
-      crash.where.line = static_cast<int>(line);
-    }
-    owner_.crash_ = crash;
-    suspend();
+    report({reason, file ? file : "", static_cast<int>(line)}, where);
+  }
+
+  void undefined(const char* check, const void* data, std::uintptr_t value, std::uintptr_t other,
+                 const void* where) override {
+    report(explain_undefined(check, data, value, other), where);
   }
 
  private:
   static void start(void* argument) {
     auto& self = *static_cast<Instance*>(argument);
     self.image_.entry().run(self.owner_.board_, self, self.state_.now);
+  }
+
+  /// A fault that the firmware has noticed itself, on the fiber.
+  void report(const Undefined& fault, const void* where) {
+    std::vector<CodeAddress> addresses = {{where, true}};
+    add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
+    addresses.push_back({state_.place, true});
+    Crash crash{fault.reason, image_.locate(addresses)};
+    if (!is_own_file(fault.file)) {
+      crash.where.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
+      crash.where.line = fault.line;
+    }
+    owner_.crash_ = crash;
+    suspend();
   }
 
   void suspend() {

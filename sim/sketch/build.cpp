@@ -344,15 +344,20 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
 
 Image build(const Request& request) try {
   const Target& target = find_target(request.target);
+  if (request.sanitize) check_can_sanitize(request.target);
   const Sketch sketch = read_sketch(request.sketch);
   if (!target.chip && !sketch.assembler.empty())
     throw InputError({sketch.assembler[0]}, "assembler sources are for the chip; build with --target avr");
   const Cache cache(cache_folder());
   const GenuineCore genuine = find_core();
   const Compiler compiler = find_compiler(target);
-  Toolchain toolchain{
-      target,        compiler,        {}, core_for(target, request.board, genuine, cache.folder()),
-      request.board, request.warnings};
+  Toolchain toolchain{target,
+                      compiler,
+                      {},
+                      core_for(target, request.board, genuine, cache.folder()),
+                      request.board,
+                      request.warnings,
+                      request.sanitize};
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);

@@ -77,6 +77,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   if (written_in == Language::cxx) add(words, target.cxx_code);
   if (written_in == Language::c) add(words, target.c_code);
   add(words, core ? target.core : target.own);
+  if (toolchain.sanitize && !core) add(words, target.sanitizer);
   add(words, warning_flags(toolchain, unit));
   add(words, toolchain.core.machine);
   add(words, definitions(toolchain));
@@ -188,6 +189,7 @@ std::string recipe(const Toolchain& toolchain) {
     text += fmt::format("{}\n", fmt::join(words, " "));
   for (const auto* words : {&target.core, &toolchain.core.machine})
     if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
+  if (toolchain.sanitize) text += fmt::format("{}\n", fmt::join(target.sanitizer, " "));
   text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;

@@ -22,6 +22,11 @@ std::string missing_tool(const std::string& target_name) {
   }
 }
 
+void check_can_sanitize(const std::string& target) {
+  if (find_target(target).sanitizer.empty())
+    throw InputError("--sanitize is for --target host; a chip has no room for its checks");
+}
+
 std::vector<Limit> stated_limits(const Image& image) {
   constexpr std::string_view kPrefix = "linekit_limit_";
   std::vector<Limit> limits;

@@ -27,6 +27,7 @@ struct Request {
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
+  bool sanitize = false;  ///< sketch and libraries check themselves while they run; for the host only
 };
 
 struct Image {
@@ -61,6 +62,9 @@ std::vector<std::string> targets();
 /// The sentence that names the first tool or package that building for this target lacks; empty if all are
 /// there. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);
+
+/// Throws InputError for a target whose sketches cannot be built with Request::sanitize.
+void check_can_sanitize(const std::string& target);
 
 /// A limit that the firmware states by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
 /// (firmware/src/nav/Limits.h).

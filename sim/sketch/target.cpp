@@ -53,6 +53,12 @@ const Target kHost = {
     // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
     // its table says.
     .own_level = "-O1",
+    // gcc defines what << does with negative numbers and with bits that fall out at the top: only the
+    // distance is checked. What is never set shows: gcc fills it with bytes FE.
+    .sanitizer = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern",
+                  "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
+                  "nonnull-attribute,null,pointer-overflow,return,shift-exponent,signed-integer-overflow,"
+                  "unreachable,vla-bound"},
     .core = {},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},
@@ -85,6 +91,7 @@ const Target kAvr = {
     .c_code = {"-std=gnu11"},
     .own = {},
     .own_level = "-Os",
+    .sanitizer = {},
     .core = {"-DDECIMAL_DIG=__DECIMAL_DIG__"},
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},

@@ -45,6 +45,7 @@ struct Target {
   std::vector<std::string> c_code;
   std::vector<std::string> own;
   const char* own_level;
+  std::vector<std::string> sanitizer;  ///< after `own` with --sanitize; empty = the target has none
   std::vector<std::string> core;
   const char* core_level;
   std::vector<std::string> definitions;

@@ -62,6 +62,7 @@ struct Toolchain {
   Core core;
   const BoardSpec& board;
   Warnings warnings = Warnings::standard;
+  bool sanitize = false;
 };
 
 /// The core for a target and board. The host's is a folder of links in the cache to the genuine core's

@@ -34,7 +34,9 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   std::filesystem::path build(const std::string& text) {
     std::filesystem::create_directories(folder_ / "Test");
     write_file(folder_ / "Test/Test.ino", text);
-    return sketch::build({folder_ / "Test", *find_board(board_name_)}).image;
+    sketch::Request request{folder_ / "Test", *find_board(board_name_)};
+    request.sanitize = sanitize_;
+    return sketch::build(request).image;
   }
 
   /// Builds `text`, makes an executor for it and switches it on at `t`.
@@ -83,6 +85,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   }
 
   const char* board_name_ = "uno";
+  bool sanitize_ = false;
   std::filesystem::path folder_;
   std::unique_ptr<HostExecutor> host_;
   SimTime now_ = 0;

@@ -1,0 +1,36 @@
+// The handlers of gcc's UndefinedBehaviorSanitizer: of a division by zero in every image, of all the others
+// in one that was built with --sanitize (sim/sketch/target.cpp lists the checks).
+#include "hal/host/clock.h"
+
+namespace {
+
+__attribute__((noreturn)) void fail(const char* check, const void* data, uintptr_t value, uintptr_t other,
+                                    const void* where) {
+  robosim::host::executor->undefined(check, data, value, other, where);
+  __builtin_unreachable();
+}
+
+}  // namespace
+
+// Not every check has two values; who is told its name knows which count.
+#define ROBOSIM_HANDLER(check)                                                                 \
+  extern "C" void __ubsan_handle_##check(const void* data, uintptr_t value, uintptr_t other) { \
+    fail(#check, data, value, other, __builtin_return_address(0));                             \
+  }
+
+ROBOSIM_HANDLER(divrem_overflow)
+ROBOSIM_HANDLER(add_overflow)
+ROBOSIM_HANDLER(sub_overflow)
+ROBOSIM_HANDLER(mul_overflow)
+ROBOSIM_HANDLER(negate_overflow)
+ROBOSIM_HANDLER(shift_out_of_bounds)
+ROBOSIM_HANDLER(out_of_bounds)
+ROBOSIM_HANDLER(type_mismatch_v1)
+ROBOSIM_HANDLER(pointer_overflow)
+ROBOSIM_HANDLER(load_invalid_value)
+ROBOSIM_HANDLER(float_cast_overflow)
+ROBOSIM_HANDLER(vla_bound_not_positive)
+ROBOSIM_HANDLER(builtin_unreachable)
+ROBOSIM_HANDLER(missing_return)
+ROBOSIM_HANDLER(nonnull_arg)
+ROBOSIM_HANDLER(invalid_builtin)
