@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "sim/base/error.h"
+#include "sim/cli/help_text.h"
 #include "sim/cli/names.h"
 #include "sim/cli/options.h"
 #include "sim/grid/generator.h"
@@ -13,42 +14,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run", "play", "classic", "build", "map", "robot", "test"};
-const std::vector<std::string> kLater{"compare", "sweep", "flash"};
-
-constexpr const char* kExamples =
-    R"(Robosim runs your Arduino line follower on a simulated robot, and judges it.
-
-  robosim run PidFollower --map oval        a sketch of ours on a map of ours
-  robosim run PidFollower --view            watch it drive
-  robosim run my/Sketch --map my.map        your own sketch, on your own map
-  robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
-  robosim play                              choose a map, watch it scanned, send the robot to stations
-  robosim run LeftPath --map d --robot uno3 --json     results for a program to read
-
-robosim --help lists the commands, robosim run --help the options.
-)";
-
-constexpr const char* kHelp = R"(robosim COMMAND …
-
-  run [SKETCH]                run a sketch on a robot on a map, and judge it
-  play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
-  classic MAP                 the robot on cells: walk, scan and find the way
-  build [SKETCH]              compile a sketch as Arduino would, and say its size
-  map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
-  map generate                make maps by chance: trees, cycles, streets
-  robot list|show|check       the robots; the text of one; check a robot file
-  test                        check a sketch automatically (in a checkout: Robosim's own tests)
-
-  robosim COMMAND --help      the options of a command
-  robosim --version           the version
-
-SKETCH is a folder, an .ino file or the name of a sketch of ours; without it, the current folder. A name with / or . in
-it is a path.
-
-Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended or crashed · 2 usage, a bad file, or
-a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
-)";
+const std::vector<std::string> kCommands{"run", "play", "classic", "build", "flash", "map", "robot", "test"};
+const std::vector<std::string> kLater{"compare", "sweep"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -110,6 +77,25 @@ Command parse_build(const Words& words) {
   if (const auto help = options.parse(words)) return PrintText{*help};
   check_choice("--warnings", build.warnings, {"none", "default", "more", "all"});
   return build;
+}
+
+Command parse_flash(const Words& words) {
+  FlashArguments flash;
+  std::string baud;
+  Options options("flash", "Builds a sketch for the robot's chip, and writes it to the board by avrdude.");
+  options.positional("SKETCH", flash.sketch, "folder, .ino file or name; default: the current folder");
+  options.text("--port", flash.port, "PORT", "where the board is, as /dev/ttyACM0 or /dev/ttyUSB0");
+  options.text("--robot", flash.robot, "ROBOT", "file or name: its board is compiled for");
+  options.text("--baud", baud, "N", "of the boot loader; default: 115200; an old Nano's has 57600");
+  options.texts("--libraries", flash.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  options.flag("--dry-run", flash.dry_run, "print the command and the image's SHA-256, write nothing");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (!baud.empty()) flash.baud = whole_number("--baud", baud, 300, 2'000'000);
+  if (flash.port.empty())
+    throw InputError(
+        "robosim flash needs the board's port, as in --port /dev/ttyACM0 (most Unos) or /dev/ttyUSB0 (most "
+        "Nanos); “ls /dev/ttyACM* /dev/ttyUSB*” with and without the board plugged in shows which one it is");
+  return flash;
 }
 
 /// The action that has to come first; `usage` if help is asked for instead.
@@ -282,6 +268,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "play") return parse_play(rest);
   if (first == "classic") return parse_classic(rest);
   if (first == "build") return parse_build(rest);
+  if (first == "flash") return parse_flash(rest);
   if (first == "map") return parse_map(rest);
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);

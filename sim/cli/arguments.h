@@ -43,6 +43,16 @@ struct BuildArguments {
   bool sanitize = false;
 };
 
+/// `robosim flash`
+struct FlashArguments {
+  std::string sketch;
+  std::string robot;
+  std::string port;
+  std::uint64_t baud = 115'200;  ///< of the boot loader, as Arduino's boards.txt has it for Uno and Nano
+  std::vector<std::string> libraries;
+  bool dry_run = false;
+};
+
 /// `robosim map check|show|graph`
 struct MapArguments {
   std::string action;
@@ -97,8 +107,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, PlayArguments, ClassicArguments, BuildArguments, MapArguments,
-                             GenerateArguments, RobotArguments, TestArguments, PrintText>;
+using Command = std::variant<RunArguments, PlayArguments, ClassicArguments, BuildArguments, FlashArguments,
+                             MapArguments, GenerateArguments, RobotArguments, TestArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <utility>
 
 #include "sim/base/file.h"
 #include "sim/cli/names.h"
@@ -114,14 +115,14 @@ std::vector<std::string> over_budget(const sketch::Image& image, const client::R
   return sentences;
 }
 
-int build_command(const BuildArguments& arguments) {
+Built build_sketch(const BuildArguments& arguments) {
   check_build_target(arguments.target);
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const SketchChoice sketch = choose_sketch(arguments.sketch);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
   const Choice choice = choose_robot(arguments.robot, sketch.folder);
   // The robot is the same for all targets, so the runner that is always there tells of it.
-  const client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
+  client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
   const BoardSpec& board = board_of(robot);
   sketch::Request request{sketch.path,       board, arguments.target, {}, warnings_of(arguments.warnings),
                           arguments.sanitize};
@@ -129,15 +130,23 @@ int build_command(const BuildArguments& arguments) {
 
   Progress progress(true);
   progress.say("compiling " + sketch.name + " …");
-  const sketch::Image image = sketch::build(request);
+  sketch::Image image = sketch::build(request);
   progress.clear();
   fmt::print(stderr, "{}", image.messages);
-  print(size_report(image, arguments.target, board, put_files(image, arguments.out)));
-  if (arguments.target == "host") return 0;
-  check_fits(image, board);
-  const auto sentences = over_budget(image, robot);
+  return {std::move(image), board, std::move(robot)};
+}
+
+ExitStatus check_size(const Built& built) {
+  check_fits(built.image, built.board);
+  const auto sentences = over_budget(built.image, built.robot);
   for (const std::string& sentence : sentences) fmt::print(stderr, "robosim: {}\n", sentence);
-  return static_cast<int>(sentences.empty() ? ExitStatus::ok : ExitStatus::failed);
+  return sentences.empty() ? ExitStatus::ok : ExitStatus::failed;
+}
+
+int build_command(const BuildArguments& arguments) {
+  const Built built = build_sketch(arguments);
+  print(size_report(built.image, arguments.target, built.board, put_files(built.image, arguments.out)));
+  return static_cast<int>(arguments.target == "host" ? ExitStatus::ok : check_size(built));
 }
 
 }  // namespace robosim::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/error.h"
 #include "sim/cli/arguments.h"
 #include "sim/client/messages.h"
 #include "sim/sketch/sketch.h"
@@ -19,6 +20,21 @@ std::string size_report(const sketch::Image& image, const std::string& target, c
 
 /// Each way in which an image for a chip takes more than the robot's budget allows, as a sentence.
 std::vector<std::string> over_budget(const sketch::Image& image, const client::RobotInfo& robot);
+
+/// An image, and what it was made for.
+struct Built {
+  sketch::Image image;
+  const BoardSpec& board;
+  client::RobotInfo robot;
+};
+
+/// Compiles for the board of the robot that `robosim run` would take. The compiler's warnings go to standard
+/// error. Throws InputError or ToolMissing.
+Built build_sketch(const BuildArguments& arguments);
+
+/// Says on standard error in which ways an image for a chip is over the robot's budget: `failed` if it is.
+/// Throws sketch::CompileError for what does not fit the chip at all.
+ExitStatus check_size(const Built& built);
 
 /// Compiles for the board of the robot that `robosim run` would take. The compiler's warnings go to standard
 /// error, the report to standard output. Gives the exit status: 1 if it is over the budget. Throws InputError

@@ -7,6 +7,7 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/build_command.h"
 #include "sim/cli/classic_command.h"
+#include "sim/cli/flash_command.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/map_command.h"
 #include "sim/cli/output.h"
@@ -22,6 +23,7 @@ struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
+  int operator()(const FlashArguments& arguments) const { return flash_command(arguments); }
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
   int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }

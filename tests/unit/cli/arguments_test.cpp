@@ -71,6 +71,21 @@ TEST(Arguments, ViewHasASpeed) {
   EXPECT_EQ(parsed<RunArguments>({"run", "--view", "--speed", "0"}).speed, 0.0);
 }
 
+TEST(Arguments, FlashTakesItsWords) {
+  const auto plain = parsed<FlashArguments>({"flash", "--port", "/dev/ttyACM0"});
+  EXPECT_EQ(plain.sketch, "");
+  EXPECT_EQ(plain.port, "/dev/ttyACM0");
+  EXPECT_EQ(plain.baud, 115'200u);
+  EXPECT_FALSE(plain.dry_run);
+  const auto all = parsed<FlashArguments>({"flash", "My", "--port", "p", "--robot", "r.toml", "--baud",
+                                           "57600", "--libraries", "l", "--dry-run"});
+  EXPECT_EQ(all.sketch, "My");
+  EXPECT_EQ(all.robot, "r.toml");
+  EXPECT_EQ(all.baud, 57'600u);
+  EXPECT_THAT(all.libraries, ElementsAre("l"));
+  EXPECT_TRUE(all.dry_run);
+}
+
 TEST(Arguments, OtherCommandsTakeTheirWords) {
   const auto build = parsed<BuildArguments>(
       {"build", "My", "--robot", "r.toml", "--libraries", "l", "--target", "avr", "--out", "o"});
@@ -161,6 +176,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"map", "generate", "--family", "tree", "--stations", "5", "--count", "2", "--seed",
                  "18446744073709551615"},
                 "the seeds end"},
+        Refused{{"flash", "My"}, "robosim flash needs the board's port, as in --port /dev/ttyACM0"},
+        Refused{{"flash", "--port", "p", "--baud", "fast"},
+                "--baud: “fast” is not possible; it must be a whole"},
         Refused{{"robot", "show"}, "robosim robot show needs a robot"},
         Refused{{"robot", "list", "x"}, "robot list: “x” is one word too many"},
         Refused{{"test", "x"}, "test: “x” is one word too many"}));

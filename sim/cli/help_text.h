@@ -1,0 +1,41 @@
+// What `robosim` and `robosim --help` print.
+#pragma once
+
+namespace robosim::cli {
+
+inline constexpr const char* kExamples =
+    R"(Robosim runs your Arduino line follower on a simulated robot, and judges it.
+
+  robosim run PidFollower --map oval        a sketch of ours on a map of ours
+  robosim run PidFollower --view            watch it drive
+  robosim run my/Sketch --map my.map        your own sketch, on your own map
+  robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
+  robosim play                              choose a map, watch it scanned, send the robot to stations
+  robosim run LeftPath --map d --robot uno3 --json     results for a program to read
+
+robosim --help lists the commands, robosim run --help the options.
+)";
+
+inline constexpr const char* kHelp = R"(robosim COMMAND …
+
+  run [SKETCH]                run a sketch on a robot on a map, and judge it
+  play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
+  classic MAP                 the robot on cells: walk, scan and find the way
+  build [SKETCH]              compile a sketch as Arduino would, and say its size
+  flash [SKETCH] --port PORT  write a sketch to the board, as tested on --target avr
+  map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
+  map generate                make maps by chance: trees, cycles, streets
+  robot list|show|check       the robots; the text of one; check a robot file
+  test                        check a sketch automatically (in a checkout: Robosim's own tests)
+
+  robosim COMMAND --help      the options of a command
+  robosim --version           the version
+
+SKETCH is a folder, an .ino file or the name of a sketch of ours; without it, the current folder. A name with / or . in
+it is a path.
+
+Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended or crashed · 2 usage, a bad file, or
+a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
+)";
+
+}  // namespace robosim::cli
