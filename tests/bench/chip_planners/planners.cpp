@@ -1,0 +1,206 @@
+// robosim_bench_planners FOLDER [SEED]: what each planner of firmware/src/nav costs on an ATmega328P, in an
+// emulator: cycles, flash, RAM. FOLDER has chip.cpp's images, one for each planner. The build target
+// chip_planners makes them and runs this.
+//
+// A tree of n nodes grows from one line: a station chosen at random becomes a junction with two new stations,
+// until there are n nodes; then they are numbered in preorder. The mean is over all ordered pairs of
+// stations. Every way is compared with the true one; a wrong one ends the program with status 1.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/executors/avr/simavr.h"
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// ATmega328P, data space
+constexpr avr_io_addr_t kGpior0 = 0x3E, kGpior1 = 0x4A, kGpior2 = 0x4B;
+
+/// Parents of nodes in preorder; that of node 0 is 0.
+Bytes randomTree(unsigned nodes, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::vector<unsigned>> children = {{1}, {}};
+  std::vector<unsigned> leaves = {1};
+  while (children.size() < nodes) {
+    unsigned& leaf = leaves[random() % leaves.size()];
+    const auto first = static_cast<unsigned>(children.size());
+    children[leaf] = {first, first + 1};
+    children.resize(children.size() + 2);
+    leaf = first;
+    leaves.push_back(first + 1);
+  }
+  Bytes parents;
+  std::vector<std::pair<unsigned, unsigned>> open = {{0, 0}};  // node, parent's new id
+  while (!open.empty()) {
+    const auto [node, parent] = open.back();
+    open.pop_back();
+    const auto id = static_cast<unsigned>(parents.size());
+    parents.push_back(static_cast<std::uint8_t>(parent));
+    for (auto child = children[node].rbegin(); child != children[node].rend(); ++child)
+      open.emplace_back(*child, id);
+  }
+  return parents;
+}
+
+Bytes wayToRoot(const Bytes& parents, std::uint8_t node) {
+  Bytes way = {node};
+  while (node != 0) way.push_back(node = parents[node]);
+  return way;
+}
+
+Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
+  Bytes up = wayToRoot(parents, from), down = wayToRoot(parents, to);
+  std::uint8_t meet = 0;
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    meet = up.back();
+    up.pop_back();
+    down.pop_back();
+  }
+  up.push_back(meet);
+  up.insert(up.end(), down.rbegin(), down.rend());
+  return up;
+}
+
+struct Session {
+  Bytes input, output;
+  std::size_t read = 0;
+  avr_cycle_count_t begin = 0;
+  std::vector<avr_cycle_count_t> spans;
+};
+
+void onMark(avr_t* avr, avr_io_addr_t, std::uint8_t value, void* param) {
+  auto& session = *static_cast<Session*>(param);
+  if (value == 1) session.begin = avr->cycle;
+  if (value == 2) session.spans.push_back(avr->cycle - session.begin);
+}
+std::uint8_t onRead(avr_t*, avr_io_addr_t, void* param) {
+  auto& session = *static_cast<Session*>(param);
+  return session.read < session.input.size() ? session.input[session.read++] : 0;
+}
+void onWrite(avr_t*, avr_io_addr_t, std::uint8_t value, void* param) {
+  static_cast<Session*>(param)->output.push_back(value);
+}
+
+Session runOnChip(Bytes image, const Bytes& parents) {
+  Session session;
+  session.input = parents;
+  session.input[0] = static_cast<std::uint8_t>(parents.size());  // the root has no parent
+  avr_t* const avr = avr_make_mcu_by_name("atmega328p");
+  if (avr == nullptr || avr_init(avr) != 0) throw std::runtime_error("libsimavr has no atmega328p");
+  avr->frequency = 16'000'000;
+  avr_loadcode(avr, image.data(), static_cast<std::uint32_t>(image.size()), 0);
+  avr->codeend = static_cast<avr_flashaddr_t>(image.size());
+  avr_register_io_write(avr, kGpior0, onMark, &session);
+  avr_register_io_read(avr, kGpior1, onRead, &session);
+  avr_register_io_write(avr, kGpior2, onWrite, &session);
+  constexpr avr_cycle_count_t kLimit = 20'000'000'000;
+  int state = cpu_Running;
+  while (state != cpu_Done && state != cpu_Crashed && avr->cycle < kLimit) state = avr_run(avr);
+  avr_terminate(avr);
+  std::free(avr);
+  if (state != cpu_Done) throw std::runtime_error("the program on the chip did not come to its end");
+  return session;
+}
+
+struct Result {
+  double cycles = 0, nodes = 0;
+  unsigned table_bytes = 0, work_bytes = 0;
+};
+
+Result measure(const Bytes& image, const Bytes& parents) {
+  const Session session = runOnChip(image, parents);
+  const Bytes& out = session.output;
+  Result result;
+  result.table_bytes = out.at(0) + 256U * out.at(1);
+  result.work_bytes = out.at(2) + 256U * out.at(3);
+  std::size_t pairs = 0;
+  for (std::size_t at = 4; at < out.size(); ++pairs) {
+    const std::uint8_t from = out.at(at), to = out.at(at + 1), size = out.at(at + 3);
+    const Bytes way = trueWay(parents, from, to);
+    if (out[at + 2] != 0 || size != way.size() || at + 4 + size > out.size() ||
+        !std::equal(way.begin(), way.end(), out.begin() + static_cast<std::ptrdiff_t>(at) + 4))
+      throw std::runtime_error(fmt::format("wrong way from {} to {}", from, to));
+    at += 4U + size;
+    result.cycles += static_cast<double>(session.spans.at(pairs + 1) - session.spans[0]);
+    result.nodes += size;
+  }
+  const std::size_t stations = parents.size() / 2 + 1;
+  if (pairs != stations * (stations - 1)) throw std::runtime_error("pairs of stations are missing");
+  result.cycles /= static_cast<double>(pairs);
+  result.nodes /= static_cast<double>(pairs);
+  return result;
+}
+
+Bytes readImage(const std::string& folder, const std::string& name) {
+  const std::string path = folder + "/chip_" + name + ".bin";
+  std::ifstream file(path, std::ios::binary);
+  Bytes image{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (image.empty()) throw std::runtime_error(path + " cannot be read; build the target chip_planners");
+  return image;
+}
+
+struct Planner {
+  const char* name;
+  const char* table;
+};
+constexpr Planner kPlanners[] = {{"bfs", "links"},       {"dfs", "links"},      {"iterative", "links"},
+                                 {"pruned", "links"},    {"dijkstra", "links"}, {"climb", "parents"},
+                                 {"interval", "parents"}};
+constexpr unsigned kSizes[] = {26, 50, 100, 150, 200};
+constexpr unsigned kCapacity = 200;  // chip.cpp's kNodes
+
+void run(const std::string& folder, std::uint32_t seed) {
+  fmt::print("Planners on an ATmega328P: mean cycles over all pairs of stations, trees of seed {}\n\n", seed);
+  fmt::print("{:18} {:8}", "planner", "table");
+  for (const unsigned size : kSizes) fmt::print(" {:>8}", fmt::format("n = {}", size));
+  fmt::print(" {:>8} {:>19}\n", "flash", "RAM, bytes a node");
+  double nodes[std::size(kSizes)] = {};
+  for (const Planner& planner : kPlanners) {
+    const Bytes image = readImage(folder, planner.name);
+    const std::size_t without = readImage(folder, std::string("none_") + planner.table).size();
+    fmt::print("{:18} {:8}", planner.name, planner.table);
+    Result result;
+    for (std::size_t i = 0; i < std::size(kSizes); ++i) {
+      result = measure(image, randomTree(kSizes[i], seed));
+      fmt::print(" {:8.0f}", result.cycles);
+      nodes[i] = result.nodes;
+    }
+    fmt::print(" {:8} {:>19}\n", image.size() - without,
+               fmt::format("{} + {} + 1", result.table_bytes / kCapacity, result.work_bytes / kCapacity));
+  }
+  fmt::print("{:27}", "nodes of a way, mean");
+  for (const double mean : nodes) fmt::print(" {:8.1f}", mean);
+  fmt::print(
+      "\n\nPublished figures, on eight other trees (not measured here):\n"
+      "{0:27} {1:>8} {2:>8} {3:>8} {2:>8} {4:>8} {2:>8} {5:>19}\n"
+      "{6:27} {7:>8} {2:>8} {8:>8} {2:>8} {9:>8}\n"
+      "{10:27} {11:>8} {2:>8} {12:>8} {2:>8} {13:>8}\n",
+      "P-BFS as published", 5071, "", 11116, 13458, "10", "P-BFS tuned", 2587, 5173, 6173,
+      "nodes of a way, mean", 6.9, 11.8, 13.6);
+  fmt::print(
+      "\nFlash: bytes the planner adds. RAM: table + work + path; the path has room for every node.\n"
+      "pruned is prunedSearch(), interval is intervalWay(): the numbering was looked through before.\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 2 && argc != 3) {
+    fmt::print(stderr, "usage: robosim_bench_planners FOLDER [SEED]\n");
+    return 2;
+  }
+  run(argv[1], argc == 3 ? static_cast<std::uint32_t>(std::stoul(argv[2])) : 1);
+} catch (const std::exception& error) {
+  fmt::print(stderr, "robosim_bench_planners: {}\n", error.what());
+  return 1;
+}
