@@ -11,6 +11,7 @@
 
 #include "sim/base/file.h"
 #include "sim/cli/build_command.h"
+#include "sim/cli/names.h"
 #include "sim/cli/output.h"
 #include "sim/sketch/process.h"
 
@@ -98,7 +99,7 @@ ExitStatus judge(int wait_status, const FlashArguments& arguments) {
 
 }  // namespace
 
-std::vector<std::string> avrdude_words(const FlashArguments& arguments, const fs::path& hex) {
+std::vector<std::string> avrdude_words(const FlashArguments& arguments, const fs::path& file) {
   return {"avrdude",
           "-p",
           "atmega328p",
@@ -110,25 +111,32 @@ std::vector<std::string> avrdude_words(const FlashArguments& arguments, const fs
           arguments.port,
           "-D",
           "-U",
-          "flash:w:" + hex.string() + ":i"};
+          "flash:w:" + file.string() + (file.extension() == ".elf" ? ":e" : ":i")};
 }
 
 int flash_command(const FlashArguments& arguments) {
-  const std::string ending = fs::path(arguments.sketch).extension().string();
-  if (ending == ".elf" || ending == ".hex")
-    throw InputError({arguments.sketch},
-                     "is built already; robosim flash takes the sketch, and makes image and .hex itself");
+  const SketchChoice sketch = choose_sketch(arguments.sketch);
+  if (!sketch.elf_target.empty() && sketch.elf_target != "avr")
+    throw InputError({sketch.name}, fmt::format("is an image for {}; robosim flash writes those for avr",
+                                                sketch.elf_target));
   const fs::path program = sketch::find_program("avrdude");
   if (program.empty() && !arguments.dry_run)
     throw ToolMissing("avrdude is missing: sudo apt install avrdude");
 
-  const Built built = build_sketch(build_arguments(arguments));
-  if (const ExitStatus status = check_size(built); status != ExitStatus::ok) return static_cast<int>(status);
-  const fs::path& hex = built.image.products.at(0);
-  const std::vector<std::string> words = avrdude_words(arguments, hex);
-  print(size_report(built.image, "avr", built.board, {built.image.image, hex}) +
-        fmt::format("image_sha256: {}, of the image that the .hex is made of, as in robosim run --json\n{}\n",
-                    sha256_of_file(built.image.image), command_line(words)));
+  fs::path file = sketch.path;  // a finished image: avrdude reads it itself
+  if (sketch.elf_target.empty()) {
+    const Built built = build_sketch(build_arguments(arguments));
+    if (const ExitStatus status = check_size(built); status != ExitStatus::ok)
+      return static_cast<int>(status);
+    file = built.image.products.at(0);
+    print(size_report(built.image, "avr", built.board, {built.image.image, file}) +
+          fmt::format("image_sha256: {}, of the image that the .hex is made of, as in robosim run --json\n",
+                      sha256_of_file(built.image.image)));
+  } else {
+    print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
+  }
+  const std::vector<std::string> words = avrdude_words(arguments, file);
+  print(command_line(words) + "\n");
   if (arguments.dry_run) return static_cast<int>(ExitStatus::ok);
   return static_cast<int>(judge(run_avrdude(program, words), arguments));
 }

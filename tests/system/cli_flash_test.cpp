@@ -130,13 +130,22 @@ TEST_F(CliFlash, AMissingAvrdudeIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avrdude is missing: sudo apt install avrdude\n");
 }
 
-TEST_F(CliFlash, AFinishedImageIsRefused) {
-  for (const char* name : {"made/My.elf", "made/My.hex"}) {
-    const Ended ended = robosim_command({"flash", name, "--port", "/dev/ttyACM0"}, folder_.path());
-    EXPECT_EQ(ended.status, 2) << name;
-    EXPECT_THAT(ended.err,
-                HasSubstr(std::string(name) + ": is built already; robosim flash takes the sketch"));
-  }
+TEST_F(CliFlash, AFinishedImageIsWrittenAsItIs) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  fake_avrdude(0);
+  ASSERT_EQ(robosim_command({"build", "My/", "--target", "avr", "--out", "made"}, folder_.path()).status, 0);
+  const Ended ended = robosim_command({"flash", "made/My.elf", "--port", "/dev/ttyACM0"}, folder_.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(read_file(words()), EndsWith("-U\nflash:w:made/My.elf:e\n"));
+  EXPECT_EQ(after(ended.out, "image_sha256: ", ","), sha256(read_file(folder_ / "made/My.elf")));
+}
+
+TEST_F(CliFlash, AnImageForThisComputerIsRefused) {
+  ASSERT_EQ(robosim_command({"build", "My/", "--out", "made"}, folder_.path()).status, 0);
+  const Ended ended =
+      robosim_command({"flash", "made/My.so", "--port", "/dev/ttyACM0", "--dry-run"}, folder_.path());
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("made/My.so"));
 }
 
 TEST_F(CliFlash, AMissingPortIsStatus2AndTheSentenceSaysHowToFindIt) {
