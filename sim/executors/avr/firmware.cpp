@@ -46,19 +46,24 @@ class Reader {
 };
 
 void load_segments(const Reader& in, const Elf32_Ehdr& header, const BoardSpec& board, Firmware& firmware) {
+  std::vector<Elf32_Phdr> segments;
+  std::uint64_t size = 0;
   for (unsigned i = 0; i < header.e_phnum; ++i) {
     const auto segment = in.at<Elf32_Phdr>(header.e_phoff + i * std::size_t{header.e_phentsize});
     if (segment.p_type != PT_LOAD || segment.p_filesz == 0 || segment.p_paddr >= kDataSpace) continue;
-    const std::uint64_t end = std::uint64_t{segment.p_paddr} + segment.p_filesz;
-    if (end > board.flash_bytes) {
-      throw InputError({firmware.file}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch",
-                                                    end, board.name, board.flash_bytes));
-    }
-    if (firmware.flash.size() < end) firmware.flash.resize(end, 0xFF);
+    segments.push_back(segment);
+    size = std::max(size, std::uint64_t{segment.p_paddr} + segment.p_filesz);
+  }
+  if (size > board.flash_bytes) {
+    throw InputError({firmware.file}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch", size,
+                                                  board.name, board.flash_bytes));
+  }
+  firmware.flash.assign(size, 0xFF);
+  for (const Elf32_Phdr& segment : segments) {
     std::memcpy(firmware.flash.data() + segment.p_paddr, in.bytes(segment.p_offset, segment.p_filesz),
                 segment.p_filesz);
     if (segment.p_flags & PF_X)
-      firmware.code_end = std::max(firmware.code_end, static_cast<std::uint32_t>(end));
+      firmware.code_end = std::max(firmware.code_end, segment.p_paddr + segment.p_filesz);
   }
 }
 

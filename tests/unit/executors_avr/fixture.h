@@ -42,7 +42,8 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     write_file(folder_ / "Test/Test.ino", text);
     sketch::Request request{folder_ / "Test", *find_board(board_name_)};
     request.target = "avr";
-    return sketch::build(request).image;
+    built_ = sketch::build(request);
+    return built_.image;
   }
 
   /// Builds `text`, makes an executor for it and switches it on at 0.
@@ -92,6 +93,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 
   const char* board_name_ = "uno";
   std::filesystem::path folder_;
+  sketch::Image built_;
   std::unique_ptr<AvrExecutor> avr_;
   SimTime now_ = 0;
   std::string serial_;

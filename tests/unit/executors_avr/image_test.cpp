@@ -52,5 +52,25 @@ TEST_F(ImageTest, AProgramLargerThanTheBoardsFlashIsRefused) {
   EXPECT_THAT(refusal(good), HasSubstr("the nano has 30720 for a sketch"));
 }
 
+TEST_F(ImageTest, TheFlashInUseIsTheSameForTheBuildAndForTheChip) {
+  const std::string text =
+      "int numbers[] = {1, 2, 3, 4, 5, 6, 7};\nvoid setup() { Serial.begin(9600); }\n"
+      "void loop() { Serial.println(++numbers[millis() % 7]); }";
+  start(text);
+  const auto flash = built_.text_bytes;
+  EXPECT_EQ(avr_->resources()->flash_bytes, flash);
+  EXPECT_EQ(avr_->resources()->ram_bytes, built_.data_bytes);
+  BoardSpec small = *find_board("uno");
+  small.flash_bytes = static_cast<std::uint32_t>(flash - 1);
+  try {
+    AvrExecutor executor(small, built_.image);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("needs " + std::to_string(flash) + " bytes of flash"));
+  }
+  small.flash_bytes = static_cast<std::uint32_t>(flash);
+  EXPECT_NO_THROW(AvrExecutor(small, built_.image));
+}
+
 }  // namespace
 }  // namespace robosim::executors
