@@ -1,9 +1,7 @@
 // The sketch AiNavigator on the robot uno5: it scans a map, and then drives to every station it is told.
 //
 // What it says is compared with what is: where the robot stands when it says that it has arrived.
-// ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map.
-
-#include <stdlib.h>
+// ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map, on the chip too.
 
 #include <cmath>
 
@@ -19,11 +17,6 @@ using testing::Not;
 
 constexpr double kAtStation_mm = 25.0;  // of the axle's centre from the end of the line
 
-std::uint64_t seeds() {
-  const char* text = ::getenv("ROBOSIM_TEST_SEEDS");
-  return text ? std::strtoull(text, nullptr, 10) : 2;
-}
-
 grid::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
   const grid::Map map = grid::read_map(grid::find_map(map_name));
   return grid::true_graph(map, start.empty() ? grid::default_start(map) : grid::parse_start(map, start));
@@ -36,13 +29,14 @@ struct Seen {
   int collisions = 0;
   double time_s = 0.0;
   std::string verdict;
+  std::string trace_hash;
 };
 
 const std::string kScan = "at 300ms press start 100ms\n";
 
 // Interrupts the run when it has said the line `until`.
 Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
-  static client::Runner runner("host");
+  client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
   const grid::TrueGraph graph = graph_of(of.map, start);
   client::RunRequest request = request_of(of);
@@ -69,6 +63,7 @@ Seen watch(const Run& of, const std::string& until, const std::string& start = "
   seen.collisions = result.metrics.collisions;
   seen.time_s = result.time_s;
   seen.verdict = result.verdict;
+  seen.trace_hash = result.trace_hash;
   return seen;
 }
 
@@ -76,14 +71,18 @@ std::string send_after(const std::string& text, const std::string& line) {
   return "after serial \"" + text + "\" send \"" + line + "\\n\"\n";
 }
 
-class AiNavigator : public testing::TestWithParam<const char*> {};
+class AiNavigator : public testing::TestWithParam<Trial> {
+ protected:
+  void SetUp() override { needs_target(GetParam().target); }
+};
 
-INSTANTIATE_TEST_SUITE_P(On, AiNavigator,
-                         testing::Values("a", "b", "c", "d", "e", "f", "warehouse", "city", "blocked"),
-                         [](const auto& map) { return std::string(map.param); });
+INSTANTIATE_TEST_SUITE_P(
+    On, AiNavigator,
+    testing::ValuesIn(trials({"a", "b", "c", "d", "e", "f", "warehouse", "city", "blocked"}, "b")), name_of);
 
 TEST_P(AiNavigator, ScansTheMapAndThenVisitsEveryStation) {
-  const grid::TrueGraph graph = graph_of(GetParam());
+  const auto [target, map] = GetParam();
+  const grid::TrueGraph graph = graph_of(map);
   const int stations = static_cast<int>(graph.stations.size());
   std::string script = kScan + send_after("at 1\\r\\n", "2");
   std::vector<int> all;
@@ -94,14 +93,18 @@ TEST_P(AiNavigator, ScansTheMapAndThenVisitsEveryStation) {
   all.push_back(1);
   const std::string found = "scan complete: " + std::to_string(stations) + " stations, " +
                             std::to_string(graph.junctions.size()) + " junction";
-  for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
-    const Seen seen =
-        watch({.sketch = "AiNavigator", .map = GetParam(), .goal = "none", .script = script, .seed = seed},
-              "arrived at 1");
+  for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
+    const Seen seen = watch({.sketch = "AiNavigator",
+                             .map = map,
+                             .goal = "none",
+                             .script = script,
+                             .seed = seed,
+                             .target = target},
+                            "arrived at 1");
     EXPECT_THAT(seen.text, HasSubstr(found));
-    EXPECT_EQ(seen.arrivals, all) << "map " << GetParam() << ", seed " << seed << "\n" << seen.text;
+    EXPECT_EQ(seen.arrivals, all) << "map " << map << ", seed " << seed << "\n" << seen.text;
     EXPECT_EQ(seen.verdict, "interrupted") << seen.time_s << " s";
-    if (std::string(GetParam()) != "blocked") {
+    if (std::string(map) != "blocked") {
       EXPECT_EQ(seen.collisions, 0);
     }
   }

@@ -1,8 +1,7 @@
 // The sketch PonyNavigator on the robot pony: it scans maps a to f, and then visits every station.
 //
-// Where it says it is, is compared with where it is. ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map.
-
-#include <stdlib.h>
+// Where it says it is, is compared with where it is. ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map,
+// on the chip too.
 
 #include <cmath>
 
@@ -17,11 +16,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 
 constexpr double kAtStation_mm = 80.0;  // the robot's front is 80 mm ahead of its axle
-
-std::uint64_t seeds() {
-  const char* text = ::getenv("ROBOSIM_TEST_SEEDS");
-  return text ? std::strtoull(text, nullptr, 10) : 2;
-}
 
 // Scans, visits all stations one after the other, and goes home.
 std::string tour_script(std::size_t stations) {
@@ -55,7 +49,7 @@ struct Watch {
 
 // Looks at all that the robot says; a tour ends when it is home.
 Watch watch(const Run& of) {
-  static client::Runner runner("host");
+  client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
   client::RunRequest request = request_of(of);
   request.serial = true;
@@ -90,27 +84,32 @@ Watch watch(const Run& of) {
   return watch;
 }
 
-class PonyNavigator : public testing::TestWithParam<const char*> {};
+class PonyNavigator : public testing::TestWithParam<Trial> {
+ protected:
+  void SetUp() override { needs_target(GetParam().target); }
+};
 
-INSTANTIATE_TEST_SUITE_P(On, PonyNavigator, testing::Values("a", "b", "c", "d", "e", "f"),
-                         [](const auto& map) { return std::string(map.param); });
+INSTANTIATE_TEST_SUITE_P(On, PonyNavigator, testing::ValuesIn(trials({"a", "b", "c", "d", "e", "f"}, "b")),
+                         name_of);
 
 TEST_P(PonyNavigator, ScansTheMapAndThenVisitsEveryStation) {
-  const grid::Map map = grid::read_map(grid::find_map(GetParam()));
+  const auto [target, name] = GetParam();
+  const grid::Map map = grid::read_map(grid::find_map(name));
   const std::size_t stations = grid::trace_network(map, grid::default_start(map)).stations.size();
   std::vector<int> all;
   for (std::size_t at = 2; at <= stations; ++at) all.push_back(static_cast<int>(at));
   all.push_back(1);
-  for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
     const Watch seen = watch({.sketch = "PonyNavigator",
-                              .map = GetParam(),
+                              .map = name,
                               .robot = "pony",
                               .goal = "none",
                               .script = tour_script(stations),
                               .seed = seed,
-                              .for_s = 3600.0});
+                              .for_s = 3600.0,
+                              .target = target});
     EXPECT_THAT(seen.text, HasSubstr("scan complete, stations: " + std::to_string(stations) + "\r\n"));
-    EXPECT_EQ(seen.arrivals, all) << "map " << GetParam() << ", seed " << seed << "\n" << seen.text;
+    EXPECT_EQ(seen.arrivals, all) << "map " << name << ", seed " << seed << "\n" << seen.text;
   }
 }
 

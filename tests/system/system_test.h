@@ -3,15 +3,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "hal/board/board_spec.h"
 #include "sim/client/runner.h"
 #include "sim/grid/map.h"
 #include "sim/sketch/sketch.h"
+#include "tests/support/require_target.h"
 
 namespace robosim::test {
 
@@ -34,12 +37,14 @@ struct Run {
   double clock_s = 0.0;  ///< what millis() begins with; chip targets only
 };
 
+/// All tests of one process share a target's runner: no run may harm the next.
+inline client::Runner& runner_of(const std::string& target) {
+  static std::map<std::string, client::Runner> runners;
+  return runners.try_emplace(target, target).first->second;
+}
+
 inline client::RunRequest request_of(const Run& run) {
-  client::Runner& runner = *[] {
-    static client::Runner host("host");
-    return &host;
-  }();
-  const std::string board = runner.describe_robot(run.robot).board.name;
+  const std::string board = runner_of("host").describe_robot(run.robot).board.name;
   client::RunRequest request;
   sketch::Request sketch{sketch_folder(run.sketch), *find_board(board.c_str())};
   sketch.target = run.target;
@@ -54,11 +59,58 @@ inline client::RunRequest request_of(const Run& run) {
   return request;
 }
 
-/// All tests of one process share a runner: no run may harm the next.
-inline client::RunResult run(const Run& run) {
-  static std::map<std::string, client::Runner> runners;
-  const auto runner = runners.try_emplace(run.target, run.target).first;
-  return runner->second.run(request_of(run));
+inline client::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
+
+/// The sentence that says what this target lacks; empty if it runs.
+inline std::string what_is_missing(const std::string& target) {
+  const std::string tool = sketch::missing_tool(target);
+  if (!tool.empty()) return tool;
+  try {
+    runner_of(target);
+  } catch (const ToolMissing& missing) {
+    return missing.what();
+  }
+  return "";
+}
+
+/// For SetUp(): skips the test where the target does not run, or fails it if ROBOSIM_REQUIRE names the
+/// target.
+inline void needs_target(const std::string& target) {
+  const std::string missing = what_is_missing(target);
+  if (!missing.empty() && is_required(target)) FAIL() << missing;
+  if (!missing.empty()) GTEST_SKIP() << missing;
+}
+
+/// How many seeds ROBOSIM_TEST_SEEDS asks for; 0 = it is not set.
+inline std::uint64_t seeds_asked_for() {
+  const char* text = ::getenv("ROBOSIM_TEST_SEEDS");
+  return text ? std::strtoull(text, nullptr, 10) : 0;
+}
+
+/// Where a sketch shall reach its goal.
+struct Trial {
+  const char* target;
+  const char* map;
+};
+
+inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
+  return std::string(trial.param.target) + "_" + trial.param.map;
+}
+
+/// Every map on the host; on the chip, which takes hundreds of times as long, `quick` alone, unless
+/// ROBOSIM_TEST_SEEDS is set.
+inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
+  std::vector<Trial> all;
+  for (const char* map : maps) all.push_back({"host", map});
+  for (const char* map : maps)
+    if (seeds_asked_for() > 0 || map == std::string(quick)) all.push_back({"avr", map});
+  return all;
+}
+
+/// How many seeds a trial takes.
+inline std::uint64_t seeds_of(const Trial& trial) {
+  if (seeds_asked_for() > 0) return seeds_asked_for();
+  return trial.target == std::string("host") ? 2 : 1;
 }
 
 }  // namespace robosim::test

@@ -1,7 +1,6 @@
 // The same sketch, map, robot and seed on every target; and what only a chip finds.
 
 #include "sim/base/file.h"
-#include "tests/support/require_target.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -11,25 +10,9 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The sentence that says what this target lacks; empty if it runs.
-std::string what_is_missing(const std::string& target) {
-  const std::string tool = sketch::missing_tool(target);
-  if (!tool.empty()) return tool;
-  try {
-    client::Runner runner(target);
-  } catch (const ToolMissing& missing) {
-    return missing.what();
-  }
-  return "";
-}
-
 class OnEveryTarget : public testing::TestWithParam<const char*> {
  protected:
-  void SetUp() override {
-    const std::string missing = what_is_missing(GetParam());
-    if (!missing.empty() && is_required(GetParam())) FAIL() << missing;
-    if (!missing.empty()) GTEST_SKIP() << missing;
-  }
+  void SetUp() override { needs_target(GetParam()); }
 };
 
 INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr"),
@@ -55,10 +38,22 @@ TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsOfMapD) {
   EXPECT_THAT(left.metrics.stations, ElementsAre("1", "7", "6", "5", "4", "3", "2"));
 }
 
-TEST_P(OnEveryTarget, TwoRunsAreTheSameBitForBit) {
-  const test::Run once{
-      .sketch = "PidFollower", .goal = "none", .seed = 7, .for_s = 3.0, .target = GetParam()};
-  EXPECT_EQ(run(once).trace_hash, run(once).trace_hash);
+TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
+  const std::string scan = "at 300ms press start 100ms", pony_scan = "at 300ms press scan 100ms";
+  for (const test::Run& sketch :
+       {test::Run{.sketch = "PidFollower"}, test::Run{.sketch = "LeftPath", .map = "d", .robot = "uno3"},
+        test::Run{.sketch = "RightPath", .map = "d", .robot = "uno3"},
+        test::Run{.sketch = "AiNavigator", .map = "d", .script = scan},
+        test::Run{.sketch = "PonyNavigator", .map = "d", .robot = "pony", .script = pony_scan}}) {
+    test::Run once = sketch;
+    once.goal = "none";
+    once.seed = 7;
+    once.for_s = 5.0;
+    once.target = GetParam();
+    const client::RunResult first = run(once);
+    EXPECT_GT(first.metrics.distance_m, 0.05) << once.sketch;
+    EXPECT_EQ(first.trace_hash, run(once).trace_hash) << once.sketch;
+  }
 }
 
 TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
@@ -75,11 +70,7 @@ TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
 
 class OnTheChip : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string missing = what_is_missing("avr");
-    if (!missing.empty() && is_required("avr")) FAIL() << missing;
-    if (!missing.empty()) GTEST_SKIP() << missing;
-  }
+  void SetUp() override { needs_target("avr"); }
 };
 
 TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
