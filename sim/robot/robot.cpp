@@ -40,7 +40,7 @@ struct Robot::Inside {
       : description(d),
         body(world.body(body_number)),
         individual(seed, profile, number),
-        view{&world.floor(), &body, 0},
+        view{&world.floor(), &body, 0, 1.0},
         wires(board, d.registers.size()),
         setting(d, board, wires, view, individual) {}
 
@@ -206,6 +206,19 @@ void Robot::power(bool on, SimTime t) {
   for (Part* part : in_->roster.supplied) part->power(on, t);
 }
 
+double Robot::battery() const { return in_->body.params().supply_volts; }
+
+void Robot::set_battery(double volts) {
+  in_->view.battery = volts / battery();
+  in_->body.supply(volts);
+}
+
+std::vector<std::string> Robot::breakable() const {
+  std::vector<std::string> names;
+  for (const Breakable* thing : in_->roster.breakable) names.push_back(thing->name());
+  return names;
+}
+
 void Robot::cover(const std::string& part, bool covered) {
   for (Sensor* sensor : in_->covered_by(part)) sensor->cover(covered);
 }
@@ -214,6 +227,8 @@ void Robot::fault(const std::string& part, const std::string& kind,
                   const std::vector<std::string>& arguments) {
   Breakable& thing = in_->breakable(part);
   thing.fail(in_->read_fault(thing, kind, arguments));
+  for (const Side side : {world::left, world::right})
+    if (const MotorPart* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
 }
 
 void Robot::check_press(const std::string& part) const { in_->button(part); }

@@ -70,6 +70,11 @@ class Robot {
   /// The board's supply is switched off, or on again: what hangs on it forgets.
   void power(bool on, SimTime t);
 
+  /// V, of a healthy battery ([motors] supply, as drawn for this robot).
+  double battery() const;
+  /// The battery has another voltage from now on: motors, and parts that measure it, feel that.
+  void set_battery(double volts);
+
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
   /// Holds a button down from `t` on, or lets go of it; `t` is not before the current tick.
   void press(const std::string& part, SimTime t);
@@ -81,6 +86,9 @@ class Robot {
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
   /// Kinds and arguments are in docs/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
+
+  /// The names that fault() takes.
+  std::vector<std::string> breakable() const;
 
   // Whether the calls above would be accepted: they throw the same InputError, and change nothing.
   void check_press(const std::string& part) const;

@@ -40,6 +40,7 @@ struct View {
   const world::Floor* floor = nullptr;
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
+  double battery = 1.0;  ///< its voltage, as a share of what this robot's has
 
   /// The pose at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }

@@ -4,8 +4,30 @@
 
 #include <algorithm>
 
+#include "sim/run/script_line.h"
+
 namespace robosim::run {
 namespace {
+
+std::string fault_text(const Action& action) {
+  std::string text = action.part;
+  for (const std::string& argument : action.arguments) text += " " + argument;
+  return text;
+}
+
+/// What ends by itself, in words; nothing where nobody needs to know.
+std::string describe_end(const Action& action) {
+  switch (action.verb) {
+    case Action::Verb::lift:
+      return "robot put down";
+    case Action::Verb::obstacle:
+      return "obstacle on " + action.text + " taken away";
+    case Action::Verb::fault:
+      return "fault over: " + fault_text(action);
+    default:
+      return "";
+  }
+}
 
 std::string describe(const Action& action) {
   switch (action.verb) {
@@ -18,27 +40,58 @@ std::string describe(const Action& action) {
                                  : fmt::format("{} sent to {}", action.text, action.part);
     case Action::Verb::place:
       return "robot placed at " + action.text;
+    case Action::Verb::lift:
+      return "robot lifted";
+    case Action::Verb::lower:
+      return "robot put down";
     case Action::Verb::cover:
       return action.part + " covered";
-    case Action::Verb::fault: {
-      std::string text = fmt::format("fault: {}", action.part);
-      for (const std::string& argument : action.arguments) text += " " + argument;
-      return text;
-    }
+    case Action::Verb::obstacle:
+      return "obstacle put on " + action.text;
+    case Action::Verb::clear:
+      return "obstacle on " + action.text + " taken away";
+    case Action::Verb::fault:
+      return "fault: " + fault_text(action);
     case Action::Verb::power:
       return "power " + action.part;
   }
   return "";
 }
 
+/// Two of them about one thing: the later one counts, and the earlier one's end no more.
+bool replaces(const Action& later, const Action& earlier) {
+  using enum Action::Verb;
+  const auto both = [&](Action::Verb verb) { return later.verb == verb && earlier.verb == verb; };
+  if (both(fault)) return later.part == earlier.part;
+  if (both(obstacle) || (later.verb == clear && earlier.verb == obstacle)) return later.text == earlier.text;
+  const auto is_move = [](Action::Verb verb) { return verb == lift || verb == lower || verb == place; };
+  return is_move(later.verb) && is_move(earlier.verb);
+}
+
+grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
+  const auto width = static_cast<std::uint64_t>(map.width), height = static_cast<std::uint64_t>(map.height);
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view row = std::string_view(text).substr(std::min(comma + 1, text.size()));
+  const std::uint64_t x = parse_whole(text.substr(0, comma)).value_or(width);
+  const std::uint64_t y = parse_whole(row).value_or(height);
+  if (x >= width || y >= height)
+    throw InputError(fmt::format("\"{}\" is no cell of the map: allowed are COLUMN,ROW from 0,0 to {},{}",
+                                 text, width - 1, height - 1));
+  return {static_cast<int>(x), static_cast<int>(y)};
+}
+
 }  // namespace
 
 Director::Director(std::vector<Step> steps, const Stage& stage, const Progress& progress) : stage_(stage) {
+  add(std::move(steps), progress);
+}
+
+void Director::add(std::vector<Step> steps, const Progress& progress) {
+  for (const Step& step : steps) check(step, progress);
   for (Step& step : steps) {
-    check(step, progress);
     if (step.trigger.kind == Trigger::Kind::serial)
       longest_text_ = std::max(longest_text_, step.trigger.text.size());
-    pending_.push_back({std::move(step), false});
+    pending_.push_back({std::move(step)});
   }
 }
 
@@ -53,6 +106,8 @@ void Director::check(const Step& step, const Progress& progress) const {
             fmt::format("there is no station {}; {}", step.trigger.text,
                         names.empty() ? "the map has none" : "the stations are " + one_of(names)));
     }
+    if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
+      parse_cell(stage_.map, action.text);
     if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);
     if (action.verb == Action::Verb::press || action.verb == Action::Verb::release)
       stage_.robot.check_press(action.part);
@@ -75,7 +130,7 @@ void Director::hear(std::uint8_t byte) {
       pending.heard = true;
 }
 
-bool Director::due(const Pending& pending, SimTime t, const Progress& progress) const {
+bool Director::met(const Pending& pending, SimTime t, const Progress& progress) const {
   const Trigger& trigger = pending.step.trigger;
   switch (trigger.kind) {
     case Trigger::Kind::at:
@@ -94,20 +149,44 @@ void Director::act(SimTime t, const Progress& progress, std::vector<std::string>
       ++i;
       continue;
     }
-    perform(undo_[i].action, t, true);
+    const Action action = undo_[i].action;
     undo_.erase(undo_.begin() + static_cast<std::ptrdiff_t>(i));
+    perform(action, t, true);
+    if (std::string note = describe_end(action); !note.empty()) notes.push_back(std::move(note));
   }
   for (std::size_t i = 0; i < pending_.size();) {
-    if (!due(pending_[i], t, progress)) {
+    Pending& pending = pending_[i];
+    const Trigger& trigger = pending.step.trigger;
+    if (pending.due == kNever && met(pending, t, progress))
+      pending.due = trigger.kind == Trigger::Kind::at ? t : t + trigger.time;
+    if (t < pending.due) {
       ++i;
       continue;
     }
-    const Step step = pending_[i].step;
+    const Action action = pending.step.action;
     pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
-    perform(step.action, t, false);
-    notes.push_back(describe(step.action));
-    if (step.action.duration) undo_.push_back({t + *step.action.duration, step.action});
+    std::erase_if(undo_, [&](const Undo& undo) { return replaces(action, undo.action); });
+    perform(action, t, false);
+    notes.push_back(describe(action));
+    if (action.duration) undo_.push_back({t + *action.duration, action});
   }
+}
+
+void Director::put_obstacle(const Action& action) {
+  clear_obstacle(action.text);
+  const grid::CellAt cell = parse_cell(stage_.map, action.text);
+  const Vec2 at =
+      grid::is_line(stage_.map.at(cell)) ? stage_.stripes.point_of(cell) : stage_.map.centre(cell);
+  obstacles_.push_back({cell, stage_.world.add_obstacle(at, action.radius)});
+}
+
+void Director::clear_obstacle(const std::string& text) {
+  const grid::CellAt cell = parse_cell(stage_.map, text);
+  std::erase_if(obstacles_, [&](const Obstacle& obstacle) {
+    if (obstacle.cell != cell) return false;
+    stage_.world.remove_obstacle(obstacle.number);
+    return true;
+  });
 }
 
 void Director::perform(const Action& action, SimTime t, bool undo) {
@@ -132,10 +211,30 @@ void Director::perform(const Action& action, SimTime t, bool undo) {
       stage_.body.place({stage_.stripes.point_of(where.cell), grid::heading(where.facing)});
       break;
     }
+    case Action::Verb::lift:
+      stage_.body.lift(!undo);
+      break;
+    case Action::Verb::lower:
+      stage_.body.lift(false);
+      break;
+    case Action::Verb::obstacle:
+      if (undo) {
+        clear_obstacle(action.text);
+      } else {
+        put_obstacle(action);
+      }
+      break;
+    case Action::Verb::clear:
+      clear_obstacle(action.text);
+      break;
     case Action::Verb::cover:
       stage_.robot.cover(action.part, !undo);
       break;
     case Action::Verb::fault:
+      if (undo) {
+        stage_.robot.fault(action.part, "ok", {});
+        break;
+      }
       stage_.robot.fault(action.part, action.arguments.front(),
                          {action.arguments.begin() + 1, action.arguments.end()});
       break;

@@ -19,6 +19,7 @@ struct Stage {
   const grid::Map& map;
   const grid::Stripes& stripes;
   robot::Robot& robot;
+  world::World& world;
   world::Body& body;
   executors::Executor& executor;
 };
@@ -27,6 +28,9 @@ class Director {
  public:
   /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist.
   Director(std::vector<Step> steps, const Stage& stage, const Progress& progress);
+
+  /// Adds steps at the script's end; all or none. Throws as the constructor does.
+  void add(std::vector<Step> steps, const Progress& progress);
 
   /// Carries out what is due at `t`, the beginning of a tick; each deed is appended to `notes`.
   void act(SimTime t, const Progress& progress, std::vector<std::string>& notes);
@@ -37,20 +41,29 @@ class Director {
  private:
   struct Pending {
     Step step;
-    bool heard = false;  ///< the serial text it waits for has come
+    bool heard = false;    ///< the serial text it waits for has come
+    SimTime due = kNever;  ///< when its event was met, and the wait after it
   };
   struct Undo {
     SimTime at;
     Action action;
   };
 
-  bool due(const Pending& pending, SimTime t, const Progress& progress) const;
+  struct Obstacle {
+    grid::CellAt cell;
+    int number;  ///< the world's
+  };
+
+  bool met(const Pending& pending, SimTime t, const Progress& progress) const;
   void perform(const Action& action, SimTime t, bool undo);
+  void put_obstacle(const Action& action);
+  void clear_obstacle(const std::string& cell);
   void check(const Step& step, const Progress& progress) const;
 
   Stage stage_;
   std::vector<Pending> pending_;
   std::vector<Undo> undo_;
+  std::vector<Obstacle> obstacles_;
   std::string heard_;
   std::size_t longest_text_ = 0;
   bool powered_ = true;

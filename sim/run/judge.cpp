@@ -46,6 +46,7 @@ ExitStatus exit_status(Verdict verdict) {
 }
 
 bool Judge::lost(const Situation& now) {
+  if (now.lifted) travel_at_line_ = now.wheel_travel_m;
   if (now.sees_line) {
     line_seen_at_ = now.t;
     line_seen_position_ = now.pose->position;
@@ -60,7 +61,7 @@ bool Judge::stuck(const Situation& now) {
   const bool moves = dot(moved, moved) >= kStuckMove * kStuckMove ||
                      dot(now.pose->heading, anchor_.heading) < 0.0 ||
                      std::abs(cross(anchor_.heading, now.pose->heading)) >= kStuckTurnSine;
-  if (moves || now.t - last_driven_ > kPulsePause) {
+  if (moves || now.lifted || now.t - last_driven_ > kPulsePause) {
     anchor_ = *now.pose;
     anchored_at_ = now.t;
   }

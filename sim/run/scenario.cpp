@@ -4,109 +4,15 @@
 
 #include <array>
 
-#include "sim/base/units.h"
+#include "sim/run/script_line.h"
 
 namespace robosim::run {
 namespace {
 
-constexpr std::array kVerbs = {"press", "release", "send", "place", "cover", "fault", "power"};
+constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift", "lower",
+                               "cover", "obstacle", "clear", "fault", "power"};
 
-struct Word {
-  std::string text;
-  bool quoted = false;
-  int column = 1;
-};
-
-char unescape(char c, const Place& place) {
-  switch (c) {
-    case 'n':
-      return '\n';
-    case 'r':
-      return '\r';
-    case 't':
-      return '\t';
-    case '0':
-      return '\0';
-    case '\\':
-    case '"':
-      return c;
-    default:
-      throw InputError(
-          place,
-          fmt::format("unknown escape \\{} in a text; known are \\n, \\r, \\t, \\0, \\\\ and \\\"", c));
-  }
-}
-
-std::vector<Word> split(std::string_view line, Place place) {
-  std::vector<Word> words;
-  std::size_t i = 0;
-  while (i < line.size()) {
-    if (line[i] == ' ' || line[i] == '\t' || line[i] == '\r') {
-      ++i;
-      continue;
-    }
-    if (line[i] == '#') break;
-    Word word;
-    word.column = static_cast<int>(i) + 1;
-    if (line[i] == '"') {
-      word.quoted = true;
-      for (++i;; ++i) {
-        place.column = word.column;
-        if (i >= line.size()) throw InputError(place, "a text in double quotes is not closed");
-        if (line[i] == '"') break;
-        if (line[i] == '\\' && i + 1 < line.size()) {
-          word.text += unescape(line[++i], place);
-        } else {
-          word.text += line[i];
-        }
-      }
-      ++i;
-    } else {
-      while (i < line.size() && line[i] != ' ' && line[i] != '\t' && line[i] != '\r' && line[i] != '#')
-        word.text += line[i++];
-    }
-    words.push_back(std::move(word));
-  }
-  return words;
-}
-
-// The words of one line, taken from the left.
-class Line {
- public:
-  Line(std::vector<Word> words, Place place) : words_(std::move(words)), place_(std::move(place)) {}
-
-  bool more() const { return next_ < words_.size(); }
-  const Word& take(const char* what) {
-    if (!more()) throw InputError(place_, fmt::format("{} is missing at the end of the line", what));
-    place_.column = words_[next_].column;
-    return words_[next_++];
-  }
-  [[noreturn]] void refuse(const std::string& message) const { throw InputError(place_, message); }
-
-  SimTime duration() {
-    const Word& word = take("a time such as 2s or 100ms");
-    const auto ns = parse_duration_ns(word.text);
-    if (!ns || word.quoted)
-      refuse(fmt::format("\"{}\" is no time; it must be a number with a unit: {}", word.text,
-                         unit_names(Dimension::time)));
-    return *ns;
-  }
-  std::optional<SimTime> optional_duration() { return more() ? std::optional(duration()) : std::nullopt; }
-  void end() const {
-    if (!more()) return;
-    Place place = place_;
-    place.column = words_[next_].column;
-    throw InputError(place,
-                     fmt::format("\"{}\" is too much; the line should end before it", words_[next_].text));
-  }
-
- private:
-  std::vector<Word> words_;
-  std::size_t next_ = 0;
-  Place place_;
-};
-
-Trigger parse_trigger(Line& line) {
+Trigger parse_trigger(ScriptLine& line) {
   Trigger trigger;
   const std::string when = line.take("at or after").text;
   if (when == "at") {
@@ -121,11 +27,12 @@ Trigger parse_trigger(Line& line) {
   trigger.kind = event == "serial" ? Trigger::Kind::serial : Trigger::Kind::station;
   trigger.text = line.take(event == "serial" ? "the text to wait for" : "the station's number or name").text;
   if (trigger.text.empty()) line.refuse("the text to wait for is empty");
+  if (line.take_if("wait")) trigger.time = line.duration();
   return trigger;
 }
 
 // "3" is a byte, most significant bit first; "0b101" is these bits.
-std::vector<bool> parse_bits(const Line& line, const std::string& text) {
+std::vector<bool> parse_bits(const ScriptLine& line, const std::string& text) {
   constexpr std::size_t kMostBits = 64;
   std::vector<bool> bits;
   if (text.rfind("0b", 0) == 0) {
@@ -146,7 +53,7 @@ std::vector<bool> parse_bits(const Line& line, const std::string& text) {
 }
 
 // send "TEXT", or send RADIO BITS.
-void parse_send(Line& line, Action& action) {
+void parse_send(ScriptLine& line, Action& action) {
   const Word first = line.take("the text to send");
   if (first.quoted || !line.more()) {
     action.text = first.text;
@@ -157,7 +64,23 @@ void parse_send(Line& line, Action& action) {
   action.bits = parse_bits(line, action.text);
 }
 
-Action parse_action(Line& line) {
+// obstacle X,Y [radius LENGTH] [for TIME]
+void parse_obstacle(ScriptLine& line, Action& action) {
+  action.text = line.take("a cell as X,Y").text;
+  if (line.take_if("radius"))
+    action.radius = line.quantity("a radius from 5mm to 500mm", Dimension::length, 0.005, 0.5);
+  action.duration = line.optional_duration();
+}
+
+// fault NAME KIND [ARGUMENT…] [for TIME]
+void parse_fault(ScriptLine& line, Action& action) {
+  action.part = line.take("a part's name").text;
+  action.arguments.push_back(line.take("a kind of fault").text);
+  while (line.more() && !line.next_is("for")) action.arguments.push_back(line.take("an argument").text);
+  action.duration = line.optional_duration();
+}
+
+Action parse_action(ScriptLine& line) {
   Action action;
   const std::string verb = line.take("a verb").text;
   std::size_t index = 0;
@@ -181,10 +104,19 @@ Action parse_action(Line& line) {
       action.text = line.take("a place as X,Y,DIR").text;
       if (line.more()) action.text += "," + line.take("a direction").text;
       break;
+    case Action::Verb::lift:
+      action.duration = line.optional_duration();
+      break;
+    case Action::Verb::lower:
+      break;
+    case Action::Verb::obstacle:
+      parse_obstacle(line, action);
+      break;
+    case Action::Verb::clear:
+      action.text = line.take("a cell as X,Y").text;
+      break;
     case Action::Verb::fault:
-      action.part = line.take("a part's name").text;
-      action.arguments.push_back(line.take("a kind of fault").text);
-      while (line.more()) action.arguments.push_back(line.take("an argument").text);
+      parse_fault(line, action);
       break;
     case Action::Verb::power:
       action.part = line.take("off or on").text;
@@ -199,6 +131,16 @@ Action parse_action(Line& line) {
 
 }  // namespace
 
+std::optional<Step> parse_step(std::string_view text, const Place& place) {
+  ScriptLine line(text, place);
+  if (!line.more()) return std::nullopt;
+  Step step;
+  step.place = {place.file, place.line, 0};
+  step.trigger = parse_trigger(line);
+  step.action = parse_action(line);
+  return step;
+}
+
 std::vector<Step> parse_scenario(std::string_view text, const std::string& file) {
   std::vector<Step> steps;
   int number = 0;
@@ -207,14 +149,7 @@ std::vector<Step> parse_scenario(std::string_view text, const std::string& file)
     const std::size_t end = text.find('\n');
     const std::string_view row = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    const Place place{file, number, 1};
-    Line line(split(row, place), place);
-    if (!line.more()) continue;
-    Step step;
-    step.place = {file, number, 0};
-    step.trigger = parse_trigger(line);
-    step.action = parse_action(line);
-    steps.push_back(std::move(step));
+    if (std::optional<Step> step = parse_step(row, {file, number, 1})) steps.push_back(std::move(*step));
   }
   return steps;
 }

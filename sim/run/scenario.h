@@ -2,7 +2,8 @@
 //
 //   at 2s press start 100ms
 //   after serial "Ready" send "3\n"
-//   after station 3 place 2,2,E
+//   after station 3 wait 500ms place 2,2,E
+//   at 5s fault S2 stuck 1023 for 500ms
 #pragma once
 
 #include <optional>
@@ -23,19 +24,23 @@ struct Trigger {
     station,  ///< the station called `text` has been visited
   };
   Kind kind = Kind::at;
-  SimTime time = 0;
+  SimTime time = 0;  ///< at: when; else: so long after the event
   std::string text;
 };
 
+constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
+
 /// What then happens.
 struct Action {
-  enum class Verb { press, release, send, place, cover, fault, power };
+  enum class Verb { press, release, send, place, lift, lower, cover, obstacle, clear, fault, power };
   Verb verb = Verb::press;
   std::string part;  ///< press, release, cover, fault, send by radio; "off" or "on" for power
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
-  std::string text;                    ///< send: the bytes, or of a radio what was written; place: "X,Y,DIR"
-  std::vector<bool> bits;              ///< send by radio
-  std::optional<SimTime> duration;     ///< press, cover, power: undone after it
+  std::string text;  ///< send: the bytes, or of a radio what was written; place: "X,Y,DIR"; obstacle, clear:
+                     ///< "X,Y"
+  std::vector<bool> bits;           ///< send by radio
+  double radius = kObstacleRadius;  ///< m, of an obstacle
+  std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };
 
 struct Step {
@@ -43,6 +48,9 @@ struct Step {
   Action action;
   Place place;  ///< where the script says so
 };
+
+/// One line; nothing if it is empty or a comment. Throws as parse_scenario does.
+std::optional<Step> parse_step(std::string_view line, const Place& place);
 
 /// Throws InputError with file and line, naming the triggers or verbs that exist. Names of parts and stations
 /// are checked when the scenario meets a robot and a map.

@@ -100,7 +100,7 @@ Simulation::Simulation(const Setup& setup, Listener& listener)
                                         {stripes_.point_of(start_.cell), grid::heading(start_.facing)}))),
       board_(setup.executor->board()),
       robot_(*setup.robot, world_, 0, board_, setup.seed, setup.profile),
-      director_(setup.scenario, {map_, stripes_, robot_, body_, *setup.executor}, progress_),
+      director_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor}, progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
@@ -141,7 +141,7 @@ void Simulation::observe(SimTime end) {
     ++cross_track_ticks_;
   }
   if (end / kTick % kLookEvery == 0) sees_line_ = robot_.sees_line();
-  if (!sees_line_) ++off_line_ticks_;
+  if (!sees_line_ && !body_.lifted()) ++off_line_ticks_;
   if (body_.collisions() > collisions_noted_) {
     collisions_noted_ = body_.collisions();
     notes_.push_back("collision with a wall, an obstacle or the map's edge");
@@ -181,6 +181,7 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
                 body_.wheel_travel(),
                 sees_line_,
                 robot_.driven(),
+                body_.lifted(),
                 director_.powered(),
                 director_.powered() ? executor.last_call() : end};
   return judge_.look(now);

@@ -64,7 +64,7 @@ struct WheelParams {
 /// Everything about a body. Zero is not a value: start from default_body_params() or set every field.
 struct BodyParams {
   WheelParams wheel[2];            ///< left, right
-  double supply_volts = 0.0;       ///< V at the driver's supply pin; a battery's sag is not modelled
+  double supply_volts = 0.0;       ///< V at the driver's supply pin, until supply() says otherwise
   double driver_drop_volts = 0.0;  ///< V lost in bipolar switches whatever the current (L298N 1.4; MOSFETs 0)
   double driver_ohms = 0.0;        ///< ohm of both switches in the motor's way (L298N 1.15, TB6612 0.5)
   double track_m = 0.0;            ///< m between the wheels' contact points
@@ -126,6 +126,16 @@ class Body {
   void command(Side, WheelCommand);  ///< holds until the next call; values beyond ±1 and 0..1 are cut
   void place(const Pose&);           ///< lifted and put down, at rest
 
+  // What goes wrong with it, until the next call.
+  /// The driver's supply, V; of the constructor on it is params().supply_volts.
+  void supply(double supply_volts);
+  /// Something holds the wheel: it does not turn, whatever motor and floor do. Its motor stalls.
+  void block(Side, bool blocked);
+  /// Lifted, the body stands still where it is and touches nothing; its wheels turn freely, without what
+  /// rolling takes. place() puts it down.
+  void lift(bool lifted);
+  bool lifted() const { return lifted_; }
+
  private:
   friend class World;
 
@@ -146,6 +156,8 @@ class Body {
   };
 
   void step(const Walls&);
+  void rub(Side);
+  void spin();
   void advance(double dt);
   void accelerate();
   Motor motor(Side) const;
@@ -175,6 +187,8 @@ class Body {
   double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;
   bool slips_ = false;
+  bool lifted_ = false;
+  bool blocked_[2] = {false, false};
   bool touched_ = false, near_ = false, in_contact_ = false;
   bool near_ahead_ = false, pressed_ahead_ = false;
   int collisions_ = 0;

@@ -21,6 +21,7 @@ void World::collide_bodies() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     for (std::size_t j = i + 1; j < bodies_.size(); ++j) {
       Body &a = *bodies_[i], &b = *bodies_[j];
+      if (a.lifted_ || b.lifted_) continue;
       const Vec2 d = b.circle_centre() - a.circle_centre();
       const double radii = a.bound_radius_ + b.bound_radius_;
       const double reach = radii + Walls::kNear;

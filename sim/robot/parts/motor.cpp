@@ -13,6 +13,7 @@ constexpr FaultKind kFaults[] = {
     {"dead", "a lead is off: it turns freely"},
     {"weak", "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0, 1.0},
     {"reversed", "its leads are swapped"},
+    {"stuck", "something holds the wheel: it does not turn, and the motor stalls"},
 };
 
 }  // namespace
@@ -106,6 +107,7 @@ void MotorPart::fail(const Fault& fault) {
   dead_ = name == "dead";
   if (name == "reversed") strength_ = -1.0;
   if (name == "weak") strength_ = fault.number;
+  blocked_ = name == "stuck";
   broken_ = name != "ok";
 }
 

@@ -38,6 +38,9 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
     return command;
   }
 
+  /// Whether something holds its wheel.
+  bool blocked() const { return blocked_; }
+
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;
   void fail(const Fault&) override;
@@ -57,6 +60,7 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
   bool broken_ = false;
   double strength_ = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
   bool dead_ = false;
+  bool blocked_ = false;
 };
 
 }  // namespace robosim::robot

@@ -20,7 +20,8 @@ constexpr FaultKind kFaults[] = {
     {"stuck", "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
      FaultKind::Argument::number, 0.0, 1e6},
     {"dead", "its emitter is dark: it sees black everywhere"},
-    {"swapped", "its wire and that sensor's are exchanged", FaultKind::Argument::sensor},
+    {"swapped", "its wire and that sensor's are exchanged, until either gets another fault",
+     FaultKind::Argument::sensor},
     {"noisy", "noise of this standard deviation, as a share of white to black, comes on top",
      FaultKind::Argument::number, 0.0, 1.0},
     {"offset", "this share of white to black is added", FaultKind::Argument::number, -1.0, 1.0},
@@ -159,7 +160,12 @@ void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime) {
 
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element, const Setting& setting,
                const Emitter& emitter)
-    : setting_(setting), name_(element.name), part_(spec.name), emitter_(emitter), at_(element.at) {
+    : setting_(setting),
+      name_(element.name),
+      part_(spec.name),
+      emitter_(emitter),
+      home_(element.at),
+      at_(element.at) {
   const auto draw = [&](const Number& figure, const char* key) {
     return setting.individual.draw(figure, name_, key);
   };
@@ -175,14 +181,30 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
-  return clamp01(1.0 - light_ * emitter_.brightness() * (1.0 - (covered_ ? 1.0 : coverage())) + shift_);
+  return clamp01(1.0 - light_ * emitter_.brightness() * (1.0 - (dark() ? 1.0 : coverage())) + shift_);
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kFaults; }
 
+// Each sensor is in one exchange at most; the one before ends, for both.
+void Sensor::swap_with(Sensor* other) {
+  for (Sensor* sensor : {this, other}) {
+    if (!sensor || !sensor->other_) continue;
+    sensor->other_->at_ = sensor->other_->home_;
+    sensor->other_->other_ = nullptr;
+    sensor->at_ = sensor->home_;
+    sensor->other_ = nullptr;
+  }
+  if (!other) return;
+  at_ = other->home_;
+  other->at_ = home_;
+  other_ = other;
+  other->other_ = this;
+}
+
 void Sensor::fail(const Fault& fault) {
   const std::string_view name = fault.kind.name;
-  if (name == "swapped") return std::swap(at_, fault.sensor->at_);
+  swap_with(name == "swapped" ? fault.sensor : nullptr);
   stuck_ = name == "stuck" ? fault.number : -1.0;
   noise_ = healthy_noise_ + (name == "noisy" ? fault.number : 0.0);
   shift_ = healthy_shift_ + (name == "offset" ? fault.number : 0.0);

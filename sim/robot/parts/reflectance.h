@@ -75,6 +75,7 @@ class Sensor : public Breakable {
   void cover(bool covered) { covered_ = covered; }
   /// The share of the footprint on the line at the start of the tick.
   double coverage() const {
+    if (setting_.view.body->lifted()) return 0.0;
     return setting_.view.floor->coverage(setting_.view.body->pose().to_world(at_), footprint_);
   }
   /// What people are shown: 0 white .. 1 black.
@@ -89,7 +90,7 @@ class Sensor : public Breakable {
   /// Takes a sample of noise.
   double blackness(SimTime t) {
     const Pose pose = setting_.view.pose_at(t);
-    const double c = covered_ ? 1.0 : setting_.view.floor->coverage(pose.to_world(at_), footprint_);
+    const double c = dark() ? 1.0 : setting_.view.floor->coverage(pose.to_world(at_), footprint_);
     double b = 1.0 - light_ * emitter_.brightness() * (1.0 - c) + shift_;
     if (noise_ > 0.0) b += noise_ * stream_.gauss(samples_++);
     return b;
@@ -103,10 +104,16 @@ class Sensor : public Breakable {
   const Setting& setting_;
 
  private:
+  /// Whether no light comes back: a finger is on it, or it is held up in the air.
+  bool dark() const { return covered_ || setting_.view.body->lifted(); }
+  void swap_with(Sensor*);
+
   const std::string& name_;
   const std::string& part_;
   const Emitter& emitter_;
-  Vec2 at_;
+  Vec2 home_;                // where it sits
+  Vec2 at_;                  // where what its wire says comes from
+  Sensor* other_ = nullptr;  // whose wire is exchanged with its own
   double footprint_;
   double light_, healthy_light_;  // light that comes back from white
   double shift_, healthy_shift_;  // of blackness

@@ -25,8 +25,8 @@ VoltagePart::VoltagePart(const VoltageSpec& spec, Setting& setting)
   const Individual& individual = setting.individual;
   supply_ = setting.description.board->supply_volts;
   const double battery = individual.draw(setting.description.motors.supply, "motors", "supply");
-  volts_ = individual.draw(spec.volts, spec.name, "volts") +
-           individual.draw(spec.share, spec.name, "share") * battery;
+  volts_ = individual.draw(spec.volts, spec.name, "volts");
+  battery_volts_ = individual.draw(spec.share, spec.name, "share") * battery;
   noise_ = individual.ideal() ? 0.0 : individual.draw(spec.noise, spec.name, "noise");
 }
 
@@ -34,7 +34,7 @@ void VoltagePart::join(Roster&) { setting_.board.connect(spec_.pin, *this); }
 
 double VoltagePart::volts(SimTime) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(samples_++) : 0.0;
-  return std::clamp(volts_ + noise, 0.0, supply_);
+  return std::clamp(volts_ + battery_volts_ * setting_.view.battery + noise, 0.0, supply_);
 }
 
 }  // namespace robosim::robot

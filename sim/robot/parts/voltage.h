@@ -35,7 +35,7 @@ class VoltagePart final : public Part, public PinSource {
   Setting& setting_;
   NoiseStream stream_;
   std::uint64_t samples_ = 0;
-  double volts_, noise_, supply_;
+  double volts_, battery_volts_, noise_, supply_;
 };
 
 }  // namespace robosim::robot

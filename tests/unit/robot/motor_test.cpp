@@ -148,5 +148,32 @@ TEST(Motor, Faults) {
   EXPECT_EQ(with("ok", {}), 1.0);
 }
 
+TEST(Motor, AStuckWheelTurnsNeitherByItsMotorNorByTheFloor) {
+  BenchRobot bench(kMotors);
+  for (const Pin pin : {5, 7, 6, 9}) bench.board.output(pin, true, 0);
+  bench.ticks(200);
+  bench.robot.fault("left", "stuck", {});
+  bench.ticks(200);
+  EXPECT_EQ(bench.body().wheel_rate(world::left), 0.0);
+  EXPECT_EQ(bench.robot.left_command(), 1.0);
+  bench.robot.fault("left", "ok", {});
+  bench.ticks(200);
+  EXPECT_GT(bench.body().wheel_rate(world::left), 10.0);
+}
+
+TEST(Motor, ABatteryWithLessVoltageDrivesSlower) {
+  BenchRobot bench(kMotors);
+  for (const Pin pin : {5, 7, 6, 10}) bench.board.output(pin, true, 0);
+  bench.ticks(4000);
+  const double healthy = bench.body().wheel_rate(world::left);
+  EXPECT_EQ(bench.robot.battery(), 6.0);
+  bench.robot.set_battery(3.0);
+  bench.ticks(4000);
+  EXPECT_NEAR(bench.body().wheel_rate(world::left), 0.5 * healthy, 0.15 * healthy);
+  bench.robot.set_battery(bench.robot.battery());
+  bench.ticks(4000);
+  EXPECT_NEAR(bench.body().wheel_rate(world::left), healthy, 1e-3 * healthy);
+}
+
 }  // namespace
 }  // namespace robosim::robot

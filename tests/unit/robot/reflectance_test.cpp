@@ -263,6 +263,28 @@ TEST(ReflectanceFaults, SwappedSensorsSeeEachOthersFloor) {
   EXPECT_EQ(bench.volts(kA0 + 1), black);
 }
 
+TEST(ReflectanceFaults, ASwapEndsForBothWithTheNextFaultOfEither) {
+  const auto other = [](const char* name, const char* pin, const char* y) {
+    return std::string("[[part]]\nname = \"") + name + "\"\ntype = \"reflectance\"\npin = \"" + pin +
+           "\"\nat = [\"0 mm\", \"" + y + "\"]\n";
+  };
+  BenchRobot bench(sensor("") + other("side", "A1", "40 mm") + other("edge", "A2", "10 mm"));
+  const double black = bench.volts(kA0), white = bench.volts(kA0 + 1), grey = bench.volts(kA0 + 2);
+  const auto sees = [&](double a0, double a1, double a2) {
+    EXPECT_EQ(bench.volts(kA0), a0);
+    EXPECT_EQ(bench.volts(kA0 + 1), a1);
+    EXPECT_EQ(bench.volts(kA0 + 2), a2);
+  };
+  bench.robot.fault("eye", "swapped", {"side"});
+  bench.robot.fault("side", "ok", {});
+  sees(black, white, grey);
+  bench.robot.fault("eye", "swapped", {"side"});
+  bench.robot.fault("edge", "swapped", {"side"});
+  sees(black, grey, white);
+  bench.robot.fault("edge", "ok", {});
+  sees(black, white, grey);
+}
+
 TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   BenchRobot bench(sensor(""));
   const auto message = [&](const char* part, const char* kind, std::vector<std::string> arguments) {
@@ -282,6 +304,18 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   EXPECT_EQ(message("eye", "stuck", {"512"}), "accepted");
   place_beside_line(bench, 0.03);
   EXPECT_LT(bench.volts(kA0), 1.0) << "checking breaks nothing";
+}
+
+TEST(Reflectance, InTheAirASensorSeesBlackAndNoLine) {
+  BenchRobot bench(sensor(""));
+  const double on_line = bench.volts(kA0);
+  EXPECT_TRUE(bench.robot.sees_line());
+  place_beside_line(bench, 0.03);
+  EXPECT_LT(bench.volts(kA0), on_line);
+  bench.body().lift(true);
+  EXPECT_EQ(bench.volts(kA0), on_line);
+  EXPECT_FALSE(bench.robot.sees_line());
+  EXPECT_EQ(bench.robot.readings().front().value, 1.0);
 }
 
 TEST(Reflectance, ACoveredSensorSeesBlack) {

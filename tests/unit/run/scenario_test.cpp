@@ -56,10 +56,56 @@ TEST(Scenario, SendsTextToTheSketchAndBitsByRadio) {
   EXPECT_EQ(steps[3].action.bits, (std::vector<bool>{1, 0, 1}));
 }
 
+TEST(Scenario, WaitsAfterAnEvent) {
+  const auto steps = parse_scenario(
+      "after serial \"go\" wait 200ms press b 1s\n"
+      "after station 3 wait 1.5s lift for 2s\n"
+      "after station 3 lower\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].trigger.time, 200 * kMillisecond);
+  EXPECT_EQ(*steps[0].action.duration, kSecond);
+  EXPECT_EQ(steps[1].trigger.time, 1500 * kMillisecond);
+  EXPECT_EQ(*steps[1].action.duration, 2 * kSecond);
+  EXPECT_EQ(steps[2].trigger.time, 0);
+  EXPECT_EQ(steps[2].action.verb, Action::Verb::lower);
+}
+
+TEST(Scenario, EndsWhatLastsAfterItsTimeWithTheWordForOrWithout) {
+  const auto steps = parse_scenario(
+      "at 1s fault S2 stuck 1023 for 500ms\n"
+      "at 1s fault left dead\n"
+      "at 1s cover S for 3s\n"
+      "at 1s press b 1ms\n"
+      "at 1s power off for 20ms\n"
+      "at 1s obstacle 4,2 radius 5cm for 1min\n"
+      "at 1s obstacle 4,2\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].action.arguments, (std::vector<std::string>{"stuck", "1023"}));
+  EXPECT_EQ(*steps[0].action.duration, 500 * kMillisecond);
+  EXPECT_FALSE(steps[1].action.duration);
+  EXPECT_EQ(*steps[2].action.duration, 3 * kSecond);
+  EXPECT_EQ(*steps[3].action.duration, kMillisecond);
+  EXPECT_EQ(*steps[4].action.duration, 20 * kMillisecond);
+  EXPECT_EQ(steps[5].action.radius, 0.05);
+  EXPECT_EQ(*steps[5].action.duration, 60 * kSecond);
+  EXPECT_EQ(steps[6].action.text, "4,2");
+  EXPECT_EQ(steps[6].action.radius, kObstacleRadius);
+  EXPECT_FALSE(steps[6].action.duration);
+}
+
+TEST(Scenario, ReadsOneLineByItself) {
+  const auto step = parse_step("at 3s lift", {"typed", 7, 1});
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->trigger.time, 3 * kSecond);
+  EXPECT_EQ(to_string(step->place), "typed:7");
+  EXPECT_FALSE(parse_step("  # nothing", {}));
+}
+
 TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
-  EXPECT_EQ(
-      error_of("at 2s dance\n"),
-      "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, cover, fault or power");
+  EXPECT_EQ(error_of("at 2s dance\n"),
+            "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, lift, lower, cover, "
+            "obstacle, "
+            "clear, fault or power");
   EXPECT_EQ(error_of("\nafter lunch press b"),
             "s.txt:2:7: unknown event \"lunch\"; known are serial and station");
   EXPECT_EQ(error_of("when 2s press b"),
@@ -75,6 +121,11 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
     EXPECT_THAT(error_of((std::string("at 2s send radio ") + text).c_str()),
                 testing::HasSubstr("allowed are a byte, 0 to 255, and bits such as 0b101, at most 64"))
         << text;
+  EXPECT_EQ(error_of("at 2s fault left dead for"),
+            "s.txt:1:23: a time such as 2s or 100ms is missing at the end of the line");
+  EXPECT_EQ(error_of("at 2s fault left dead for ever now"),
+            "s.txt:1:27: \"ever\" is no time; it must be a number with a unit: ns, us, ms, s, min, h or d");
+  EXPECT_EQ(error_of("at 2s obstacle 1,2 radius 9m"), "s.txt:1:27: \"9m\" is not a radius from 5mm to 500mm");
   EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
 }
 

@@ -288,6 +288,83 @@ TEST_F(BodyTest, LiftedAndPutDownItIsAtRest) {
   EXPECT_EQ(body.distance(), distance);
 }
 
+TEST_F(BodyTest, InTheHandItsWheelsReachTheNoLoadSpeedAndItStaysWhereItIs) {
+  BodyParams p = at_nominal_volts();
+  p.rolling_resistance = 0.1;
+  Body& body = make(p);
+  drive(body, 1.0, -1.0);
+  body.lift(true);
+  run(5.0);
+  EXPECT_NEAR(body.wheel_rate(left), p.wheel[left].no_load_rate, 1e-6 * p.wheel[left].no_load_rate);
+  EXPECT_NEAR(body.wheel_rate(right), -p.wheel[left].no_load_rate, 1e-6 * p.wheel[left].no_load_rate);
+  EXPECT_EQ(body.pose().position.x, 20.0);
+  EXPECT_EQ(body.pose().heading.x, 1.0);
+  EXPECT_EQ(body.distance(), 0.0);
+  EXPECT_GT(body.wheel_angle(left), 10.0);
+}
+
+TEST_F(BodyTest, PutDownWithTurningWheelsItDrivesOn) {
+  Body& body = make();
+  drive(body, 1.0, 1.0);
+  body.lift(true);
+  run(1.0);
+  EXPECT_EQ(body.speed(), 0.0);
+  body.lift(false);
+  run(0.001);
+  EXPECT_TRUE(body.slips());
+  run(1.0);
+  EXPECT_GT(body.speed(), 0.3);
+  EXPECT_FALSE(body.slips());
+}
+
+TEST_F(BodyTest, RunsOutInTheHandUntilItsWheelsStandExactly) {
+  Body& body = make();
+  drive(body, 1.0, 1.0);
+  body.lift(true);
+  run(1.0);
+  drive(body, 0.0, 0.0);
+  run(5.0);
+  EXPECT_EQ(body.wheel_rate(left), 0.0);
+}
+
+TEST_F(BodyTest, ABlockedWheelStandsAndTheOtherOneDrivesRoundIt) {
+  Body& body = make();
+  drive(body, 0.6, 0.6);
+  run(1.0);
+  body.block(left, true);
+  run(1.0);
+  EXPECT_EQ(body.wheel_rate(left), 0.0);
+  EXPECT_GT(body.turn_rate(), 1.0);
+  const double energy = body.energy();
+  drive(body, 0.6, 0.0);
+  run(2.0);
+  EXPECT_EQ(body.speed(), 0.0);
+  EXPECT_GT(body.energy(), energy) << "the motor stalls";
+  body.block(left, false);
+  drive(body, 0.6, 0.6);
+  run(1.0);
+  EXPECT_GT(body.wheel_rate(left), 1.0);
+}
+
+TEST_F(BodyTest, WithLessSupplyItIsSlowerInProportion) {
+  BodyParams p = at_nominal_volts();
+  Body& body = make(p);
+  drive(body, 1.0, 1.0);
+  body.supply(0.5 * p.supply_volts);
+  run(5.0);
+  // The line of speed over torque moves down by the same share; friction takes the same as before.
+  const double lost = p.wheel[left].stall_torque / p.wheel[left].no_load_rate;
+  const double slower = 0.5 * p.wheel[left].no_load_rate;
+  EXPECT_LT(body.wheel_rate(left), slower);
+  EXPECT_GT(body.wheel_rate(left), 0.8 * slower) << lost;
+  body.supply(p.supply_volts);
+  run(5.0);
+  EXPECT_NEAR(body.wheel_rate(left), p.wheel[left].no_load_rate, 1e-6 * p.wheel[left].no_load_rate);
+  body.supply(0.0);
+  run(5.0);
+  EXPECT_EQ(body.wheel_rate(left), 0.0);
+}
+
 TEST_F(BodyTest, CoversWhatIsInsideItsOutline) {
   Body& round = make();
   EXPECT_TRUE(round.covers({20.079, 20.0}));
