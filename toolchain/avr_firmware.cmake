@@ -107,7 +107,7 @@ function(robosim_avr_sketch name)
     list(GET ROBOSIM_AVR_${board} 2 flash)
     add_custom_command(TARGET ${target} POST_BUILD
       COMMAND ${AVR_OBJCOPY} -O ihex -R .eeprom $<TARGET_FILE:${target}> ${CMAKE_CURRENT_BINARY_DIR}/${target}.hex
-      COMMAND ${ROBOSIM_AVR_TOOLCHAIN}/avr_size.sh ${AVR_SIZE} $<TARGET_FILE:${target}> ${target} ${flash}
+      COMMAND ${ROBOSIM_AVR_TOOLCHAIN}/chip_size.sh ${AVR_SIZE} $<TARGET_FILE:${target}> ${target} ${flash}
         ${ROBOSIM_AVR_RAM}
       VERBATIM)
   endforeach()

@@ -138,6 +138,6 @@ void randomSeed(unsigned long seed);
 long map(long x, long in_min, long in_max, long out_min, long out_max);
 #endif
 
-#include "pins_arduino.h"
+#include <pins_arduino.h>
 
 #endif  // Arduino_h

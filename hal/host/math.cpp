@@ -1,24 +1,13 @@
 // Random numbers (avr-libc 2.0, random.c and rand.c) and WMath.cpp of the Arduino AVR core.
 #include <Arduino.h>
 
+#include "hal/arduino/park_miller.h"
 #include "hal/host/clock.h"
 
 namespace host = robosim::host;
 namespace cost = robosim::host::cost;
 
 namespace {
-
-/// x' = 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). 0 would stay 0.
-long next_of(unsigned long& seed) {
-  auto x = static_cast<int32_t>(seed);
-  if (x == 0) x = 123459876;
-  const int32_t high = x / 127773;
-  const int32_t low = x % 127773;
-  x = 16807 * low - 2836 * high;
-  if (x < 0) x += 0x7fffffff;
-  seed = static_cast<unsigned long>(x);
-  return x;
-}
 
 unsigned long random_state = 1;
 unsigned long rand_state = 1;
@@ -29,12 +18,12 @@ extern "C" {
 
 long random_r(unsigned long* seed) {
   host::spend(cost::kRandom);
-  return next_of(*seed);
+  return robosim_hal::next_random(*seed);
 }
 
 int rand_r(unsigned long* seed) {
   host::spend(cost::kRandom);
-  return static_cast<int>(next_of(*seed) & RAND_MAX);
+  return static_cast<int>(robosim_hal::next_random(*seed) & RAND_MAX);
 }
 
 long random() { return random_r(&random_state); }

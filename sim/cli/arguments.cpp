@@ -69,7 +69,7 @@ Command parse_build(const Words& words) {
   Options options("build", "Compiles a sketch as Arduino would, and says its size.");
   options.positional("SKETCH", build.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--robot", build.robot, "ROBOT", "file or name: its board is compiled for");
-  options.text("--target", build.target, "TARGET", "host or avr (stm32 is to come)");
+  options.text("--target", build.target, "TARGET", "host, avr or stm32");
   options.text("--out", build.out, "DIR", "put the compiled files there, under the sketch's name");
   options.texts("--libraries", build.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.text("--warnings", build.warnings, "LEVEL", "none, default, more or all");

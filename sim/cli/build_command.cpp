@@ -46,6 +46,8 @@ std::vector<fs::path> put_files(const sketch::Image& image, const std::string& f
   return files;
 }
 
+bool is_product(const fs::path& file) { return file.extension() == ".hex" || file.extension() == ".bin"; }
+
 std::string host_sizes(const sketch::Image& image, const BoardSpec& board) {
   return fmt::format(
       "{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n"
@@ -98,7 +100,8 @@ std::string size_report(const sketch::Image& image, const std::string& target, c
   if (!limits.empty()) text += fmt::format("Limits: {}\n", fmt::join(limits, ", "));
   if (!image.libraries.empty()) text += fmt::format("libraries: {}\n", fmt::join(image.libraries, ", "));
   for (const fs::path& file : files)
-    text += fmt::format("{}: {}\n", file.extension() == ".hex" ? "hex" : "image", file.string());
+    text += fmt::format("{}: {}\n", is_product(file) ? file.extension().string().substr(1) : "image",
+                        file.string());
   return text;
 }
 
@@ -120,7 +123,7 @@ Built build_sketch(const BuildArguments& arguments) {
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const SketchChoice sketch = choose_sketch(arguments.sketch);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
-  const Choice choice = choose_robot(arguments.robot, sketch.folder);
+  const Choice choice = choose_robot(arguments.robot, sketch.folder, arguments.target);
   // The robot is the same for all targets, so the runner that is always there tells of it.
   client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
   const BoardSpec& board = board_of(robot);

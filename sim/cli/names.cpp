@@ -182,7 +182,7 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
   return {"oval", stock_map_folder() / "oval.map", "the map is oval" + why + "; choose another with --map"};
 }
 
-Choice choose_robot(const std::string& name, const fs::path& sketch_folder) {
+Choice choose_robot(const std::string& name, const fs::path& sketch_folder, const std::string& target) {
   if (is_path(name)) {
     check_path("robot", name);
     return {name, name, ""};
@@ -198,8 +198,9 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder) {
   if (fs::exists(sketch_folder / "robot.toml", error)) {
     return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml beside the sketch"};
   }
-  return {"uno5", "uno5",
-          "the robot is uno5; choose another with --robot, or put a robot.toml beside the sketch"};
+  const std::string robot = target == "stm32" ? "bluepill5" : "uno5";
+  return {robot, robot,
+          "the robot is " + robot + "; choose another with --robot, or put a robot.toml beside the sketch"};
 }
 
 void check_target(const std::string& target) {

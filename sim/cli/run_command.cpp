@@ -182,7 +182,7 @@ int run_command(const RunArguments& given) {
   }
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const Choice map = choose_map(arguments.map, sketch.folder);
-  const Choice robot = choose_robot(arguments.robot, sketch.folder);
+  const Choice robot = choose_robot(arguments.robot, sketch.folder, arguments.target);
   for (const Choice* choice : {&map, &robot}) {
     if (!choice->announcement.empty()) fmt::print(stderr, "robosim: {}\n", choice->announcement);
   }

@@ -84,7 +84,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
   for (const fs::path& folder : toolchain.core.system_includes) add(words, {"-isystem", folder.string()});
-  if (!target.chip) add(words, {"-isystem", toolchain.facts.include_folder.string()});
+  if (target.hal) add(words, {"-isystem", toolchain.facts.include_folder.string()});
   add_prefix_maps(words, toolchain, places_of(unit));
   return words;
 }
@@ -166,6 +166,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
   else
     add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
+  add(words, toolchain.core.link);
   add(words, {"-o", image.string()});
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
@@ -187,7 +188,7 @@ std::string recipe(const Toolchain& toolchain) {
   for (const auto& words :
        {target.code, target.cxx_code, target.c_code, target.own, target.link, definitions(toolchain)})
     text += fmt::format("{}\n", fmt::join(words, " "));
-  for (const auto* words : {&target.core, &toolchain.core.machine})
+  for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
     if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
   if (toolchain.sanitize) text += fmt::format("{}\n", fmt::join(target.sanitizer, " "));
   text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);

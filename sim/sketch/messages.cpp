@@ -25,12 +25,17 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
 // Only the linker knows them, and names neither a file nor a line.
 void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
   static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");
+  static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
   static const std::regex flash(R"(region `text' overflowed by (\d+) bytes)");
   const BoardSpec& board = toolchain.board;
   std::smatch match;
   if (std::regex_search(messages, match, ram))
     throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
                                    sketch.name, std::stoul(match[1], nullptr, 16) - kAvrRam, board.name,
+                                   board.ram_bytes));
+  if (std::regex_search(messages, match, more_ram))
+    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
+                                   sketch.name, board.ram_bytes + std::stoul(match[1]), board.name,
                                    board.ram_bytes));
   if (std::regex_search(messages, match, flash))
     throw CompileError(

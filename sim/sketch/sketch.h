@@ -23,7 +23,7 @@ struct Request {
   std::filesystem::path
       sketch;  ///< a sketch folder, its .ino, or a single .cpp that includes Arduino.h itself
   const BoardSpec& board;
-  std::string target = "host";  ///< or "avr"
+  std::string target = "host";  ///< or "avr", "stm32"
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
@@ -31,10 +31,11 @@ struct Request {
 };
 
 struct Image {
-  std::string name;                             ///< of the sketch
-  std::filesystem::path image;                  ///< in the cache; its content never changes under this name
-  std::vector<std::filesystem::path> products;  ///< what was made of it, likewise: the .hex of a chip's .elf
-  std::string sketch_sha256;                    ///< of the sketch's own files, by name and content
+  std::string name;             ///< of the sketch
+  std::filesystem::path image;  ///< in the cache; its content never changes under this name
+  std::vector<std::filesystem::path>
+      products;               ///< what was made of it, likewise: the .hex or .bin of a chip's .elf
+  std::string sketch_sha256;  ///< of the sketch's own files, by name and content
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of those that were compiled in
@@ -56,7 +57,7 @@ class CompileError : public InputError {
 /// Throws InputError (no such sketch, a header that no library has), CompileError, or ToolMissing.
 Image build(const Request& request);
 
-/// The targets that sketches are compiled for: "host", "avr".
+/// The targets that sketches are compiled for: "host", "avr", "stm32".
 std::vector<std::string> targets();
 
 /// The sentence that names the first tool or package that building for this target lacks; empty if all are

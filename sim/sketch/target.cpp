@@ -34,6 +34,7 @@ const Target kHost = {
     .archiver = {},
     .native = true,
     .chip = false,
+    .hal = "host",
     .boards = {},
     .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
              "-ffp-contract=off",
@@ -83,6 +84,7 @@ const Target kAvr = {
     .archiver = {"avr-gcc-ar", "gcc-avr"},
     .native = false,
     .chip = true,
+    .hal = nullptr,
     .boards = {{"uno", "atmega328p", "standard"}, {"nano", "atmega328p", "eightanaloginputs"}},
     .code = {"-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections", "-fdata-sections", "-flto",
              "-fno-fat-lto-objects", "-fdiagnostics-color=never"},
@@ -102,7 +104,37 @@ const Target kAvr = {
     .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
 };
 
-const Target* const kTargets[] = {&kHost, &kAvr};
+// Our own core, and of newlib (its small variant) what sketches call; headers are the host's, so that a
+// sketch sees the same names. As on every ARM, `char` is unsigned.
+const Target kStm32 = {
+    .name = "stm32",
+    .image_ending = ".elf",
+    .cxx = {"arm-none-eabi-g++", "gcc-arm-none-eabi"},
+    .cc = {"arm-none-eabi-gcc", "gcc-arm-none-eabi"},
+    .archiver = {"arm-none-eabi-ar", "binutils-arm-none-eabi"},
+    .native = false,
+    .chip = true,
+    .hal = "stm32",
+    .boards = {{"bluepill", "stm32f103c8", ""}, {"bluepill8", "stm32f103c8", ""}},
+    .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
+             "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc"},
+    .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                 "-fno-use-cxa-atexit", "-nostdinc++", "-Wno-error=narrowing",
+                 "-Wno-builtin-declaration-mismatch"},
+    .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
+    .own = {},
+    .own_level = "-Os",
+    .core = {},
+    .core_level = "-Os",
+    .definitions = {"-DARDUINO_ARCH_STM32", "-DSTM32F103xB"},
+    .prefix_map = "-ffile-prefix-map",
+    .link = {"-mcpu=cortex-m3", "-mthumb", "-nostartfiles", "--specs=nano.specs", "-Wl,--gc-sections",
+             "-Wl,--build-id=none"},
+    .link_files = {},
+    .products = {{".bin", {"arm-none-eabi-objcopy", "binutils-arm-none-eabi"}, {"-O", "binary"}}},
+};
+
+const Target* const kTargets[] = {&kHost, &kAvr, &kStm32};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ struct Product {
   std::vector<std::string> arguments;
 };
 
-/// A board's chip as the compiler calls it, and its folder of pins in the core.
+/// A board's chip: as the compiler or the linker script calls it, and its folder of pins in the genuine core.
 struct Chip {
   const char* board;
   const char* mcu;
@@ -35,8 +35,10 @@ struct Target {
   Program cc;
   Program archiver;  ///< null = the core is one object file
   bool native;       ///< compiles for the machine that Robosim itself runs on
-  /// The image is for the board's chip: the genuine core, all of it, and its libraries. Else for a runner.
-  bool chip;
+  bool chip;         ///< the image is for the board's chip, else for a runner
+  /// The folder below hal that completes hal/arduino to a core; null = the genuine core, all of it, and its
+  /// libraries.
+  const char* hal;
   std::vector<Chip> boards;
 
   // Words for the compiler. `own` is for the sketch and its libraries, `core` for the Arduino core.

@@ -64,11 +64,12 @@ fs::path stage(const GenuineCore& core, const fs::path& cache) {
   return folder;
 }
 
-Core host_core(const GenuineCore& genuine, const fs::path& cache) {
+/// Ours, and the genuine core's portable sources.
+Core hal_core(const char* hal, const GenuineCore& genuine, const fs::path& cache) {
   Core core;
   core.root = stage(genuine, cache);
   core.place = "robosim";
-  core.sources = {core.root / "hal/host", core.root / "hal/arduino", core.root / "core"};
+  core.sources = {core.root / "hal" / hal, core.root / "hal/arduino", core.root / "core"};
   core.includes = {core.root / "hal/arduino", core.root / "core", core.root};
   core.system_includes = {core.root / "hal/arduino/libc"};
   core.places = {{core.root, "robosim"}, {core.root / "hal", "robosim"}};
@@ -82,10 +83,24 @@ Core host_core(const GenuineCore& genuine, const fs::path& cache) {
 const Chip& chip_of(const Target& target, const BoardSpec& board) {
   for (const Chip& chip : target.boards)
     if (std::string(board.name) == chip.board) return chip;
-  throw InputError(fmt::format("the board {} has no chip of the target {}", board.name, target.name));
+  std::vector<std::string> boards;
+  for (const Chip& chip : target.boards) boards.emplace_back(chip.board);
+  throw InputError(
+      fmt::format("the board {} has no chip of the target {}; --target {} is for a robot with {}", board.name,
+                  target.name, target.name, one_of(boards)));
 }
 
-Core chip_core(const Chip& chip, const GenuineCore& genuine) {
+Core stm32_core(const Chip& chip, const GenuineCore& genuine, const fs::path& cache) {
+  Core core = hal_core("stm32", genuine, cache);
+  const fs::path hal = core.root / "hal/stm32";
+  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ go before the host's
+  const fs::path script = hal / fmt::format("{}.ld", chip.mcu);
+  core.link = {"-T", script.string()};
+  core.linked = {script};
+  return core;
+}
+
+Core genuine_core(const Chip& chip, const GenuineCore& genuine) {
   const fs::path libc = genuine.avr_libc.parent_path();
   const fs::path archives = libc.parent_path() / "lib/avr5";
   const fs::path variant = genuine.variants / chip.variant;
@@ -128,7 +143,8 @@ CompilerFacts ask(const Compiler& compiler, const fs::path& cache) {
     const std::string version = answer(compiler, {"-dumpfullversion", "-dumpversion"});
     const std::string machine = answer(compiler, {"-dumpmachine"});
     const std::string include = answer(compiler, {"-print-file-name=include"});
-    if (!fs::exists(fs::path(include) / "stdint-gcc.h", error))
+    if (!fs::exists(fs::path(include) / "stdint-gcc.h", error) &&
+        !fs::exists(fs::path(include) / "unwind-arm-common.h", error))
       throw ToolMissing(fmt::format("{} is not gcc: sudo apt install g++", compiler.cxx.string()));
     write_file(file, fmt::format("gcc {} {}\n{}\n", version, machine, include));
   }
@@ -153,7 +169,9 @@ GenuineCore find_core() {
 
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const fs::path& cache) {
-  return target.chip ? chip_core(chip_of(target, board), genuine) : host_core(genuine, cache);
+  if (!target.chip) return hal_core(target.hal, genuine, cache);
+  const Chip& chip = chip_of(target, board);
+  return target.hal ? stm32_core(chip, genuine, cache) : genuine_core(chip, genuine);
 }
 
 fs::path find_ctags() {

@@ -50,6 +50,7 @@ struct Core {
   std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it
   std::vector<std::filesystem::path> linked;     ///< files that the linker adds by itself
   std::vector<std::string> machine;              ///< words that name the chip
+  std::vector<std::string> link;                 ///< words for the linker
   Names places;                                  ///< folders in debug information; the last that fits wins
   Names readable;                                ///< how messages begin, and what users read instead
 };
@@ -65,12 +66,12 @@ struct Toolchain {
   bool sanitize = false;
 };
 
-/// The core for a target and board. The host's is a folder of links in the cache to the genuine core's
-/// portable sources, to avr-libc's list of registers, and to our hal; nothing is copied.
+/// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine
+/// core's portable sources, to avr-libc's list of registers, and to our hal; nothing is copied.
 ///
 ///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim
 ///
-/// The chip's is the genuine one where it is. Throws InputError for a board that the target has not.
+/// An Uno's is the genuine one where it is. Throws InputError for a board that the target has not.
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const std::filesystem::path& cache);
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace robosim {
 
 TEST(BoardSpec, FindsPinsByEveryNamePeopleUse) {
@@ -15,6 +18,21 @@ TEST(BoardSpec, FindsPinsByEveryNamePeopleUse) {
   EXPECT_EQ(find_pin(uno, "A6"), kNoPin);
   EXPECT_EQ(find_pin(uno, ""), kNoPin);
   EXPECT_EQ(find_pin(*find_board("nano"), "A6"), 20);
+}
+
+TEST(BoardSpec, TheBluePillHasEveryPinOnceAndOfAnUnosPinsWhatTheyCan) {
+  const BoardSpec& blue = *find_board("bluepill");
+  const BoardSpec& uno = *find_board("uno");
+  std::set<std::string> names;
+  for (Pin pin = 0; pin < blue.pin_count; ++pin) {
+    EXPECT_TRUE(names.insert(blue.pins[pin].chip_name).second) << blue.pins[pin].chip_name;
+    EXPECT_EQ(find_pin(blue, blue.pins[pin].chip_name), pin);
+    if (pin >= uno.pin_count) continue;
+    EXPECT_STREQ(blue.pins[pin].name, uno.pins[pin].name);
+    EXPECT_TRUE(blue.pins[pin].pwm || !uno.pins[pin].pwm) << pin;
+    EXPECT_TRUE(blue.pins[pin].analog_channel >= 0 || uno.pins[pin].analog_channel < 0) << pin;
+  }
+  EXPECT_EQ(find_pin(blue, "pc13"), blue.led_builtin);
 }
 
 TEST(BoardSpec, KnowsNoOtherBoards) { EXPECT_EQ(find_board("mega"), nullptr); }

@@ -122,6 +122,7 @@ TEST_F(NamesTest, AMapThatIsNamedIsNotAnnounced) {
 
 TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
   EXPECT_EQ(choose_robot("", folder_).name, "uno5");
+  EXPECT_EQ(choose_robot("", folder_, "stm32").name, "bluepill5");
   touch("robot.toml");
   EXPECT_EQ(choose_robot("", folder_).name, "robot.toml");
   EXPECT_EQ(choose_robot("", folder_).path, folder_ / "robot.toml");
@@ -131,10 +132,10 @@ TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
   EXPECT_THAT(refusal([&] { choose_robot("uno55", folder_); }), HasSubstr("did you mean uno5?"));
 }
 
-TEST(Target, SketchesAreCompiledForHostAndAvr) {
+TEST(Target, SketchesAreCompiledForAllThree) {
   EXPECT_NO_THROW(check_build_target("host"));
   EXPECT_NO_THROW(check_build_target("avr"));
-  EXPECT_THROW(check_build_target("stm32"), ToolMissing);
+  EXPECT_NO_THROW(check_build_target("stm32"));
   EXPECT_THROW(check_build_target("mars"), InputError);
 }
 

@@ -99,7 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{kBareRobot + part("name = \"left\"\ntype = \"motor\"\npins = { in1 = 2 }\n"),
              "exactly these pins"},
         Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
-        Case{"base = \"uno9\"\n", "no robot is called \"uno9\"; there are nano8rc, pony, uno2, uno3 or uno5"},
+        Case{"base = \"uno9\"\n",
+             "no robot is called \"uno9\"; there are bluepill2, bluepill3, bluepill5, bluepony, nano8rc, "
+             "pony, uno2, uno3 or uno5"},
         Case{"base = \"./none.toml\"\n", "there is no file ./none.toml"},
         Case{"base = \"/dev/zero\"\n", "there is no file /dev/zero"},
         Case{changed("outline = { radius = \"60 mm\" }",
@@ -219,7 +221,8 @@ TEST(Description, HashCoversTheBase) {
 }
 
 TEST(StockRobots, AllLoad) {
-  EXPECT_THAT(stock_robots(), ::testing::ElementsAre("nano8rc", "pony", "uno2", "uno3", "uno5"));
+  EXPECT_THAT(stock_robots(), ::testing::ElementsAre("bluepill2", "bluepill3", "bluepill5", "bluepony",
+                                                     "nano8rc", "pony", "uno2", "uno3", "uno5"));
   for (const std::string& name : stock_robots()) EXPECT_NO_THROW(load_description(name)) << name;
 }
 
@@ -231,7 +234,7 @@ TEST(StockRobots, FitACircleOf120MillimetresAboutTheAxle) {
 
 TEST(StockRobots, UnosShareOnePinPlan) {
   // The plan of docs/robots.md: motors and buttons are where a sketch for any of them expects them.
-  for (const char* name : {"uno2", "uno3", "uno5", "nano8rc"}) {
+  for (const char* name : {"uno2", "uno3", "uno5", "nano8rc", "bluepill2", "bluepill3", "bluepill5"}) {
     const Summary robot = describe(load_description(name));
     const auto pin = [&](const std::string& part_name, const std::string& role) -> int {
       for (const PartSummary& p : robot.parts)

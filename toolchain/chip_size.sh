@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# toolchain/avr_size.sh AVR-SIZE ELF NAME FLASH RAM: prints what a program takes of a chip, as Arduino does; status 1 if
+# toolchain/chip_size.sh SIZE ELF NAME FLASH RAM: prints what a program takes of a chip, as Arduino does; status 1 if
 # that is more than there is.
 set -euo pipefail
 
 "$1" -A "$2" | awk -v name="$3" -v flash="$4" -v ram="$5" '
-  $1 == ".text" || $1 == ".data" { code += $2 }
+  $1 == ".text" || $1 == ".init_array" || $1 == ".ARM.exidx" || $1 == ".data" { code += $2 }
   $1 == ".data" || $1 == ".bss" || $1 == ".noinit" { data += $2 }
   END {
     printf "%s: Sketch uses %d bytes (%d%%) of program storage space. Maximum is %d bytes.\n", name, code,

@@ -1,0 +1,9 @@
+// Instructions by name.
+#pragma once
+
+#include <avr/io.h>
+
+#ifndef _NOP
+#define _NOP() robosim_spend_cycles(1)
+#endif
+#define _MemoryBarrier() __asm__ volatile("" ::: "memory")

@@ -1,0 +1,24 @@
+// What of avr-libc's <avr/io.h> does not depend on an AVR's registers.
+#pragma once
+
+#include <stdint.h>
+
+#define _BV(bit) (1 << (bit))
+#define E2END 1023
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// The emulated EEPROM (hal/stm32/eeprom.h).
+uint8_t robosim_eeprom_read(uint16_t address);
+void robosim_eeprom_write(uint16_t address, uint8_t value);
+
+#ifdef __cplusplus
+}
+#endif
+
+/// Spends at least so many cycles.
+static inline void robosim_spend_cycles(uint32_t count) {
+  while (count--) __asm__ volatile("nop");
+}

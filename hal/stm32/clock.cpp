@@ -1,0 +1,62 @@
+#include "hal/stm32/clock.h"
+
+volatile uint32_t robosim_millis;
+
+namespace robosim {
+namespace stm32 {
+
+void start_clocks() {
+#if F_CPU == 72000000L
+  // From 48 MHz on flash needs two wait states (RM0008 3.3.3), and APB1 stands 36 MHz at most (7.2).
+  at(kFlashAcr) = kLatency2 | kPrefetch;
+  at(kRccCr) |= kHseOn;
+  at(kRccCr).await(kHseReady, kHseReady);
+  at(kRccCfgr) = kPllMul9 | kPllSrcHse | kPpre1Half | kAdcPre6;
+  at(kRccCr) |= kPllOn;
+  at(kRccCr).await(kPllReady, kPllReady);
+  at(kRccCfgr) |= kSwPll;
+  at(kRccCfgr).await(kSwsMask, kSwsPll);
+#elif F_CPU != 8000000L
+#error "F_CPU: this core knows 72 MHz and 8 MHz"
+#endif
+}
+
+void start_systick() {
+  at(kStkLoad) = F_CPU / 1000u - 1;
+  at(kStkVal) = 0;
+  at(kStkCtrl) = kStkEnable | kTickInt | kClkSource;
+}
+
+void sleep_for(uint32_t us) {
+  at(kRccApb1Enr) |= kTim2En;
+  // One pulse of `us` microseconds (RM0008 15.3.10); UG loads the prescaler, URS keeps that from
+  // interrupting.
+  at(kTim2 + kTimCr1) = kUrs | kOpm;
+  at(kTim2 + kTimPsc) = kCyclesPerMicro - 1;
+  at(kTim2 + kTimArr) = us;
+  at(kTim2 + kTimEgr) = kUg;
+  at(kTim2 + kTimSr) = 0;
+  at(kTim2 + kTimDier) = kUie;
+  enable_irq(kIrqTim2);
+  {
+    // With interrupts off, one that comes between the look and the sleep still wakes.
+    const Quiet quiet;
+    at(kTim2 + kTimCr1) = kUrs | kOpm | kCen;
+    wait_for_interrupt();
+  }
+  at(kTim2 + kTimDier) = 0;
+}
+
+}  // namespace stm32
+}  // namespace robosim
+
+extern "C" {
+
+void SysTick_Handler() { robosim_millis = robosim_millis + 1; }
+
+void TIM2_IRQHandler() {
+  using namespace robosim::stm32;
+  at(kTim2 + kTimSr) = 0;
+}
+
+}  // extern "C"

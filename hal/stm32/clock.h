@@ -1,0 +1,24 @@
+// The clock tree, SysTick's milliseconds, and the timer that ends a sleep.
+#pragma once
+
+#include "hal/stm32/registers.h"
+
+namespace robosim {
+namespace stm32 {
+
+/// Brings the chip to F_CPU: 72 MHz by PLL from the 8 MHz crystal (RM0008 7.2), or 8 MHz from the internal
+/// oscillator, as after a reset. All buses run at F_CPU, but APB1 at half of 72 MHz; its timers run at F_CPU
+/// again.
+void start_clocks();
+/// SysTick interrupts every millisecond (PM0056 4.5).
+void start_systick();
+/// Sleeps until the next interrupt, or for `us` microseconds (1 to 1000), whichever is sooner.
+void sleep_for(uint32_t us);
+
+/// Cycles in a microsecond.
+constexpr uint32_t kCyclesPerMicro = F_CPU / 1000000u;
+
+}  // namespace stm32
+}  // namespace robosim
+
+extern "C" volatile uint32_t robosim_millis;  ///< what millis() gives

@@ -1,0 +1,43 @@
+// Where Arduino's pin numbers are on the chip, and what else each can do (DS5319, table 5). The plan is that
+// of hal/board/board_spec.cpp, which says why.
+#pragma once
+
+#include "hal/stm32/registers.h"
+
+namespace robosim {
+namespace stm32 {
+
+struct PinMap {
+  uint8_t port;    ///< 0 = A, 1 = B, 2 = C
+  uint8_t bit;     ///< 0 to 15: also its EXTI line
+  int8_t channel;  ///< of ADC1; -1 = none
+  uint8_t timer;   ///< that can drive it by PWM: 1, 3 or 4; 0 = none
+  uint8_t output;  ///< channel of that timer, 1 to 4
+};
+
+constexpr uint8_t kPins = 32;
+
+/// Null for a number that is no pin.
+const PinMap* pin_at(uint8_t number);
+
+inline Address port_of(const PinMap& pin) { return kGpioA + kPortBytes * pin.port; }
+/// The four bits of the pin in GPIOx_CRL or GPIOx_CRH (RM0008 9.2.1).
+uint32_t configuration(const PinMap& pin);
+void configure(const PinMap& pin, uint32_t configuration);
+inline bool is_output(uint32_t configuration) { return configuration & 3u; }
+/// Whether a timer or USART drives the pin.
+inline bool is_alternate(uint32_t configuration) { return is_output(configuration) && configuration & 8u; }
+
+/// By GPIOx_BSRR, in one write (RM0008 9.2.5).
+inline void write_pin(const PinMap& pin, bool level) {
+  at(port_of(pin) + kBsrr) = 1u << (level ? pin.bit : pin.bit + 16u);
+}
+inline bool read_pin(const PinMap& pin) { return load(port_of(pin) + kIdr) >> pin.bit & 1u; }
+
+/// Gives ports A to C and AFIO their clock, and takes PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays.
+void start_pins();
+/// Changes one bit of the pin's port without reading it first.
+void toggle_pin(const PinMap& pin);
+
+}  // namespace stm32
+}  // namespace robosim

@@ -1,0 +1,81 @@
+// millis, micros, delay and pulses, by SysTick (PM0056 4.5).
+#include <Arduino.h>
+
+#include "hal/stm32/clock.h"
+#include "hal/stm32/pins.h"
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
+
+/// How many microseconds `pin` stays at `level`, until `end` at most: then false.
+bool wait_while(const PinMap& pin, bool level, unsigned long start, unsigned long timeout) {
+  while (read_pin(pin) == level)
+    if (micros() - start >= timeout) return false;
+  return true;
+}
+
+}  // namespace
+
+extern "C" {
+
+void init() {
+  start_pins();
+  start_systick();
+}
+
+__attribute__((weak)) void yield() {}
+
+unsigned long millis() { return robosim_millis; }
+
+unsigned long micros() {
+  const Quiet quiet;
+  uint32_t count = load(kStkVal);
+  uint32_t ms = robosim_millis;
+  // The counter may have started anew while its interrupt waits.
+  if (load(kScbIcsr) & kPendStSet) {
+    count = load(kStkVal);
+    ++ms;
+  }
+  return ms * 1000u + (kCyclesPerMilli - 1 - count) / kCyclesPerMicro;
+}
+
+void delay(unsigned long ms) {
+  unsigned long start = micros();
+  while (ms > 0) {
+    yield();
+    const unsigned long elapsed = micros() - start;
+    if (elapsed >= 1000) {
+      --ms;
+      start += 1000;
+    } else if (ms == 1) {
+      sleep_for(1000 - elapsed);
+    } else {
+      wait_for_interrupt();
+    }
+  }
+}
+
+void delayMicroseconds(unsigned int us) {
+  const unsigned long start = micros();
+  while (micros() - start < us) {
+  }
+}
+
+unsigned long pulseIn(uint8_t number, uint8_t state, unsigned long timeout) {
+  const PinMap* pin = pin_at(number);
+  if (!pin) return 0;
+  const bool level = state != LOW;
+  const unsigned long start = micros();
+  if (!wait_while(*pin, level, start, timeout) || !wait_while(*pin, !level, start, timeout)) return 0;
+  const unsigned long begin = micros();
+  return wait_while(*pin, level, start, timeout) ? micros() - begin : 0;
+}
+
+unsigned long pulseInLong(uint8_t pin, uint8_t state, unsigned long timeout) {
+  return pulseIn(pin, state, timeout);
+}
+
+}  // extern "C"
