@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/cli/image.h"
 #include "sim/cli/names.h"
 #include "sim/cli/output.h"
 #include "sim/cli/progress.h"
@@ -21,13 +22,6 @@ sketch::Warnings warnings_of(const std::string& level) {
   if (level == "more") return sketch::Warnings::more;
   if (level == "all") return sketch::Warnings::all;
   return sketch::Warnings::standard;
-}
-
-const BoardSpec& board_of(const client::RobotInfo& robot) {
-  const BoardSpec* board = find_board(robot.board.name.c_str());
-  if (!board)
-    throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
-  return *board;
 }
 
 /// The image and its products: where they are, or in `folder` if it is given.

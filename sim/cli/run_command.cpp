@@ -12,6 +12,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/cli/image.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/names.h"
 #include "sim/cli/output.h"
@@ -50,33 +51,6 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.json && !progress) return 0;
   constexpr std::int64_t kTick = 1'000'000;
   return std::max(kTrailEvery_ns, arguments.for_ns / kTrailSamples / kTick * kTick);
-}
-
-const BoardSpec& board_of(const client::RobotInfo& robot) {
-  const BoardSpec* board = find_board(robot.board.name.c_str());
-  if (!board)
-    throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
-  return *board;
-}
-
-sketch::Image build_image(const RunArguments& arguments, const SketchChoice& sketch, const BoardSpec& board,
-                          Progress& progress) {
-  if (!sketch.elf_target.empty()) {
-    sketch::Image image;
-    image.name = sketch.name;
-    image.image = sketch.path;
-    image.sketch_sha256 = sha256_of_file(sketch.path);
-    return image;
-  }
-  sketch::Request request{sketch.path, board};
-  request.target = arguments.target;
-  for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
-  request.sanitize = arguments.sanitize;
-  progress.say("compiling " + sketch.name + " …");
-  sketch::Image image = sketch::build(request);
-  progress.clear();
-  if (!image.messages.empty()) fmt::print(stderr, "{}", image.messages);
-  return image;
 }
 
 /// The map for pictures; null if it is too large for one.
@@ -193,7 +167,10 @@ int run_command(const RunArguments& given) {
   Progress progress(!arguments.view);
   client::Runner runner(arguments.target);
   const client::RobotInfo robot_info = runner.describe_robot(robot.path.string());
-  const sketch::Image image = build_image(arguments, sketch, board_of(robot_info), progress);
+  sketch::Request wanted{sketch.path, board_of(robot_info), arguments.target};
+  for (const std::string& folder : arguments.libraries) wanted.libraries.emplace_back(folder);
+  wanted.sanitize = arguments.sanitize;
+  const sketch::Image image = image_of(sketch, wanted, progress);
 
   request.image = image.image.string();
   request.map = map.path.string();
