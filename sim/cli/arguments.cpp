@@ -9,13 +9,15 @@
 #include "sim/cli/help_text.h"
 #include "sim/cli/names.h"
 #include "sim/cli/options.h"
+#include "sim/cli/sweep_arguments.h"
 #include "sim/grid/generator.h"
 
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run", "play", "classic", "build", "flash", "map", "robot", "test"};
-const std::vector<std::string> kLater{"compare", "sweep"};
+const std::vector<std::string> kCommands{"run",   "sweep", "play",  "classic", "build",
+                                         "flash", "map",   "robot", "test"};
+const std::vector<std::string> kLater{"compare"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -265,6 +267,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
+  if (first == "sweep") return parse_sweep(rest);
   if (first == "play") return parse_play(rest);
   if (first == "classic") return parse_classic(rest);
   if (first == "build") return parse_build(rest);

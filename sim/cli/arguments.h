@@ -1,6 +1,7 @@
 // The command line, read into values. The table of commands is in DESIGN.md and in `robosim --help`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,24 @@ struct RunArguments {
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;
   bool timing = false;
+};
+
+/// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
+struct SweepArguments {
+  std::vector<std::string> sketches;
+  std::vector<std::string> maps;  ///< this and the next two: empty = as `run` chooses
+  std::vector<std::string> robots;
+  std::vector<std::string> targets;
+  RunArguments each;  ///< what all runs have in common; its sketch, map, robot, target and seed do not count
+  std::uint64_t first_seed = 1;
+  std::uint64_t last_seed = 100;
+  std::size_t jobs = 1;  ///< runs at a time
+  std::string csv;       ///< a file; empty = none
+  bool resume = false;
+  std::optional<double> min_rate;
+  bool sure = false;        ///< the runs must show it, see client::Demand
+  bool stop_early = false;  ///< leave out runs that cannot change whether min_rate is met
+  bool json = false;
 };
 
 /// `robosim build`
@@ -107,8 +126,9 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, PlayArguments, ClassicArguments, BuildArguments, FlashArguments,
-                             MapArguments, GenerateArguments, RobotArguments, TestArguments, PrintText>;
+using Command =
+    std::variant<RunArguments, SweepArguments, PlayArguments, ClassicArguments, BuildArguments,
+                 FlashArguments, MapArguments, GenerateArguments, RobotArguments, TestArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -19,6 +19,7 @@ robosim --help lists the commands, robosim run --help the options.
 inline constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
+  sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?
   play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
   classic MAP                 the robot on cells: walk, scan and find the way
   build [SKETCH]              compile a sketch as Arduino would, and say its size

@@ -4,14 +4,17 @@ namespace robosim::cli {
 namespace {
 
 client::Runner* volatile the_runner = nullptr;
+client::Pool* volatile the_pool = nullptr;
 volatile sig_atomic_t the_count = 0;
 volatile sig_atomic_t the_signal = 0;
 
 extern "C" void on_interrupt(int number) {
   client::Runner* runner = the_runner;
   the_count = the_count + 1;
-  if (the_count == 1) {
-    the_signal = number;
+  if (the_count == 1) the_signal = number;
+  if (client::Pool* pool = the_pool) {
+    pool->interrupt();
+  } else if (the_count == 1) {
     runner->interrupt();
   } else {
     runner->kill();
@@ -22,6 +25,16 @@ extern "C" void on_interrupt(int number) {
 
 Interrupts::Interrupts(client::Runner& runner) {
   the_runner = &runner;
+  the_pool = nullptr;
+  catch_signals();
+}
+
+Interrupts::Interrupts(client::Pool& pool) {
+  the_pool = &pool;
+  catch_signals();
+}
+
+void Interrupts::catch_signals() {
   the_count = 0;
   the_signal = 0;
   struct sigaction action {};

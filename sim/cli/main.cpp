@@ -14,6 +14,7 @@
 #include "sim/cli/play_command.h"
 #include "sim/cli/robot_command.h"
 #include "sim/cli/run_command.h"
+#include "sim/cli/sweep_command.h"
 #include "sim/sketch/sketch.h"
 
 namespace robosim::cli {
@@ -21,6 +22,7 @@ namespace {
 
 struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
+  int operator()(const SweepArguments& arguments) const { return sweep_command(arguments); }
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
   int operator()(const FlashArguments& arguments) const { return flash_command(arguments); }

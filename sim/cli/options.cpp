@@ -42,6 +42,10 @@ void Options::texts(const char* name, std::vector<std::string>& values, const ch
   app_->cli.add_option(name, values, what)->option_text(meta)->allow_extra_args(false);
 }
 
+void Options::lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
+  app_->cli.add_option(name, values, what)->option_text(meta);
+}
+
 void Options::flag(const char* name, bool& value, const char* what) { app_->cli.add_flag(name, value, what); }
 
 std::optional<std::string> Options::parse(std::vector<std::string> words) {

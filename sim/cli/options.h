@@ -22,6 +22,8 @@ class Options {
   void text(const char* name, std::string& value, const char* meta, const char* what);
   /// May be repeated.
   void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what);
+  /// May be repeated, and each time be followed by several words.
+  void lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what);
   void flag(const char* name, bool& value, const char* what);
 
   /// The help text if it was asked for. Throws InputError.

@@ -34,11 +34,20 @@ void Progress::say(const std::string& text) {
   shown_ = true;
 }
 
-void Progress::advance(std::int64_t t_us, double for_s) {
-  if (!active_) return;
+bool Progress::due() {
+  if (!active_) return false;
   const std::int64_t now = wall_now_us();
-  if (now < next_us_) return;
+  if (now < next_us_) return false;
   next_us_ = now + kEvery_us;
+  return true;
+}
+
+void Progress::update(const std::string& text) {
+  if (due()) say(text);
+}
+
+void Progress::advance(std::int64_t t_us, double for_s) {
+  if (!due()) return;
   say(fmt::format("simulated: {} of at most {}", view::time_text(static_cast<double>(t_us) * 1e-6),
                   view::time_text(for_s)));
 }

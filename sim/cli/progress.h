@@ -17,12 +17,16 @@ class Progress {
   bool active() const { return active_; }
   /// Shows a line, at once.
   void say(const std::string& text);
-  /// Shows simulated time, ten times a second at most, and nothing in the first half second.
+  /// Shows a line that changes often: ten times a second at most, and nothing in the first half second.
+  void update(const std::string& text);
+  /// Simulated time as such a line.
   void advance(std::int64_t t_us, double for_s);
   /// Wipes the line.
   void clear();
 
  private:
+  bool due();
+
   bool active_;
   bool shown_ = false;
   std::int64_t next_us_;

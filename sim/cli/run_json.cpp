@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 
 namespace robosim::cli {
+namespace {
 
-std::string run_json(const RunInputs& in, const client::RunResult& r, std::optional<double> wall_s) {
-  using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+Json object_of(const RunInputs& in, const client::RunResult& r, std::optional<double> wall_s) {
   const client::Metrics& m = r.metrics;
   Json json{{"schema", "robosim.run/1"}, {"verdict", r.verdict}, {"why", r.why}, {"time_s", r.time_s}};
   json["inputs"] = {{"robosim", in.robosim},
@@ -61,8 +63,22 @@ std::string run_json(const RunInputs& in, const client::RunResult& r, std::optio
   json["serial"] = r.serial;
   json["trace_hash"] = r.trace_hash;
   if (wall_s) json["host"] = {{"wall_s", *wall_s}};
-  // A sketch may print any bytes; JSON holds UTF-8 only.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
+}
+
+/// A sketch may print any bytes; JSON holds UTF-8 only.
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s) {
+  return text_of(object_of(inputs, result, wall_s), 2);
+}
+
+std::string run_json_line(const RunInputs& inputs, const client::RunResult& result) {
+  return text_of(object_of(inputs, result, std::nullopt), -1);
 }
 
 }  // namespace robosim::cli

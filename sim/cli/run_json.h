@@ -23,4 +23,7 @@ struct RunInputs {
 /// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
 std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s);
 
+/// The same object in one line, for JSON Lines.
+std::string run_json_line(const RunInputs& inputs, const client::RunResult& result);
+
 }  // namespace robosim::cli

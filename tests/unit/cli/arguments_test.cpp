@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refused{{"rnu"}, "there is no command “rnu”; did you mean run? There are run, "},
         Refused{{"--verson"}, "did you mean --version?"},
-        Refused{{"sweep"}, "sweep is not in this version yet"},
+        Refused{{"compare"}, "compare is not in this version yet"},
         Refused{{"run", "--mapp", "x"}, "run has no option --mapp; did you mean --map?"},
         Refused{{"run", "--sed=3"}, "did you mean --seed?"},
         Refused{{"run", "-x"}, "run has no option -x; see"},

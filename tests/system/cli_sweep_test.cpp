@@ -1,0 +1,205 @@
+// `robosim sweep` as a user runs it, with very short runs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+const std::string kFailsByChance = ROBOSIM_TEST_SKETCHES "/FailsByChance";
+
+using Words = std::vector<std::string>;
+
+/// A sweep over two maps whose runs fail with some seeds.
+Words sweep_words(const Words& more) {
+  Words words{"sweep",   kFailsByChance, "--map",  "oval", "tight", "--robot", "uno5",
+              "--seeds", "1..8",         "--goal", "none", "--for", "50ms"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+long count_of(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(CliSweep, GivesTheSameBytesForAnyNumberOfJobs) {
+  const Folder folder;
+  std::vector<std::string> tables, reports, json;
+  for (const char* jobs : {"1", "2", "5"}) {
+    const std::string file = std::string("jobs") + jobs + ".csv";
+    const Ended ended =
+        robosim_command(sweep_words({"--jobs", jobs, "--csv", file, "--min-rate", "0.5"}), folder.path());
+    tables.push_back(read_file(folder / file));
+    reports.push_back(ended.out);
+    json.push_back(robosim_command(sweep_words({"--jobs", jobs, "--json"}), folder.path()).out);
+  }
+  EXPECT_THAT(lines_of(tables[0]), SizeIs(1 + 16));
+  EXPECT_GT(count_of(tables[0], ",crashed,"), 0);
+  EXPECT_GT(count_of(tables[0], ",reached,"), 0);
+  for (const std::size_t i : {1u, 2u}) {
+    EXPECT_EQ(tables[i], tables[0]);
+    EXPECT_EQ(reports[i], reports[0]);
+    EXPECT_EQ(json[i], json[0]);
+  }
+}
+
+TEST(CliSweep, AFailingSeedComesWithTheCommandThatMakesItAgain) {
+  const Folder folder;
+  const Ended sweep = robosim_command(sweep_words({"--csv", "a.csv"}), folder.path());
+  EXPECT_EQ(sweep.status, 0) << sweep.err;
+  const auto at = sweep.out.find("    robosim run ");
+  ASSERT_NE(at, std::string::npos) << sweep.out;
+  std::istringstream command(sweep.out.substr(at, sweep.out.find('\n', at) - at));
+  Words words;
+  for (std::string word; command >> word;) words.push_back(word);
+  words.erase(words.begin());
+  words.push_back("--json");
+  const Ended replay = robosim_command(words, folder.path());
+  EXPECT_EQ(replay.status, 1) << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("\"verdict\": \"crashed\""));
+  const auto hash = replay.out.find("1:", replay.out.find("trace_hash"));
+  const std::string text = replay.out.substr(hash, replay.out.find('"', hash) - hash);
+  EXPECT_THAT(read_file(folder / "a.csv"), HasSubstr(",crashed,"));
+  EXPECT_THAT(read_file(folder / "a.csv"), HasSubstr("," + text + ","));
+}
+
+TEST(CliSweep, ResumeGivesTheFileThatAnUninterruptedSweepGives) {
+  const Folder folder;
+  robosim_command(sweep_words({"--csv", "whole.csv"}), folder.path());
+  const std::string whole = read_file(folder / "whole.csv");
+  const auto third_row = whole.find("host,3,");
+  for (const std::size_t kept : {std::size_t{10}, third_row + 30, whole.size() - 1, whole.size()}) {
+    folder.write("cut.csv", whole.substr(0, kept));
+    const Ended ended = robosim_command(sweep_words({"--csv", "cut.csv", "--resume"}), folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(read_file(folder / "cut.csv"), whole) << kept;
+  }
+  robosim_command(sweep_words({"--csv", "new.csv", "--resume"}), folder.path());
+  EXPECT_EQ(read_file(folder / "new.csv"), whole);
+}
+
+TEST(CliSweep, ResumeMakesOnlyTheRunsThatAreMissing) {
+  const Folder folder;
+  Words few = sweep_words({"--csv", "a.csv"}), all = few;
+  std::replace(few.begin(), few.end(), std::string("1..8"), std::string("3..5"));
+  robosim_command(few, folder.path());
+  std::string text = read_file(folder / "a.csv");
+  const auto why = text.find("\n", text.find("host,4,"));
+  text.insert(why, " (as found)");
+  folder.write("a.csv", text);
+  all.push_back("--resume");
+  const Ended ended = robosim_command(all, folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const auto lines = lines_of(read_file(folder / "a.csv"));
+  ASSERT_THAT(lines, SizeIs(17));
+  EXPECT_THAT(lines[4], HasSubstr("(as found)"));
+  for (std::size_t i = 0; i < 16; ++i) {
+    EXPECT_THAT(lines[i + 1], HasSubstr(std::string(i < 8 ? "oval" : "tight") + ",uno5,host," +
+                                        std::to_string(i % 8 + 1) + ","));
+  }
+}
+
+TEST(CliSweep, AFileOfOtherRunsIsLeftAsItIs) {
+  const Folder folder;
+  folder.write("mine/mine.ino", "void setup() {}\nvoid loop() {}\n");
+  folder.write("a.map", "_____\n_S.G_\n_____\n");
+  const Words words{"sweep", "mine/mine.ino", "--map", "a.map", "--for",
+                    "10ms",  "--seeds",       "1..3",  "--csv", "a.csv"};
+  robosim_command(words, folder.path());
+  std::string before = read_file(folder / "a.csv");
+  const auto refused = [&](Words changed, const std::string& why) {
+    const Ended ended = robosim_command(std::move(changed), folder.path());
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, HasSubstr(why));
+    EXPECT_EQ(count_of(ended.err.substr(ended.err.rfind("robosim: a.csv")), "\n"), 1);
+    EXPECT_EQ(read_file(folder / "a.csv"), before);
+  };
+  refused(words, "a.csv: is there already; --resume goes on with it");
+  Words again = words;
+  again.push_back("--resume");
+  Words changed = again;
+  changed[5] = "20ms";
+  refused(changed, "a.csv:2: an option, or the version of Robosim, has changed");
+  changed = again;
+  changed[7] = "2..3";
+  refused(changed, "a.csv:2: this run (mine/mine.ino on a.map with uno5, target host, seed 1) is not part");
+  folder.write("a.map", "_____\n_S.._\n_____\n");
+  refused(again, "a.csv:2: the map has changed");
+  folder.write("a.map", "_____\n_S.G_\n_____\n");
+  folder.write("mine/mine.ino", "void setup() { delay(1); }\nvoid loop() {}\n");
+  refused(again, "a.csv:2: the sketch's image has changed");
+  before = "the only copy of my thesis";
+  folder.write("a.csv", before);
+  refused(again, "a.csv:1: this is not the header of a sweep's table");
+}
+
+TEST(CliSweep, ARateThatIsNotMetIsExitStatusOne) {
+  const Folder folder;
+  const auto status = [&](const Words& more) {
+    return robosim_command(sweep_words(more), folder.path()).status;
+  };
+  EXPECT_EQ(status({"--min-rate", "0.1"}), 0);
+  EXPECT_EQ(status({"--min-rate", "99%"}), 1);
+  EXPECT_EQ(status({"--min-rate", "0.1", "--sure"}), 0);
+  EXPECT_EQ(status({"--min-rate", "0.99", "--sure"}), 2);
+}
+
+TEST(CliSweep, StoppingEarlyLeavesOutRunsAndNotTheAnswer) {
+  const Folder folder;
+  std::vector<std::string> tables;
+  for (const char* jobs : {"1", "5"}) {
+    const std::string file = std::string(jobs) + ".csv";
+    const Ended ended = robosim_command(
+        sweep_words({"--min-rate", "0.99", "--stop-early", "--jobs", jobs, "--csv", file}), folder.path());
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_THAT(ended.out, HasSubstr("of 8 runs; the others could not change that it is not met"));
+    tables.push_back(read_file(folder / file));
+  }
+  EXPECT_EQ(tables[0], tables[1]);
+  EXPECT_EQ(count_of(tables[0], ",crashed,"), 2);  // the first of each map
+  EXPECT_LT(lines_of(tables[0]).size(), 17u);
+}
+
+TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
+  const Ended sweep = robosim_command(sweep_words({"--json"}));
+  const auto lines = lines_of(sweep.out);
+  ASSERT_THAT(lines, SizeIs(16));
+  for (const std::string& line : lines)
+    EXPECT_THAT(line, StartsWith("{\"schema\":\"robosim.run/1\",\"verdict\":\""));
+  EXPECT_THAT(lines[3], HasSubstr("\"seed\":4,"));
+}
+
+TEST(CliSweep, BadInputIsOneSentence) {
+  const auto sentence = [](const Words& more) {
+    const Ended ended = robosim_command(sweep_words(more));
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(count_of(ended.err, "\n"), 1) << ended.err;
+    return ended.err;
+  };
+  EXPECT_THAT(sentence({"--start", "0,0,E"}), HasSubstr("is not on a line"));
+  EXPECT_THAT(sentence({"--csv", "/nowhere/a.csv"}), HasSubstr("/nowhere/a.csv: cannot be written"));
+}
+
+}  // namespace
+}  // namespace robosim::test

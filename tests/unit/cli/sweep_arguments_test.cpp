@@ -1,0 +1,89 @@
+#include "sim/cli/sweep_arguments.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+SweepArguments parsed(const std::vector<std::string>& words) {
+  return std::get<SweepArguments>(parse_sweep(words));
+}
+
+TEST(SweepArguments, SketchesComeFirstAndListsAreWordsOrRepetitions) {
+  const SweepArguments sweep =
+      parsed({"A", "b/B", "--map", "x", "y", "--seeds", "3..5", "--map", "z", "--robot", "r", "--target",
+              "host,avr", "--for", "5s", "--goal", "none", "--min-rate", "99%"});
+  EXPECT_THAT(sweep.sketches, ElementsAre("A", "b/B"));
+  EXPECT_THAT(sweep.maps, ElementsAre("x", "y", "z"));
+  EXPECT_THAT(sweep.robots, ElementsAre("r"));
+  EXPECT_THAT(sweep.targets, ElementsAre("host", "avr"));
+  EXPECT_EQ(sweep.first_seed, 3u);
+  EXPECT_EQ(sweep.last_seed, 5u);
+  EXPECT_EQ(sweep.each.for_ns, 5'000'000'000);
+  EXPECT_EQ(sweep.each.goal, "none");
+  EXPECT_EQ(sweep.min_rate, 0.99);
+}
+
+TEST(SweepArguments, WithoutOptionsItIsAHundredSeedsOnAllCores) {
+  const SweepArguments sweep = parsed({});
+  EXPECT_EQ(sweep.first_seed, 1u);
+  EXPECT_EQ(sweep.last_seed, 100u);
+  EXPECT_GE(sweep.jobs, 1u);
+  EXPECT_FALSE(sweep.min_rate);
+}
+
+TEST(SweepArguments, OneSeedIsARangeToo) {
+  const SweepArguments sweep = parsed({"--seeds", "17"});
+  EXPECT_EQ(sweep.first_seed, 17u);
+  EXPECT_EQ(sweep.last_seed, 17u);
+}
+
+struct RefusedSweep {
+  std::vector<std::string> words;
+  const char* says;
+};
+
+class RefusedSweepArguments : public ::testing::TestWithParam<RefusedSweep> {};
+
+TEST_P(RefusedSweepArguments, AreToldInASentence) {
+  try {
+    parse_sweep(GetParam().words);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(GetParam().says));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedSweepArguments,
+    ::testing::Values(
+        RefusedSweep{{"--seeds", "5..1"},
+                     "--seeds: “5..1” is not possible; it must be the first and the last seed"},
+        RefusedSweep{{"--seeds", "1.."}, "--seeds: “” is not possible"},
+        RefusedSweep{{"--seeds", "1-5"}, "--seeds: “1-5” is not possible"},
+        RefusedSweep{{"--seeds", "0..18446744073709551615"}, "1000000 seeds at most"},
+        RefusedSweep{{"--jobs", "0"},
+                     "--jobs: “0” is not possible; it must be a whole number from 1 to 1024"},
+        RefusedSweep{{"--min-rate", "1.5"},
+                     "--min-rate: “1.5” is not possible; it must be a share from 0 to 1"},
+        RefusedSweep{{"--min-rate", "nan"}, "--min-rate: “nan”"},
+        RefusedSweep{{"--resume"}, "give --csv too"},
+        RefusedSweep{{"--resume", "--csv", "a", "--json"}, "--json lacks them"},
+        RefusedSweep{{"--sure"}, "--sure goes with --min-rate"},
+        RefusedSweep{{"--stop-early"}, "--stop-early goes with --min-rate"},
+        RefusedSweep{{"--min-rate", "0.99", "--sure"},
+                     "100 seeds cannot show a rate of 0.99, even if all runs succeed; 381 could"},
+        RefusedSweep{{"--min-rate", "1", "--sure"}, "no number of runs can show that a rate is 1"},
+        RefusedSweep{{"A", "A"}, "the sketch A is given twice"},
+        RefusedSweep{{"--map", "x", "y", "x"}, "--map x is given twice"},
+        RefusedSweep{{"--profile", "real"}, "must be ideal or typical"},
+        RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}));
+
+}  // namespace
+}  // namespace robosim::cli

@@ -1,0 +1,195 @@
+#include "sim/cli/sweep_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/cli/sweep_report.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Combination combination(const std::string& map) {
+  Combination c;
+  c.inputs.sketch = "My, Sketch";
+  c.inputs.map = map;
+  c.inputs.robot = "uno5";
+  c.inputs.target = "host";
+  c.fingerprint.parts = {"00000001", "00000002", "00000003", "00000004"};
+  c.replay = "robosim run 'My, Sketch' --map " + map;
+  return c;
+}
+
+/// Seeds 1 to 4 on two maps: runs 0 to 7.
+SweepPlan plan() {
+  SweepPlan plan;
+  plan.combinations = {combination("oval"), combination("tight")};
+  plan.seeds = 4;
+  return plan;
+}
+
+client::RunResult result(std::uint64_t seed, const std::string& verdict) {
+  client::RunResult r;
+  r.verdict = verdict;
+  r.why = "It said \"no\",\nand stopped.";
+  r.time_s = 2.5;
+  r.seed = seed;
+  r.metrics.laps_s = {2.0, 4.0};
+  r.metrics.stations = {"1", "dock"};
+  r.trace_hash = "1:ab";
+  return r;
+}
+
+std::string row(const SweepPlan& p, std::size_t run, const std::string& verdict = "reached") {
+  return sweep_row(p.combination_of(run), result(p.seed_of(run), verdict));
+}
+
+TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
+  EXPECT_EQ(sweep_header(),
+            "sketch,map,robot,target,seed,verdict,time_s,distance_m,cross_track_rms_mm,cross_track_max_mm,"
+            "off_line_s,"
+            "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,stack_bytes_max,loop_us_max,trace_hash,"
+            "inputs,why"
+            "\n");
+  EXPECT_EQ(
+      row(plan(), 5, "lost"),
+      "\"My, "
+      "Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,1:ab,00000001-00000002-00000003-00000004,"
+      "\"It said \"\"no\"\", and stopped.\"\n");
+}
+
+TEST(SweepTable, OnAChipARowHasItsResources) {
+  client::RunResult r = result(1, "reached");
+  r.resources = client::Resources{};
+  r.resources->stack_bytes_max = 99;
+  r.resources->loops = 3;
+  r.resources->loop_us_max = 12.5;
+  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",99,12.5,1:ab,"));
+}
+
+TEST(SweepTable, ReadsWhatItWrites) {
+  const SweepPlan p = plan();
+  const auto rows = read_sweep_rows(sweep_header() + row(p, 6, "lost") + row(p, 1), "a.csv", p);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].run, 6u);
+  EXPECT_EQ(rows[0].outcome.verdict, "lost");
+  EXPECT_EQ(rows[0].outcome.time_s, 2.5);
+  EXPECT_EQ(rows[0].outcome.why, "It said \"no\", and stopped.");
+  EXPECT_EQ(rows[1].run, 1u);
+  EXPECT_EQ(rows[1].line, row(p, 1));
+}
+
+TEST(SweepTable, RefusesRowsThatItCannotGoOnWith) {
+  const SweepPlan p = plan();
+  const auto refusal = [&](const std::string& text) {
+    try {
+      read_sweep_rows(text, "a.csv", p);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("not refused");
+  };
+  EXPECT_THAT(refusal("t_us,x_mm\n"), HasSubstr("a.csv:1: this is not the header"));
+  EXPECT_THAT(refusal(sweep_header() + "a,b\n"), HasSubstr("a.csv:2: this is no row"));
+  EXPECT_THAT(refusal(sweep_header() + "\n"), HasSubstr("a.csv:2: this is no row"));
+  EXPECT_THAT(refusal(sweep_header() + row(p, 0) + row(p, 0)),
+              HasSubstr("a.csv:3: this run has a row already"));
+  SweepPlan other = p;
+  other.combinations[0].fingerprint.parts[1] = "ffffffff";
+  EXPECT_THAT(refusal(sweep_header() + row(other, 0)), HasSubstr("a.csv:2: the map has changed"));
+  other = p;
+  other.first_seed = 2;
+  EXPECT_THAT(refusal(sweep_header() + row(other, 3)), HasSubstr("seed 5) is not part of this sweep"));
+}
+
+TEST(SweepTable, ARunThatFailedByOurFaultIsMadeAgainAndRowsEndInTheirOrder) {
+  const test::TemporaryFolder folder;
+  const SweepPlan p = plan();
+  const auto file = folder.path() / "a.csv";
+  std::ofstream(file) << sweep_header() << row(p, 5) << row(p, 2, kErrorVerdict) << row(p, 4).substr(0, 40);
+  std::vector<SweepOutcome> outcomes(p.runs());
+  {
+    SweepTable table(file, true, p, outcomes);
+    EXPECT_EQ(read_file(file), sweep_header() + row(p, 5));
+    for (const std::size_t run : {0u, 1u, 2u, 3u, 4u, 6u, 7u}) {
+      EXPECT_FALSE(outcomes[run].made());
+      table.add(run, row(p, run));
+      EXPECT_THAT(read_file(file), HasSubstr(row(p, run))) << "nothing may be lost if the sweep is killed";
+    }
+    table.finish();
+  }
+  EXPECT_TRUE(outcomes[5].made());
+  std::string whole = sweep_header();
+  for (std::size_t run = 0; run < p.runs(); ++run) whole += row(p, run);
+  EXPECT_EQ(read_file(file), whole);
+}
+
+SweepOutcome reached() { return {"reached", 10.0, ""}; }
+SweepOutcome lost() { return {"lost", 1.0, "It left the line."}; }
+
+TEST(SweepReport, CountsEachCombinationAndShowsHowToMakeFailuresAgain) {
+  SweepArguments arguments;
+  arguments.min_rate = 0.75;
+  const std::string report = sweep_report(
+      arguments, plan(), {reached(), reached(), reached(), lost(), lost(), reached(), lost(), reached()});
+  EXPECT_EQ(report, R"(sketch      map    robot  target  runs  reached    rate     95 % interval  mean time
+My, Sketch  oval   uno5   host       4        3  0.7500  0.3006 .. 0.9545    10.00 s
+My, Sketch  tight  uno5   host       4        2  0.5000  0.1500 .. 0.8500    10.00 s
+
+My, Sketch on oval with uno5, target host: 1 of 4 did not reach the goal (1 lost)
+  seed 4: lost. It left the line.
+    robosim run 'My, Sketch' --map oval --seed 4
+
+My, Sketch on tight with uno5, target host: 2 of 4 did not reach the goal (2 lost)
+  seed 1: lost. It left the line.
+    robosim run 'My, Sketch' --map tight --seed 1
+  seed 3: lost. It left the line.
+    robosim run 'My, Sketch' --map tight --seed 3
+
+--min-rate 0.75: not met by My, Sketch on tight with uno5, target host: 2 of 4 reached the goal, and 3 of 4 are needed
+These runs have that rate; that it is so in general they do not show, as the interval begins below it. 12 seeds without a failure would (--sure asks for that).
+)");
+}
+
+TEST(SweepReport, ARateIsNeverRoundedUpToOne) {
+  SweepPlan p = plan();
+  p.combinations.pop_back();
+  p.seeds = 100'000;
+  std::vector<SweepOutcome> outcomes(p.seeds, reached());
+  outcomes[7] = lost();
+  EXPECT_THAT(sweep_report({}, p, outcomes), HasSubstr(" 0.9999  0.9999 .. 1.0000 "));
+}
+
+TEST(SweepReport, WithStopEarlyRunsBeyondTheDecisionDoNotCount) {
+  SweepArguments arguments;
+  arguments.min_rate = 1.0;
+  arguments.stop_early = true;
+  const std::vector<SweepOutcome> outcomes{reached(), lost(),    reached(), lost(),
+                                           reached(), reached(), reached(), reached()};
+  const auto tallies = count_runs(arguments, plan(), outcomes);
+  EXPECT_EQ(tallies[0].runs(), 2);
+  EXPECT_TRUE(tallies[0].missed());
+  EXPECT_EQ(tallies[1].runs(), 4);
+  EXPECT_TRUE(tallies[1].met());
+  EXPECT_THAT(sweep_report(arguments, plan(), outcomes), HasSubstr("stopped after 2 of 4 runs"));
+}
+
+TEST(SweepReport, RunsThatWereNotMadeAreNotCounted) {
+  SweepArguments arguments;
+  arguments.min_rate = 0.5;
+  std::vector<SweepOutcome> outcomes(8);
+  outcomes[0] = reached();
+  const std::string report = sweep_report(arguments, plan(), outcomes);
+  EXPECT_THAT(report, HasSubstr("tight  uno5   host       0        0"));
+  EXPECT_THAT(report, Not(HasSubstr("met")));
+}
+
+}  // namespace
+}  // namespace robosim::cli
