@@ -74,6 +74,7 @@ struct RunRequest {
   bool serial = false;                 ///< stream what the firmware prints
   bool notes = false;                  ///< stream what happens: "station 2 visited"
   bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
+  bool interactive = false;            ///< driven step by step: see driven_run.h
 };
 
 /// Sent once, before everything else.
@@ -90,6 +91,9 @@ struct Started {
   std::string goal;
   std::vector<Station> stations;
   std::vector<std::string> readings;  ///< names of Sample::readings
+  int width = 0;                      ///< of the map, in cells
+  int height = 0;
+  double cell_mm = 0.0;  ///< side of a cell
 };
 
 struct Sample {
@@ -102,6 +106,7 @@ struct Sample {
   double left = 0.0;             ///< command of the left motor, -1..1
   double right = 0.0;            ///< command of the right motor, -1..1
   std::vector<double> readings;  ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
+  std::string at_station;        ///< of a driven run: whose centre the body covers; "" = none
 };
 
 struct PinChange {
@@ -213,6 +218,52 @@ struct RunResult {
   std::string map_sha256;
   std::string robot_sha256;
   std::string image_sha256;
+};
+
+/// What a run that is driven step by step goes on until; docs/runner-protocol.md lists them.
+struct Stop {
+  enum class Kind { serial, line, note, visited, at, reading, pin, motors, rest };
+  Kind kind = Kind::rest;
+  std::string text;          ///< text, regular expression, station, part or pin
+  std::size_t from = 0;      ///< serial, line: number of the first byte that counts
+  bool level = true;         ///< reading, pin, motors
+  std::int64_t rest_ns = 0;  ///< rest
+
+  static Stop serial(std::string text, std::size_t from = 0) { return {Kind::serial, std::move(text), from}; }
+  static Stop line(std::string regex, std::size_t from = 0) { return {Kind::line, std::move(regex), from}; }
+  static Stop note(std::string text) { return {Kind::note, std::move(text)}; }
+  static Stop visited(std::string station) { return {Kind::visited, std::move(station)}; }
+  static Stop at(std::string station) { return {Kind::at, std::move(station)}; }
+  static Stop reading(std::string part, bool on) { return {Kind::reading, std::move(part), 0, on}; }
+  static Stop pin(std::string pin, bool high) { return {Kind::pin, std::move(pin), 0, high}; }
+  static Stop motors(bool driven) { return {Kind::motors, "", 0, driven}; }
+  static Stop rest(std::int64_t ns) { return {Kind::rest, "", 0, true, ns}; }
+};
+
+/// The state of a run that stands still, at the beginning of a tick.
+struct Paused {
+  std::int64_t t_ns = 0;
+  Sample sample;
+  int stop = -1;  ///< which of the stops was met; -1 = none
+  /// Since it went on last: when and where the cross-track error was the largest. Every tick counts.
+  double worst_cross_track_mm = 0.0;
+  std::int64_t worst_t_ns = 0;
+  double worst_x_mm = 0.0;
+  double worst_y_mm = 0.0;
+  bool powered = true;
+  bool driven = false;           ///< a motor is commanded
+  std::size_t serial_bytes = 0;  ///< sent by the firmware so far
+  Metrics metrics;
+  std::optional<Resources> resources;  ///< on a chip
+};
+
+/// Lines that a run that stands still will carry out, with their times.
+struct Accepted {
+  std::string lines;
+};
+/// What it was asked makes no sense: nothing happened.
+struct Refused {
+  std::string message;
 };
 
 }  // namespace robosim::client

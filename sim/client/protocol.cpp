@@ -86,6 +86,9 @@ Started started(const Json& json) {
                               get<int>(station, "x"), get<int>(station, "y")});
   }
   event.readings = get<std::vector<std::string>>(json, "readings");
+  event.width = get<int>(json, "width", 0);
+  event.height = get<int>(json, "height", 0);
+  event.cell_mm = get<double>(json, "cell", 0.0);
   return event;
 }
 
@@ -98,7 +101,8 @@ Sample sample(const Json& json) {
           get<double>(json, "cross_track"),
           get<double>(json, "left"),
           get<double>(json, "right"),
-          get<std::vector<double>>(json, "readings")};
+          get<std::vector<double>>(json, "readings"),
+          get<std::string>(json, "at", "")};
 }
 
 Event event(const Json& json) {
@@ -192,6 +196,48 @@ RunResult result(const Json& json) {
   return r;
 }
 
+Paused paused(const Json& json) {
+  Paused p;
+  p.t_ns = get<std::int64_t>(json, "t_ns");
+  p.sample = sample(get<Json>(json, "sample"));
+  p.stop = get<int>(json, "stop", -1);
+  const auto worst = get<Json>(json, "worst");
+  p.worst_cross_track_mm = get<double>(worst, "cross_track");
+  p.worst_t_ns = get<std::int64_t>(worst, "t_ns");
+  p.worst_x_mm = get<double>(worst, "x");
+  p.worst_y_mm = get<double>(worst, "y");
+  p.powered = get<bool>(json, "powered");
+  p.driven = get<bool>(json, "driven");
+  p.serial_bytes = get<std::size_t>(json, "serial_bytes");
+  p.metrics = metrics(get<Json>(json, "metrics"));
+  if (json.contains("resources")) p.resources = resources(get<Json>(json, "resources"));
+  return p;
+}
+
+Json stop_json(const Stop& stop) {
+  switch (stop.kind) {
+    case Stop::Kind::serial:
+      return {{"serial", stop.text}, {"from", stop.from}};
+    case Stop::Kind::line:
+      return {{"line", stop.text}, {"from", stop.from}};
+    case Stop::Kind::note:
+      return {{"note", stop.text}};
+    case Stop::Kind::visited:
+      return {{"visited", stop.text}};
+    case Stop::Kind::at:
+      return {{"at", stop.text}};
+    case Stop::Kind::reading:
+      return {{"reading", stop.text}, {"level", stop.level}};
+    case Stop::Kind::pin:
+      return {{"pin", stop.text}, {"level", stop.level}};
+    case Stop::Kind::motors:
+      return {{"motors", stop.level}};
+    case Stop::Kind::rest:
+      return {{"rest_ns", stop.rest_ns}};
+  }
+  return {};
+}
+
 Line line_from(const Json& json) {
   if (!json.is_object()) throw RunnerError("it is no object");
   if (json.contains("hello")) return {-1, hello(json)};
@@ -199,6 +245,10 @@ Line line_from(const Json& json) {
   if (json.contains("event")) return {id, event(json)};
   if (json.contains("result")) return {id, result(get<Json>(json, "result"))};
   if (json.contains("robot")) return {id, robot(get<Json>(json, "robot"))};
+  if (json.contains("paused")) return {id, paused(get<Json>(json, "paused"))};
+  if (json.contains("accepted"))
+    return {id, Accepted{get<std::string>(get<Json>(json, "accepted"), "lines")}};
+  if (json.contains("refused")) return {id, Refused{get<std::string>(json, "refused")}};
   const auto error = get<Json>(json, "error");
   return {id, ErrorAnswer{get<std::string>(error, "kind"), get<std::string>(error, "message")}};
 }
@@ -236,6 +286,7 @@ std::string run_line(long long id, const RunRequest& r) {
   }
   if (r.clock_ns > 0) json["clock_ns"] = r.clock_ns;
   if (r.samples_every_ns > 0) json["samples_every_ns"] = r.samples_every_ns;
+  if (r.interactive) json["interactive"] = true;
   Json stream = Json::array();
   if (r.pins) stream.push_back("pin");
   if (r.serial) stream.push_back("serial");
@@ -244,5 +295,22 @@ std::string run_line(long long id, const RunRequest& r) {
   if (!stream.empty()) json["stream"] = stream;
   return line(json);
 }
+
+std::string act_line(long long id, const std::string& lines) {
+  return line({{"id", id}, {"do", "script"}, {"lines", lines}});
+}
+
+std::string go_on_line(long long id, std::int64_t to_ns, const std::vector<Stop>& stops) {
+  Json json{{"id", id}, {"do", "continue"}};
+  if (to_ns >= 0) json["to_ns"] = to_ns;
+  if (!stops.empty()) {
+    Json until = Json::array();
+    for (const Stop& stop : stops) until.push_back(stop_json(stop));
+    json["until"] = std::move(until);
+  }
+  return line(json);
+}
+
+std::string end_line(long long id) { return line({{"id", id}, {"do", "end"}}); }
 
 }  // namespace robosim::client

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "sim/client/messages.h"
 
@@ -31,7 +32,7 @@ struct ErrorAnswer {
 /// One line of a runner.
 struct Line {
   long long id = -1;  ///< of the request that it answers; -1 = none (hello)
-  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult> content;
+  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult, Paused, Accepted, Refused> content;
 };
 
 /// Throws RunnerError, quoting the line, if it is none of the protocol's.
@@ -40,5 +41,10 @@ Line parse_line(std::string_view text);
 /// Each with its final line feed.
 std::string describe_robot_line(long long id, const std::string& robot);
 std::string run_line(long long id, const RunRequest& request);
+// To a run that stands still.
+std::string act_line(long long id, const std::string& lines);
+/// `to_ns` < 0: without end.
+std::string go_on_line(long long id, std::int64_t to_ns, const std::vector<Stop>& stops);
+std::string end_line(long long id);
 
 }  // namespace robosim::client

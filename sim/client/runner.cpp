@@ -76,9 +76,7 @@ void Runner::fail_silent() {
                     " before it answered; this is a fault of Robosim, not of your sketch");
 }
 
-/// The answer to the last request; nothing if it has not come and `wait` is false.
-template <typename Answer>
-std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
+std::optional<Line> Runner::answer(bool wait, const OnEvent& on_event) {
   bool answered = false;
   try {
     for (;;) {
@@ -90,10 +88,6 @@ std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
         throw RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                           " instead of " + std::to_string(last_id_));
       }
-      if (auto* answer = std::get_if<Answer>(&line.content)) {
-        process_->forget_interrupt();
-        return std::move(*answer);
-      }
       if (const auto* event = std::get_if<Event>(&line.content)) {
         if (on_event) on_event(*event);
         continue;
@@ -101,7 +95,7 @@ std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
       answered = true;
       process_->forget_interrupt();
       const auto* error = std::get_if<ErrorAnswer>(&line.content);
-      if (!error) throw RunnerError("the runner " + name_ + " answered something that was not asked");
+      if (!error) return line;
       if (error->kind == "input") throw InputError(error->message);
       if (error->kind == "tool") throw ToolMissing(error->message);
       throw RunnerError(error->message);
@@ -110,6 +104,14 @@ std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
     if (!answered) kill();  // it may be in the middle of a run, with more to say than anyone will read
     throw;
   }
+}
+
+template <typename Answer>
+std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
+  std::optional<Line> line = answer(wait, on_event);
+  if (!line) return std::nullopt;
+  if (auto* wanted = std::get_if<Answer>(&line->content)) return std::move(*wanted);
+  throw RunnerError("the runner " + name_ + " answered something that was not asked");
 }
 
 RobotInfo Runner::describe_robot(const std::string& robot) {

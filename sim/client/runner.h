@@ -65,11 +65,14 @@ class Runner {
   void kill() noexcept;
 
  private:
+  friend class DrivenRun;
   struct Program {
     std::string path;
   };
   explicit Runner(const Program& program);
   [[noreturn]] void fail_silent();
+  /// The answer to the last request, no event and no error; nothing if it has not come and `wait` is false.
+  std::optional<Line> answer(bool wait, const OnEvent& on_event);
   template <typename Answer>
   std::optional<Answer> take(bool wait, const OnEvent& on_event);
 

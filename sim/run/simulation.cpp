@@ -10,6 +10,7 @@
 #include "sim/run/director.h"
 #include "sim/run/explain.h"
 #include "sim/run/judge.h"
+#include "sim/run/lookout.h"
 #include "sim/trace/trace_hash.h"
 #include "sim/world/world.h"
 
@@ -33,7 +34,7 @@ std::string exceeded_budget(const robot::Budget& budget, const std::optional<exe
 }
 
 /// Everything of one run. Built in the order in which things depend on each other.
-class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
+class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
  public:
   Simulation(const Setup& setup, Listener& listener);
   Outcome run();
@@ -45,10 +46,17 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
   void volts_seen(Pin pin, double volts, SimTime t) override { listener_.volts_seen(pin, volts, t); }
   void byte_received(std::uint8_t byte, SimTime t) override { listener_.byte_received(byte, t); }
 
+  const State& state() const override { return state_; }
+  const Sample& sample() const override { return sample_; }
+  void add(std::vector<Step> steps) override { director_.add(std::move(steps), progress_); }
+  void check(const Leg& leg) const override { lookout_.check(leg); }
+
+  bool stand_still(SimTime t);
   std::optional<Verdict> tick(SimTime t);
   void observe(SimTime end);
   void note(SimTime t);
-  void sample(SimTime t);
+  Sample sample_at(SimTime t) const;
+  Metrics metrics() const;
   Outcome finish(Verdict verdict, SimTime t);
   Evidence evidence(Verdict verdict, SimTime t);
 
@@ -80,6 +88,9 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher {
   std::vector<std::string> notes_;
   std::deque<Event> events_;
   std::string serial_;
+  Lookout lookout_;
+  State state_;
+  Sample sample_;
   std::vector<bool> went_high_ = std::vector<bool>(kMaxPins);
   std::vector<bool> was_output_ = std::vector<bool>(kMaxPins);
 };
@@ -102,7 +113,8 @@ Simulation::Simulation(const Setup& setup, Listener& listener)
       robot_(*setup.robot, world_, 0, board_, setup.seed, setup.profile),
       director_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor}, progress_),
       judge_(robot_.has_line_sensors()),
-      sensor_midpoint_(robot_.sensor_midpoint()) {
+      sensor_midpoint_(robot_.sensor_midpoint()),
+      lookout_({serial_, progress_, body_, robot_, board_}) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
   if (listener_.wants_inputs()) board_.watch_inputs(*this);
@@ -114,6 +126,7 @@ void Simulation::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
     was_output_[pin] = true;
     if (drive.duty > 0.0) went_high_[pin] = true;
   }
+  if (setup_.pilot) lookout_.pin_changed(pin, drive);
   listener_.pin_changed(pin, drive, t);
 }
 
@@ -128,6 +141,7 @@ void Simulation::note(SimTime t) {
   for (std::string& text : notes_) {
     events_.push_back({t, std::move(text)});
     listener_.noted(events_.back());
+    if (setup_.pilot) lookout_.noted(events_.back().text);
     if (events_.size() > kEventsKept) events_.pop_front();
   }
   notes_.clear();
@@ -140,6 +154,11 @@ void Simulation::observe(SimTime end) {
     if (cross_track_ > cross_track_max_) cross_track_max_ = cross_track_;
     ++cross_track_ticks_;
   }
+  if (cross_track_ > state_.worst_cross_track) {
+    state_.worst_cross_track = cross_track_;
+    state_.worst_t = end;
+    state_.worst_at = body_.pose().position;
+  }
   if (end / kTick % kLookEvery == 0) sees_line_ = robot_.sees_line();
   if (!sees_line_ && !body_.lifted()) ++off_line_ticks_;
   if (body_.collisions() > collisions_noted_) {
@@ -148,11 +167,34 @@ void Simulation::observe(SimTime end) {
   }
 }
 
-void Simulation::sample(SimTime t) {
+Sample Simulation::sample_at(SimTime t) const {
   Sample sample{t, body_.pose(), body_.speed(), cross_track_, robot_.left_command(), robot_.right_command(),
                 {}};
   for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
-  listener_.sampled(sample);
+  if (setup_.pilot) {
+    for (const Target& station : progress_.stations())
+      if (body_.covers(station.centre)) sample.at_station = station.name;
+  }
+  return sample;
+}
+
+// The pilot's turn. False if the run is to end here.
+bool Simulation::stand_still(SimTime t) {
+  state_.t = t;
+  state_.stop = lookout_.met();
+  state_.powered = director_.powered();
+  state_.driven = robot_.driven();
+  state_.serial_bytes = serial_.size();
+  state_.metrics = metrics();
+  state_.resources = setup_.executor->resources();
+  sample_ = sample_at(t);
+  const Leg leg = setup_.pilot->next(*this);
+  if (leg.end) return false;
+  lookout_.begin(leg, t);
+  state_.worst_cross_track = 0.0;
+  state_.worst_t = t;
+  state_.worst_at = body_.pose().position;
+  return true;
 }
 
 std::optional<Verdict> Simulation::tick(SimTime t) {
@@ -168,7 +210,7 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
   progress_.update(body_, end, notes_);
   observe(end);
   if (!notes_.empty()) note(end);
-  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) sample(end);
+  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) listener_.sampled(sample_at(end));
 
   if (progress_.reached()) return Verdict::reached;
   if (executor.crash()) return Verdict::crashed;
@@ -188,16 +230,19 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
 }
 
 Outcome Simulation::run() {
-  Beginning beginning{start_, goal_, network_.stations, {}};
+  Beginning beginning{start_, goal_, network_.stations, {}, map_.width, map_.height, map_.cell_m};
   for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
   listener_.began(beginning);
   setup_.executor->power_on(0);
-  if (setup_.samples_every > 0) sample(0);
+  if (setup_.samples_every > 0) listener_.sampled(sample_at(0));
+  bool leg_over = true;
   for (SimTime t = 0; t < setup_.limit; t += kTick) {
+    if (setup_.pilot && leg_over && !stand_still(t)) return finish(Verdict::interrupted, t);
     if (setup_.reached) setup_.reached->store(t, std::memory_order_relaxed);
     if (const auto verdict = tick(t)) return finish(*verdict, t + kTick);
     if (setup_.interrupted && setup_.interrupted->load(std::memory_order_relaxed))
       return finish(Verdict::interrupted, t + kTick);
+    leg_over = setup_.pilot && lookout_.look(t + kTick);
   }
   return finish(goal_.kind == Goal::Kind::none ? Verdict::reached : Verdict::timeout, setup_.limit);
 }
@@ -225,6 +270,22 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   return e;
 }
 
+Metrics Simulation::metrics() const {
+  Metrics m;
+  m.distance_m = body_.distance();
+  m.laps_s = progress_.laps_s();
+  if (cross_track_ticks_ > 0)
+    m.cross_track_rms_mm = 1e3 * std::sqrt(cross_track_squares_ / static_cast<double>(cross_track_ticks_));
+  m.cross_track_max_mm = 1e3 * cross_track_max_;
+  m.off_line_s = 1e-9 * static_cast<double>(off_line_ticks_ * kTick);
+  m.collisions = body_.collisions();
+  m.energy_j = body_.energy();
+  for (const int i : progress_.visited())
+    m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
+  m.junctions = progress_.junctions_visited();
+  return m;
+}
+
 Outcome Simulation::finish(Verdict verdict, SimTime t) {
   const Evidence e = evidence(verdict, t);
   Outcome outcome;
@@ -239,18 +300,7 @@ Outcome Simulation::finish(Verdict verdict, SimTime t) {
   outcome.serial = std::move(serial_);
   outcome.trace_hash = hash_.text();
 
-  Metrics& m = outcome.metrics;
-  m.distance_m = body_.distance();
-  m.laps_s = progress_.laps_s();
-  if (cross_track_ticks_ > 0)
-    m.cross_track_rms_mm = 1e3 * std::sqrt(cross_track_squares_ / static_cast<double>(cross_track_ticks_));
-  m.cross_track_max_mm = 1e3 * cross_track_max_;
-  m.off_line_s = 1e-9 * static_cast<double>(off_line_ticks_ * kTick);
-  m.collisions = body_.collisions();
-  m.energy_j = body_.energy();
-  for (const int i : progress_.visited())
-    m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
-  m.junctions = progress_.junctions_visited();
+  outcome.metrics = metrics();
   return outcome;
 }
 

@@ -19,6 +19,7 @@
 #include "sim/robot/robot.h"
 #include "sim/run/goal.h"
 #include "sim/run/outcome.h"
+#include "sim/run/pilot.h"
 #include "sim/run/scenario.h"
 
 namespace robosim::run {
@@ -36,6 +37,7 @@ struct Setup {
   robot::Profile profile = robot::Profile::typical;
   std::vector<Step> scenario;
   SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
+  Pilot* pilot = nullptr;                          ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
 };
@@ -46,6 +48,8 @@ struct Beginning {
   Goal goal;
   std::vector<grid::Station> stations;
   std::vector<std::string> readings;  ///< names, in the order of Sample::readings
+  int width = 0, height = 0;          ///< of the map, in cells
+  double cell_m = 0.0;                ///< side of a cell
 };
 
 /// The state at a moment, for people to look at.
@@ -57,6 +61,7 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
+  std::string at_station;  ///< whose centre the body covers; told to a pilot only, "" = none
 };
 
 /// Listens to a run. Hearing more never changes what happens.

@@ -46,19 +46,39 @@ Json to_json(const run::Beginning& beginning) {
   return {{"start", Json::array({start.cell.x, start.cell.y, std::string(1, grid::letter(start.facing))})},
           {"goal", run::to_string(beginning.goal)},
           {"stations", std::move(stations)},
-          {"readings", beginning.readings}};
+          {"readings", beginning.readings},
+          {"width", beginning.width},
+          {"height", beginning.height},
+          {"cell", millimetres(beginning.cell_m)}};
 }
 
 Json to_json(const run::Sample& s) {
-  return {{"t_us", s.t / kMicrosecond},
-          {"x", millimetres(s.pose.position.x)},
-          {"y", millimetres(s.pose.position.y)},
-          {"yaw", s.pose.yaw()},
-          {"speed_mm_s", millimetres(s.speed)},
-          {"cross_track", millimetres(s.cross_track)},
-          {"left", s.left},
-          {"right", s.right},
-          {"readings", s.readings}};
+  Json json = {{"t_us", s.t / kMicrosecond},
+               {"x", millimetres(s.pose.position.x)},
+               {"y", millimetres(s.pose.position.y)},
+               {"yaw", s.pose.yaw()},
+               {"speed_mm_s", millimetres(s.speed)},
+               {"cross_track", millimetres(s.cross_track)},
+               {"left", s.left},
+               {"right", s.right},
+               {"readings", s.readings}};
+  if (!s.at_station.empty()) json["at"] = s.at_station;
+  return json;
+}
+
+Json to_json(const run::State& state, const run::Sample& sample) {
+  Json json = {{"t_ns", state.t}, {"sample", to_json(sample)}};
+  if (state.stop >= 0) json["stop"] = state.stop;
+  json["worst"] = {{"cross_track", millimetres(state.worst_cross_track)},
+                   {"t_ns", state.worst_t},
+                   {"x", millimetres(state.worst_at.x)},
+                   {"y", millimetres(state.worst_at.y)}};
+  json["powered"] = state.powered;
+  json["driven"] = state.driven;
+  json["serial_bytes"] = state.serial_bytes;
+  json["metrics"] = metrics(state.metrics);
+  if (state.resources) json["resources"] = resources(*state.resources);
+  return json;
 }
 
 Json to_json(const run::Outcome& outcome) {

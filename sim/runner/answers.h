@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const run::Beginning& beginning);
 Json to_json(const run::Sample& sample);
+Json to_json(const run::State& state, const run::Sample& sample);
 Json to_json(const run::Outcome& outcome);
 Json to_json(const robot::Summary& robot);
 

@@ -20,6 +20,7 @@ struct RunRequest {
   SimTime samples_every = 0;
   SimTime clock_start = 0;  ///< of millis(); 0 = as it is
   bool stream_pins = false, stream_serial = false, stream_notes = false, stream_io = false;
+  bool interactive = false;  ///< the client drives it step by step
 };
 
 /// Throws InputError for unknown keys and values of the wrong kind.

@@ -11,13 +11,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <iostream>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/runner/answers.h"
+#include "sim/runner/lines.h"
+#include "sim/runner/remote_pilot.h"
 #include "sim/runner/request.h"
 
 namespace robosim::runner {
@@ -50,28 +51,6 @@ void start_watchdog() {
   const timeval every{kWatchdogSeconds, 0};
   const itimerval timer{every, every};
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
-}
-
-void write_line(const Json& json) {
-  const std::string line = to_line(json) + "\n";
-  for (std::size_t done = 0; done < line.size();) {
-    const ssize_t n = ::write(STDOUT_FILENO, line.data() + done, line.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) ::_exit(0);  // the client has gone
-    done += static_cast<std::size_t>(n);
-  }
-}
-
-Json with_id(const nlohmann::json& id) {
-  Json answer;
-  answer["id"] = id;
-  return answer;
-}
-
-void answer_error(const nlohmann::json& id, const char* kind, const std::string& message) {
-  Json answer = with_id(id);
-  answer["error"] = {{"kind", kind}, {"message", message}};
-  write_line(answer);
 }
 
 // Turns what a run tells into protocol events.
@@ -167,6 +146,8 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   start_watchdog();
 
   Narrator narrator(id, request, *robot.board);
+  RemotePilot pilot(id, request.script_file, interrupted, [&](SimTime t) { narrator.flush_serial(t); });
+  if (request.interactive) setup.pilot = &pilot;
   const run::Outcome outcome = run::simulate(setup, narrator);
   narrator.flush_serial(outcome.time);
   answer["result"] = result_of(outcome, request, robot);
@@ -262,8 +243,8 @@ int serve(const Target& target) {
   hello["version"] = ROBOSIM_VERSION;
   hello["target"] = target.name;
   write_line(hello);
-  for (std::string line; std::getline(std::cin, line);)
-    if (!line.empty()) serve_line(target, line);
+  while (const auto line = read_line())
+    if (!line->empty()) serve_line(target, *line);
   return static_cast<int>(ExitStatus::ok);
 }
 

@@ -1,0 +1,69 @@
+#include "sim/client/driven_run.h"
+
+#include "sim/base/error.h"
+#include "sim/client/process.h"
+
+namespace robosim::client {
+
+DrivenRun::DrivenRun(Runner& runner, RunRequest request, OnEvent on_event)
+    : runner_(runner), on_event_(std::move(on_event)), script_(request.script) {
+  if (!script_.empty() && script_.back() != '\n') script_ += '\n';
+  request.interactive = true;
+  runner_.begin(request);
+  id_ = runner_.last_id_;
+  take(*runner_.answer(true, on_event_));
+}
+
+DrivenRun::~DrivenRun() {
+  try {
+    end();
+  } catch (const std::exception&) {
+    // The runner has died: so has the run.
+  }
+}
+
+Line DrivenRun::ask(const std::string& line) {
+  runner_.process_->write(line);
+  return *runner_.answer(true, on_event_);
+}
+
+// False once the run is over.
+bool DrivenRun::take(Line line) {
+  if (auto* paused = std::get_if<Paused>(&line.content)) {
+    state_ = std::move(*paused);
+    return true;
+  }
+  if (auto* result = std::get_if<RunResult>(&line.content)) {
+    result_ = std::move(*result);
+    return false;
+  }
+  if (const auto* refused = std::get_if<Refused>(&line.content)) throw InputError(refused->message);
+  throw RunnerError("the runner answered something that was not asked");
+}
+
+void DrivenRun::act(const std::string& lines) {
+  if (over()) throw InputError("the run is over: nothing more can be done");
+  Line line = ask(act_line(id_, lines));
+  if (const auto* accepted = std::get_if<Accepted>(&line.content)) {
+    script_ += accepted->lines;
+    return;
+  }
+  take(std::move(line));
+}
+
+bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<Stop>& stops) {
+  if (over() || to_ns <= state_.t_ns) return !over();
+  return take(ask(go_on_line(id_, to_ns, stops)));
+}
+
+const RunResult& DrivenRun::finish() {
+  while (!over()) take(ask(go_on_line(id_, -1, {})));
+  return *result_;
+}
+
+const RunResult& DrivenRun::end() {
+  while (!over()) take(ask(end_line(id_)));
+  return *result_;
+}
+
+}  // namespace robosim::client
