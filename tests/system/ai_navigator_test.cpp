@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/grid/true_graph.h"
+#include "tests/support/effort.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -185,7 +186,7 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
 
 // At a node, soon after it, at its bends, before the next one: where it turns, the line may be out of sight.
 TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
-  for (int moment = 0; moment < 12; ++moment) {
+  for (int moment = 0; moment < 12; moment += 12 / rounds(12)) {
     const Seen seen = watch("d",
                             kScan + "at 130s send \"4\\n\"\nat " + std::to_string(130100 + 530 * moment) +
                                 "ms press bumper 6s\n" + send_after("no way to 4", "1"),

@@ -1,6 +1,7 @@
 // What our own sketches promise: the figures of the README, for many seeds.
 
 #include "sim/base/file.h"
+#include "tests/support/effort.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -9,8 +10,8 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-constexpr std::uint64_t kFollowerSeeds = 100;
-constexpr std::uint64_t kTourSeeds = 20;
+constexpr std::uint64_t kFollowerSeeds = rounds(100);
+constexpr std::uint64_t kTourSeeds = rounds(20);
 
 client::RunResult follow(const std::string& map, std::uint64_t seed) {
   return run(

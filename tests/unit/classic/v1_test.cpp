@@ -9,6 +9,7 @@
 #include "sim/classic/survey.h"
 #include "sim/classic/walk.h"
 #include "sim/grid/generator.h"
+#include "tests/support/effort.h"
 #include "tests/support/v1.h"
 
 namespace robosim::classic {
@@ -78,7 +79,7 @@ TEST(AgainstV1, ScansAreTheSameMoveForMoveAndGraphsTheSameSlotForSlot) {
 }
 
 TEST(AgainstV1, TheLeftAndRightWalksAreTheSameMoveForMove) {
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < test::rounds(100); ++n) {
     const grid::Map map = tree(2 + n % 30, 5000 + static_cast<std::uint64_t>(n), n % 2 == 1);
     const grid::Start start = grid::default_start(map);
     for (const bool left : {true, false}) {

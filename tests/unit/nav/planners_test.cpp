@@ -14,6 +14,7 @@
 #include "firmware/src/nav/Search.h"
 #include "firmware/src/nav/TreeWay.h"
 #include "random_floor.h"
+#include "tests/support/effort.h"
 
 namespace nav_test {
 namespace {
@@ -145,7 +146,7 @@ Links linksOf(const Network& network) {
 }
 
 TEST(Planners, AgreeOnThousandsOfTrees) {
-  for (uint32_t seed = 0; seed < 3000; ++seed) {
+  for (uint32_t seed = 0; seed < robosim::test::rounds(3000u); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomTree(dice, 2 + dice.below(dice.oneIn(10) ? 199 : 40), dice.oneIn(2));
@@ -176,7 +177,7 @@ TEST(Planners, AgreeOnThousandsOfTrees) {
 }
 
 TEST(Planners, FindThatAnObstacleLeavesNoWayOnATree) {
-  for (uint32_t seed = 0; seed < 1000; ++seed) {
+  for (uint32_t seed = 0; seed < robosim::test::rounds(1000u); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomTree(dice, 4 + dice.below(60), dice.oneIn(2));
@@ -200,7 +201,7 @@ TEST(Planners, FindThatAnObstacleLeavesNoWayOnATree) {
 }
 
 TEST(Planners, AgreeOnThousandsOfNetsWithCycles) {
-  for (uint32_t seed = 0; seed < 2000; ++seed) {
+  for (uint32_t seed = 0; seed < robosim::test::rounds(2000u); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomNet(dice, 1 + dice.below(dice.oneIn(10) ? 64 : 20), dice.below(4) * 20);

@@ -8,6 +8,7 @@
 
 #include "maps.h"
 #include "sim/world/world.h"
+#include "tests/support/effort.h"
 
 namespace robosim::world {
 namespace {
@@ -394,7 +395,7 @@ TEST_F(BodyTest, StaysFiniteForAnyPositiveParameters) {
     constexpr double factors[] = {1e-12, 1e-6, 1e-3, 1.0, 1.0, 1.0, 1e3, 1e6, 1e12};
     value *= factors[(random >> 10) % 9];
   };
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < test::rounds(300); ++round) {
     BodyParams p = default_body_params();
     for (WheelParams& w : p.wheel) {
       absurd(w.no_load_rate), absurd(w.stall_torque), absurd(w.rotor_inertia_kgm2);

@@ -4,6 +4,7 @@
 
 #include "maps.h"
 #include "sim/world/world.h"
+#include "tests/support/effort.h"
 
 namespace robosim::world {
 namespace {
@@ -101,7 +102,7 @@ TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
   BodyParams p = shaped(fast(200.0), GetParam());
   p.grip = 1e6;
   for (WheelParams& w : p.wheel) w.stall_torque *= 1e4;
-  for (int degrees = 0; degrees < 360; degrees += 11) {
+  for (int degrees = 0; degrees < 360; degrees += 360 / test::rounds(36)) {
     World world(map);
     Body& body = world.body(world.add_body(p, {{1.5, 1.5}, direction(degrees)}));
     drive(body, 1.0, 1.0);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "maps.h"
+#include "tests/support/effort.h"
 
 namespace robosim::world {
 namespace {
@@ -82,7 +83,8 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
   Random random;
   for (const double corner : {0.02, 0.05, 0.1, 0.15, 0.25}) {
     expect_exact(bends(corner), random);
-    for (int round = 0; round < 4; ++round) expect_exact(random_map(random, false, corner), random);
+    for (int round = 0; round < test::rounds(4); ++round)
+      expect_exact(random_map(random, false, corner), random);
   }
 }
 
