@@ -3,6 +3,7 @@
 #include <Arduino.h>
 
 #include "hal/host/adc.h"
+#include "hal/host/addresses.h"
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/timers.h"
@@ -12,6 +13,9 @@ extern "C" {
 using Constructor = void (*)();
 extern const Constructor __start_robosim_init_array[] __attribute__((weak, visibility("hidden")));
 extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibility("hidden")));
+// The bounds of the image in memory.
+extern const char __ehdr_start[] __attribute__((visibility("hidden")));
+extern const char _end[] __attribute__((visibility("hidden")));
 }
 
 /// The core's main() unless the sketch has its own.
@@ -57,7 +61,8 @@ void init() {
 
 __attribute__((weak)) void initVariant() {}
 
-const host::Image robosim_image = {host::kImageVersion, &host::state, host::run};
+const host::Image robosim_image = {host::kImageVersion, &host::state, host::run,
+                                   host::kShadow,       __ehdr_start, _end};
 
 }  // extern "C"
 

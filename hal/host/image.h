@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Raised with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 3;
+constexpr uint32_t kImageVersion = 4;
 
 /// Something reaches the chip from outside while firmware does not look.
 struct Input {
@@ -29,6 +29,29 @@ struct Input {
   Pin pin = kNoPin;   ///< of an edge
   uint8_t value = 0;  ///< level after the edge, or the byte received
   SimTime at = 0;
+};
+
+/// What gcc's AddressSanitizer says of a global variable.
+struct GlobalRecord {
+  uintptr_t begin;
+  uintptr_t bytes;
+  uintptr_t bytes_with_gap;
+  const char* name;
+  const char* source;
+  uintptr_t constructed;
+  const void* place;
+  uintptr_t indicator;
+};
+
+/// An access that an address check has stopped.
+struct BadAccess {
+  uintptr_t address = 0;
+  size_t bytes = 0;
+  bool write = false;
+  uintptr_t first = 0;  ///< the first address in there that must not be accessed
+  uint8_t mark = 0;     ///< what its shadow holds; 0: it belongs to nothing of the sketch
+  uintptr_t block = 0;  ///< the block of the heap that the address is in or behind; 0 = none
+  size_t block_bytes = 0;
 };
 
 /// What firmware asks of its executor. All calls come from the fiber.
@@ -49,6 +72,10 @@ class Host {
   /// without "__ubsan_handle_"; `data` and the values are what gcc hands to that.
   virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,
                          const void* where) = 0;
+  /// Of an image with address checks: `count` records of gcc's AddressSanitizer on global variables.
+  virtual void globals(const GlobalRecord* records, size_t count) = 0;
+  /// Of such an image: an access to memory that is not the sketch's to access; does not return.
+  virtual void bad_access(const BadAccess& access, const void* where) = 0;
 
  protected:
   ~Host() = default;
@@ -68,6 +95,8 @@ struct FirmwareState {
   SimTime next_input = kNever;  ///< when the next input arrives
   uint8_t* heap = nullptr;      ///< the arena of malloc
   size_t heap_bytes = 0;
+  uint8_t* stack = nullptr;  ///< the fiber's
+  size_t stack_bytes = 0;
   // The firmware's:
   SimTime now = 0;                   ///< its clock
   SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself
@@ -85,6 +114,11 @@ struct Image {
   FirmwareState* state;
   /// Constructors, init(), setup(), then loop() for ever. Starts at `now`. Never returns.
   void (*run)(Board& board, Host& host, SimTime now);
+  /// Address checks: the byte at `address` / 8 + shadow says of 8 bytes how many may be accessed. 0 = the
+  /// image has none; else its executor maps the shadow of [begin, end), heap and stack.
+  uintptr_t shadow;
+  const void* begin;
+  const void* end;
 };
 
 }  // namespace host

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hal/host/addresses.h"
 #include "hal/host/clock.h"
 
 namespace host = robosim::host;
@@ -12,8 +13,12 @@ namespace {
 /// Stands before every block; blocks follow each other without gaps.
 struct Block {
   uint32_t bytes;  ///< of the payload
-  uint32_t used;
+  uint32_t use;
+  uint32_t asked;  ///< what malloc was asked for
 };
+
+/// With address checks a freed block rests until there is no other room, so that who still uses it is met.
+enum Use : uint32_t { kFree, kUsed, kResting };
 
 constexpr size_t kAlign = 16;
 static_assert(sizeof(Block) <= kAlign, "the header must leave payloads aligned");
@@ -26,14 +31,17 @@ uint8_t* next(uint8_t* block) { return payload(block) + header(block)->bytes; }
 
 bool ready;
 
+__attribute__((noreturn)) void fail(const char* reason) {
+  host::executor->crash(reason, nullptr, 0, host::state.place);
+  __builtin_unreachable();
+}
+
 /// A header that no longer makes sense has been overwritten: the sketch wrote past the end of a block.
 void check(uint8_t* block) {
   const Block* head = header(block);
   const auto room = static_cast<size_t>(arena_end() - payload(block));
-  if (head->used <= 1 && head->bytes <= room && head->bytes % kAlign == 0) return;
-  host::executor->crash("the heap is damaged (something was written past the end of a block)", nullptr, 0,
-                        host::state.place);
-  __builtin_unreachable();
+  if (head->use <= kResting && head->bytes <= room && head->bytes % kAlign == 0) return;
+  fail("the heap is damaged (something was written past the end of a block)");
 }
 
 void join_free(uint8_t* block) {
@@ -41,12 +49,72 @@ void join_free(uint8_t* block) {
     uint8_t* const after = next(block);
     if (after >= arena_end()) return;
     check(after);
-    if (header(after)->used) return;
+    if (header(after)->use != kFree) return;
     header(block)->bytes += static_cast<uint32_t>(kAlign) + header(after)->bytes;
   }
 }
 
+uint8_t* block_of(void* memory) {
+  auto* const address = static_cast<uint8_t*>(memory);
+  if (address < arena() + kAlign || address >= arena_end())
+    fail("free() or realloc() of something that malloc() did not give");
+  return address - kAlign;
+}
+
+/// Makes `size` bytes of the block the sketch's.
+void give(uint8_t* block, size_t size) {
+  header(block)->use = kUsed;
+  header(block)->asked = static_cast<uint32_t>(size);
+  host::forbid(payload(block), header(block)->bytes, host::kHeapGap);
+  host::allow(payload(block), size);
+}
+
+void* take(size_t size) {
+  const auto bytes = static_cast<uint32_t>((size + kAlign - 1) / kAlign * kAlign);
+  for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {
+    check(block);
+    if (header(block)->use != kFree) continue;
+    join_free(block);
+    const uint32_t found = header(block)->bytes;
+    if (found < bytes) continue;
+    if (found >= bytes + 2 * kAlign) {
+      header(block)->bytes = bytes;
+      *header(next(block)) = {static_cast<uint32_t>(found - bytes - kAlign), kFree, 0};
+    }
+    give(block, size);
+    host::fill_unset(payload(block), size);
+    return payload(block);
+  }
+  return nullptr;
+}
+
+/// Makes all resting blocks free; false if there are none.
+bool wake_resting() {
+  bool any = false;
+  for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {
+    if (header(block)->use != kResting) continue;
+    *header(block) = {header(block)->bytes, kFree, 0};
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
+
+namespace robosim {
+namespace host {
+
+HeapBlock block_around(uintptr_t address) {
+  HeapBlock found = {0, 0};
+  if (!ready) return found;
+  const auto* const at = reinterpret_cast<const uint8_t*>(address);
+  for (uint8_t* block = arena(); block < arena_end() && block <= at; block = next(block))
+    if (header(block)->asked > 0) found = {reinterpret_cast<uintptr_t>(payload(block)), header(block)->asked};
+  return found;
+}
+
+}  // namespace host
+}  // namespace robosim
 
 extern "C" {
 
@@ -54,40 +122,24 @@ void* malloc(size_t size) {
   host::spend(host::cost::kAllocate);
   if (!ready) {
     ready = true;
-    *header(arena()) = {static_cast<uint32_t>(host::state.heap_bytes - kAlign), 0};
+    *header(arena()) = {static_cast<uint32_t>(host::state.heap_bytes - kAlign), kFree, 0};
+    host::forbid(arena(), host::state.heap_bytes, host::kHeapGap);
   }
   if (size == 0) size = 1;
   if (size > host::state.heap_bytes) return nullptr;
-  const auto bytes = static_cast<uint32_t>((size + kAlign - 1) / kAlign * kAlign);
-  for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {
-    check(block);
-    if (header(block)->used) continue;
-    join_free(block);
-    const uint32_t found = header(block)->bytes;
-    if (found < bytes) continue;
-    if (found >= bytes + 2 * kAlign) {
-      header(block)->bytes = bytes;
-      *header(next(block)) = {static_cast<uint32_t>(found - bytes - kAlign), 0};
-    }
-    header(block)->used = 1;
-    return payload(block);
-  }
-  return nullptr;
+  void* const memory = take(size);
+  return memory || !wake_resting() ? memory : take(size);
 }
 
 void free(void* memory) {
   host::spend(host::cost::kAllocate);
   if (!memory) return;
-  auto* const address = static_cast<uint8_t*>(memory);
-  if (address < arena() + kAlign || address >= arena_end()) {
-    host::executor->crash("free() of something that malloc() did not give", nullptr, 0,
-                          __builtin_return_address(0));
-    __builtin_unreachable();
-  }
-  uint8_t* const block = address - kAlign;
+  uint8_t* const block = block_of(memory);
   check(block);
-  header(block)->used = 0;
-  join_free(block);
+  if (header(block)->use == kResting) fail("free() or delete of something that was given back already");
+  header(block)->use = host::kShadow ? kResting : kFree;
+  host::forbid(payload(block), header(block)->bytes, host::kHeapFreed);
+  if (header(block)->use == kFree) join_free(block);
 }
 
 void* calloc(size_t count, size_t size) {
@@ -99,13 +151,16 @@ void* calloc(size_t count, size_t size) {
 
 void* realloc(void* memory, size_t size) {
   if (!memory) return malloc(size);
-  uint8_t* const block = static_cast<uint8_t*>(memory) - kAlign;
+  uint8_t* const block = block_of(memory);
   check(block);
   const size_t had = header(block)->bytes;
-  if (size <= had && size > 0) return memory;
+  if (size <= had && size > 0) {
+    give(block, size);
+    return memory;
+  }
   void* const moved = malloc(size);
   if (!moved) return nullptr;
-  memcpy(moved, memory, had < size ? had : size);
+  memcpy(moved, memory, header(block)->asked < size ? header(block)->asked : size);
   free(memory);
   return moved;
 }

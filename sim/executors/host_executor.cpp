@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/executors/bad_access.h"
 #include "sim/executors/fiber.h"
 #include "sim/executors/image_file.h"
+#include "sim/executors/shadow.h"
 #include "sim/executors/undefined.h"
 
 namespace robosim::executors {
@@ -82,9 +84,12 @@ class HostExecutor::Instance final : public host::Host {
         state_(*image_.entry().state),
         heap_(kHeapBytes),
         stack_(kStackBytes),
-        fiber_(stack_, &Instance::start, this) {
+        fiber_(stack_, &Instance::start, this),
+        shadow_(image_.entry().shadow, checked_memory()) {
     state_.heap = reinterpret_cast<std::uint8_t*>(heap_.begin());
     state_.heap_bytes = heap_.size();
+    state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
+    state_.stack_bytes = stack_.size();
     state_.now = state_.wake = state_.last_call = t;
     catch_faults();
   }
@@ -147,10 +152,24 @@ class HostExecutor::Instance final : public host::Host {
     report(explain_undefined(check, data, value, other), where);
   }
 
+  void globals(const host::GlobalRecord* records, std::size_t count) override {
+    globals_.insert(globals_.end(), records, records + count);
+  }
+
+  void bad_access(const host::BadAccess& access, const void* where) override {
+    report({explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow), "", 0}, where);
+  }
+
  private:
   static void start(void* argument) {
     auto& self = *static_cast<Instance*>(argument);
     self.image_.entry().run(self.owner_.board_, self, self.state_.now);
+  }
+
+  std::vector<MemoryRange> checked_memory() const {
+    const auto* const begin = static_cast<const std::byte*>(image_.entry().begin);
+    const auto* const end = static_cast<const std::byte*>(image_.entry().end);
+    return {{begin, end}, {heap_.begin(), heap_.end()}, {stack_.begin(), stack_.end()}};
   }
 
   /// A fault that the firmware has noticed itself, on the fiber.
@@ -235,6 +254,8 @@ class HostExecutor::Instance final : public host::Host {
   GuardedMemory heap_;
   GuardedMemory stack_;
   Fiber fiber_;
+  ShadowMemory shadow_;
+  std::vector<host::GlobalRecord> globals_;
   const void* suspended_at_ = nullptr;
   Fault fault_;
   sigjmp_buf escape_;

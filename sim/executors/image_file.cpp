@@ -163,8 +163,9 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(pc)) offsets.push_back(reinterpret_cast<std::uintptr_t>(pc) - base_);
   }
   if (offsets.empty()) return {};
+  // An instruction that belongs to no line has no folder either, so that nobody can tell whose it is.
   for (const SourceLine& frame : frames_of(offsets))
-    if (!is_own_file(frame.file)) return frame;
+    if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};
 }
 

@@ -8,7 +8,8 @@
 namespace robosim::executors {
 namespace {
 
-// --- gcc's data, one struct for each kind of handler
+// gcc's data, one struct for each kind of handler.
+
 struct Location {
   const char* file;
   std::uint32_t line;
@@ -55,7 +56,6 @@ constexpr const char* kUses[] = {"read of",
                                  "conversion of",
                                  "conversion of"};
 
-// --- words
 std::string name(const Type& type) {
   std::string text = type.name;
   if (text.size() >= 2 && text.front() == '\'') text = text.substr(1, text.size() - 2);
@@ -130,7 +130,6 @@ std::string if_never_set(const Type& type, std::uintptr_t handle) {
   return width < 16 ? "" : " (a local variable that was never set?)";
 }
 
-// --- checks
 std::string explain_overflow(const OneType& data, const char* sign, std::uintptr_t left,
                              std::uintptr_t right) {
   return fmt::format("{} {} {} {}", text(integer(*data.type, left)), sign, text(integer(*data.type, right)),

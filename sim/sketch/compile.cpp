@@ -66,6 +66,18 @@ Core::Names places_of(const Unit& unit) {
   return places;
 }
 
+void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
+  const Sanitizer& sanitizer = toolchain.target.sanitizer;
+  if (unit.kind != Unit::Kind::core) {
+    add(words, sanitizer.undefined);
+    add(words, sanitizer.addresses);
+  } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
+    add(words, sanitizer.definitions);
+  } else {
+    add(words, sanitizer.addresses);
+  }
+}
+
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
   const Target& target = toolchain.target;
   const bool core = unit.kind == Unit::Kind::core;
@@ -77,7 +89,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   if (written_in == Language::cxx) add(words, target.cxx_code);
   if (written_in == Language::c) add(words, target.c_code);
   add(words, core ? target.core : target.own);
-  if (toolchain.sanitize && !core) add(words, target.sanitizer);
+  if (toolchain.sanitize) add_checks(words, toolchain, unit);
   add(words, warning_flags(toolchain, unit));
   add(words, toolchain.core.machine);
   add(words, definitions(toolchain));
@@ -161,6 +173,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   for (const auto& [name, text] : toolchain.target.link_files) write_file(work / name, text);
   std::vector<std::string> words = {toolchain.compiler.cc.string()};
   add(words, toolchain.target.link);
+  if (toolchain.sanitize) add(words, toolchain.target.sanitizer.link);
   add(words, toolchain.core.machine);
   if (toolchain.target.chip)
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
@@ -190,7 +203,10 @@ std::string recipe(const Toolchain& toolchain) {
     text += fmt::format("{}\n", fmt::join(words, " "));
   for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
     if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
-  if (toolchain.sanitize) text += fmt::format("{}\n", fmt::join(target.sanitizer, " "));
+  if (toolchain.sanitize)
+    for (const auto* words : {&target.sanitizer.undefined, &target.sanitizer.addresses,
+                              &target.sanitizer.definitions, &target.sanitizer.link})
+      text += fmt::format("{}\n", fmt::join(*words, " "));
   text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;

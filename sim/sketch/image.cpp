@@ -23,7 +23,7 @@ std::string missing_tool(const std::string& target_name) {
 }
 
 void check_can_sanitize(const std::string& target) {
-  if (find_target(target).sanitizer.empty())
+  if (find_target(target).sanitizer.addresses.empty())
     throw InputError("--sanitize is for --target host; a chip has no room for its checks");
 }
 

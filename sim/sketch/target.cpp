@@ -25,6 +25,12 @@ constexpr const char* kSections = R"(SECTIONS
 INSERT BEFORE .data;
 )";
 
+/// The linker hands callers of these to `__wrap_NAME` (hal/host/addresses.cpp).
+std::vector<std::string> wrapped(std::vector<std::string> functions) {
+  for (std::string& function : functions) function.insert(0, "-Wl,--wrap=");
+  return functions;
+}
+
 // A shared object for a runner. Fixed: the same code on the same compiler must give the same trace.
 const Target kHost = {
     .name = "host",
@@ -54,12 +60,19 @@ const Target kHost = {
     // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
     // its table says.
     .own_level = "-O1",
-    // gcc defines what << does with negative numbers and with bits that fall out at the top: only the
-    // distance is checked. What is never set shows: gcc fills it with bytes FE.
-    .sanitizer = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern",
-                  "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
-                  "nonnull-attribute,null,pointer-overflow,return,shift-exponent,signed-integer-overflow,"
-                  "unreachable,vla-bound"},
+    .sanitizer =
+        {// gcc defines what << does with negative numbers and with bits that fall out at the top: only the
+         // distance is checked. What is never set shows: gcc fills it with bytes FE.
+         .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern",
+                       "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
+                       "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
+                       "signed-integer-overflow,unreachable,vla-bound"},
+         // Each check is a call, which hal/host answers.
+         .addresses = {"-fsanitize=address", "--param=asan-instrumentation-with-call-threshold=0",
+                       "--param=asan-use-after-return=0"},
+         .definitions = {"-DROBOSIM_SANITIZE"},
+         .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
+                          "strncat", "strcmp", "strncmp", "strchr", "strstr"})},
     .core = {},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},

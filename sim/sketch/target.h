@@ -28,6 +28,14 @@ struct Chip {
   const char* variant;
 };
 
+/// What is added with --sanitize; empty = the target has none.
+struct Sanitizer {
+  std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
+  std::vector<std::string> addresses;    ///< the same, and for the core, but for what serves the checks
+  std::vector<std::string> definitions;  ///< for what serves the checks
+  std::vector<std::string> link;
+};
+
 struct Target {
   const char* name;
   const char* image_ending;
@@ -47,7 +55,7 @@ struct Target {
   std::vector<std::string> c_code;
   std::vector<std::string> own;
   const char* own_level;
-  std::vector<std::string> sanitizer;  ///< after `own` with --sanitize; empty = the target has none
+  Sanitizer sanitizer;
   std::vector<std::string> core;
   const char* core_level;
   std::vector<std::string> definitions;

@@ -70,6 +70,7 @@ Core hal_core(const char* hal, const GenuineCore& genuine, const fs::path& cache
   core.root = stage(genuine, cache);
   core.place = "robosim";
   core.sources = {core.root / "hal" / hal, core.root / "hal/arduino", core.root / "core"};
+  core.serving = core.root / "hal" / hal;
   core.includes = {core.root / "hal/arduino", core.root / "core", core.root};
   core.system_includes = {core.root / "hal/arduino/libc"};
   core.places = {{core.root, "robosim"}, {core.root / "hal", "robosim"}};

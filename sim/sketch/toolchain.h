@@ -45,6 +45,7 @@ struct Core {
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< what `root` is called in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order in which they are linked
+  std::filesystem::path serving;                ///< the one of them that checks call, and do not check
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it

@@ -104,9 +104,108 @@ TEST_F(SanitizeTest, AFunctionWithoutItsReturn) {
                "the function should give a value, and ends without return", "turn", 1);
 }
 
+TEST_F(SanitizeTest, AnAccessBesideAGlobalVariable) {
+  expect_found("char text[10]; char* volatile p = text; volatile int i = 10;", "p[i] = 1;",
+               "write of 1 byte, right behind the variable text (10 bytes)");
+  expect_found("int speeds[5]; int* volatile p = speeds; volatile int i = 6, n;", "n = p[i];",
+               "read of 4 bytes, 4 bytes behind the variable speeds (20 bytes)");
+  expect_found("int speeds[5]; int* volatile p = speeds; volatile int i = -1, n;", "n = p[i];",
+               "read of 4 bytes, 4 bytes before the variable speeds (20 bytes)");
+}
+
+TEST_F(SanitizeTest, AnAccessBesideALocalVariable) {
+  expect_found("volatile int i = 7, n; char* volatile p;",
+               "char text[7], other[9]; other[0] = 1; p = text; p[i] = 2; n = other[0];",
+               "write of 1 byte, right behind the local variable text (7 bytes)");
+  expect_found("volatile int i = -2, n; int* volatile p;", "int all[3]; p = all; n = p[i];",
+               "read of 4 bytes, 8 bytes before the local variable all (12 bytes)");
+}
+
+TEST_F(SanitizeTest, AnAccessToALocalVariableOfABlockThatHasEnded) {
+  expect_found("volatile int n = 1; char* volatile p;", "{ char inner[4]; p = inner; p[0] = 1; } n = p[0];",
+               "read of 1 byte in the local variable inner, which is no longer there: its block has ended");
+}
+
+TEST_F(SanitizeTest, AnAccessBesideALocalArrayOfVariableLength) {
+  expect_found("volatile int n = 5; char* volatile p;", "char all[n]; p = all; p[n] = 1;",
+               "write of 1 byte outside of a local array");
+}
+
+TEST_F(SanitizeTest, AnAccessBesideABlockOfTheHeap) {
+  expect_found("volatile int n = 20; char* volatile p;", "p = (char*)malloc(n); p[n] = 1;",
+               "write of 1 byte, right behind a block from malloc() or new (20 bytes)");
+  expect_found("volatile int n = 3; int* volatile p;", "p = new int[n]; p[-1] = 1;",
+               "write of 4 bytes, 4 bytes before a block from malloc() or new (12 bytes)");
+}
+
+TEST_F(SanitizeTest, AnAccessToABlockThatWasGivenBack) {
+  expect_found("struct Motor { int speed; }; Motor* volatile p; volatile int n;",
+               "p = new Motor; p->speed = 1; delete p; n = p->speed;",
+               "read of 4 bytes in a block of 4 bytes that was given back by free() or delete");
+  expect_found("char* volatile p; volatile int n;",
+               "p = (char*)malloc(9); free(p); char* q = (char*)malloc(9); q[0] = 1; n = p[0];",
+               "read of 1 byte in a block of 9 bytes that was given back by free() or delete");
+  expect_found("char* volatile p;", "p = (char*)malloc(9); free(p); free(p);",
+               "free() or delete of something that was given back already");
+}
+
+TEST_F(SanitizeTest, AFunctionOfTheCLibraryThatIsGivenTooLittleRoom) {
+  expect_found("char text[4]; const char* volatile from = \"hello\";", "strcpy(text, from);",
+               "write of 6 bytes, across the end of the variable text (4 bytes)");
+  expect_found("char text[4]; volatile int n = 5;", "memset(text, 0, n);",
+               "write of 5 bytes, across the end of the variable text (4 bytes)");
+  expect_found("char text[4]; volatile int n = 123456;", "sprintf(text, \"%d\", n);",
+               "write of 1 byte, right behind the variable text (4 bytes)");
+  expect_found("char text[4]; volatile int n = 123456;", "itoa(n, text, 10);",
+               "write of 1 byte, right behind the variable text (4 bytes)");
+  expect_found("char text[3];", "memset(text, 'x', 3); Serial.print(text);",
+               "read of 4 bytes, across the end of the variable text (3 bytes)");
+}
+
+TEST_F(SanitizeTest, AWildPointer) {
+  expect_found("volatile int n; char there; volatile long far = 1L << 30;",
+               "char* volatile p = &there; p[far] = 1;",
+               "write of 1 byte at a place where the sketch has no variable (a wild pointer or index?)");
+}
+
+TEST_F(SanitizeTest, APowerCycleBeginsAfresh) {
+  start(
+      "char text[10]; char* volatile p = text; volatile int i = 10; void setup() { char local[9]; p[0] = "
+      "local[0]; p[i] = 1; } void loop() {}");
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    run(kMillisecond);
+    ASSERT_TRUE(host_->crash());
+    EXPECT_THAT(host_->crash()->reason, testing::HasSubstr("right behind the variable text"));
+    host_->power_on(now_);
+  }
+}
+
+TEST_F(SanitizeTest, TwoFirmwaresSideBySideHaveEachTheirOwn) {
+  const auto good = build(
+      "char text[10]; void setup() { Serial.begin(9600); } void loop() { for (char& c : text) c++; "
+      "Serial.print(text[9] > 0); }");
+  HostExecutor first(*find_board("uno"), good);
+  first.power_on(0);
+  {
+    HostExecutor second(*find_board("uno"), good);
+    second.power_on(0);
+    second.run_until(kMillisecond);
+    EXPECT_FALSE(second.crash());
+  }
+  first.run_until(kMillisecond);
+  EXPECT_FALSE(first.crash());
+}
+
 TEST_F(SanitizeTest, WhatIsAllowedIsNotFound) {
   expect_nothing("volatile unsigned u = 4294967295; volatile int m = -1; volatile byte b = 255;",
                  "u++; u -= 1; m = m << 3; m = 1 << 31; b++; volatile char c = 200; u = c;");
+  expect_nothing(
+      "String all; char text[20]; volatile int n = 7;",
+      "for (int i = 0; i < 500; i++) { all += i; if (all.length() > 50) all = String(i) + \"x\"; } "
+      "char* p = (char*)malloc(5); strcpy(p, \"1234\"); p = (char*)realloc(p, 30); strcat(p, \"567\"); "
+      "free(p); "
+      "for (int i = 0; i < 50000; i++) delete[] new char[n]; char v[n]; memset(v, 1, n); "
+      "sprintf(text, \"%d %s\", n, \"abc\"); Serial.begin(9600); Serial.println(text); Serial.println(all);");
 }
 
 }  // namespace
