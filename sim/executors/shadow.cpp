@@ -3,26 +3,39 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <map>
 #include <stdexcept>
 
 #include "sim/executors/under_asan.h"
 
 namespace robosim::executors {
-namespace {
-
-constexpr std::uintptr_t kGrain = 8;
-// A function writes about its frame before it touches it: also where the stack is about to overflow.
-constexpr std::uintptr_t kMargin = 64 * 1024;
 
 #ifdef ROBOSIM_ASAN
+
+namespace {
 
 void allow(const std::vector<MemoryRange>& memory) {
   for (const MemoryRange& range : memory)
     ASAN_UNPOISON_MEMORY_REGION(range.begin, static_cast<std::size_t>(range.end - range.begin));
 }
 
+}  // namespace
+
+ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory) {
+  if (offset != 0) memory_ = std::move(memory);
+  allow(memory_);
+}
+
+ShadowMemory::~ShadowMemory() { allow(memory_); }
+
 #else
+
+namespace {
+
+constexpr std::uintptr_t kGrain = 8;
+// A function writes about its frame before it touches it: also where the stack is about to overflow.
+constexpr std::uintptr_t kMargin = 64 * 1024;
 
 /// How many hold each page: neighbours in memory share the shadow's pages.
 std::map<std::uintptr_t, int>& holders() {
@@ -49,20 +62,7 @@ void release(std::uintptr_t page) {
   ::munmap(reinterpret_cast<void*>(page), page_bytes());
 }
 
-#endif
-
 }  // namespace
-
-#ifdef ROBOSIM_ASAN
-
-ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory) {
-  if (offset != 0) memory_ = std::move(memory);
-  allow(memory_);
-}
-
-ShadowMemory::~ShadowMemory() { allow(memory_); }
-
-#else
 
 ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory) {
   if (offset == 0) return;
@@ -74,6 +74,10 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
+    // A page that a neighbour holds too may have marks from whoever was here before.
+    const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kGrain + offset;
+    std::memset(reinterpret_cast<void*>(first), 0,
+                static_cast<std::size_t>(range.end - range.begin) / kGrain);
   }
 }
 
