@@ -12,6 +12,10 @@
 
 #include "sim/base/error.h"
 
+// Defined in tests that toolchain/cmake/robosim_functions.cmake makes: the prefix of an installed Robosim; ""
+// = none.
+extern "C" const char* robosim_installation() __attribute__((weak));
+
 namespace robosim {
 namespace fs = std::filesystem;
 
@@ -27,6 +31,11 @@ struct Descriptor {
     if (fd >= 0) ::close(fd);
   }
 };
+
+/// Of the installed Robosim whose libraries a program links that is not itself installed with it; else empty.
+fs::path linked_installation() {
+  return robosim_installation ? fs::path(robosim_installation()) : fs::path();
+}
 
 fs::path executable_folder() {
   std::error_code error;
@@ -107,6 +116,7 @@ std::string sha256_of_file(const fs::path& path) {
 }
 
 fs::path data_folder() {
+  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "share/robosim";
   std::error_code error;
   const fs::path installed = executable_folder() / "../share/robosim";
   if (fs::is_directory(installed, error)) return fs::canonical(installed);
@@ -116,6 +126,7 @@ fs::path data_folder() {
 }
 
 fs::path helper_folder() {
+  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "libexec/robosim";
   std::error_code error;
   const fs::path installed = executable_folder() / "../libexec/robosim";
   if (fs::is_directory(installed, error)) return fs::canonical(installed);

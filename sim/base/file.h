@@ -21,7 +21,8 @@ std::string sha256(std::string_view bytes);
 std::string sha256_of_file(const std::filesystem::path& path);
 
 /// Where Robosim's own data (hal, firmware, maps, robots) is: beside an installed executable as
-/// `../share/robosim`, else the source tree it was built from.
+/// `../share/robosim`, else the source tree it was built from. A test that links an installed Robosim is told
+/// where that is (toolchain/cmake/test_setup.cpp).
 std::filesystem::path data_folder();
 
 /// The folder of Robosim's helper executables (runners): beside an installed executable as

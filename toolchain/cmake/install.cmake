@@ -12,6 +12,37 @@ install(DIRECTORY hal firmware maps DESTINATION share/robosim COMPONENT host PAT
 install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT host)
 install(FILES README.md LICENSE DESTINATION share/doc/robosim COMPONENT host)
 
+# For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
+set(libraries client sketch view grid trace board base)
+set(script "create librobosim.a\n")
+foreach(library ${libraries})
+  if(TARGET robosim_${library})
+    list(APPEND merged robosim_${library})
+    string(APPEND script "addlib $<TARGET_FILE:robosim_${library}>\n")
+  endif()
+endforeach()
+if(ROBOSIM_PORTABLE)
+  string(APPEND script "addlib ${ROBOSIM_LIBMD}\naddlib ${ROBOSIM_XXHASH}\n")
+else()
+  set(ROBOSIM_NOT_MERGED "${ROBOSIM_LIBMD} ${ROBOSIM_XXHASH}")
+endif()
+file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/librobosim.mri CONTENT "${script}save\nend\n")
+add_custom_command(OUTPUT librobosim.a COMMAND ${CMAKE_COMMAND} -E rm -f librobosim.a
+  COMMAND sh -c "\"$1\" -M < librobosim.mri" sh ${CMAKE_AR} DEPENDS ${merged} VERBATIM)
+add_custom_target(librobosim ALL DEPENDS librobosim.a)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim COMPONENT host)
+install(DIRECTORY tests/harness DESTINATION share/robosim/source/tests COMPONENT host
+  FILES_MATCHING PATTERN *.h PATTERN *.cpp)
+foreach(folder sim/base sim/client sim/grid sim/sketch sim/trace sim/view hal/board)
+  install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
+endforeach()
+include(CMakePackageConfigHelpers)
+configure_package_config_file(toolchain/cmake/robosim-config.cmake.in robosim-config.cmake
+  INSTALL_DESTINATION lib/cmake/robosim)
+write_basic_package_version_file(robosim-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/robosim-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/robosim-config-version.cmake
+  toolchain/cmake/robosim_functions.cmake toolchain/cmake/test_setup.cpp DESTINATION lib/cmake/robosim COMPONENT host)
+
 set(CPACK_COMPONENTS_ALL host)
 foreach(target avr stm32)
   if(TARGET robosim-${target})

@@ -1,0 +1,55 @@
+# For your own project, after find_package(robosim) or FetchContent of Robosim's sources:
+#
+#   robosim_add_sketch(NAME SKETCH folder [TARGETS host avr stm32] [ROBOT robot])
+#     A target that compiles the sketch as `robosim build` does, for the board of the robot, at each build that finds it
+#     changed: what does not compile, fit the chip or keep the robot's budget fails the build. Images and .hex files go to
+#     the current binary folder, in NAME-TARGET/. TARGETS: host alone if not given.
+#
+#   robosim_add_test(NAME SOURCES file... [SKETCH folder | IMAGE file.elf] [TARGETS host avr stm32])
+#     A GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>) and known to ctest, test by
+#     test. It sees the sketch or image as ROBOSIM_SKETCH, and AllTargets() are these TARGETS; of all that there are if
+#     none are given.
+include_guard(GLOBAL)
+include(GoogleTest)
+
+function(robosim_add_sketch name)
+  cmake_parse_arguments(arg "" "SKETCH;ROBOT" "TARGETS" ${ARGN})
+  if(NOT arg_SKETCH OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "robosim_add_sketch(${name} SKETCH folder [TARGETS …] [ROBOT robot]), and not: ${ARGN}")
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_SKETCH NORMALIZE)
+  if(NOT arg_TARGETS)
+    set(arg_TARGETS host)
+  endif()
+  set(robot)
+  if(arg_ROBOT)
+    set(robot --robot ${arg_ROBOT})
+  endif()
+  set(commands)
+  foreach(target ${arg_TARGETS})
+    list(APPEND commands COMMAND robosim::robosim build ${arg_SKETCH}/ --target ${target} ${robot}
+      --out ${CMAKE_CURRENT_BINARY_DIR}/${name}-${target})
+  endforeach()
+  # robosim build keeps what it made, and takes a few milliseconds where nothing has changed.
+  add_custom_target(${name} ALL ${commands} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} VERBATIM)
+endfunction()
+
+function(robosim_add_test name)
+  cmake_parse_arguments(arg "" "SKETCH;IMAGE" "SOURCES;TARGETS" ${ARGN})
+  if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS OR (arg_SKETCH AND arg_IMAGE))
+    message(FATAL_ERROR
+      "robosim_add_test(${name} SOURCES file… [SKETCH folder | IMAGE file.elf] [TARGETS …]), and not: ${ARGN}")
+  endif()
+  add_executable(${name} ${arg_SOURCES} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/test_setup.cpp)
+  target_link_libraries(${name} PRIVATE robosim::testing GTest::gmock GTest::gtest_main)
+  get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)  # empty: what was built is in its build folder
+  string(REPLACE ";" "," targets "${arg_TARGETS}")
+  target_compile_definitions(${name} PRIVATE
+    ROBOSIM_TEST_INSTALLATION="${installation}" ROBOSIM_TEST_TARGETS="${targets}")
+  set(firmware ${arg_SKETCH}${arg_IMAGE})
+  if(firmware)
+    cmake_path(ABSOLUTE_PATH firmware NORMALIZE)
+    target_compile_definitions(${name} PRIVATE ROBOSIM_SKETCH="${firmware}")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+endfunction()
