@@ -17,6 +17,7 @@
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/runner/answers.h"
+#include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
 #include "sim/runner/remote_pilot.h"
 #include "sim/runner/request.h"
@@ -119,7 +120,7 @@ Json result_of(const run::Outcome& outcome, const RunRequest& request, const rob
   result["profile"] = request.profile == robot::Profile::ideal ? "ideal" : "typical";
   result["map_sha256"] = sha256_of_file(request.map);
   result["robot_sha256"] = robot.sha256;
-  result["image_sha256"] = sha256_of_file(request.image);
+  result["image_sha256"] = known_sha256(request.image);
   return result;
 }
 
@@ -195,6 +196,7 @@ void report_death(const nlohmann::json& json, const nlohmann::json& id, int stat
 }
 
 void serve_run(const Target& target, const nlohmann::json& json, const nlohmann::json& id) {
+  known_sha256(parse_run_request(json).image);
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
   if (child == 0) run_in_child(target, json, id);
