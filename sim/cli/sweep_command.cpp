@@ -134,6 +134,7 @@ int sweep_command(const SweepArguments& arguments) {
   {
     client::Pool pool(std::min(arguments.jobs, plan.runs()));
     const Interrupts interrupts(pool);
+    progress.say(fmt::format("{} runs …", plan.runs()));
     complete = pool.run(sweep.batch());
   }
   progress.clear();
@@ -149,6 +150,7 @@ int sweep_command(const SweepArguments& arguments) {
     fmt::print(stderr, "robosim: interrupted; {}\n",
                arguments.csv.empty() ? "the table is of what was finished"
                                      : "the same command with --resume goes on");
+    if (Interrupts::signal() == SIGTERM || Interrupts::signal() == SIGHUP) ::raise(Interrupts::signal());
     return static_cast<int>(ExitStatus::interrupted);
   }
   if (sweep.failed_itself()) return static_cast<int>(ExitStatus::internal);

@@ -205,7 +205,8 @@ std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string
 SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::vector<SweepOutcome>& outcomes)
     : path_(std::move(file)), plan_(plan) {
   std::error_code error;
-  const bool there = fs::exists(path_, error) && fs::file_size(path_, error) > 0;
+  const bool there =
+      fs::exists(path_, error) && fs::file_size(path_, error) > 0 && read_file(path_) != sweep_header();
   if (there && !resume)
     throw InputError({path_.string(), 0, 0},
                      "is there already; --resume goes on with it, or name another file");

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/system/command.h"
+#include "tests/system/on_terminal.h"
 
 namespace robosim::test {
 namespace {
@@ -188,6 +188,32 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
   for (const std::string& line : lines)
     EXPECT_THAT(line, StartsWith("{\"schema\":\"robosim.run/1\",\"verdict\":\""));
   EXPECT_THAT(lines[3], HasSubstr("\"seed\":4,"));
+}
+
+TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
+  const Folder folder;
+  const std::string file = (folder / "a.csv").string();
+  // Seed 1 crashes at once, seed 2 drives for ever.
+  const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
+                    "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
+  Words json = words;
+  json.push_back("--json");
+  OnTerminal sweep(json, 100, 30);
+  ASSERT_TRUE(sweep.wait_for("\"crashed\"")) << sweep.seen();
+  sweep.type("\003");
+  EXPECT_TRUE(sweep.wait_for("interrupted; the same command with --resume goes on")) << sweep.seen();
+  EXPECT_EQ(sweep.finish(), 130);
+  const std::string kept = read_file(file);
+  EXPECT_THAT(lines_of(kept), SizeIs(2));
+  EXPECT_EQ(count_of(kept, ",crashed,"), 1);
+
+  Words again = words;
+  again.push_back("--resume");
+  OnTerminal resumed(again, 100, 30);
+  ASSERT_TRUE(resumed.wait_for("2 runs")) << resumed.seen();
+  resumed.signal(SIGKILL);
+  resumed.finish();
+  EXPECT_EQ(read_file(file), kept);
 }
 
 TEST(CliSweep, BadInputIsOneSentence) {

@@ -131,6 +131,17 @@ TEST(SweepTable, ARunThatFailedByOurFaultIsMadeAgainAndRowsEndInTheirOrder) {
   EXPECT_EQ(read_file(file), whole);
 }
 
+TEST(SweepTable, AFileWithoutAnyRunMayBeBegunAgain) {
+  const test::TemporaryFolder folder;
+  const SweepPlan p = plan();
+  const auto file = folder.path() / "a.csv";
+  std::vector<SweepOutcome> outcomes(p.runs());
+  { SweepTable(file, false, p, outcomes); }
+  SweepTable(file, false, p, outcomes).add(0, row(p, 0));
+  EXPECT_EQ(read_file(file), sweep_header() + row(p, 0));
+  EXPECT_THROW(SweepTable(file, false, p, outcomes), InputError);
+}
+
 SweepOutcome reached() { return {"reached", 10.0, ""}; }
 SweepOutcome lost() { return {"lost", 1.0, "It left the line."}; }
 
