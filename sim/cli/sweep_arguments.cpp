@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/cli/options.h"
 #include "sim/client/success_rate.h"
+#include "sim/sketch/sketch.h"
 
 namespace robosim::cli {
 namespace {
@@ -51,6 +54,19 @@ void refuse_repetition(const char* what, std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice != names.end()) throw InputError(fmt::format("{} {} is given twice", what, *twice));
+}
+
+// "--map oval MySketch" would take the sketch for a map.
+void refuse_sketches(const char* option, const std::vector<std::string>& words) {
+  const auto ours = sketch::stock_sketches();
+  for (const std::string& word : words) {
+    std::error_code error;
+    const std::string ending = std::filesystem::path(word).extension().string();
+    if (ending == ".ino" || ending == ".elf" || std::filesystem::is_directory(word, error) ||
+        std::find(ours.begin(), ours.end(), word) != ours.end()) {
+      throw InputError(fmt::format("{}: “{}” is a sketch; sketches stand before the options", option, word));
+    }
+  }
 }
 
 void check_possible(const client::Demand& demand, std::uint64_t seeds) {
@@ -104,6 +120,9 @@ Command parse_sweep(const std::vector<std::string>& words) {
   if (!clock.empty()) sweep.each.clock_ns = simulated_time("--clock", clock);
   check_choice("--profile", sweep.each.profile, {"ideal", "typical"});
   sweep.targets = split_at_commas(sweep.targets);
+  refuse_sketches("--map", sweep.maps);
+  refuse_sketches("--robot", sweep.robots);
+  refuse_sketches("--target", sweep.targets);
   refuse_repetition("the sketch", sweep.sketches);
   refuse_repetition("--map", sweep.maps);
   refuse_repetition("--robot", sweep.robots);

@@ -121,8 +121,9 @@ std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
     }
     doubtful = doubtful || (tally.met() && tally.interval().low < demand.rate);
   }
-  if (std::all_of(tallies.begin(), tallies.end(), [](const client::Tally& t) { return t.met(); }))
-    text += fmt::format("--min-rate {}: met\n", demand.rate);
+  if (!std::all_of(tallies.begin(), tallies.end(), [](const client::Tally& t) { return t.met(); }))
+    return text.empty() ? "" : "\n" + text;
+  text += fmt::format("--min-rate {}: met\n", demand.rate);
   if (doubtful && !demand.sure) {
     const auto needed = client::needed_runs({demand.rate, true});
     text += fmt::format(
@@ -130,7 +131,7 @@ std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
         "it.{}\n",
         needed ? fmt::format(" {} seeds without a failure would (--sure asks for that).", *needed) : "");
   }
-  return text.empty() ? "" : "\n" + text;
+  return "\n" + text;
 }
 
 }  // namespace

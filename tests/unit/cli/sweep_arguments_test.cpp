@@ -82,6 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSweep{{"--min-rate", "1", "--sure"}, "no number of runs can show that a rate is 1"},
         RefusedSweep{{"A", "A"}, "the sketch A is given twice"},
         RefusedSweep{{"--map", "x", "y", "x"}, "--map x is given twice"},
+        RefusedSweep{{"--map", "oval", "PidFollower"},
+                     "--map: “PidFollower” is a sketch; sketches stand before"},
+        RefusedSweep{{"--robot", "uno5", "."}, "--robot: “.” is a sketch"},
         RefusedSweep{{"--profile", "real"}, "must be ideal or typical"},
         RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}));
 

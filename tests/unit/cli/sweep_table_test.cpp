@@ -165,8 +165,20 @@ My, Sketch on tight with uno5, target host: 2 of 4 did not reach the goal (2 los
     robosim run 'My, Sketch' --map tight --seed 3
 
 --min-rate 0.75: not met by My, Sketch on tight with uno5, target host: 2 of 4 reached the goal, and 3 of 4 are needed
-These runs have that rate; that it is so in general they do not show, as the interval begins below it. 12 seeds without a failure would (--sure asks for that).
 )");
+}
+
+TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {
+  SweepArguments arguments;
+  arguments.min_rate = 0.75;
+  EXPECT_THAT(
+      sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
+      HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate; that it is so in general they do not "
+                "show, as the interval begins below it. 12 seeds without a failure would (--sure asks for "
+                "that).\n"));
+  arguments.min_rate = 0.5;
+  EXPECT_THAT(sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
+              Not(HasSubstr("These runs have that rate")));
 }
 
 TEST(SweepReport, ARateIsNeverRoundedUpToOne) {
