@@ -48,8 +48,7 @@ Command parse_run(const Words& words) {
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.texts("--record", run.record, "FILE", "samples every 10 ms as .csv, pins as .vcd; may be repeated");
-  options.flag("--sanitize", run.sanitize,
-               "stop at the first bad index, overflow, wild pointer … (host only)");
+  options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
   options.flag("--json", run.json, "print the result as JSON");
@@ -75,7 +74,7 @@ Command parse_build(const Words& words) {
   options.text("--out", build.out, "DIR", "put the compiled files there, under the sketch's name");
   options.texts("--libraries", build.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.text("--warnings", build.warnings, "LEVEL", "none, default, more or all");
-  options.flag("--sanitize", build.sanitize, "with the checks of run --sanitize (host only)");
+  options.flag("--sanitize", build.sanitize, "with the checks of run --sanitize");
   if (const auto help = options.parse(words)) return PrintText{*help};
   check_choice("--warnings", build.warnings, {"none", "default", "more", "all"});
   return build;

@@ -142,6 +142,15 @@ ExitStatus check_size(const Built& built) {
 
 int build_command(const BuildArguments& arguments) {
   const Built built = build_sketch(arguments);
+  if (arguments.sanitize && arguments.target != "host") {
+    print(fmt::format(
+        "{} for the {}, with checks ({})\n"
+        "It is for robosim run alone, and need not fit the chip: {} bytes of code, {} of variables.\n"
+        "image: {}\n",
+        built.image.name, built.board.name, built.image.compiler, built.image.text_bytes,
+        built.image.data_bytes, put_files(built.image, arguments.out)[0].string()));
+    return static_cast<int>(ExitStatus::ok);
+  }
   print(size_report(built.image, arguments.target, built.board, put_files(built.image, arguments.out)));
   return static_cast<int>(arguments.target == "host" ? ExitStatus::ok : check_size(built));
 }

@@ -18,6 +18,7 @@
 #include "sim/cli/output.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/run_json.h"
+#include "sim/cli/second_look.h"
 #include "sim/client/runner.h"
 #include "sim/sketch/sketch.h"
 #include "sim/view/live_view.h"
@@ -188,17 +189,23 @@ int run_command(const RunArguments& given) {
   Listeners listeners(arguments, board_of(robot_info), progress);
   const double began_s = wall_now_s();
   const std::string title = fmt::format("{} · {} on {}", sketch.name, robot.name, map.name);
-  const client::RunResult result =
-      simulate(runner, request, arguments, title, robot_info, map.path, listeners);
+  client::RunResult result = simulate(runner, request, arguments, title, robot_info, map.path, listeners);
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   listeners.save();
+  std::optional<Finding> finding;
+  if (arguments.target == "avr" && sketch.elf_target.empty() && deserves_second_look(result)) {
+    progress.say("running " + sketch.name + " again, with checks …");
+    finding = look_again(runner, request, wanted, result);
+    progress.clear();
+    result.next = next_after(result, finding);
+  }
 
   if (arguments.json) {
     print(run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
                     image.sketch_sha256, image.compiler, arguments.sanitize},
-                   result, wall_s));
+                   result, wall_s, finding));
   } else {
     const auto size = view::terminal_size(STDOUT_FILENO);
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);

@@ -7,7 +7,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json object_of(const RunInputs& in, const client::RunResult& r, std::optional<double> wall_s) {
+Json object_of(const RunInputs& in, const client::RunResult& r, const std::optional<Finding>& finding,
+               std::optional<double> wall_s) {
   const client::Metrics& m = r.metrics;
   Json json{{"schema", "robosim.run/1"}, {"verdict", r.verdict}, {"why", r.why}, {"time_s", r.time_s}};
   json["inputs"] = {{"robosim", in.robosim},
@@ -39,6 +40,7 @@ Json object_of(const RunInputs& in, const client::RunResult& r, std::optional<do
                      {"function", r.crash->function},
                      {"file", r.crash->file},
                      {"line", r.crash->line}};
+    if (!r.crash->check.empty()) json["crash"]["check"] = r.crash->check;
     if (!r.crash->registers.empty()) {
       Json calls = Json::array();
       for (const client::Crash::Call& call : r.crash->calls)
@@ -46,6 +48,11 @@ Json object_of(const RunInputs& in, const client::RunResult& r, std::optional<do
       json["crash"]["calls"] = std::move(calls);
       json["crash"]["registers"] = r.crash->registers;
     }
+  }
+  if (finding) {
+    json["finding"] = {{"check", finding->fault.check},       {"reason", finding->fault.reason},
+                       {"function", finding->fault.function}, {"file", finding->fault.file},
+                       {"line", finding->fault.line},         {"time_s", finding->time_s}};
   }
   if (r.resources) {
     const client::Resources& used = *r.resources;
@@ -73,12 +80,13 @@ std::string text_of(const Json& json, int indent) {
 
 }  // namespace
 
-std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s) {
-  return text_of(object_of(inputs, result, wall_s), 2);
+std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s,
+                     const std::optional<Finding>& finding) {
+  return text_of(object_of(inputs, result, finding, wall_s), 2);
 }
 
 std::string run_json_line(const RunInputs& inputs, const client::RunResult& result) {
-  return text_of(object_of(inputs, result, std::nullopt), -1);
+  return text_of(object_of(inputs, result, std::nullopt, std::nullopt), -1);
 }
 
 }  // namespace robosim::cli

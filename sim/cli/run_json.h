@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/cli/second_look.h"
 #include "sim/client/messages.h"
 
 namespace robosim::cli {
@@ -21,7 +22,8 @@ struct RunInputs {
 };
 
 /// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
-std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s);
+std::string run_json(const RunInputs& inputs, const client::RunResult& result, std::optional<double> wall_s,
+                     const std::optional<Finding>& finding = {});
 
 /// The same object in one line, for JSON Lines.
 std::string run_json_line(const RunInputs& inputs, const client::RunResult& result);

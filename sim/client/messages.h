@@ -181,6 +181,7 @@ struct Crash {
   };
   std::vector<Call> calls;  ///< on a chip: innermost first, the core's included
   std::string registers;    ///< on a chip: of its processor, lines for people
+  std::string check;        ///< of --sanitize, if one has found it: "mul_overflow"; else empty
 };
 
 /// What the firmware took of its chip; docs/formats.md says how each is measured.

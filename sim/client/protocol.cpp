@@ -183,6 +183,7 @@ RunResult result(const Json& json) {
           {get<std::string>(call, "function"), get<std::string>(call, "file"), get<int>(call, "line")});
     }
     r.crash->registers = get<std::string>(*crash, "registers", "");
+    r.crash->check = get<std::string>(*crash, "check", "");
   }
   if (json.contains("resources")) r.resources = resources(get<Json>(json, "resources"));
   for (const Json& entry : get<Json>(json, "events")) {

@@ -52,6 +52,7 @@ SimTime AvrExecutor::last_call() const {
 }
 
 std::optional<Resources> AvrExecutor::resources() const {
+  if (image_->firmware.needs_larger_chip()) return std::nullopt;
   if (!machine_) return before_;
   Resources r = machine_->resources();
   if (before_) {

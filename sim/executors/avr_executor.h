@@ -35,6 +35,7 @@ class AvrExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SimTime last_call() const override;
+  int int_bits() const override { return 16; }
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
 

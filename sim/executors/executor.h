@@ -24,6 +24,7 @@ struct Crash {
   SourceLine where;
   std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
   std::string registers;          ///< of a chip's processor, for people; else empty
+  std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
 };
 
 /// What the firmware did last: lets a verdict say what it waits for.
@@ -71,7 +72,9 @@ class Executor {
   /// When the firmware last called the API; cheap.
   virtual SimTime last_call() const = 0;
 
-  /// Measured on chip targets only.
+  /// How wide the firmware's int is.
+  virtual int int_bits() const { return 32; }
+  /// Measured on chip targets only, and not of an image with the checks of --sanitize.
   virtual std::optional<Resources> resources() const { return std::nullopt; }
   /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
   virtual void set_clock_start(SimTime) {

@@ -144,7 +144,7 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
-    report({reason, file ? file : "", static_cast<int>(line)}, where);
+    report({"", reason, file ? file : "", static_cast<int>(line)}, where);
   }
 
   void undefined(const char* check, const void* data, std::uintptr_t value, std::uintptr_t other,
@@ -178,6 +178,7 @@ class HostExecutor::Instance final : public host::Host {
     add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
     addresses.push_back({state_.place, true});
     Crash crash{fault.reason, image_.locate(addresses)};
+    crash.check = fault.check;
     if (!is_own_file(fault.file)) {
       crash.where.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
       crash.where.line = fault.line;

@@ -8,31 +8,7 @@
 namespace robosim::executors {
 namespace {
 
-// gcc's data, one struct for each kind of handler.
-
-struct Location {
-  const char* file;
-  std::uint32_t line;
-  std::uint32_t column;
-};
-
-struct Type {
-  enum Kind : std::uint16_t { integer = 0, floating = 1 };
-  std::uint16_t kind;
-  std::uint16_t info;  ///< integer: 2 * log2(bits), + 1 if signed; floating: bits
-  char name[1];        ///< "'int'"
-};
-
-struct OneType {
-  Location at;
-  const Type* type;
-};
-
-struct TwoTypes {
-  Location at;
-  const Type* first;
-  const Type* second;
-};
+using ubsan::Location, ubsan::Type, ubsan::OneType, ubsan::TwoTypes;
 
 struct Mismatch {
   Location at;
@@ -217,7 +193,7 @@ std::string reason(std::string_view check, const void* data, std::uintptr_t valu
 Undefined explain_undefined(std::string_view check, const void* data, std::uintptr_t value,
                             std::uintptr_t other) {
   const auto& at = *static_cast<const Location*>(data);
-  Undefined found{reason(check, data, value, other), "", 0};
+  Undefined found{std::string(check), reason(check, data, value, other), "", 0};
   if (at.file) {
     found.file = at.file;
     found.line = static_cast<int>(at.line);

@@ -8,7 +8,37 @@
 
 namespace robosim::executors {
 
+/// The data of gcc's handlers, as far as they have it in common.
+namespace ubsan {
+
+struct Location {
+  const char* file;
+  std::uint32_t line;
+  std::uint32_t column;
+};
+
+struct Type {
+  enum Kind : std::uint16_t { integer = 0, floating = 1 };
+  std::uint16_t kind;
+  std::uint16_t info;  ///< integer: 2 * log2(bits), + 1 if signed; floating: bits
+  char name[1];        ///< "'int'"
+};
+
+struct OneType {
+  Location at;
+  const Type* type;
+};
+
+struct TwoTypes {
+  Location at;
+  const Type* first;
+  const Type* second;
+};
+
+}  // namespace ubsan
+
 struct Undefined {
+  std::string check;   ///< its name
   std::string reason;  ///< a clause, as in Crash
   std::string file;    ///< as debug information names it; empty where gcc does not tell
   int line = 0;

@@ -49,6 +49,15 @@ std::string cell_of(const grid::Map& map, Vec2 p) {
   return fmt::format("column {}, row {}", column, row);
 }
 
+// What to do about that which a check has found.
+std::string advice(const Evidence& e) {
+  const std::string& check = e.crash->check;
+  const bool too_large =
+      check.ends_with("_overflow") && check != "pointer_overflow" && check != "divrem_overflow";
+  if (e.int_bits > 16 || !too_large) return "";
+  return "On the chip int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
+}
+
 std::string list_of_pins(const std::vector<int>& pins) {
   std::string text;
   for (std::size_t i = 0; i < pins.size(); ++i)
@@ -107,8 +116,9 @@ std::string explain(const Evidence& e) {
 
 std::string next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";
+  if (e.crash && !e.crash->check.empty()) return advice(e);
   if (e.moved) {
-    if (e.verdict == Verdict::lost && e.on_chip)
+    if (e.verdict == Verdict::lost && e.int_bits == 16)
       return "run it with --target host too: if it keeps the line there, look where an int goes beyond "
              "32767, as in "
              "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it";

@@ -23,7 +23,7 @@ struct Evidence {
   const Judge* judge = nullptr;
   executors::Activity activity;
   std::optional<executors::Crash> crash;
-  bool on_chip = false;  ///< its int has 16 bits
+  int int_bits = 32;     ///< of the firmware's int
   std::string exceeded;  ///< the budget that was
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once

@@ -258,7 +258,7 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   e.judge = &judge_;
   e.crash = setup_.executor->crash();
   e.exceeded = exceeded_;
-  e.on_chip = setup_.executor->resources().has_value();
+  e.int_bits = setup_.executor->int_bits();
   e.wiring = robot_.wiring();
   e.went_high = went_high_;
   e.was_output = was_output_;

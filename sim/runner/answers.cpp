@@ -94,6 +94,7 @@ Json to_json(const run::Outcome& outcome) {
                      {"function", where.function},
                      {"file", where.file},
                      {"line", where.line}};
+    if (!outcome.crash->check.empty()) json["crash"]["check"] = outcome.crash->check;
     if (!outcome.crash->registers.empty()) {
       Json calls = Json::array();
       for (const executors::SourceLine& call : outcome.crash->calls)

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -23,8 +25,8 @@ std::string missing_tool(const std::string& target_name) {
 }
 
 void check_can_sanitize(const std::string& target) {
-  if (find_target(target).sanitizer.addresses.empty())
-    throw InputError("--sanitize is for --target host; a chip has no room for its checks");
+  if (find_target(target).sanitizer.undefined.empty())
+    throw InputError(fmt::format("--sanitize: there are no checks for the target {}", target));
 }
 
 std::vector<Limit> stated_limits(const Image& image) {

@@ -27,7 +27,7 @@ struct Request {
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
-  bool sanitize = false;  ///< sketch and libraries check themselves while they run; for the host only
+  bool sanitize = false;  ///< sketch and libraries check themselves while they run
 };
 
 struct Image {

@@ -106,7 +106,17 @@ const Target kAvr = {
     .c_code = {"-std=gnu11"},
     .own = {},
     .own_level = "-Os",
-    .sanitizer = {},
+    // Link-time optimisation of avr-gcc 5.4 does not survive code with checks. That is larger than the chip
+    // by far: the executor gives an image whose handlers are there (hal/avr/undefined.c) a chip with 64 KB of
+    // flash and RAM up to where its stack begins.
+    .sanitizer = {.undefined = {"-fno-lto",
+                                "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
+                                "shift,signed-integer-overflow"},
+                  .addresses = {},
+                  .definitions = {},
+                  .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
+                           "-Wl,--defsym=__DATA_REGION_LENGTH__=0xF000",
+                           "-Wl,--defsym=__TEXT_REGION_LENGTH__=0x10000"}},
     .core = {"-DDECIMAL_DIG=__DECIMAL_DIG__"},
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},

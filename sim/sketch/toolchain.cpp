@@ -108,12 +108,12 @@ Core genuine_core(const Chip& chip, const GenuineCore& genuine) {
   Core core;
   core.root = genuine.sources;
   core.place = "arduino";
-  core.sources = {genuine.sources};
+  core.sources = {genuine.sources, data_folder() / "hal/avr"};
   core.includes = {genuine.sources, variant};
   core.libraries = {genuine.libraries};
   core.linked = {archives / "libc.a", archives / "libm.a", archives / fmt::format("crt{}.o", chip.mcu)};
   core.machine = {fmt::format("-mmcu={}", chip.mcu)};
-  core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}};
+  core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}, {core.sources[1], "robosim"}};
   core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
   return core;
 }

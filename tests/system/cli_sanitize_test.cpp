@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/system/command.h"
+#include "tests/system/system_test.h"
 
 namespace robosim::test {
 namespace {
@@ -41,12 +42,44 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
 
-TEST(CliSanitize, IsRefusedForAChip) {
-  for (const char* command : {"run", "build"}) {
-    const Ended ended = robosim_command({command, "PidFollower", "--target", "avr", "--sanitize"});
-    EXPECT_EQ(ended.status, 2);
-    EXPECT_EQ(ended.err, "robosim: --sanitize is for --target host; a chip has no room for its checks\n");
-  }
+TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const std::string sum = sketch_folder("ChipSum").string() + "/";
+  const Ended run = robosim_command({"run", sum, "--map", "oval", "--target", "avr", "--sanitize", "--json"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("\"verdict\": \"crashed\""), HasSubstr("\"check\": \"mul_overflow\""),
+                             HasSubstr("does not fit an int, which holds -32768 to 32767 here")));
+  const Ended build = robosim_command({"build", "AiNavigator", "--target", "avr", "--sanitize"});
+  EXPECT_EQ(build.status, 0) << build.err;
+  EXPECT_THAT(build.out, HasSubstr("with checks"));
+}
+
+// Without being asked: a failure on the chip is looked into.
+TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const std::string sum = sketch_folder("ChipSum").string() + "/";
+  std::vector<std::string> words = {"run", sum, "--map", "oval", "--robot", "uno5", "--target", "avr"};
+  const Ended screen = robosim_command(words);
+  EXPECT_EQ(screen.status, 1) << screen.err;
+  EXPECT_THAT(screen.out, AllOf(HasSubstr("\nlost: "), HasSubstr("\nnext: 1000 * "),
+                                HasSubstr("ChipSum.ino:9"), HasSubstr("1000L * analogRead(A1)")));
+  words.push_back("--json");
+  EXPECT_THAT(robosim_command(words).out, AllOf(HasSubstr("\"verdict\": \"lost\""),
+                                                HasSubstr("\"finding\": {\n    \"check\": \"mul_overflow\""),
+                                                HasSubstr("\"file\": \"ChipSum.ino\",\n    \"line\": 9,\n")));
+}
+
+TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const Folder folder;
+  folder.write("Straight/Straight.ino",
+               "void setup() {\n  for (byte pin = 5; pin <= 10; ++pin) pinMode(pin, OUTPUT);\n"
+               "  digitalWrite(7, HIGH);\n  digitalWrite(9, HIGH);\n  analogWrite(5, 100);\n"
+               "  analogWrite(6, 100);\n}\nvoid loop() { delay(1); }\n");
+  const Ended run = robosim_command(
+      {"run", "Straight/", "--map", "oval", "--robot", "uno5", "--target", "avr"}, folder.path());
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
 TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {

@@ -61,6 +61,10 @@ Chip::Chip(const Firmware& firmware, const BoardSpec& board, Peripherals& periph
   avr_->data = static_cast<std::uint8_t*>(std::realloc(avr_->data, kAddressSpace));
   if (!avr_->flash || !avr_->data) throw std::bad_alloc();
   std::memset(avr_->data + avr_->ramend + 1, 0, kAddressSpace - avr_->ramend - 1u);
+  if (firmware.needs_larger_chip()) {
+    avr_->ramend = lowest_sp_ = firmware.last_ram;
+    avr_->flashend = kAddressSpace - 1;
+  }
   for (std::uint32_t pc = 0; pc < kAddressSpace; pc += 2) set_word(pc, kTrapOpcode);
   std::memcpy(avr_->flash, firmware.flash.data(), firmware.flash.size());
   avr_->codeend = firmware.code_end;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
+#include "sim/executors/avr/check.h"
+
 namespace robosim::executors::avr {
 namespace {
 
@@ -14,6 +18,8 @@ bool is_jump(const Fault& fault) {
 bool same_place(const SourceLine& a, const SourceLine& b) {
   return a.function == b.function && a.file == b.file && a.line == b.line;
 }
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }  // namespace
 
@@ -59,10 +65,10 @@ std::string Diagnosis::reason(const Fault& fault) const {
   switch (fault.kind) {
     case Fault::Kind::bad_read:
       return fmt::format("read of address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",
-                         fault.address, reg::kLastRam);
+                         fault.address, firmware_.last_ram);
     case Fault::Kind::bad_write:
       return fmt::format("write to address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",
-                         fault.address, reg::kLastRam);
+                         fault.address, firmware_.last_ram);
     case Fault::Kind::bad_opcode:
       return fmt::format("illegal instruction 0x{:04X} at flash address 0x{:04X}", fault.address, fault.pc);
     case Fault::Kind::flash_write:
@@ -101,8 +107,35 @@ std::string Diagnosis::registers() const {
   return text;
 }
 
+SourceLine Diagnosis::place_of_check(const Undefined& found) const {
+  const auto calls = machine_.stack().open_calls();
+  SourceLine best;
+  for (const Stack::Call& call : calls) {
+    for (SourceLine frame : debug_.frames(call.pc)) {
+      if (is_core_file(frame.file)) continue;
+      if (found.file.empty()) return frame;
+      // The compiler's optimiser may have moved the call; the check knows its own line.
+      if (best.file.empty()) best = {frame.function, file_name(found.file), found.line};
+      if (file_name(frame.file) != file_name(found.file)) continue;
+      frame.line = found.line;
+      return frame;
+    }
+    if (!best.file.empty()) return best;
+  }
+  return {"", file_name(found.file), found.line};
+}
+
 Crash Diagnosis::crash(const Fault& fault) const {
   Crash crash;
+  crash.calls = call_chain(fault.pc);
+  crash.registers = registers();
+  if (const auto found = failed_check(firmware_, machine_.chip(), fault)) {
+    crash.check = found->check;
+    crash.reason = found->reason;
+    crash.where = place_of_check(*found);
+    std::erase_if(crash.calls, [](const SourceLine& call) { return call.file.starts_with("robosim/"); });
+    return crash;
+  }
   crash.reason = reason(fault);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = place(fault.pc);
@@ -113,8 +146,6 @@ Crash Diagnosis::crash(const Fault& fault) const {
   if (crash.where.file.empty() && machine_.chip().in_handler())
     crash.where = place(machine_.chip().interrupted_pc());
   if (crash.where.file.empty()) crash.where = place_of_calls(stack.open_calls());
-  crash.calls = call_chain(fault.pc);
-  crash.registers = registers();
   return crash;
 }
 

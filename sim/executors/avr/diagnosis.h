@@ -3,6 +3,7 @@
 
 #include "sim/executors/avr/debug_info.h"
 #include "sim/executors/avr/machine.h"
+#include "sim/executors/undefined.h"
 
 namespace robosim::executors::avr {
 
@@ -17,6 +18,7 @@ class Diagnosis {
  private:
   SourceLine place(std::uint32_t pc) const;
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
+  SourceLine place_of_check(const Undefined& found) const;
   SourceLine where_now() const;
   std::string jump_text(const Fault& fault) const;
   std::string reason(const Fault& fault) const;

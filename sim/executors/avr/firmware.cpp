@@ -13,8 +13,9 @@
 namespace robosim::executors::avr {
 namespace {
 
-constexpr std::uint32_t kDataSpace = 0x800000;    // avr-gcc's address of data memory
-constexpr std::uint32_t kEepromSpace = 0x810000;  // and of what is neither flash nor RAM
+constexpr std::uint32_t kDataSpace = 0x800000;     // avr-gcc's address of data memory
+constexpr std::uint32_t kEepromSpace = 0x810000;   // and of what is neither flash nor RAM
+constexpr std::uint32_t kEnlargedFlash = 0x10000;  // all that a data pointer reaches
 
 /// Reads records of a file without ever leaving it.
 class Reader {
@@ -54,9 +55,10 @@ void load_segments(const Reader& in, const Elf32_Ehdr& header, const BoardSpec& 
     segments.push_back(segment);
     size = std::max(size, std::uint64_t{segment.p_paddr} + segment.p_filesz);
   }
-  if (size > board.flash_bytes) {
+  const std::uint32_t room = firmware.needs_larger_chip() ? kEnlargedFlash : board.flash_bytes;
+  if (size > room) {
     throw InputError({firmware.file}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch", size,
-                                                  board.name, board.flash_bytes));
+                                                  board.name, room));
   }
   firmware.flash.assign(size, 0xFF);
   for (const Elf32_Phdr& segment : segments) {
@@ -71,7 +73,8 @@ void load_symbols(const Reader& in, const Elf32_Ehdr& header, Firmware& firmware
   const auto section = [&](unsigned number) {
     return in.at<Elf32_Shdr>(header.e_shoff + number * std::size_t{header.e_shentsize});
   };
-  std::uint32_t data_end = kDataSpace + reg::kFirstRam;
+  std::uint32_t data_end = kDataSpace + reg::kFirstRam, stack = 0;
+  bool checks = false;
   for (unsigned i = 0; i < header.e_shnum; ++i) {
     const Elf32_Shdr table = section(i);
     if (table.sh_flags & SHF_ALLOC && table.sh_addr >= kDataSpace && table.sh_addr < kEepromSpace)
@@ -81,16 +84,18 @@ void load_symbols(const Reader& in, const Elf32_Ehdr& header, Firmware& firmware
     for (std::size_t at = 0; at + sizeof(Elf32_Sym) <= table.sh_size; at += sizeof(Elf32_Sym)) {
       const auto symbol = in.at<Elf32_Sym>(table.sh_offset + at);
       const int type = ELF32_ST_TYPE(symbol.st_info);
-      if (symbol.st_shndx == SHN_UNDEF || (symbol.st_shndx == SHN_ABS) || type == STT_FILE ||
-          type == STT_SECTION)
-        continue;
+      if (symbol.st_shndx == SHN_UNDEF || type == STT_FILE || type == STT_SECTION) continue;
       const std::string name = in.text(names.sh_offset + symbol.st_name);
-      if (name.empty()) continue;
+      if (name == "__stack") stack = symbol.st_value;
+      if (name.empty() || symbol.st_shndx == SHN_ABS) continue;
+      checks |= name.starts_with(kCheckPrefix);
       firmware.symbols.push_back({name, symbol.st_value, symbol.st_size, symbol.st_value < kDataSpace});
     }
   }
   std::stable_sort(firmware.symbols.begin(), firmware.symbols.end(),
                    [](const auto& a, const auto& b) { return a.address < b.address; });
+  if (checks && stack > reg::kLastRam && stack <= 0xFFFF)
+    firmware.last_ram = static_cast<std::uint16_t>(stack);
   firmware.ram_bytes = data_end - kDataSpace - reg::kFirstRam;
   firmware.globals_end = static_cast<std::uint16_t>(data_end - kDataSpace);
 }
@@ -111,12 +116,14 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   if (header.e_phentsize != sizeof(Elf32_Phdr) ||
       (header.e_shnum > 0 && header.e_shentsize != sizeof(Elf32_Shdr)))
     in.damaged();
-  load_segments(in, header, board, firmware);
   load_symbols(in, header, firmware);
+  load_segments(in, header, board, firmware);
   if (firmware.code_end < 4) throw InputError({firmware.file}, "holds no code");
-  if (firmware.ram_bytes > board.ram_bytes) {
+  const std::uint32_t ram =
+      firmware.needs_larger_chip() ? firmware.last_ram - reg::kFirstRam : board.ram_bytes;
+  if (firmware.ram_bytes > ram) {
     throw InputError({firmware.file}, fmt::format("needs {} bytes of RAM for its variables; the {} has {}",
-                                                  firmware.ram_bytes, board.name, board.ram_bytes));
+                                                  firmware.ram_bytes, board.name, ram));
   }
   return firmware;
 }

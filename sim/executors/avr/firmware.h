@@ -5,13 +5,17 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/board/board_spec.h"
+#include "sim/executors/avr/registers.h"
 
 namespace robosim::executors::avr {
 
 constexpr std::uint32_t kFlashBytes = 0x8000;  ///< of an ATmega328P, boot loader included
+/// What functions are called that gcc has checks call when they fail, before the check's name.
+constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
 struct Firmware {
   struct Symbol {
@@ -27,6 +31,10 @@ struct Firmware {
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
   std::uint32_t ram_bytes = 0;      ///< variables
   std::vector<Symbol> symbols;      ///< functions and variables, by address
+  /// Last address of RAM, where the stack begins. An image with the checks of --sanitize is far larger than
+  /// the chip: it gets RAM up to where it has its stack begin, and 64 KB of flash.
+  std::uint16_t last_ram = reg::kLastRam;
+  bool needs_larger_chip() const { return last_ram != reg::kLastRam; }
 
   /// The instruction word at an even flash address.
   int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }

@@ -3,7 +3,6 @@
 namespace robosim::executors::avr {
 namespace {
 
-constexpr std::uint32_t kTop = reg::kLastRam;
 constexpr std::size_t kMostCalls = 12;
 
 }  // namespace
@@ -19,7 +18,7 @@ Stack::Stack(Chip& chip, const Firmware& firmware)
 void Stack::look() {
   if (!heap_pointer_) return;
   const int end = chip_.data(heap_pointer_) | chip_.data(static_cast<reg::Address>(heap_pointer_ + 1)) << 8;
-  if (end <= heap_end_ || end > static_cast<int>(kTop)) return;
+  if (end <= heap_end_ || end > firmware_.last_ram) return;
   heap_end_ = static_cast<std::uint16_t>(end);
   chip_.set_stack_limit(heap_end_);
 }
@@ -47,7 +46,7 @@ bool Stack::find_call(std::uint32_t pc, Call& call) const {
 std::vector<Stack::Call> Stack::open_calls() const {
   std::vector<Call> calls;
   Call call;
-  for (std::uint32_t at = chip_.sp() + 1u; at < kTop && calls.size() < kMostCalls; ++at) {
+  for (std::uint32_t at = chip_.sp() + 1u; at < firmware_.last_ram && calls.size() < kMostCalls; ++at) {
     if (at < reg::kFirstRam || !find_call(return_address(at), call)) continue;
     calls.push_back(call);
     ++at;
@@ -57,7 +56,7 @@ std::vector<Stack::Call> Stack::open_calls() const {
 
 std::uint32_t Stack::last_return() const {
   const std::uint32_t sp = chip_.sp();
-  return sp > reg::kFirstRam && sp <= kTop ? return_address(sp - 1) : 0;
+  return sp > reg::kFirstRam && sp <= firmware_.last_ram ? return_address(sp - 1) : 0;
 }
 
 }  // namespace robosim::executors::avr

@@ -1,6 +1,6 @@
 // The stack: how deep it has been, whether it has met the variables, and who called whom.
 //
-//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF
+//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF (Firmware::last_ram)
 //
 // The chip follows the stack pointer at every change, so that neither a short deep call nor a large array
 // that is never written to is missed.
@@ -20,9 +20,11 @@ class Stack {
   /// Looks how far the heap has grown: the stack must not cross it.
   void look();
   /// The most bytes that were in use.
-  std::uint32_t most_bytes() const { return reg::kLastRam - static_cast<std::uint32_t>(chip_.lowest_sp()); }
+  std::uint32_t most_bytes() const {
+    return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
+  }
   /// What variables and heap leave.
-  std::uint32_t room_bytes() const { return reg::kLastRam + 1u - heap_end_; }
+  std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - heap_end_; }
   /// Whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() < heap_end_; }
 

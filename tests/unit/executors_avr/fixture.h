@@ -42,6 +42,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     write_file(folder_ / "Test/Test.ino", text);
     sketch::Request request{folder_ / "Test", *find_board(board_name_)};
     request.target = "avr";
+    request.sanitize = sanitize_;
     built_ = sketch::build(request);
     return built_.image;
   }
@@ -92,6 +93,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   }
 
   const char* board_name_ = "uno";
+  bool sanitize_ = false;
   std::filesystem::path folder_;
   sketch::Image built_;
   std::unique_ptr<AvrExecutor> avr_;

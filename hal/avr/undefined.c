@@ -1,0 +1,47 @@
+/* What the checks of `robosim run --sanitize --target avr` call when they fail (the handlers of gcc's
+ * UndefinedBehaviorSanitizer): an instruction that no AVR has, so that the emulator stops and looks. The
+ * failed check's data and values are in the registers r25 to r20, as they came.
+ *
+ * It lies beside the genuine core, and gets into no image that was built without checks. */
+#include <stdint.h>
+
+#define ROBOSIM_STOP __asm__ volatile(".word 0x00FE")
+
+#define ROBOSIM_HANDLER(check) \
+  __attribute__((naked, used, externally_visible)) void __ubsan_handle_##check(void) { ROBOSIM_STOP; }
+
+ROBOSIM_HANDLER(add_overflow)
+ROBOSIM_HANDLER(sub_overflow)
+ROBOSIM_HANDLER(mul_overflow)
+ROBOSIM_HANDLER(negate_overflow)
+ROBOSIM_HANDLER(divrem_overflow)
+ROBOSIM_HANDLER(float_cast_overflow)
+ROBOSIM_HANDLER(out_of_bounds)
+
+struct Type {
+  uint16_t kind;
+  uint16_t info; /* of an integer: 2 * log2(bits), + 1 if signed */
+};
+
+struct ShiftData {
+  const char* file;
+  unsigned line, column;
+  const struct Type* value;
+  const struct Type* distance;
+};
+
+__attribute__((naked, used, externally_visible)) void __ubsan_handle_shift_out_of_bounds_abort(
+    const struct ShiftData* data, uintptr_t value, uintptr_t distance) {
+  ROBOSIM_STOP;
+}
+
+static unsigned bits(const struct Type* type) { return 1u << (type->info >> 1); }
+
+/* gcc defines what << does with negative numbers and with bits that fall out at the top: only the distance is
+ * a fault. */
+__attribute__((used, externally_visible)) void __ubsan_handle_shift_out_of_bounds(
+    const struct ShiftData* data, uintptr_t value, uintptr_t distance) {
+  /* What is wider than a pointer is handed over by its address. */
+  const uint32_t by = bits(data->distance) > 16 ? *(const uint32_t*)distance : distance;
+  if (by >= bits(data->value)) __ubsan_handle_shift_out_of_bounds_abort(data, value, distance);
+}
