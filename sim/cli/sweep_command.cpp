@@ -62,7 +62,7 @@ class Sweep {
 
   client::Batch batch() {
     return {plan_.runs(), [this](std::size_t run) { return plan_.task_of(run); },
-            [this](std::size_t run, client::Answer answer) { answered(run, std::move(answer)); },
+            [this](std::size_t run, client::Answer&& answer) { answered(run, std::move(answer)); },
             [this](std::size_t run) { return wanted(run); }};
   }
 
@@ -94,7 +94,7 @@ class Sweep {
     }
   }
 
-  void answered(std::size_t run, client::Answer answer) {
+  void answered(std::size_t run, client::Answer&& answer) {
     const Combination& combination = plan_.combination_of(run);
     if (const auto* failure = std::get_if<client::Failure>(&answer)) {
       if (failure->kind == client::Failure::Kind::input) throw InputError(failure->message);

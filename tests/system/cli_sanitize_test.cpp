@@ -37,7 +37,8 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
       AllOf(HasSubstr("\"verdict\": \"crashed\""),
             HasSubstr("\"why\": \"The sketch crashed: index 5 is outside of the array, an int [5]: its "
                       "first is 0 and its last 4 in average, Speeds.ino:4.\""),
-            HasSubstr("\"function\": \"average\",\n    \"file\": \"Speeds.ino\",\n    \"line\": 4\n"),
+            HasSubstr("\"function\": \"average\",\n    \"file\": \"Speeds.ino\",\n    \"line\": 4,\n    "
+                      "\"check\": \"out_of_bounds\"\n"),
             HasSubstr("\"sanitize\": true")));
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
