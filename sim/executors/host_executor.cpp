@@ -144,7 +144,11 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
-    report({"", reason, file ? file : "", static_cast<int>(line)}, where);
+    Undefined found;
+    found.reason = reason;
+    found.file = file ? file : "";
+    found.line = static_cast<int>(line);
+    report(found, where);
   }
 
   void undefined(const char* check, const void* data, std::uintptr_t value, std::uintptr_t other,
@@ -157,7 +161,10 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void bad_access(const host::BadAccess& access, const void* where) override {
-    report({explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow), "", 0}, where);
+    Undefined found;
+    found.check = "bad_access";
+    found.reason = explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow);
+    report(found, where);
   }
 
  private:
