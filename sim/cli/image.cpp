@@ -16,7 +16,8 @@ const BoardSpec& board_of(const client::RobotInfo& robot) {
   return *board;
 }
 
-sketch::Image image_of(const SketchChoice& sketch, const sketch::Request& request, Progress& progress) {
+sketch::Image image_of(const SketchChoice& sketch, const sketch::Request& request, Progress& progress,
+                       bool warnings) {
   if (!sketch.elf_target.empty()) {
     sketch::Image image;
     image.name = sketch.name;
@@ -27,7 +28,7 @@ sketch::Image image_of(const SketchChoice& sketch, const sketch::Request& reques
   progress.say("compiling " + sketch.name + " …");
   sketch::Image image = sketch::build(request);
   progress.clear();
-  if (!image.messages.empty()) fmt::print(stderr, "{}", image.messages);
+  if (warnings && !image.messages.empty()) fmt::print(stderr, "{}", image.messages);
   return image;
 }
 

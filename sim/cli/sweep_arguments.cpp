@@ -80,6 +80,11 @@ void check_possible(const client::Demand& demand, std::uint64_t seeds) {
 
 }  // namespace
 
+std::size_t number_of_jobs(const std::string& text) {
+  if (text.empty()) return std::max(1u, std::thread::hardware_concurrency());
+  return whole_number("--jobs", text, 1, kMostJobs);
+}
+
 Command parse_sweep(const std::vector<std::string>& words) {
   SweepArguments sweep;
   std::string seeds, jobs, min_rate, duration, clock;
@@ -113,8 +118,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
                "the sketch checks itself, as with run --sanitize (host only)");
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (!seeds.empty()) read_seeds(seeds, sweep);
-  sweep.jobs = jobs.empty() ? std::max(1u, std::thread::hardware_concurrency())
-                            : whole_number("--jobs", jobs, 1, kMostJobs);
+  sweep.jobs = number_of_jobs(jobs);
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
   if (!duration.empty()) sweep.each.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) sweep.each.clock_ns = simulated_time("--clock", clock);

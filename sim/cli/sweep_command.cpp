@@ -128,7 +128,7 @@ class Sweep {
 
 int sweep_command(const SweepArguments& arguments) {
   Progress progress(true);
-  const SweepPlan plan = plan_sweep(arguments, progress);
+  const SweepPlan plan = SweepPlanner(progress, {}).plan(arguments);
   Sweep sweep(arguments, plan, progress);
   bool complete = false;
   {

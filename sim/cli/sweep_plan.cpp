@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
-#include <tuple>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -16,18 +17,11 @@
 #include "sim/cli/run_command.h"
 
 namespace robosim::cli {
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr std::size_t kDigits = 8;
-
-/// As a shell takes it for one word.
-std::string shell_word(const std::string& text) {
-  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+-@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
 
 std::string time_word(std::int64_t ns) {
   if (ns % 1'000'000'000 == 0) return fmt::format("{}s", ns / 1'000'000'000);
@@ -60,11 +54,66 @@ std::string conditions_of(const client::RunRequest& r, const std::string& versio
                      r.script);
 }
 
-/// Collects what combinations share, so that nothing is compiled, read or said twice.
-class Planner {
+}  // namespace
+
+std::string shell_word(const std::string& text) {
+  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+-@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+class SweepSupplies {
  public:
-  Planner(const SweepArguments& arguments, Progress& progress)
-      : arguments_(arguments), progress_(progress), script_(scenario_text(arguments.each)) {}
+  SweepSupplies(Progress& progress, SweepPlanner::Says says) : progress_(progress), says_(says) {}
+
+  Choice said(Choice choice) {
+    if (says_.choices && !choice.announcement.empty() && announced_.insert(choice.announcement).second)
+      fmt::print(stderr, "robosim: {}\n", choice.announcement);
+    return choice;
+  }
+
+  const client::RobotInfo& robot(const std::string& path) {
+    const auto known = robots_.find(path);
+    if (known != robots_.end()) return known->second;
+    if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
+    return robots_.emplace(path, describer_->describe_robot(path)).first->second;
+  }
+  const std::string& version() const { return describer_->hello().version; }
+
+  const sketch::Image& image(const SketchChoice& sketch, const sketch::Request& request) {
+    std::string key = fmt::format("{}\n{}\n{}\n{}", sketch.path.string(), request.board.name, request.target,
+                                  request.sanitize);
+    for (const fs::path& folder : request.libraries) key += "\n" + folder.string();
+    const auto known = images_.find(key);
+    if (known != images_.end()) return known->second;
+    return images_.emplace(key, image_of(sketch, request, progress_, says_.warnings)).first->second;
+  }
+
+  const std::string& hash_of_file(const std::string& path) {
+    const auto known = hashes_.find(path);
+    if (known != hashes_.end()) return known->second;
+    return hashes_.emplace(path, sha256_of_file(path)).first->second;
+  }
+
+ private:
+  Progress& progress_;
+  SweepPlanner::Says says_;
+  std::set<std::string> announced_;
+  std::optional<client::Runner> describer_;
+  std::map<std::string, client::RobotInfo> robots_;
+  std::map<std::string, sketch::Image> images_;
+  std::map<std::string, std::string> hashes_;
+};
+
+namespace {
+
+/// Gives the combinations of one sweep.
+class Combiner {
+ public:
+  Combiner(const SweepArguments& arguments, SweepSupplies& supplies)
+      : arguments_(arguments), supplies_(supplies), script_(scenario_text(arguments.each)) {}
 
   void add_sketch(const std::string& name, std::vector<Combination>& combinations) {
     const SketchChoice sketch = choose_sketch(name);
@@ -81,12 +130,6 @@ class Planner {
     return names.empty() ? std::vector<std::string>{""} : names;
   }
 
-  Choice said(Choice choice) {
-    if (!choice.announcement.empty() && announced_.insert(choice.announcement).second)
-      fmt::print(stderr, "robosim: {}\n", choice.announcement);
-    return choice;
-  }
-
   std::vector<std::string> targets_of(const SketchChoice& sketch) const {
     std::vector<std::string> targets = arguments_.targets;
     if (targets.empty()) targets.push_back(sketch.elf_target.empty() ? "host" : sketch.elf_target);
@@ -101,35 +144,19 @@ class Planner {
     return targets;
   }
 
-  const client::RobotInfo& robot(const std::string& path) {
-    const auto known = robots_.find(path);
-    if (known != robots_.end()) return known->second;
-    if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
-    return robots_.emplace(path, describer_->describe_robot(path)).first->second;
-  }
-
   const sketch::Image& image(const SketchChoice& sketch, const BoardSpec& board, const std::string& target) {
-    const auto key = std::make_tuple(sketch.path.string(), std::string(board.name), target);
-    const auto known = images_.find(key);
-    if (known != images_.end()) return known->second;
     sketch::Request request{sketch.path, board, target};
     for (const std::string& folder : arguments_.each.libraries) request.libraries.emplace_back(folder);
     request.sanitize = arguments_.each.sanitize;
-    return images_.emplace(key, image_of(sketch, request, progress_)).first->second;
-  }
-
-  const std::string& hash_of_file(const std::string& path) {
-    const auto known = hashes_.find(path);
-    if (known != hashes_.end()) return known->second;
-    return hashes_.emplace(path, sha256_of_file(path)).first->second;
+    return supplies_.image(sketch, request);
   }
 
   /// Map and robot as the user named them, or empty.
   Combination combine(const SketchChoice& sketch, const std::string& map_word, const std::string& robot_word,
                       const std::string& target) {
-    const Choice map = said(choose_map(map_word, sketch.folder));
-    const Choice robot_choice = said(choose_robot(robot_word, sketch.folder));
-    const client::RobotInfo& info = robot(robot_choice.path.string());
+    const Choice map = supplies_.said(choose_map(map_word, sketch.folder));
+    const Choice robot_choice = supplies_.said(choose_robot(robot_word, sketch.folder));
+    const client::RobotInfo& info = supplies_.robot(robot_choice.path.string());
     const sketch::Image& made = image(sketch, board_of(info), target);
     Combination c;
     c.task.target = target;
@@ -144,16 +171,12 @@ class Planner {
     request.profile = arguments_.each.profile;
     request.script = script_;
     request.script_file = arguments_.each.script.empty() ? "--send" : arguments_.each.script;
-    c.inputs = {describer_->hello().version,
-                target,
-                sketch.name,
-                map.name,
-                robot_choice.name,
-                made.sketch_sha256,
-                made.compiler,
-                arguments_.each.sanitize};
-    c.image_sha256 = hash_of_file(request.image);
-    c.map_sha256 = hash_of_file(request.map);
+    c.inputs = {supplies_.version(), target,
+                sketch.name,         map.name,
+                robot_choice.name,   made.sketch_sha256,
+                made.compiler,       arguments_.each.sanitize};
+    c.image_sha256 = supplies_.hash_of_file(request.image);
+    c.map_sha256 = supplies_.hash_of_file(request.map);
     c.robot_sha256 = info.sha256;
     const std::string conditions = sha256(conditions_of(request, c.inputs.robosim));
     c.fingerprint.parts = {c.image_sha256.substr(0, kDigits), c.map_sha256.substr(0, kDigits),
@@ -167,13 +190,8 @@ class Planner {
   }
 
   const SweepArguments& arguments_;
-  Progress& progress_;
+  SweepSupplies& supplies_;
   std::string script_;
-  std::set<std::string> announced_;
-  std::optional<client::Runner> describer_;
-  std::map<std::string, client::RobotInfo> robots_;
-  std::map<std::tuple<std::string, std::string, std::string>, sketch::Image> images_;
-  std::map<std::string, std::string> hashes_;
 };
 
 }  // namespace
@@ -190,13 +208,18 @@ client::Task SweepPlan::task_of(std::size_t run) const {
   return task;
 }
 
-SweepPlan plan_sweep(const SweepArguments& arguments, Progress& progress) {
+SweepPlanner::SweepPlanner(Progress& progress, Says says)
+    : supplies_(std::make_unique<SweepSupplies>(progress, says)) {}
+
+SweepPlanner::~SweepPlanner() = default;
+
+SweepPlan SweepPlanner::plan(const SweepArguments& arguments) {
   SweepPlan plan;
   plan.first_seed = arguments.first_seed;
   plan.seeds = arguments.last_seed - arguments.first_seed + 1;
-  Planner planner(arguments, progress);
-  if (arguments.sketches.empty()) planner.add_sketch("", plan.combinations);
-  for (const std::string& sketch : arguments.sketches) planner.add_sketch(sketch, plan.combinations);
+  Combiner combiner(arguments, *supplies_);
+  if (arguments.sketches.empty()) combiner.add_sketch("", plan.combinations);
+  for (const std::string& sketch : arguments.sketches) combiner.add_sketch(sketch, plan.combinations);
   return plan;
 }
 

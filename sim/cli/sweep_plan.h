@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,28 @@ struct SweepPlan {
   client::Task task_of(std::size_t run) const;
 };
 
-/// Finds the files, compiles the sketches. Says on standard error what it chose for the user. Throws
-/// InputError, ToolMissing and client::RunnerError.
-SweepPlan plan_sweep(const SweepArguments& arguments, Progress& progress);
+class SweepSupplies;
+
+/// Finds the files, compiles the sketches. What several sweeps share is compiled, read and said once.
+class SweepPlanner {
+ public:
+  /// What it says on standard error.
+  struct Says {
+    bool choices = true;   ///< made for the user
+    bool warnings = true;  ///< of the compiler
+  };
+  SweepPlanner(Progress& progress, Says says);
+  ~SweepPlanner();
+
+  /// Throws InputError, ToolMissing and client::RunnerError.
+  SweepPlan plan(const SweepArguments& arguments);
+
+ private:
+  std::unique_ptr<SweepSupplies> supplies_;
+};
+
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text);
 
 /// The command that makes one run again.
 std::string replay_command(const Combination& combination, std::uint64_t seed);
