@@ -10,13 +10,14 @@
 #include "sim/cli/names.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep_arguments.h"
+#include "sim/cli/test_arguments.h"
 #include "sim/grid/generator.h"
 
 namespace robosim::cli {
 namespace {
 
 const std::vector<std::string> kCommands{"run",   "sweep", "play",  "classic", "build",
-                                         "flash", "map",   "robot", "test"};
+                                         "flash", "map",   "robot", "test",    "new"};
 const std::vector<std::string> kLater{"compare"};
 
 double view_speed(const std::string& text) {
@@ -250,13 +251,6 @@ Command parse_play(const Words& words) {
   return play;
 }
 
-Command parse_test(const Words& words) {
-  Options options("test",
-                  "Checks a sketch automatically. In a checkout, ./robosim test runs Robosim's own tests.");
-  if (const auto help = options.parse(words)) return PrintText{*help};
-  return TestArguments{};
-}
-
 }  // namespace
 
 Command parse_arguments(const std::vector<std::string>& words) {
@@ -274,6 +268,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "map") return parse_map(rest);
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);
+  if (first == "new") return parse_new(rest);
   if (std::find(kLater.begin(), kLater.end(), first) != kLater.end()) {
     throw InputError(
         fmt::format("the command {} is not in this version yet; there are {}", first, one_of(kCommands)));

@@ -119,16 +119,26 @@ struct PlayArguments {
 };
 
 /// `robosim test`
-struct TestArguments {};
+struct TestArguments {
+  std::vector<std::string> sketches;
+  std::string checks;    ///< a file for all sketches; empty = the checks.toml beside each
+  std::string junit;     ///< a file; empty = none
+  std::size_t jobs = 1;  ///< runs at a time
+};
+
+/// `robosim new`
+struct NewArguments {
+  std::string name;
+};
 
 /// Nothing to do but to print: --help, --version, or the examples of a bare `robosim`.
 struct PrintText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, SweepArguments, PlayArguments, ClassicArguments, BuildArguments,
-                 FlashArguments, MapArguments, GenerateArguments, RobotArguments, TestArguments, PrintText>;
+using Command = std::variant<RunArguments, SweepArguments, PlayArguments, ClassicArguments, BuildArguments,
+                             FlashArguments, MapArguments, GenerateArguments, RobotArguments, TestArguments,
+                             NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -27,7 +27,8 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
   map generate                make maps by chance: trees, cycles, streets
   robot list|show|check       the robots; the text of one; check a robot file
-  test                        check a sketch automatically (in a checkout: Robosim's own tests)
+  test [SKETCH…]              what the checks.toml beside a sketch asks for (in a checkout: Robosim's own tests)
+  new NAME                    a project to begin with: sketch, robot, track, checks
 
   robosim COMMAND --help      the options of a command
   robosim --version           the version

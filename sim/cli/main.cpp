@@ -10,11 +10,13 @@
 #include "sim/cli/flash_command.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/map_command.h"
+#include "sim/cli/new_command.h"
 #include "sim/cli/output.h"
 #include "sim/cli/play_command.h"
 #include "sim/cli/robot_command.h"
 #include "sim/cli/run_command.h"
 #include "sim/cli/sweep_command.h"
+#include "sim/cli/test_command.h"
 #include "sim/sketch/sketch.h"
 
 namespace robosim::cli {
@@ -30,12 +32,8 @@ struct Perform {
   int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
   int operator()(const PlayArguments& arguments) const { return play_command(arguments); }
-  int operator()(const TestArguments&) const {
-    throw InputError(
-        "robosim test is not in this version yet (it will check a sketch by a checks.toml); in a checkout of "
-        "Robosim, "
-        "./robosim test runs Robosim's own tests");
-  }
+  int operator()(const TestArguments& arguments) const { return test_command(arguments); }
+  int operator()(const NewArguments& arguments) const { return new_command(arguments); }
   int operator()(const PrintText& text) const {
     print(text.text);
     return 0;

@@ -1,0 +1,56 @@
+#include "sim/cli/test_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "sim/cli/check_session.h"
+#include "sim/cli/interrupts.h"
+#include "sim/cli/output.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/test_report.h"
+
+namespace robosim::cli {
+namespace {
+
+/// True if all runs ended.
+bool make_runs(CheckSession& session, std::size_t jobs, Progress& progress) {
+  if (session.runs() == 0) return true;
+  client::Pool pool(std::min(jobs, session.runs()));
+  const Interrupts interrupts(pool);
+  client::Batch batch = session.batch();
+  batch.answered = [&, count = std::move(batch.answered)](std::size_t run, client::Answer answer) {
+    count(run, std::move(answer));
+    progress.update(fmt::format("{} of {} runs", session.runs_ended(), session.runs()));
+  };
+  return pool.run(batch);
+}
+
+}  // namespace
+
+int test_command(const TestArguments& arguments) {
+  std::vector<std::string> sketches = arguments.sketches;
+  if (sketches.empty()) sketches.emplace_back();
+  const bool several = sketches.size() > 1;
+  Progress progress(true);
+  SweepPlanner planner(progress, {false, !several});
+  CheckSession session(planner);
+  for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
+  const bool complete = make_runs(session, arguments.jobs, progress);
+  progress.clear();
+
+  const std::vector<SketchResult> results = session.results();
+  if (several) {
+    print(class_report(results));
+  } else {
+    if (results[0].problem) fmt::print(stderr, "{}\n", results[0].problem->text);
+    print(sketch_report(results[0]));
+  }
+  ExitStatus status = complete ? ExitStatus::ok : ExitStatus::interrupted;
+  for (const SketchResult& result : results) status = worse(status, result.status());
+  return static_cast<int>(status);
+}
+
+}  // namespace robosim::cli
