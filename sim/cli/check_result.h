@@ -21,13 +21,14 @@ struct CheckResult {
   std::string replay;  ///< the command that makes the first failed run again; empty = there is none
   std::size_t runs = 0;
   std::size_t passed = 0;
+  double time_s = 0.0;                    ///< simulated, of all runs
   std::optional<client::RunResult> only;  ///< of a check of one run
 
   bool ok() const { return status == ExitStatus::ok; }
 };
 
 struct SketchResult {
-  std::string sketch;  ///< as the user named it
+  std::string name;    ///< for people: as the user named it, or that of the current folder
   std::string checks;  ///< the file
   std::vector<CheckResult> results;
   /// Why there are none: a bad file, a sketch that does not compile.

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include "sim/cli/names.h"
 #include "sim/client/protocol.h"
 #include "sim/sketch/sketch.h"
+#include "sim/sketch/source.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -22,12 +24,22 @@ std::string first_error(const std::string& text) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// The place with which a compiler's message begins.
-Place place_in(const std::string& line) {
+/// The place with which a compiler's message begins. It names the sketch's files from the sketch's folder.
+Place place_in(const std::string& line, const fs::path& folder) {
   const std::size_t colon = line.find(':');
-  if (colon == std::string::npos || colon + 1 >= line.size()) return {};
+  if (colon == std::string::npos) return {};
   const int number = std::atoi(line.c_str() + colon + 1);
-  return number > 0 ? Place{line.substr(0, colon), number, 0} : Place{};
+  if (number <= 0) return {};
+  const fs::path file = line.substr(0, colon);
+  std::error_code error;
+  return {(fs::exists(folder / file, error) ? folder / file : file).string(), number, 0};
+}
+
+/// "pupils/anna/" is called pupils/anna.
+std::string name_of(const std::string& sketch) {
+  if (sketch.empty()) return fs::current_path().filename().string();
+  const std::size_t last = sketch.find_last_not_of('/');
+  return last == std::string::npos ? sketch : sketch.substr(0, last + 1);
 }
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
@@ -71,10 +83,13 @@ client::Demand demand_of(const Check& check) {
 
 void CheckSession::add(const std::string& sketch, const std::string& file) {
   SketchResult& result = sketches_.emplace_back();
-  result.sketch = sketch.empty() ? "." : sketch;
+  result.name = name_of(sketch);
   const std::size_t runs_before = runs_.size();
+  fs::path folder;
   try {
     const SketchChoice choice = choose_sketch(sketch);
+    folder = choice.folder;
+    if (choice.elf_target.empty()) sketch::read_sketch(choice.path);
     const fs::path beside =
         choice.folder == fs::current_path() ? "checks.toml" : choice.folder / "checks.toml";
     result.checks = file.empty() ? beside.string() : file;
@@ -93,7 +108,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
     }
   } catch (const sketch::CompileError& error) {
     const std::string line = first_error(error.what());
-    result.problem = {ExitStatus::bad_input, place_in(line), line, error.what()};
+    result.problem = {ExitStatus::bad_input, place_in(line, folder), line, error.what()};
   } catch (const InputError& error) {
     result.problem = {ExitStatus::bad_input, error.place(), error.what(),
                       fmt::format("robosim: {}", error.what())};
@@ -107,7 +122,8 @@ void CheckSession::plan(const Check& check) {
   SketchResult& sketch = sketches_.back();
   CheckResult& result = sketch.results.back();
   try {
-    Planned planned{sketches_.size() - 1, sketch.results.size() - 1, check, planner_.plan(check.sweep), {}};
+    Planned planned{
+        sketches_.size() - 1, sketch.results.size() - 1, check, planner_.plan(check.sweep), {}, true, {}, {}};
     result.where = where_text(planned.plan);
     const auto seeds = static_cast<std::int64_t>(planned.plan.seeds);
     planned.tallies.assign(planned.plan.combinations.size(), client::Tally(seeds, demand_of(check)));
@@ -156,6 +172,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const client::RunRes
   const auto why = why_failed(planned.check, run_result);
   planned.tallies[run / planned.plan.seeds].add(!why);
   ++result.runs;
+  result.time_s += run_result.time_s;
   if (planned.plan.runs() == 1) result.only = run_result;
   if (!why) {
     ++result.passed;

@@ -6,8 +6,11 @@
 #include <cstdio>
 #include <utility>
 
+#include "sim/base/file.h"
 #include "sim/cli/check_session.h"
+#include "sim/cli/github.h"
 #include "sim/cli/interrupts.h"
+#include "sim/cli/junit.h"
 #include "sim/cli/output.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/test_report.h"
@@ -47,6 +50,11 @@ int test_command(const TestArguments& arguments) {
   } else {
     if (results[0].problem) fmt::print(stderr, "{}\n", results[0].problem->text);
     print(sketch_report(results[0]));
+  }
+  if (!arguments.junit.empty()) write_file(arguments.junit, junit_xml(results));
+  if (on_github()) {
+    print(github_notes(results));
+    add_github_summary(results);
   }
   ExitStatus status = complete ? ExitStatus::ok : ExitStatus::interrupted;
   for (const SketchResult& result : results) status = worse(status, result.status());

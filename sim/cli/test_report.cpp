@@ -40,10 +40,6 @@ std::string outcome(const CheckResult& result) {
   return "";
 }
 
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::string sketch_report(const SketchResult& sketch) {
@@ -61,18 +57,19 @@ std::string sketch_report(const SketchResult& sketch) {
     if (!result.ok() && !result.replay.empty())
       text += fmt::format("        see: {} --view\n", result.replay);
   }
-  return text + fmt::format("{} of {} passed\n", sketch.passed(), counted(results.size(), "check"));
+  return text + fmt::format("{} of {} check{} passed\n", sketch.passed(), results.size(),
+                            results.size() == 1 ? "" : "s");
 }
 
 std::string class_report(const std::vector<SketchResult>& sketches) {
-  const auto name_of = [](const SketchResult& sketch) { return sketch.sketch; };
+  const auto name_of = [](const SketchResult& sketch) { return sketch.name; };
   const int names = widest(sketches, name_of);
   std::size_t passed = 0;
   std::string text;
   for (const SketchResult& sketch : sketches) {
-    std::string line = padded(sketch.sketch, names);
+    std::string line = padded(sketch.name, names);
     if (sketch.problem) {
-      line += "  ERROR          " + sketch.problem->line;
+      line += "  ERROR   " + sketch.problem->line;
     } else {
       const bool all = sketch.passed() == sketch.results.size();
       line +=
@@ -84,7 +81,7 @@ std::string class_report(const std::vector<SketchResult>& sketches) {
     }
     text += line + "\n";
   }
-  return text + fmt::format("{} of {} passed all checks\n", passed, counted(sketches.size(), "sketch"));
+  return text + fmt::format("{} of {} sketches passed all checks\n", passed, sketches.size());
 }
 
 }  // namespace robosim::cli

@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Stm32", {"run", "./Still", "--target", "stm32"}, 5, "cannot run the target stm32 yet"},
         Case{"View", {"run", "./Still", "--view"}, 2, "--view needs a terminal"},
         Case{"BadRecord", {"run", "./Still", "--record", "x.png"}, 2, "must be .csv or .vcd"},
-        Case{"Test", {"test"}, 2, "not in this version yet"},
+        Case{"Test", {"test"}, 2, "the current folder holds no sketch"},
         Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},
         Case{"CheckMap", {"map", "check", "bad.map"}, 2, "bad.map:2:2"},
         Case{"Bare", {}, 0, "robosim robot show uno5 > robot.toml"}),

@@ -108,7 +108,12 @@ TEST(Arguments, OtherCommandsTakeTheirWords) {
   EXPECT_EQ(generate.out, "maps");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "list"}).action, "list");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "check", "x.toml"}).robot, "x.toml");
-  EXPECT_NO_THROW(parsed<TestArguments>({"test"}));
+  EXPECT_THAT(parsed<TestArguments>({"test"}).sketches, testing::IsEmpty());
+  const TestArguments test = parsed<TestArguments>({"test", "a/", "b/", "--checks", "c", "--junit", "j"});
+  EXPECT_THAT(test.sketches, testing::ElementsAre("a/", "b/"));
+  EXPECT_EQ(test.checks, "c");
+  EXPECT_EQ(test.junit, "j");
+  EXPECT_EQ(parsed<NewArguments>({"new", "demo"}).name, "demo");
 }
 
 TEST(Arguments, ABareCommandPrintsSixExamples) {
@@ -181,7 +186,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "--baud: “fast” is not possible; it must be a whole"},
         Refused{{"robot", "show"}, "robosim robot show needs a robot"},
         Refused{{"robot", "list", "x"}, "robot list: “x” is one word too many"},
-        Refused{{"test", "x"}, "test: “x” is one word too many"}));
+        Refused{{"test", "--jobs", "0"}, "--jobs: “0” is not possible"},
+        Refused{{"new"}, "robosim new needs a name"},
+        Refused{{"new", "a", "b"}, "new: “b” is one word too many"}));
 
 }  // namespace
 }  // namespace robosim::cli

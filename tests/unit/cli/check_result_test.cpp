@@ -1,0 +1,149 @@
+#include "sim/cli/check_result.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/cli/test_report.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::Optional;
+
+client::RunResult run(const std::string& verdict) {
+  client::RunResult result;
+  result.verdict = verdict;
+  result.why = "That is why.";
+  return result;
+}
+
+Check check() {
+  Check check;
+  check.expect = {"reached"};
+  return check;
+}
+
+const Figure* figure(const std::string& name) {
+  for (const Figure& figure : figures()) {
+    if (figure.name == name) return &figure;
+  }
+  return nullptr;
+}
+
+TEST(WhyFailed, AsksForTheVerdictFirst) {
+  EXPECT_EQ(why_failed(check(), run("reached")), std::nullopt);
+  EXPECT_THAT(why_failed(check(), run("lost")), Optional(std::string("lost: That is why.")));
+  Check either = check();
+  either.expect = {"stuck", "lost"};
+  EXPECT_EQ(why_failed(either, run("lost")), std::nullopt);
+  EXPECT_THAT(why_failed(either, run("reached")),
+              Optional(HasSubstr("reached (expected: stuck or lost): That")));
+}
+
+TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
+  Check limited = check();
+  limited.limits = {{figure("cross_track_rms_mm"), 1.0, 2.5}};
+  client::RunResult result = run("reached");
+  for (const double inside : {1.0, 2.5}) {
+    result.metrics.cross_track_rms_mm = inside;
+    EXPECT_EQ(why_failed(limited, result), std::nullopt);
+  }
+  result.metrics.cross_track_rms_mm = 2.5000001;
+  EXPECT_THAT(why_failed(limited, result),
+              Optional(std::string("cross_track_rms_mm was 2.5000001, and 2.5 at most is allowed")));
+  result.metrics.cross_track_rms_mm = 0.123456;
+  EXPECT_THAT(why_failed(limited, result),
+              Optional(std::string("cross_track_rms_mm was 0.1235, and it must be 1 at least")));
+}
+
+TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
+  Check limited = check();
+  limited.limits = {{figure("laps_s"), std::nullopt, 9.0}};
+  client::RunResult result = run("reached");
+  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s is not known")));
+  result.metrics.laps_s = {8.0, 8.5};
+  EXPECT_EQ(why_failed(limited, result), std::nullopt);
+  result.metrics.laps_s = {8.0, 9.5};
+  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s was 9.5")));
+}
+
+TEST(WhyFailed, SerialTextsFollowEachOther) {
+  Check talks = check();
+  talks.serial = {"ready", "go"};
+  client::RunResult result = run("reached");
+  result.serial = "ready\nset\ngo\n";
+  EXPECT_EQ(why_failed(talks, result), std::nullopt);
+  result.serial = "go\nready\n";
+  EXPECT_THAT(why_failed(talks, result),
+              Optional(HasSubstr("did not send “go” by its serial port after “ready”")));
+}
+
+TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
+  Check visits = check();
+  visits.stations = {"2", "dock"};
+  client::RunResult result = run("reached");
+  result.metrics.stations = {"dock", "1", "2"};
+  EXPECT_EQ(why_failed(visits, result), std::nullopt);
+  result.metrics.stations = {"1", "2"};
+  EXPECT_THAT(why_failed(visits, result), Optional(HasSubstr("did not visit station dock")));
+}
+
+TEST(Figures, OfAChipAreKnownOnAChipOnly) {
+  client::RunResult result = run("reached");
+  for (const Figure& each : figures()) {
+    if (each.chip_only) {
+      EXPECT_THAT(each.values(result), ::testing::IsEmpty()) << each.name;
+    }
+  }
+  result.resources.emplace();
+  result.resources->ram_bytes = 165;
+  EXPECT_THAT(figure("ram_bytes")->values(result), ::testing::ElementsAre(165.0));
+  EXPECT_THAT(figure("loop_us_max")->values(result), ::testing::IsEmpty()) << "loop() was not found";
+  result.resources->loops = 2;
+  result.resources->loop_us_max = 17.0;
+  EXPECT_THAT(figure("loop_us_max")->values(result), ::testing::ElementsAre(17.0));
+}
+
+SketchResult sketch_with(const std::vector<ExitStatus>& statuses) {
+  SketchResult sketch;
+  for (const ExitStatus status : statuses) {
+    CheckResult& result = sketch.results.emplace_back();
+    result.name = "check";
+    result.status = status;
+    if (status != ExitStatus::ok) result.why = "Because.";
+  }
+  return sketch;
+}
+
+TEST(StatusOfChecks, IsTheWorst) {
+  using enum ExitStatus;
+  EXPECT_EQ(sketch_with({ok, ok}).status(), ok);
+  EXPECT_EQ(sketch_with({timeout, ok}).status(), timeout);
+  EXPECT_EQ(sketch_with({timeout, failed}).status(), failed);
+  EXPECT_EQ(sketch_with({bad_input, failed}).status(), bad_input);
+  EXPECT_EQ(sketch_with({bad_input, tool_missing}).status(), tool_missing);
+  EXPECT_EQ(sketch_with({internal, tool_missing}).status(), internal);
+  SketchResult broken = sketch_with({ok});
+  broken.problem.emplace();
+  EXPECT_EQ(broken.status(), bad_input);
+}
+
+TEST(ReportOfManySketches, HasALineForEach) {
+  std::vector<SketchResult> sketches{
+      sketch_with({ExitStatus::ok, ExitStatus::ok}), sketch_with({ExitStatus::ok, ExitStatus::failed}), {}};
+  sketches[0].name = "anna";
+  sketches[1].name = "ben";
+  sketches[2].name = "cleo";
+  sketches[2].problem.emplace();
+  sketches[2].problem->line = "cleo.ino:3: error: expected ‘;’";
+  EXPECT_EQ(class_report(sketches),
+            "anna  passed  2 of 2\n"
+            "ben   FAILED  1 of 2  check: Because.\n"
+            "cleo  ERROR   cleo.ino:3: error: expected ‘;’\n"
+            "1 of 3 sketches passed all checks\n");
+}
+
+}  // namespace
+}  // namespace robosim::cli

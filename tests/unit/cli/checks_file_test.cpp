@@ -1,0 +1,151 @@
+#include "sim/cli/checks_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class ChecksFile : public ::testing::Test {
+ protected:
+  std::vector<Check> read(const std::string& text) {
+    write_file(folder_.path() / "checks.toml", text);
+    return read_checks(folder_.path() / "checks.toml");
+  }
+  std::string in_folder(const std::string& file) const { return (folder_.path() / file).string(); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ChecksFile, KeysAreTheFlagsOfSweep) {
+  const Check check = read(R"([[check]]
+name = "all of them"
+map = ["oval", "own.map"]
+robot = "robot.toml"
+target = ["host", "avr"]
+start = "2,2,E"
+goal = "laps:2"
+for = "60s"
+clock = "1h"
+seeds = "3..60"
+profile = "ideal"
+script = "script.txt"
+send = ["a", "b"]
+libraries = "libs"
+sanitize = true
+min-rate = 0.9
+sure = true
+stop-early = true
+)")[0];
+  EXPECT_EQ(check.name, "all of them");
+  EXPECT_EQ(check.place.line, 1);
+  const SweepArguments& sweep = check.sweep;
+  EXPECT_THAT(sweep.maps, ElementsAre("oval", in_folder("own.map"))) << "paths are relative to the file";
+  EXPECT_THAT(sweep.robots, ElementsAre(in_folder("robot.toml")));
+  EXPECT_THAT(sweep.targets, ElementsAre("host", "avr"));
+  EXPECT_EQ(sweep.each.start, "2,2,E");
+  EXPECT_EQ(sweep.each.goal, "laps:2");
+  EXPECT_EQ(sweep.each.for_ns, 60'000'000'000);
+  EXPECT_EQ(sweep.each.clock_ns, 3'600'000'000'000);
+  EXPECT_EQ(sweep.first_seed, 3u);
+  EXPECT_EQ(sweep.last_seed, 60u);
+  EXPECT_EQ(sweep.each.profile, "ideal");
+  EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
+  EXPECT_THAT(sweep.each.send, ElementsAre("a", "b"));
+  EXPECT_THAT(sweep.each.libraries, ElementsAre(in_folder("libs")));
+  EXPECT_TRUE(sweep.each.sanitize);
+  EXPECT_EQ(sweep.min_rate, 0.9);
+  EXPECT_TRUE(sweep.sure);
+  EXPECT_TRUE(sweep.stop_early);
+}
+
+TEST_F(ChecksFile, WithoutKeysItIsOneRunThatMustReachItsGoal) {
+  const Check check = read("[[check]]\nname = 'x'\n")[0];
+  EXPECT_EQ(check.sweep.first_seed, 1u);
+  EXPECT_EQ(check.sweep.last_seed, 1u);
+  EXPECT_EQ(check.sweep.each.for_ns, RunArguments().for_ns);
+  EXPECT_THAT(check.expect, ElementsAre("reached"));
+  EXPECT_THAT(check.limits, IsEmpty());
+  EXPECT_FALSE(check.sweep.min_rate);
+}
+
+TEST_F(ChecksFile, LimitsAreNamedAsTheFiguresOfRun) {
+  const Check check = read(R"([[check]]
+name = 'x'
+target = 'avr'
+collisions = { max = 0 }
+laps_s = { min = 1.5, max = 9 }
+loop_us_max = { max = 2000 }
+serial = ["a", "b"]
+stations = "dock"
+expect = ["stuck", "lost"]
+)")[0];
+  ASSERT_EQ(check.limits.size(), 3u);
+  EXPECT_STREQ(check.limits[0].figure->name, "laps_s");
+  EXPECT_EQ(check.limits[0].min, 1.5);
+  EXPECT_EQ(check.limits[0].max, 9.0);
+  EXPECT_STREQ(check.limits[1].figure->name, "collisions");
+  EXPECT_FALSE(check.limits[1].min);
+  EXPECT_EQ(check.limits[1].max, 0.0);
+  EXPECT_STREQ(check.limits[2].figure->name, "loop_us_max");
+  EXPECT_THAT(check.serial, ElementsAre("a", "b"));
+  EXPECT_THAT(check.stations, ElementsAre("dock"));
+  EXPECT_THAT(check.expect, ElementsAre("stuck", "lost"));
+}
+
+struct RefusedChecks {
+  const char* text;
+  const char* says;
+};
+
+class RefusedChecksFile : public ChecksFile, public ::testing::WithParamInterface<RefusedChecks> {};
+
+TEST_P(RefusedChecksFile, IsToldWithLineAndColumn) {
+  try {
+    read(GetParam().text);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(std::string("checks.toml:") + GetParam().says));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, RefusedChecksFile,
+    ::testing::Values(
+        RefusedChecks{"", " holds no check"}, RefusedChecks{"check = 3", " holds no check"},
+        RefusedChecks{"[[checks]]\nname = 'x'\n", "1:1: unknown key checks"},
+        RefusedChecks{"[[check]]\nmap = 'oval'\n", "1:1: [[check]] lacks the key name"},
+        RefusedChecks{"[[check]]\nname = ''\n", "1:1: name is empty"},
+        RefusedChecks{"[[check]]\nname = 'x'\n[[check]]\nname = 'x'\n", "3:1: there are two checks “x”"},
+        RefusedChecks{"[[check]]\nname = 'x'\nmpa = 'oval'\n",
+                      "3:7: unknown key mpa in [[check]]; known are name, map, robot"},
+        RefusedChecks{"[[check]]\nname = 'x'\nfor = 60\n",
+                      "3:7: for: “60” is not possible; it must be a time"},
+        RefusedChecks{"[[check]]\nname = 'x'\nmap = ''\n", "3:7: map is empty"},
+        RefusedChecks{"[[check]]\nname = 'x'\nsanitize = 1\n", "3:12: sanitize is a whole number"},
+        RefusedChecks{"[[check]]\nname = 'x'\nseed = -1\n", "3:8: seed: “-1” is not possible"},
+        RefusedChecks{"[[check]]\nname = 'x'\nseed = 1\nseeds = '1..2'\n", "3:8: seed is one"},
+        RefusedChecks{"[[check]]\nname = 'x'\nmin-rate = 2\n", "3:12: min-rate: “2” is not possible"},
+        RefusedChecks{"[[check]]\nname = 'x'\nmap = ['a', 'a']\n", "3:7: map a is given twice"},
+        RefusedChecks{"[[check]]\nname = 'x'\nsure = true\n", "3:8: sure goes with min-rate"},
+        RefusedChecks{"[[check]]\nname = 'x'\nexpect = 'lsot'\n",
+                      "3:10: expect is “lsot”; it must be reached"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = 0\n",
+                      "3:14: collisions is a whole number; it must be"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = {}\n", "3:14: collisions needs min, max or both"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = { most = 0 }\n",
+                      "3:23: unknown key most in collisions"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = { max = '0' }\n",
+                      "3:22: max of collisions is a string"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncpu_load = { max = 1 }\n",
+                      "3:12: cpu_load is known on a chip only"}));
+
+}  // namespace
+}  // namespace robosim::cli
