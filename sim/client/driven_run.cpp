@@ -51,6 +51,14 @@ void DrivenRun::act(const std::string& lines) {
   take(std::move(line));
 }
 
+std::vector<std::uint8_t> DrivenRun::eeprom() {
+  if (over()) throw InputError("the run is over: its memory is gone");
+  Line line = ask(eeprom_line(id_));
+  if (auto* memory = std::get_if<Eeprom>(&line.content)) return std::move(memory->bytes);
+  take(std::move(line));
+  return {};
+}
+
 bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<Stop>& stops) {
   if (over() || to_ns <= state_.t_ns) return !over();
   return take(ask(go_on_line(id_, to_ns, stops)));

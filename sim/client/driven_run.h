@@ -33,6 +33,8 @@ class DrivenRun {
   /// Carries out deeds of the scenario language, one a line, without their times: `press start 100ms`. They
   /// happen as soon as the run goes on. Throws InputError, and does nothing, if one makes no sense.
   void act(const std::string& lines);
+  /// The firmware's non-volatile memory.
+  std::vector<std::uint8_t> eeprom();
   /// Runs until the simulated time `to_ns`, one of the stops or a verdict. False if that was a verdict: the
   /// run is then over. Throws InputError, and stays where it is, if a stop makes no sense.
   bool go_on(std::int64_t to_ns, const std::vector<Stop>& stops = {});

@@ -262,6 +262,10 @@ struct Paused {
 struct Accepted {
   std::string lines;
 };
+/// Its non-volatile memory.
+struct Eeprom {
+  std::vector<std::uint8_t> bytes;
+};
 /// What it was asked makes no sense: nothing happened.
 struct Refused {
   std::string message;

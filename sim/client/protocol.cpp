@@ -215,6 +215,13 @@ Paused paused(const Json& json) {
   return p;
 }
 
+Eeprom eeprom(const std::string& digits) {
+  Eeprom memory;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    memory.bytes.push_back(static_cast<std::uint8_t>(std::stoi(digits.substr(i, 2), nullptr, 16)));
+  return memory;
+}
+
 Json stop_json(const Stop& stop) {
   switch (stop.kind) {
     case Stop::Kind::serial:
@@ -249,6 +256,7 @@ Line line_from(const Json& json) {
   if (json.contains("paused")) return {id, paused(get<Json>(json, "paused"))};
   if (json.contains("accepted"))
     return {id, Accepted{get<std::string>(get<Json>(json, "accepted"), "lines")}};
+  if (json.contains("eeprom")) return {id, eeprom(get<std::string>(json, "eeprom"))};
   if (json.contains("refused")) return {id, Refused{get<std::string>(json, "refused")}};
   const auto error = get<Json>(json, "error");
   return {id, ErrorAnswer{get<std::string>(error, "kind"), get<std::string>(error, "message")}};
@@ -311,6 +319,8 @@ std::string go_on_line(long long id, std::int64_t to_ns, const std::vector<Stop>
   }
   return line(json);
 }
+
+std::string eeprom_line(long long id) { return line({{"id", id}, {"do", "eeprom"}}); }
 
 std::string end_line(long long id) { return line({{"id", id}, {"do", "end"}}); }
 

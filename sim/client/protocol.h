@@ -32,7 +32,7 @@ struct ErrorAnswer {
 /// One line of a runner.
 struct Line {
   long long id = -1;  ///< of the request that it answers; -1 = none (hello)
-  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult, Paused, Accepted, Refused> content;
+  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult, Paused, Accepted, Eeprom, Refused> content;
 };
 
 /// Throws RunnerError, quoting the line, if it is none of the protocol's.
@@ -45,6 +45,7 @@ std::string run_line(long long id, const RunRequest& request);
 std::string act_line(long long id, const std::string& lines);
 /// `to_ns` < 0: without end.
 std::string go_on_line(long long id, std::int64_t to_ns, const std::vector<Stop>& stops);
+std::string eeprom_line(long long id);
 std::string end_line(long long id);
 
 }  // namespace robosim::client

@@ -3,6 +3,7 @@
 // what a script with the same lines at the same times does: the trace is the same.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ class Standstill {
  public:
   virtual const State& state() const = 0;
   virtual const Sample& sample() const = 0;
+  /// The firmware's non-volatile memory, all of it.
+  virtual std::vector<std::uint8_t> eeprom() const = 0;
   /// Adds steps to the script; what is due now happens as soon as the run goes on. Throws InputError, and
   /// adds none, for names that do not exist.
   virtual void add(std::vector<Step> steps) = 0;

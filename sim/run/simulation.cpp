@@ -48,6 +48,9 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
 
   const State& state() const override { return state_; }
   const Sample& sample() const override { return sample_; }
+  std::vector<std::uint8_t> eeprom() const override {
+    return {board_.eeprom(), board_.eeprom() + board_.spec().eeprom_bytes};
+  }
   void add(std::vector<Step> steps) override { director_.add(std::move(steps), progress_); }
   void check(const Leg& leg) const override { lookout_.check(leg); }
 
@@ -288,6 +291,8 @@ Metrics Simulation::metrics() const {
 
 Outcome Simulation::finish(Verdict verdict, SimTime t) {
   const Evidence e = evidence(verdict, t);
+  if (setup_.pilot && setup_.samples_every > 0 && t % setup_.samples_every != 0)
+    listener_.sampled(sample_at(t));
   Outcome outcome;
   outcome.verdict = verdict;
   outcome.why = explain(e);

@@ -1,6 +1,7 @@
 #include "sim/runner/remote_pilot.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <array>
@@ -108,11 +109,16 @@ run::Leg RemotePilot::next(run::Standstill& standstill) {
         run::Leg leg = parse_leg(request);
         standstill.check(leg);
         return leg;
+      } else if (what == "eeprom") {
+        Json answer = with_id(id_);
+        answer["eeprom"] = fmt::format("{:02x}", fmt::join(standstill.eeprom(), ""));
+        write_line(answer);
       } else if (what == "end") {
         return {.end = true};
       } else {
         throw InputError(fmt::format(
-            "a run that stands still is asked \"script\", \"continue\" or \"end\", not {}", what.dump()));
+            "a run that stands still is asked \"script\", \"continue\", \"eeprom\" or \"end\", not {}",
+            what.dump()));
       }
     } catch (const InputError& error) {
       Json refused = with_id(id_);

@@ -93,6 +93,11 @@ TEST(DrivenRunTest, StopsWhereItWasAskedTo) {
   EXPECT_FALSE(run.state().driven);
 }
 
+TEST(DrivenRunTest, TellsTheFirmwaresMemory) {
+  DrivenRun run(runner(), request_of({.sketch = "PidFollower", .goal = "none"}));
+  EXPECT_EQ(run.eeprom(), std::vector<std::uint8_t>(1024, 0xFF)) << "as it comes from the factory";
+}
+
 TEST(DrivenRunTest, GoesOnAfterWhatMakesNoSense) {
   DrivenRun run(runner(), request_of({.sketch = "PidFollower", .goal = "none"}));
   const auto refusal = [&](const auto& deed) -> std::string {

@@ -1,0 +1,135 @@
+// AiNavigator: it explores a floor by itself, and then drives to any station that it is told.
+#include <robosim/testing.h>
+
+#include "firmware/src/nav/FixedNetwork.h"
+#include "tests/firmware/maps.h"
+
+namespace {
+
+using namespace robosim::testing;
+
+class AiNavigator : public RobotTest, public testing::WithParamInterface<std::string> {
+ protected:
+  AiNavigator() : RobotTest({.sketch = "AiNavigator", .map = kTee, .target = GetParam()}) {}
+
+  void scan() {
+    ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+    robot().press("start");
+    ASSERT_TRUE(robot().run_until(serial_says("destination?"), within(2_min)));
+  }
+  void go_to(int station) {
+    robot().send(std::to_string(station) + "\n");
+    const std::string arrived = "arrived at " + std::to_string(station);
+    ASSERT_TRUE(robot().run_until(serial_says(arrived), within(1_min)));
+    EXPECT_EQ(robot().station(), std::to_string(station));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(On, AiNavigator, AllTargets(), Named());
+
+TEST_P(AiNavigator, WaitsForTheButtonBeforeItDrives) {
+  EXPECT_THAT(robot().run_for(1_s), AllOf(NeverDrives(at_all()), SerialSays("press the button")));
+  robot().press("start");
+  ASSERT_TRUE(robot().run_until(motors_start(), within(500_ms)));
+}
+
+TEST_P(AiNavigator, FindsAllStationsAndJunctions) {
+  scan();
+  EXPECT_THAT(robot(), SerialSays("scan complete: 3 stations, 1 junction"));
+  EXPECT_EQ(robot().stations_visited().size(), 3u);
+  EXPECT_EQ(robot().station(), "1");
+}
+
+TEST_P(AiNavigator, DrivesToTheStationThatItIsTold) {
+  scan();
+  go_to(3);
+  go_to(2);
+  go_to(1);
+  EXPECT_THAT(robot(), NeverCollides());
+}
+
+TEST_P(AiNavigator, TakesTheShortestWay) {
+  scan();
+  robot().send("2\n");
+  const Drive way = robot().run_until(serial_says("arrived at 2"), within(1_min));
+  ASSERT_TRUE(way);
+  EXPECT_THAT(way, Not(Visits({3})));
+}
+
+TEST_P(AiNavigator, RefusesAStationThatDoesNotExist) {
+  scan();
+  robot().send("4\n");
+  EXPECT_THAT(robot().run_for(2_s), AllOf(SerialSays("refused"), NeverDrives(at_all())));
+}
+
+TEST_P(AiNavigator, RemembersItsMapWhenItIsSwitchedOff) {
+  scan();
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("I have a map: 3 stations, 1 junction"), within(2_s)));
+  go_to(2);
+}
+
+TEST_P(AiNavigator, DoesNotTrustItsPlaceWhenItWasSwitchedOffUnderWay) {
+  scan();
+  robot().send("3\n");
+  ASSERT_TRUE(robot().run_until(serial_says("way:"), within(1_s)));
+  robot().run_for(1_s);
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("switched off under way"), within(2_s)));
+  EXPECT_THAT(robot().run_for(2_s), NeverDrives(at_all()));
+}
+
+TEST_P(AiNavigator, StopsWhenItsBumperIsPressedAndGoesOnWhenTheWayIsFree) {
+  scan();
+  robot().send("3\n");
+  ASSERT_TRUE(robot().run_until(serial_says("way:"), within(1_s)));
+  robot().run_for(1_s);
+  robot().press("bumper", 2_s);
+  EXPECT_THAT(robot().run_for(1500_ms), StopsWithin(300_ms));
+  ASSERT_TRUE(robot().run_until(serial_says("arrived at 3"), within(1_min)));
+}
+
+TEST_P(AiNavigator, LightsTheSecondLedAtAStation) {
+  scan();
+  robot().send("3\n");
+  ASSERT_TRUE(robot().run_until(turns_off("LED2"), within(5_s)));
+  ASSERT_TRUE(robot().run_until(turns_on("LED2"), within(1_min)));
+  EXPECT_EQ(robot().station(), "3");
+}
+
+class AiNavigatorOnMap : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Map, AiNavigatorOnMap, Maps("b", "warehouse"), Named());
+
+/// The map that the sketch keeps in EEPROM.
+Graph explored(const std::vector<std::uint8_t>& eeprom) {
+  struct Source {
+    const std::vector<std::uint8_t>& bytes;
+    std::size_t at = 0;
+    std::uint8_t get() { return bytes[at++]; }
+  } source{eeprom};
+  nav::FixedNetwork<60> network;
+  Graph graph;
+  if (!network.load(source)) return graph;
+  graph.nodes.resize(network.size());
+  for (std::uint8_t node = 0; node < network.size(); ++node) {
+    for (std::uint8_t slot = 0; slot < nav::slots(network, node); ++slot) {
+      const std::uint8_t other = network.link(node, slot);
+      graph.nodes[node].arms.push_back(other == network.kBlocked || other == network.kNone
+                                           ? Graph::End{}
+                                           : Graph::End{other, network.backSlot(node, slot)});
+    }
+  }
+  return graph;
+}
+
+TEST_P(AiNavigatorOnMap, ExploresTheGraphThatIsThere) {
+  Simulation robot({.sketch = "AiNavigator", .map = GetParam()});
+  ASSERT_TRUE(robot.run_until(serial_says("press the button"), within(1_s)));
+  robot.press("start");
+  ASSERT_TRUE(robot.run_until(serial_says("destination?"), within(20_min)));
+  EXPECT_THAT(explored(robot.eeprom()), IsTheSameGraphAs(robot.true_graph()));
+  EXPECT_THAT(robot, NeverCollides());
+}
+
+}  // namespace

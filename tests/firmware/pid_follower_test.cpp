@@ -1,0 +1,82 @@
+// PidFollower: it follows a line fast, through bends and gaps, and never loses it.
+#include <robosim/testing.h>
+
+namespace {
+
+using namespace robosim::testing;
+
+class PidFollower : public RobotTest, public testing::WithParamInterface<std::string> {
+ protected:
+  explicit PidFollower(Trial trial = {.map = "oval"}) : RobotTest(with_sketch(trial)) {}
+
+ private:
+  static Trial with_sketch(Trial trial) {
+    trial.sketch = "PidFollower";
+    trial.target = GetParam();
+    return trial;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(On, PidFollower, AllTargets(), Named());
+
+TEST_P(PidFollower, StartsAtOnce) {
+  ASSERT_TRUE(robot().run_until(motors_start(), within(50_ms)));
+  EXPECT_THAT(robot().run_for(1_s), NeverDrives(backwards()));
+  EXPECT_GT(robot().moment().speed.mm_per_s, 100.0);
+}
+
+TEST_P(PidFollower, KeepsToTheLineAllTheWayRound) {
+  const Drive drive = robot().run_for(12_s);
+  EXPECT_THAT(drive, Follows(line(), within(25_mm)));
+  EXPECT_THAT(drive, NeverDrives(off_the_line()));
+  EXPECT_GT(drive.distance().mm, 3000.0);
+}
+
+TEST_P(PidFollower, ComesBackToTheLineAfterAFingerOnASensor) {
+  robot().run_for(1_s);
+  robot().cover("S1", 100_ms);
+  robot().run_for(1_s);
+  EXPECT_THAT(robot().run_for(4_s), Follows(line(), within(25_mm)));
+}
+
+TEST_P(PidFollower, LeavesTheChipRoomAndComesRoundEveryTenMilliseconds) {
+  if (!robot().on_chip()) GTEST_SKIP() << "the host has no chip's memory";
+  robot().run_for(3_s);
+  EXPECT_THAT(robot(), UsesAtMost(ram(600), stack(300), flash(12000), loop_time(10_ms)));
+}
+
+class PidFollowerMeasuringItsRange : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { ROBOSIM_SKIP_WITHOUT(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(On, PidFollowerMeasuringItsRange, AllTargets(), Named());
+
+TEST_P(PidFollowerMeasuringItsRange, TurnsToAndFroFirstAndThenFollowsTheLine) {
+  Simulation robot(
+      {.sketch = "PidFollower", .map = "oval", .target = GetParam(), .script = "at 0s press start 200ms"});
+  const Drive measuring = robot.run_for(1900_ms);
+  EXPECT_LT(measuring.distance().mm, 100.0) << "it stays where it is";
+  robot.run_for(1_s);
+  EXPECT_THAT(robot.run_for(4_s), Follows(line(), within(25_mm)));
+}
+
+class PidFollowerOnManySeeds : public testing::TestWithParam<std::uint64_t> {};
+
+INSTANTIATE_TEST_SUITE_P(Seed, PidFollowerOnManySeeds, Seeds(1, 3), Named());
+
+TEST_P(PidFollowerOnManySeeds, LapsTheOvalTwice) {
+  Simulation robot({.sketch = "PidFollower", .map = "oval", .seed = GetParam(), .goal = "laps:2"});
+  EXPECT_THAT(robot.run_to_the_end(), Reaches("laps:2"));
+}
+
+class PidFollowerOnEveryLoop : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Map, PidFollowerOnEveryLoop, Maps("oval", "tight", "dashed"), Named());
+
+TEST_P(PidFollowerOnEveryLoop, DrivesALap) {
+  Simulation robot({.sketch = "PidFollower", .map = GetParam(), .goal = "laps:1"});
+  EXPECT_THAT(robot.run_to_the_end(), Reaches("laps:1"));
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+// PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and is sent about by radio.
+#include <robosim/testing.h>
+
+#include "tests/firmware/maps.h"
+
+namespace {
+
+using namespace robosim::testing;
+
+class PonyNavigator : public RobotTest, public testing::WithParamInterface<std::string> {
+ protected:
+  PonyNavigator()
+      : RobotTest({.sketch = "PonyNavigator", .map = kTee, .robot = "pony", .target = GetParam()}) {}
+
+  void scan() {
+    ASSERT_TRUE(robot().run_until(serial_says("ready"), within(1_s)));
+    robot().press("scan");
+    ASSERT_TRUE(robot().run_until(serial_matches("^scan complete"), within(5_min)));
+  }
+  void go_to(int station) {
+    robot().act("send radio " + std::to_string(station));
+    const std::string arrived = "at station " + std::to_string(station);
+    ASSERT_TRUE(robot().run_until(serial_says(arrived), within(2_min)));
+    EXPECT_EQ(robot().station(), std::to_string(station));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(On, PonyNavigator, AllTargets(), Named());
+
+TEST_P(PonyNavigator, StandsStillUntilItIsToldWhatToDo) {
+  EXPECT_THAT(robot().run_for(1_s), NeverDrives(at_all()));
+}
+
+TEST_P(PonyNavigator, FindsAllStations) {
+  scan();
+  EXPECT_THAT(robot(), SerialMatches("scan complete, stations: 3"));
+  EXPECT_EQ(robot().stations_visited().size(), 3u);
+}
+
+TEST_P(PonyNavigator, DrivesToTheStationThatTheRadioSays) {
+  scan();
+  go_to(3);
+  go_to(2);
+  go_to(1);
+  EXPECT_THAT(robot(), NeverCollides());
+}
+
+TEST_P(PonyNavigator, RefusesAStationThatDoesNotExist) {
+  scan();
+  robot().act("send radio 9");
+  EXPECT_THAT(robot().run_for(2_s), AllOf(SerialSays("refused: no such station"), NeverDrives(at_all())));
+}
+
+TEST_P(PonyNavigator, RefusesToDriveBeforeItKnowsWhereItIs) {
+  ASSERT_TRUE(robot().run_until(serial_says("ready"), within(1_s)));
+  robot().act("send radio 2");
+  EXPECT_THAT(robot().run_for(2_s), AllOf(SerialSays("refused: where am I?"), NeverDrives(at_all())));
+}
+
+TEST_P(PonyNavigator, KeepsItsMapWhenItIsSwitchedOffAndIsToldWhereItIs) {
+  scan();
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("map in memory, stations: 3"), within(2_s)));
+  robot().run_for(500_ms);
+  robot().press("station1");
+  ASSERT_TRUE(robot().run_until(serial_says("at station 1"), within(5_s)));
+  go_to(2);
+}
+
+TEST_P(PonyNavigator, WaitsBeforeAnObstacleUntilTheWayIsFree) {
+  scan();
+  robot().act("send radio 3");
+  ASSERT_TRUE(robot().run_until(serial_says("to station 3"), within(2_s)));
+  robot().run_for(1_s);
+  robot().press("bumper", 2_s);
+  EXPECT_THAT(robot().run_for(1500_ms), StopsWithin(300_ms));
+  ASSERT_TRUE(robot().run_until(serial_says("at station 3"), within(2_min)));
+}
+
+}  // namespace

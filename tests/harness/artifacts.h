@@ -1,0 +1,22 @@
+// What is kept of a run whose test failed: docs/testing.md lists it.
+#pragma once
+
+#include <string>
+
+#include "tests/harness/history.h"
+#include "tests/harness/stage.h"
+
+namespace robosim::testing {
+
+/// The folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts; "" if that is
+/// "none". Nothing is made yet.
+std::string artifact_folder();
+
+/// The robosim command for a stage, but for --for; `script` is its file, or empty.
+std::string replay_command(const Stage& stage, const std::string& folder, bool script);
+
+/// Runs it once more, in one go, and writes the folder. Says what is wrong if it cannot; else "".
+std::string keep(const History& history, const Stage& stage, const std::string& script,
+                 client::Runner& runner);
+
+}  // namespace robosim::testing

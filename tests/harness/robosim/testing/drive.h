@@ -1,0 +1,96 @@
+// A stretch of a run: what happened between two moments. Matchers look at it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robosim/testing/quantities.h"
+
+namespace robosim::testing {
+
+/// Where the robot is. World coordinates: x east, y north from the map's bottom-left corner, of the axle's
+/// centre; yaw counter-clockwise from east. Columns and rows count from 0 at the map's top left.
+struct Pose {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double yaw_rad = 0.0;
+  int column = 0;
+  int row = 0;
+};
+
+/// The robot at a moment; one is taken every 10 ms.
+struct Moment {
+  Duration t{};
+  Pose pose;
+  Speed speed;            ///< forward
+  Length cross_track;     ///< midpoint of the line sensors to the nearest centre line
+  double left = 0.0;      ///< motor command, -1..1
+  double right = 0.0;     ///< motor command, -1..1
+  bool off_line = false;  ///< no line sensor sees any line
+  std::string station;    ///< whose centre the body covers; "" = none
+  std::vector<double> readings;
+};
+
+/// What firmware takes of its chip.
+struct Usage {
+  std::int64_t flash_bytes = 0;
+  std::int64_t ram_bytes = 0;    ///< variables
+  std::int64_t stack_bytes = 0;  ///< at most, interrupt handlers included
+  Duration longest_loop{};       ///< 0 = not known
+};
+
+struct History;
+
+class Drive {
+ public:
+  Drive(std::shared_ptr<const History> history, Duration begin, Duration end);
+
+  Duration begin() const { return begin_; }
+  Duration end() const { return end_; }
+
+  /// Whether what it was run until has happened; true if it was run for a time, to the end.
+  bool arrived() const { return complaint_.empty(); }
+  explicit operator bool() const { return arrived(); }
+  /// For ASSERT_TRUE and EXPECT_TRUE: with the reason.
+  operator ::testing::AssertionResult() const;  // NOLINT(google-explicit-constructor)
+
+  /// What the sketch has sent in it.
+  std::string serial() const;
+  /// Its moments, in the order of time; the first is the one it began with.
+  std::vector<Moment> moments() const;
+  /// Stations in the order in which it came to them; one that it left and came back to is there twice.
+  std::vector<std::string> stations() const;
+  /// When and where it was farthest from the line.
+  Moment worst() const;
+  Length distance() const;
+  int collisions() const;
+  /// "lost", "reached", … if the run ended with it; else "".
+  std::string verdict() const;
+  /// One sentence, if the run ended.
+  std::string why() const;
+  /// On a chip: until now.
+  std::optional<Usage> usage() const;
+
+  /// Lines for messages: the last events before `until`, and the command that replays the run.
+  std::string epilogue(Duration until) const;
+  /// "PidFollower on oval, seed 3, host, from 0 s to 20 s"
+  std::string title() const;
+  const History& history() const { return *history_; }
+
+  void fail_with(std::string complaint) { complaint_ = std::move(complaint); }
+
+ private:
+  std::shared_ptr<const History> history_;
+  Duration begin_, end_;
+  std::string complaint_;
+};
+
+void PrintTo(const Drive& drive, std::ostream* out);
+
+}  // namespace robosim::testing

@@ -1,0 +1,68 @@
+// What a robot is run until: ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(5_s))).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robosim/testing/quantities.h"
+
+namespace robosim::testing {
+
+/// Things that may happen; a || b is whichever comes first. Looked at every millisecond.
+class Event {
+ public:
+  enum class Kind { serial, line, note, visited, at, reading, pin, motors, rest, end };
+  struct One {
+    Kind kind;
+    std::string text;    ///< text, regular expression, station, part, pin, or verdict
+    bool level = true;   ///< of reading, pin, motors
+    Duration time{};     ///< of rest
+    std::string clause;  ///< for messages: `the sketch says "Ready"`
+  };
+
+  explicit Event(One one) : any_{std::move(one)} {}
+  const std::vector<One>& any() const { return any_; }
+  /// "the sketch says "Ready", or the LED is on"
+  std::string clause() const;
+
+  friend Event operator||(Event a, const Event& b) {
+    a.any_.insert(a.any_.end(), b.any_.begin(), b.any_.end());
+    return a;
+  }
+
+ private:
+  std::vector<One> any_;
+};
+
+/// The sketch has sent this text. It reads on where the last such event, or the last deed (press, send, …),
+/// was: the answer to a question is looked for after the question.
+Event serial_says(const std::string& text);
+/// A whole line that it has sent since then, without its end, matches this regular expression (ECMAScript's)
+/// somewhere.
+Event serial_matches(const std::string& regex);
+/// A station has been visited: the body has covered its centre, once at least since the start. By number or
+/// name.
+Event visits(const std::string& station);
+Event visits(int station);
+/// The body covers a station's centre now.
+Event is_at(const std::string& station);
+Event is_at(int station);
+/// An LED, or another part that people can see or touch, is on or off.
+Event turns_on(const std::string& part);
+Event turns_off(const std::string& part);
+/// The firmware drives a pin ("D13", "A5") high, or with PWM; or low. However briefly.
+Event pin_goes_high(const std::string& pin);
+Event pin_goes_low(const std::string& pin);
+/// A motor is commanded; none is.
+Event motors_start();
+Event motors_stop();
+/// No wheel has turned for so long.
+Event stands_still(Duration time = 500_ms);
+/// It has met a wall, an obstacle or the map's edge.
+Event collides();
+/// The run has ended with this verdict, such as "lost" or "crashed" (docs/formats.md). Who waits for one does
+/// not fail because of it.
+Event ends(const std::string& verdict);
+
+}  // namespace robosim::testing

@@ -1,0 +1,50 @@
+// A floor's network of lines as a graph: to hold what firmware has explored against what is there.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace robosim::testing {
+
+/// Stations (one arm, or none if it stands alone) and junctions (three or four), in any numbering.
+struct Graph {
+  /// The other end of a line.
+  struct End {
+    int node = kBlocked;  ///< index into `nodes`
+    int arm = 0;          ///< which of its arms the line is there
+  };
+  static constexpr int kBlocked = -1;  ///< an obstacle is on the line
+
+  struct Node {
+    std::vector<End> arms;  ///< as they follow to the right hand; which one is the first does not matter
+  };
+  std::vector<Node> nodes;
+
+  int stations() const;
+  int junctions() const;
+};
+
+/// "" if the graphs are the same but for the numbers of nodes and for which arm is the first; else a
+/// sentence.
+std::string difference(const Graph& truth, const Graph& found);
+
+/// EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph()))
+class IsTheSameGraphAs {
+ public:
+  explicit IsTheSameGraphAs(Graph truth) : truth_(std::move(truth)) {}
+  using is_gtest_matcher = void;
+  bool MatchAndExplain(const Graph& found, std::ostream* out) const;
+  void DescribeTo(std::ostream* out) const;
+  void DescribeNegationTo(std::ostream* out) const;
+
+ private:
+  Graph truth_;
+};
+
+/// "4 stations, 2 junctions"
+void PrintTo(const Graph& graph, std::ostream* out);
+
+}  // namespace robosim::testing

@@ -1,0 +1,114 @@
+// One robot with one sketch on one map, driven step by step.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robosim/testing/drive.h"
+#include "robosim/testing/events.h"
+#include "robosim/testing/graph.h"
+#include "robosim/testing/quantities.h"
+
+namespace robosim::testing {
+
+/// What is to run. Only the sketch has no default. Paths are relative to the current folder.
+struct Trial {
+  std::string sketch;  ///< a folder, an .ino, one of Robosim's by name, or a finished .elf
+  std::string map;     ///< name, path, or the map itself (several lines); "" = the only one beside the
+                       ///< sketch, else oval
+  std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml beside the sketch, else uno5
+  std::string target = "host";
+  std::uint64_t seed = 1;
+  std::string profile = "typical";         ///< or "ideal": no noise, no spread
+  std::string start;                       ///< "X,Y,DIR"; "" = the map's
+  std::string goal = "none";               ///< where the run ends by itself; docs/formats.md
+  std::string script;                      ///< a scenario, from the beginning on
+  Duration limit = std::chrono::hours(1);  ///< the run ends here, whatever happens
+  Duration clock_start{};                  ///< what millis() begins with; chip targets only
+  std::vector<std::string> libraries;      ///< folders of further Arduino libraries
+};
+
+class Simulation {
+ public:
+  /// Compiles the sketch and puts the robot on the map; time stands at 0. Throws std::exception with a
+  /// sentence for what cannot be: a wrong name, a sketch that does not compile, a missing tool.
+  explicit Simulation(Trial trial);
+  /// Ends the run. If the test has failed, keeps what is needed to understand it (docs/testing.md).
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  // --- Time. A run that is lost, stuck, hung, over budget or crashed fails the test then and there, unless
+  // the test waits for just that by ends().
+  Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
+  [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
+                                const char* file = __builtin_FILE(), int line = __builtin_LINE());
+  /// To the verdict: the goal is reached, the limit is there, or it fails.
+  Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
+  Duration now() const;
+
+  // --- Deeds; they happen now. Parts are called as in the robot file. Unknown names throw.
+  void press(const std::string& button, Duration time = 100_ms);
+  void hold(const std::string& button);
+  void release(const std::string& button);
+  void send(const std::string& text);  ///< to the sketch's Serial
+  void cover(const std::string& sensor, Duration time);
+  void place(int column, int row, char facing);  ///< 'N', 'E', 'S' or 'W'
+  /// Lifts it and puts it down where it is, facing the other way (in the direction nearest to that).
+  void turn_round();
+  void power_off(Duration time = 100_ms);
+  /// Any line of the scenario language, without its time: "fault S2 stuck 1023".
+  void act(const std::string& line);
+
+  // --- What there is.
+  Moment moment() const;
+  Pose pose() const { return moment().pose; }
+  bool is_on(const std::string& part) const;  ///< an LED, a button
+  double reading(const std::string& part) const;
+  std::string station() const { return moment().station; }
+  std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
+  std::string serial() const;                         ///< all that the sketch has sent
+  std::vector<std::uint8_t> eeprom() const;           ///< the board's, all of it
+  /// The network of lines that the robot can reach from its start: what an explorer must find.
+  Graph true_graph() const;
+  bool over() const;
+  std::string verdict() const;  ///< "" until it is over
+  bool on_chip() const { return trial_.target != "host"; }
+
+  /// All that has happened so far.
+  Drive so_far() const;
+  operator Drive() const { return so_far(); }  // NOLINT(google-explicit-constructor)
+
+  const Trial& trial() const { return trial_; }
+  /// The command that gives this very run until now.
+  std::string replay_command() const;
+  /// Of the run until now; ends it.
+  std::string trace_hash();
+
+ private:
+  struct Inside;
+  Trial trial_;
+  std::unique_ptr<Inside> in_;
+};
+
+void PrintTo(const Simulation& simulation, std::ostream* out);
+
+/// Why nothing can be run for a target: the tool that is missing and its remedy; "" if all is there.
+std::string what_lacks(const std::string& target);
+/// Whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+bool is_required(const std::string& target);
+
+}  // namespace robosim::testing
+
+/// Ends the test, or SetUp, where a tool of the target is missing: skipped with the remedy; failed if
+/// ROBOSIM_REQUIRE names the target.
+#define ROBOSIM_SKIP_WITHOUT(target)                                          \
+  do {                                                                        \
+    const std::string robosim_lacks = ::robosim::testing::what_lacks(target); \
+    if (robosim_lacks.empty()) break;                                         \
+    if (::robosim::testing::is_required(target)) FAIL() << robosim_lacks;     \
+    GTEST_SKIP() << robosim_lacks;                                            \
+  } while (false)

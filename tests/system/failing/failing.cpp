@@ -1,0 +1,27 @@
+// Tests that fail, of sketches with bugs: docs/testing.md shows what they say.
+#include <robosim/testing.h>
+
+namespace {
+
+using namespace robosim::testing;
+
+TEST(TooFast, KeepsToTheLine) {
+  Simulation robot({.sketch = "./TooFast", .map = "oval", .seed = 3});
+  ASSERT_TRUE(robot.run_until(serial_says("go"), within(1_s)));
+  robot.cover("S3", 50_ms);
+  EXPECT_THAT(robot.run_for(5_s), Follows(line(), within(15_mm)));
+}
+
+TEST(WrongButton, DrivesWhenTheButtonIsPressed) {
+  Simulation robot({.sketch = "./WrongButton", .map = "oval"});
+  ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(1_s)));
+  robot.press("start");
+  ASSERT_TRUE(robot.run_until(motors_start(), within(500_ms)));
+}
+
+TEST(Forgetful, VisitsTheStations) {
+  Simulation robot({.sketch = "./Forgetful", .map = "d", .robot = "uno3", .goal = "tour"});
+  EXPECT_THAT(robot.run_to_the_end(), Visits({2, 3}));
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// What a failed test says and keeps; of real ones, in tests/system/failing.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::harness {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Every number becomes #.
+std::string without_figures(const std::string& text) {
+  return std::regex_replace(text, std::regex(" *[0-9]+([.][0-9]+)?"), "#");
+}
+
+class FailedTests : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new test::TemporaryFolder;
+    run("GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=" + path("summary.md") + " ROBOSIM_ARTIFACTS=" +
+            path("kept") + " " FAILING_TESTS " --gtest_color=no --gtest_output=xml:" + path("junit.xml"),
+        "out.txt");
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static std::string path(const std::string& name) { return (folder_->path() / name).string(); }
+  static std::string text(const std::string& name) { return read_file(path(name)); }
+  static void run(const std::string& command, const std::string& out) {
+    const std::string line =
+        "cd " FAILING_SKETCHES " && " + command + " > " + path(out) + " 2>&1 < /dev/null";
+    ASSERT_NE(std::system(line.c_str()), -1);
+  }
+
+ private:
+  static test::TemporaryFolder* folder_;
+};
+
+test::TemporaryFolder* FailedTests::folder_ = nullptr;
+
+TEST_F(FailedTests, SayWhatHappenedWhenAndWhere) {
+  EXPECT_THAT(
+      text("out.txt"),
+      AllOf(HasSubstr("Expected: follows the line within 15 mm"), HasSubstr("mm off the line, at column"),
+            HasSubstr("it did not happen within 0.50 s that a motor is driven"),
+            HasSubstr("the sketch says \"Ready: press start\\r\\n\""), HasSubstr("start pressed"),
+            HasSubstr("the run ended at"), HasSubstr("Forgetful.ino:")));
+}
+
+TEST_F(FailedTests, AreReplayedByTheCommandThatTheyTell) {
+  const std::string command = text("kept/TooFast.KeepsToTheLine/command.txt");
+  EXPECT_THAT(text("out.txt"), HasSubstr("replay: " + command));
+  EXPECT_THAT(command,
+              HasSubstr("robosim run ./TooFast --map oval --robot uno5 --target host --seed 3 --goal none "
+                        "--script "));
+  const std::string arguments =
+      command.substr(std::string("robosim").size(), command.size() - std::string("robosim\n").size());
+  run(ROBOSIM_COMMAND + arguments + " --json", "replay.json");
+  const std::string junit = text("junit.xml");
+  const std::string key = "robosim_trace_hash\" value=\"";
+  const std::size_t at = junit.find(key);
+  ASSERT_NE(at, std::string::npos) << junit;
+  const std::string hash = junit.substr(at + key.size(), junit.find('"', at + key.size()) - at - key.size());
+  EXPECT_THAT(text("replay.json"), HasSubstr(hash));
+}
+
+TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
+  const fs::path kept = path("kept/TooFast.KeepsToTheLine");
+  for (const char* file : {"command.txt", "script.txt", "map.map", "robot.toml", "serial.txt", "events.txt",
+                           "run.csv", "run.vcd"})
+    EXPECT_TRUE(fs::exists(kept / file)) << file;
+  EXPECT_EQ(read_file(kept / "script.txt"), "at 1ms cover S3 50ms\n");
+  EXPECT_EQ(read_file(kept / "serial.txt"), "go\r\n");
+  EXPECT_THAT(read_file(kept / "run.csv"), HasSubstr("\n5000000,"));
+  EXPECT_FALSE(fs::exists(path("kept/Forgetful.VisitsTheStations/script.txt"))) << "nothing was done";
+  EXPECT_THAT(text("out.txt"), Not(HasSubstr("a fault of Robosim")));
+}
+
+TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
+  EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
+  EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
+  EXPECT_THAT(text("summary.md"),
+              AllOf(HasSubstr("### Robosim: 0 passed, 3 failed, 0 skipped"), HasSubstr("| `WrongButton."),
+                    HasSubstr("| `Forgetful.VisitsTheStations` |")));
+}
+
+TEST_F(FailedTests, AreTheExamplesOfTheGuide) {
+  const std::string guide = read_file(TESTING_GUIDE);
+  // Each line of an example is one of the output, but for places of files, and figures, which another
+  // compiler of the sketch changes.
+  const std::string out = without_figures(text("out.txt"));
+  std::size_t begin = guide.find("```text\n");
+  int lines = 0;
+  ASSERT_NE(begin, std::string::npos);
+  while (begin != std::string::npos) {
+    const std::size_t end = guide.find("```\n", begin + 8);
+    std::istringstream example(guide.substr(begin + 8, end - begin - 8));
+    for (std::string line; std::getline(example, line); ++lines) {
+      if (line.find("replay:") != std::string::npos || line.find("kept:") != std::string::npos ||
+          line.find("failing.cpp") != std::string::npos)
+        continue;
+      EXPECT_THAT(out, HasSubstr(without_figures(line)));
+    }
+    begin = guide.find("```text\n", end);
+  }
+  EXPECT_GT(lines, 20);
+}
+
+}  // namespace
+}  // namespace robosim::harness

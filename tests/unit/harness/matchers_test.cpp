@@ -1,0 +1,165 @@
+#include <gtest/gtest-spi.h>
+#include <robosim/testing.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+using namespace robosim::testing;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string explanation(const Requirement& requirement, const Drive& drive) {
+  testing::StringMatchResultListener said;
+  testing::ExplainMatchResult(requirement, drive, &said);
+  return said.str();
+}
+
+constexpr const char* kSketches = FAILING_SKETCHES;
+
+Trial pid_on_oval() { return {.sketch = "PidFollower", .map = "oval"}; }
+Trial with(const char* failing_sketch) { return {.sketch = std::string(kSketches) + "/" + failing_sketch}; }
+Trial forgetful() {
+  Trial trial = with("Forgetful");
+  trial.map = "d";
+  trial.robot = "uno3";
+  return trial;
+}
+
+TEST(Follows, NeedsADriveAndEveryMillisecondOfIt) {
+  Simulation robot(pid_on_oval());
+  EXPECT_THAT(explanation(Follows(line(), within(15_mm)), robot.so_far()), HasSubstr("it drove 0 mm in all"));
+  const Drive drive = robot.run_for(3_s);
+  const Length worst = drive.worst().cross_track;
+  EXPECT_GT(worst.mm, 1.0);
+  EXPECT_THAT(drive, Follows(line(), within(worst)));
+  EXPECT_THAT(drive, Not(Follows(line(), within(mm(worst.mm - 0.01)))));
+  EXPECT_THAT(robot, Follows(line(), within(worst))) << "a simulation is all that has happened";
+}
+
+TEST(NeverDrives, LooksAtTheDriveAlone) {
+  Simulation robot(pid_on_oval());
+  const Drive start = robot.run_for(2_s);
+  EXPECT_THAT(start, NeverDrives(backwards()));
+  EXPECT_THAT(start, Not(NeverDrives(faster_than(50_mm_per_s))));
+  EXPECT_THAT(start, NeverDrives(faster_than(5.0_m_per_s)));
+  EXPECT_THAT(start, Not(NeverDrives(at_all())));
+  EXPECT_THAT(start,
+              Not(NeverDrives(onto(start.moments().back().pose.column, start.moments().back().pose.row))));
+  EXPECT_THAT(start, Not(StopsWithin(500_ms)));
+  robot.power_off(2_s);
+  EXPECT_THAT(robot.run_for(1500_ms), StopsWithin(1_s));
+  EXPECT_THAT(robot.run_for(300_ms), NeverDrives(at_all()));
+}
+
+TEST(Stations, AreThoseItCameToInTheirOrder) {
+  Simulation robot({.sketch = "RightPath", .map = "a", .robot = "uno3", .goal = "tour"});
+  EXPECT_EQ(robot.station(), "1");
+  const Drive tour = robot.run_to_the_end();
+  EXPECT_THAT(tour.stations(), ElementsAre("2", "1"));
+  EXPECT_THAT(tour, VisitsInOrder({2, 1}));
+  EXPECT_THAT(tour, Not(VisitsInOrder({1, 2})));
+  EXPECT_THAT(tour, Visits({1, 2}));
+  EXPECT_THAT(explanation(Visits({2, 7}), tour), HasSubstr("it did not come to 7 until"));
+  EXPECT_THAT(tour, Reaches("tour"));
+  EXPECT_THAT(explanation(Reaches("laps:1"), tour), HasSubstr("the goal of this run is tour"));
+}
+
+TEST(SerialEvents, ReadOnAndLookBehindTheLastDeed) {
+  Simulation robot({.sketch = "AiNavigator", .map = "b"});
+  const Drive boot = robot.run_for(500_ms);
+  EXPECT_THAT(boot, SerialSays("ready"));
+  EXPECT_THAT(boot, SerialMatches("^Put me .* scan\\.$"));
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(10_ms)))
+      << "it has said so, and nobody has read it";
+  EXPECT_FALSE(robot.run_until(serial_says("ready"), within(10_ms))) << "it was read";
+  robot.send("1\n");
+  EXPECT_FALSE(robot.run_until(serial_says("I will scan"), within(1_ms))) << "said before the question";
+  const Drive answer = robot.run_until(serial_says("I will scan"), within(100_ms));
+  EXPECT_TRUE(answer);
+  EXPECT_THAT(answer, Not(SerialSays("ready")));
+}
+
+TEST(Events, AreWhicheverComesFirst) {
+  Simulation robot(pid_on_oval());
+  ASSERT_TRUE(robot.run_until(stands_still(1_s) || motors_start(), within(1_s)));
+  EXPECT_LT(robot.now(), 100_ms);
+}
+
+TEST(Parts, AreTouchedAndReadByTheirNames) {
+  Simulation robot(with("WrongButton"));
+  robot.run_for(100_ms);
+  EXPECT_FALSE(robot.is_on("start"));
+  robot.hold("start");
+  robot.run_for(10_ms);
+  EXPECT_TRUE(robot.is_on("start"));
+  robot.release("start");
+  robot.run_for(10_ms);
+  EXPECT_FALSE(robot.is_on("start"));
+  EXPECT_THROW(robot.press("stop"), std::exception);
+  EXPECT_THROW(robot.reading("lamp"), std::exception);
+  const double yaw = robot.pose().yaw_rad;
+  robot.turn_round();
+  robot.run_for(10_ms);
+  EXPECT_NEAR(std::abs(robot.pose().yaw_rad - yaw), 3.14159, 0.001);
+}
+
+TEST(ARunThatFailsByItself, FailsTheTestUnlessItAsksHowTheRunEnded) {
+  EXPECT_NONFATAL_FAILURE(
+      {
+        Simulation robot(forgetful());
+        robot.run_for(20_s);
+      },
+      "the run failed by itself");
+  Simulation robot(forgetful());
+  EXPECT_TRUE(robot.run_until(ends("crashed"), within(20_s)));
+  EXPECT_THAT(robot, EndsAs("crashed"));
+  EXPECT_THROW(robot.press("start"), std::exception) << "it is over";
+}
+
+TEST(Trial, TakesAMapAndARobotAsText) {
+  Simulation robot({.sketch = "PidFollower",
+                    .map = "__________\n__________\n__________\n"
+                           "___S......\n__________\n__________\n__________\n",
+                    .robot = "base = \"uno5\"\n[chassis]\nmass = \"500 g\"\n"});
+  robot.run_for(500_ms);
+  EXPECT_GT(robot.so_far().distance().mm, 50.0);
+  EXPECT_THAT(robot.replay_command(), HasSubstr("map.map"));
+}
+
+TEST(Resources, AreNotKnownOnTheHost) {
+  Simulation robot(pid_on_oval());
+  robot.run_for(100_ms);
+  EXPECT_THAT(explanation(UsesAtMost(ram(1000)), robot.so_far()), HasSubstr("run this test on avr"));
+}
+
+TEST(Resources, AreMeasuredOnTheChip) {
+  ROBOSIM_SKIP_WITHOUT("avr");
+  Trial trial = pid_on_oval();
+  trial.target = "avr";
+  Simulation robot(trial);
+  robot.run_for(300_ms);
+  EXPECT_THAT(robot, UsesAtMost(ram(2000), stack(1000), flash(30000), loop_time(20_ms)));
+  EXPECT_THAT(explanation(UsesAtMost(stack(1), loop_time(20_ms)), robot.so_far()),
+              HasSubstr("bytes of stack"));
+}
+
+TEST(Targets, ThatDoNotExistAreNamed) {
+  EXPECT_EQ(what_lacks("host"), "");
+  EXPECT_THAT(what_lacks("pdp11"), HasSubstr("pdp11"));
+}
+
+TEST(ASimulation, IsTheSameEveryTime) {
+  const auto hash = [] {
+    Simulation robot(pid_on_oval());
+    robot.run_for(1_s);
+    robot.cover("S2", 30_ms);
+    robot.run_for(1_s);
+    return robot.trace_hash();
+  };
+  EXPECT_EQ(hash(), hash());
+}
+
+}  // namespace
