@@ -34,12 +34,13 @@ unsigned long micros() {
   const Quiet quiet;
   uint32_t count = load(kStkVal);
   uint32_t ms = robosim_millis;
-  // The counter may have started anew while its interrupt waits.
+  // The counter may have reached 0 while its interrupt waits.
   if (load(kScbIcsr) & kPendStSet) {
     count = load(kStkVal);
     ++ms;
   }
-  return ms * 1000u + (kCyclesPerMilli - 1 - count) / kCyclesPerMicro;
+  const uint32_t cycles = count > 0 ? kCyclesPerMilli - count : 0;
+  return ms * 1000u + cycles / kCyclesPerMicro;
 }
 
 void delay(unsigned long ms) {

@@ -38,7 +38,7 @@ Command parse_run(const Words& words) {
   options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
   options.text("--robot", run.robot, "ROBOT", "file, or name of a stock robot");
-  options.text("--target", run.target, "TARGET", "host or avr (stm32 is to come)");
+  options.text("--target", run.target, "TARGET", "host, avr or stm32");
   options.text("--start", run.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
   options.text("--goal", run.goal, "GOAL", "tour, laps:N, station:N, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");

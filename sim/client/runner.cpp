@@ -20,11 +20,13 @@ std::string program_of(const std::string& target) {
   const fs::path program = helper_folder() / ("robosim-" + target);
   std::error_code error;
   if (!fs::exists(program, error)) {
-    if (target == "avr") {
-      throw ToolMissing(
-          "the target avr is missing: Robosim was built without the Debian packages libsimavr-dev and "
-          "libdw-dev. "
-          "Install them (sudo apt install libsimavr-dev libdw-dev), configure and build Robosim again");
+    const std::string packages = target == "avr"     ? "libsimavr-dev libdw-dev"
+                                 : target == "stm32" ? "libunicorn-dev libdw-dev"
+                                                     : "";
+    if (!packages.empty()) {
+      throw ToolMissing("the target " + target + " is missing: Robosim was built without the Debian packages " +
+                        packages + ". Install them (sudo apt install " + packages +
+                        "), configure and build Robosim again");
     }
     throw ToolMissing("the runner of target " + target + " is not there: " + program.string() +
                       ". This version has " + one_of(available_targets()) + ".");
@@ -35,7 +37,7 @@ std::string program_of(const std::string& target) {
 }  // namespace
 
 const std::vector<std::string>& available_targets() {
-  static const std::vector<std::string> targets{"host", "avr"};
+  static const std::vector<std::string> targets{"host", "avr", "stm32"};
   return targets;
 }
 

@@ -14,7 +14,7 @@ struct AvrExecutor::Image {
   }
 
   avr::Firmware firmware;
-  avr::DebugInfo debug;
+  DebugInfo debug;
   std::optional<std::uint32_t> loop;
 };
 

@@ -64,11 +64,5 @@ TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
 }
 
-TEST(CliBuild, ATargetOfALaterVersionIsStatus5) {
-  const Ended ended = robosim_command({"build", "PidFollower", "--target", "stm32"});
-  EXPECT_EQ(ended.status, 5);
-  EXPECT_THAT(ended.err, HasSubstr("does not build for the target stm32 yet; there are host and avr"));
-}
-
 }  // namespace
 }  // namespace robosim::test

@@ -135,7 +135,6 @@ INSTANTIATE_TEST_SUITE_P(
             "BadStart", {"run", "./Still", "--map", "oval", "--robot", "uno3", "--start", "0,0,E"}, 2, "0,0"},
         Case{"NoSketch", {"run"}, 2, "the current folder holds no sketch"},
         Case{"NoSuchMap", {"run", "./Still", "--map", "ovla"}, 2, "did you mean oval?"},
-        Case{"Stm32", {"run", "./Still", "--target", "stm32"}, 5, "cannot run the target stm32 yet"},
         Case{"View", {"run", "./Still", "--view"}, 2, "--view needs a terminal"},
         Case{"BadRecord", {"run", "./Still", "--record", "x.png"}, 2, "must be .csv or .vcd"},
         Case{"Test", {"test"}, 2, "the current folder holds no sketch"},

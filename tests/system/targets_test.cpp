@@ -10,30 +10,46 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+/// The robot with the target's board in the Uno's place.
+std::string with_board_of(const std::string& target, const std::string& robot) {
+  if (target != "stm32") return robot;
+  return robot == "pony" ? "bluepony" : "bluepill" + robot.substr(3);
+}
+
 class OnEveryTarget : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override { needs_target(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr"),
+INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr", "stm32"),
                          [](const auto& target) { return std::string(target.param); });
 
 TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const client::RunResult r =
-        run({.sketch = "PidFollower", .goal = "laps:1", .seed = seed, .for_s = 60.0, .target = GetParam()});
+    const client::RunResult r = run({.sketch = "PidFollower",
+                                     .robot = with_board_of(GetParam(), "uno5"),
+                                     .goal = "laps:1",
+                                     .seed = seed,
+                                     .for_s = 60.0,
+                                     .target = GetParam()});
     ASSERT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << "seed " << seed;
   }
 }
 
 TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsOfMapD) {
-  const client::RunResult right =
-      run({.sketch = "RightPath", .map = "d", .robot = "uno3", .goal = "tour", .target = GetParam()});
+  const client::RunResult right = run({.sketch = "RightPath",
+                                       .map = "d",
+                                       .robot = with_board_of(GetParam(), "uno3"),
+                                       .goal = "tour",
+                                       .target = GetParam()});
   EXPECT_EQ(right.verdict, "reached") << right.why;
   EXPECT_THAT(right.metrics.stations, ElementsAre("1", "2", "3", "4", "5", "6", "7"));
-  const client::RunResult left =
-      run({.sketch = "LeftPath", .map = "d", .robot = "uno3", .goal = "tour", .target = GetParam()});
+  const client::RunResult left = run({.sketch = "LeftPath",
+                                      .map = "d",
+                                      .robot = with_board_of(GetParam(), "uno3"),
+                                      .goal = "tour",
+                                      .target = GetParam()});
   EXPECT_EQ(left.verdict, "reached") << left.why;
   EXPECT_THAT(left.metrics.stations, ElementsAre("1", "7", "6", "5", "4", "3", "2"));
 }
@@ -46,6 +62,7 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
         test::Run{.sketch = "AiNavigator", .map = "d", .script = scan},
         test::Run{.sketch = "PonyNavigator", .map = "d", .robot = "pony", .script = pony_scan}}) {
     test::Run once = sketch;
+    once.robot = with_board_of(GetParam(), sketch.robot);
     once.goal = "none";
     once.seed = 7;
     once.for_s = 5.0;
@@ -57,9 +74,11 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
 }
 
 TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
-  const std::string robot = (sketch_folder("WaitsForFlag") / "robot.toml").string();
+  const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "waits.toml";
+  const std::string uno = read_file(sketch_folder("WaitsForFlag") / "robot.toml");
+  write_file(robot, (std::string(GetParam()) == "stm32" ? "board = \"bluepill\"\n" : "") + uno);
   const client::RunResult r = run({.sketch = "WaitsForFlag",
-                                   .robot = robot,
+                                   .robot = robot.string(),
                                    .goal = "none",
                                    .script = "at 500ms press go",
                                    .for_s = 1.0,

@@ -1,7 +1,7 @@
 // What can be said about firmware from its chip's state and its debug information.
 #pragma once
 
-#include "sim/executors/avr/debug_info.h"
+#include "sim/executors/chip/debug_info.h"
 #include "sim/executors/avr/machine.h"
 #include "sim/executors/undefined.h"
 

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/executors/avr/registers.h"
+#include "sim/executors/chip/file_reader.h"
 
 namespace robosim::executors::avr {
 namespace {
@@ -17,36 +18,7 @@ constexpr std::uint32_t kDataSpace = 0x800000;     // avr-gcc's address of data 
 constexpr std::uint32_t kEepromSpace = 0x810000;   // and of what is neither flash nor RAM
 constexpr std::uint32_t kEnlargedFlash = 0x10000;  // all that a data pointer reaches
 
-/// Reads records of a file without ever leaving it.
-class Reader {
- public:
-  Reader(const std::string& content, std::string file) : content_(content), file_(std::move(file)) {}
-
-  template <typename T>
-  T at(std::size_t offset) const {
-    T value;
-    std::memcpy(&value, bytes(offset, sizeof value), sizeof value);
-    return value;
-  }
-  const char* bytes(std::size_t offset, std::size_t size) const {
-    if (offset > content_.size() || size > content_.size() - offset) damaged();
-    return content_.data() + offset;
-  }
-  std::string text(std::size_t offset) const {
-    const std::size_t end = offset < content_.size() ? content_.find('\0', offset) : std::string::npos;
-    if (end == std::string::npos) damaged();
-    return content_.substr(offset, end - offset);
-  }
-  [[noreturn]] void damaged() const {
-    throw InputError({file_}, "is damaged: it ends before what it announces");
-  }
-
- private:
-  const std::string& content_;
-  std::string file_;
-};
-
-void load_segments(const Reader& in, const Elf32_Ehdr& header, const BoardSpec& board, Firmware& firmware) {
+void load_segments(const FileReader& in, const Elf32_Ehdr& header, const BoardSpec& board, Firmware& firmware) {
   std::vector<Elf32_Phdr> segments;
   std::uint64_t size = 0;
   for (unsigned i = 0; i < header.e_phnum; ++i) {
@@ -69,7 +41,7 @@ void load_segments(const Reader& in, const Elf32_Ehdr& header, const BoardSpec& 
   }
 }
 
-void load_symbols(const Reader& in, const Elf32_Ehdr& header, Firmware& firmware) {
+void load_symbols(const FileReader& in, const Elf32_Ehdr& header, Firmware& firmware) {
   const auto section = [&](unsigned number) {
     return in.at<Elf32_Shdr>(header.e_shoff + number * std::size_t{header.e_shentsize});
   };
@@ -104,7 +76,7 @@ void load_symbols(const Reader& in, const Elf32_Ehdr& header, Firmware& firmware
 
 Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& board) {
   const std::string content = read_file(file);
-  const Reader in(content, file.string());
+  const FileReader in(content, file.string());
   Firmware firmware;
   firmware.file = file.string();
   if (content.size() < sizeof(Elf32_Ehdr) || std::memcmp(content.data(), ELFMAG, SELFMAG) != 0)

@@ -155,7 +155,7 @@ TEST_F(Wrapper, BuildsAndRunsTheTests) {
   const Result result = run("../checkout/robosim test -R Golden");
   EXPECT_EQ(result.out, checkout().string() + "\n");
   const std::string asked = calls();
-  EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit chip\n"));
+  EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit chip arm-kit\n"));
   EXPECT_THAT(asked, HasSubstr("cmake --preset release -DROBOSIM_TESTS=ON\n"));
   EXPECT_THAT(asked, Not(HasSubstr("--target")));
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -R Golden\n"));

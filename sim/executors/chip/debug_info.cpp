@@ -1,11 +1,11 @@
-#include "sim/executors/avr/debug_info.h"
+#include "sim/executors/chip/debug_info.h"
 
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace robosim::executors::avr {
+namespace robosim::executors {
 namespace {
 
 std::string name_of(Dwarf_Die& die) {
@@ -129,4 +129,4 @@ std::optional<std::uint32_t> DebugInfo::entry_of(const std::string& function) co
   return static_cast<std::uint32_t>(entries[0]);
 }
 
-}  // namespace robosim::executors::avr
+}  // namespace robosim::executors

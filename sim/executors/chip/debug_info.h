@@ -14,7 +14,7 @@
 
 struct Dwarf;
 
-namespace robosim::executors::avr {
+namespace robosim::executors {
 
 class DebugInfo {
  public:
@@ -36,7 +36,8 @@ class DebugInfo {
   Dwarf* dwarf_ = nullptr;
 };
 
-/// Whether debug information names this file for code that is not the user's: the core, avr-libc, Robosim.
+/// Whether debug information names this file for code that is not the user's: the core, the C library,
+/// Robosim.
 bool is_core_file(const std::string& file);
 
-}  // namespace robosim::executors::avr
+}  // namespace robosim::executors
