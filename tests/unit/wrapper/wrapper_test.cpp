@@ -39,20 +39,21 @@ class Wrapper : public testing::Test {
     for (const char* file : {"robosim", "CMakeLists.txt", "CMakePresets.json", "toolchain/packages.sh"})
       fs::copy(source / file, checkout() / file);
     write_file(checkout() / "toolchain/packages.txt",
-               "[host]\nplenty\nscarce  # why\n[test]\ncheck-kit\n[avr]\nchip\n");
-    tool("dpkg-query", "printf '%s installed\\n' plenty check-kit chip $(cat have 2>/dev/null)");
+               "[host]\nplenty\nscarce  # why\n[test]\ncheck-kit\n[avr]\nchip\n[stm32]\narm-kit\n");
+    tool("dpkg-query", "printf '%s installed\\n' plenty check-kit chip arm-kit $(cat have 2>/dev/null)");
     tool("sudo", "exec \"$@\"");
     tool("apt-get", "case \" $* \" in *' update '*) echo Hit:1;; *) echo scarce >have;; esac");
     tool("ctest", "pwd");
     tool("cmake", R"(
       case $1 in
         --version) echo 'cmake version 3.25.1' ;;
-        --preset) mkdir -p build/$2; echo 'build robosim-avr: phony' >build/$2/build.ninja
+        --preset) mkdir -p build/$2; printf 'build robosim-%s: phony\n' avr stm32 >build/$2/build.ninja
                   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
                   echo 'ROBOSIM_TESTS:BOOL='${3#*=} >>build/$2/CMakeCache.txt ;;
         --build) echo compiling
                  printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim
-                 case "$*" in *robosim-avr*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-avr ;; esac ;;
+                 case "$*" in *robosim-avr*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-avr ;; esac
+                 case "$*" in *robosim-stm32*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-stm32 ;; esac ;;
       esac)");
     write_file(folder_ / "have", "scarce\n");
   }
@@ -147,6 +148,20 @@ TEST_F(Wrapper, BuildsTheChipsRunnerOnceItIsWantedAndKeepsItUpToDate) {
 TEST_F(Wrapper, BuildsTheChipsRunnerForAFinishedProgramToo) {
   run("../checkout/robosim run my/made.elf");
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
+TEST_F(Wrapper, BuildsTheOtherChipsRunnerWhereThatIsWanted) {
+  run("../checkout/robosim run X --target stm32");
+  const std::string asked = calls();
+  EXPECT_THAT(asked, testing::ContainsRegex("dpkg-query .* plenty scarce arm-kit\n"));
+  EXPECT_THAT(asked, HasSubstr("--target robosim robosim-host robosim-stm32\n"));
+  std::string elf(52, '\0');
+  elf[18] = 40;
+  write_file(folder_ / "elsewhere/made.elf", elf);
+  run("../checkout/robosim run made.elf");
+  EXPECT_EQ(calls(), "");
+  run("../checkout/robosim run X --target avr");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr robosim-stm32\n"));
 }
 
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
