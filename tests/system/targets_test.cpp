@@ -21,7 +21,7 @@ class OnEveryTarget : public testing::TestWithParam<const char*> {
   void SetUp() override { needs_target(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr", "stm32"),
+INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr"),
                          [](const auto& target) { return std::string(target.param); });
 
 TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
