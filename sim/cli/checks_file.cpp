@@ -20,21 +20,21 @@ namespace {
 
 /// Flags of `run` and `sweep`: their keys are the flags' names without the hyphens.
 enum class Kind { value, list, yes_or_no };
-enum class Path { never, if_it_looks_so, always };
+enum class Text { plain, name_or_path, path, sent };
 struct Flag {
   const char* key;
   Kind kind;
-  Path path;
+  Text text;
 };
 constexpr Flag kFlags[] = {
-    {"map", Kind::list, Path::if_it_looks_so},  {"robot", Kind::list, Path::if_it_looks_so},
-    {"target", Kind::list, Path::never},        {"start", Kind::value, Path::never},
-    {"goal", Kind::value, Path::never},         {"for", Kind::value, Path::never},
-    {"clock", Kind::value, Path::never},        {"seeds", Kind::value, Path::never},
-    {"profile", Kind::value, Path::never},      {"script", Kind::value, Path::always},
-    {"send", Kind::list, Path::never},          {"libraries", Kind::list, Path::always},
-    {"sanitize", Kind::yes_or_no, Path::never}, {"min-rate", Kind::value, Path::never},
-    {"sure", Kind::yes_or_no, Path::never},     {"stop-early", Kind::yes_or_no, Path::never},
+    {"map", Kind::list, Text::name_or_path},    {"robot", Kind::list, Text::name_or_path},
+    {"target", Kind::list, Text::plain},        {"start", Kind::value, Text::plain},
+    {"goal", Kind::value, Text::plain},         {"for", Kind::value, Text::plain},
+    {"clock", Kind::value, Text::plain},        {"seeds", Kind::value, Text::plain},
+    {"profile", Kind::value, Text::plain},      {"script", Kind::value, Text::path},
+    {"send", Kind::list, Text::sent},           {"libraries", Kind::list, Text::path},
+    {"sanitize", Kind::yes_or_no, Text::plain}, {"min-rate", Kind::value, Text::plain},
+    {"sure", Kind::yes_or_no, Text::plain},     {"stop-early", Kind::yes_or_no, Text::plain},
 };
 
 const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "hung",
@@ -60,6 +60,31 @@ std::vector<std::string> words_of(const ConfigValue& value, const char* key) {
 std::vector<std::string> words_at(TableReader& reader, const char* key) {
   const ConfigValue* value = reader.find(key);
   return value ? words_of(*value, key) : std::vector<std::string>{};
+}
+
+/// As a scenario, and so --send, writes it between its double quotes.
+std::string escaped(const std::string& text) {
+  std::string word;
+  for (const char c : text) {
+    switch (c) {
+      case '\n':
+        word += "\\n";
+        break;
+      case '\r':
+        word += "\\r";
+        break;
+      case '\t':
+        word += "\\t";
+        break;
+      case '"':
+      case '\\':
+        word += '\\';
+        [[fallthrough]];
+      default:
+        word += c;
+    }
+  }
+  return word;
 }
 
 /// "--min-rate" in a message becomes "min-rate".
@@ -101,8 +126,10 @@ class CheckReader {
   }
 
  private:
-  std::string beside_the_file(const std::string& word, Path path) const {
-    if (path == Path::never || (path == Path::if_it_looks_so && !is_path(word))) return word;
+  /// As it is given to the flag: paths begin at the file's folder.
+  std::string flag_word(const std::string& word, Text text) const {
+    if (text == Text::sent) return escaped(word);
+    if (text == Text::plain || (text == Text::name_or_path && !is_path(word))) return word;
     if (folder_.empty() || fs::path(word).is_absolute()) return word;
     return (folder_ / word).lexically_normal().string();
   }
@@ -118,7 +145,7 @@ class CheckReader {
       }
       for (const std::string& word :
            flag.kind == Kind::list ? words_of(*value, flag.key) : std::vector{word_of(*value, flag.key)})
-        words.push_back(fmt::format("--{}={}", flag.key, beside_the_file(word, flag.path)));
+        words.push_back(fmt::format("--{}={}", flag.key, flag_word(word, flag.text)));
     }
     if (const auto seed = only_seed()) words.push_back("--seeds=" + *seed);
     try {

@@ -37,7 +37,7 @@ clock = "1h"
 seeds = "3..60"
 profile = "ideal"
 script = "script.txt"
-send = ["a", "b"]
+send = ["a\n", 'say "b"']
 libraries = "libs"
 sanitize = true
 min-rate = 0.9
@@ -58,7 +58,7 @@ stop-early = true
   EXPECT_EQ(sweep.last_seed, 60u);
   EXPECT_EQ(sweep.each.profile, "ideal");
   EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
-  EXPECT_THAT(sweep.each.send, ElementsAre("a", "b"));
+  EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "as scripts write it";
   EXPECT_THAT(sweep.each.libraries, ElementsAre(in_folder("libs")));
   EXPECT_TRUE(sweep.each.sanitize);
   EXPECT_EQ(sweep.min_rate, 0.9);
