@@ -181,6 +181,21 @@ TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserHasChecks) {
   EXPECT_THAT(run("../checkout/robosim test").out, EndsWith("<test>"));
 }
 
+TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserNamesSketchesOrChecks) {
+  fs::create_directories(folder_ / "elsewhere/pupils/anna");
+  EXPECT_THAT(run("../checkout/robosim test pupils/*/").out, EndsWith("<test><pupils/anna/>"));
+  EXPECT_THAT(run("../checkout/robosim test --checks class.toml X").out,
+              EndsWith("<test><--checks><class.toml><X>"));
+  EXPECT_THAT(calls(), Not(testing::AnyOf(HasSubstr("ctest"), HasSubstr("robosim-avr"))));
+}
+
+TEST_F(Wrapper, BuildsTheChipsRunnerForChecksOnTheChip) {
+  fs::create_directories(folder_ / "elsewhere/my");
+  write_file(folder_ / "elsewhere/my/checks.toml", "[[check]]\nname = 'x'\ntarget = [\"host\", \"avr\"]\n");
+  run("../checkout/robosim test ./my");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
 TEST_F(Wrapper, InstallsWhatIsMissingAsRootAndOtherwiseSaysHow) {
   fs::remove(folder_ / "have");
   const Result result = run("../checkout/robosim");
