@@ -74,6 +74,18 @@ class SerialWatcher {
   ~SerialWatcher() = default;
 };
 
+/// Told of every byte of EEPROM whose writing begins: it takes kEepromWriteTime.
+class EepromWatcher {
+ public:
+  virtual void eeprom_written(uint16_t address, uint8_t before, uint8_t value, SimTime t) = 0;
+
+ protected:
+  ~EepromWatcher() = default;
+};
+
+/// For which a byte of EEPROM is written, old content erased first (datasheet, table 8-1).
+constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
+
 /// Told of what comes into the microcontroller: what its firmware finds when it looks at a pin, edges that
 /// reach an interrupt, bytes that reach the UART. Nearly, but not always, in the order of time.
 class InputWatcher {
@@ -105,6 +117,8 @@ class Board {
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
   /// Non-volatile memory, of spec().eeprom_bytes; 0xFF when new. Survives power cycles.
   virtual uint8_t* eeprom() = 0;
+  /// The firmware begins to write a byte of it; `address` is below spec().eeprom_bytes.
+  virtual void write_eeprom(uint16_t address, uint8_t value, SimTime t) = 0;
 
   // --- the robot's side: called by parts and by the simulation
   // ----------------------------------------------
@@ -114,6 +128,8 @@ class Board {
   /// Several watchers a pin are told in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
+  /// One watcher at a time.
+  virtual void watch_eeprom(EepromWatcher& watcher) = 0;
   /// `pin` will change to `level` at `at`, within the tick that is about to run: this is what interrupts and
   /// polling emulators see. The pin's source must agree with it. Per pin, times must not decrease.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;

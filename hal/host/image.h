@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Raised with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 4;
+constexpr uint32_t kImageVersion = 5;
 
 /// Something reaches the chip from outside while firmware does not look.
 struct Input {

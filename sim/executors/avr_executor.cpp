@@ -25,7 +25,7 @@ AvrExecutor::~AvrExecutor() = default;
 
 void AvrExecutor::power_on(SimTime t) {
   power_off(t);
-  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, t);
+  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, clock_, t);
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
 }
 

@@ -15,6 +15,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/executors/board_state.h"
 #include "sim/executors/executor.h"
+#include "sim/executors/firmware_clock.h"
 
 namespace robosim::executors {
 
@@ -38,11 +39,14 @@ class AvrExecutor final : public Executor {
   int int_bits() const override { return 16; }
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
+  bool clock_can_drift() const override { return true; }
+  void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
 
  private:
   struct Image;
 
   BoardState board_;
+  FirmwareClock clock_;
   std::unique_ptr<const Image> image_;
   std::unique_ptr<avr::Machine> machine_;
   std::optional<Crash> crash_;

@@ -42,6 +42,13 @@ void BoardState::send_byte(std::uint8_t byte, SimTime t) {
   for (SerialWatcher* watcher : serial_watchers_) watcher->byte_sent(byte, t);
 }
 
+void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) {
+  if (address >= eeprom_.size()) return;
+  const std::uint8_t before = eeprom_[address];
+  eeprom_[address] = value;
+  if (eeprom_watcher_) eeprom_watcher_->eeprom_written(address, before, value, t);
+}
+
 void BoardState::connect(Pin pin, PinSource& source) {
   if (pin < kMaxPins) pins_[pin].source = &source;
 }

@@ -29,11 +29,13 @@ class BoardState final : public Board {
   double read_volts(Pin pin, SimTime t) override;
   void send_byte(std::uint8_t byte, SimTime t) override;
   std::uint8_t* eeprom() override { return eeprom_.data(); }
+  void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
   const PinDrive& drive(Pin pin) const override { return pins_[pin % kMaxPins].drive; }
   void connect(Pin pin, PinSource& source) override;
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
+  void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
   void schedule_edge(Pin pin, bool level, SimTime at) override;
   bool wants_edges(Pin pin) const override { return pins_[pin % kMaxPins].wants_edges; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
@@ -76,6 +78,7 @@ class BoardState final : public Board {
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
+  EepromWatcher* eeprom_watcher_ = nullptr;
   std::array<PinState, kMaxPins> pins_;
   std::vector<SerialWatcher*> serial_watchers_;
   std::vector<std::uint8_t> eeprom_;

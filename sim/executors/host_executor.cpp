@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/executors/bad_access.h"
+#include "sim/executors/clocked_board.h"
 #include "sim/executors/fiber.h"
 #include "sim/executors/image_file.h"
 #include "sim/executors/shadow.h"
@@ -90,7 +91,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.heap_bytes = heap_.size();
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
-    state_.now = state_.wake = state_.last_call = t;
+    state_.now = state_.wake = state_.last_call = owner.clock_.to_firmware(t);
     catch_faults();
   }
 
@@ -98,9 +99,9 @@ class HostExecutor::Instance final : public host::Host {
 
   /// Runs the firmware to `t`; false if it has crashed.
   bool run_until(SimTime t) {
-    state_.limit = t;
-    state_.next_input = owner_.board_.next_input();
-    if (std::min(state_.wake, state_.next_input) >= t) return true;
+    state_.limit = owner_.clock_.to_firmware(t);
+    state_.next_input = next_input();
+    if (std::min(state_.wake, state_.next_input) >= state_.limit) return true;
     running_ = this;
     if (sigsetjmp(escape_, 0) == 0) {
       fiber_.resume();
@@ -123,24 +124,24 @@ class HostExecutor::Instance final : public host::Host {
 
   bool take_input(SimTime until, host::Input& input) override {
     BoardInput taken;
-    const bool found = owner_.board_.take_input(until, taken);
-    state_.next_input = owner_.board_.next_input();
+    const bool found = owner_.board_.take_input(owner_.clock_.to_world(until), taken);
+    state_.next_input = next_input();
     if (!found) return false;
     input.kind = taken.kind == BoardInput::Kind::edge ? host::Input::Kind::edge : host::Input::Kind::byte;
     input.pin = taken.pin;
     input.value = taken.value;
-    input.at = taken.at;
+    input.at = owner_.clock_.to_firmware(taken.at);
     return true;
   }
 
   void want_edges(Pin pin, bool wanted) override {
     owner_.board_.set_wants_edges(pin, wanted);
-    state_.next_input = owner_.board_.next_input();
+    state_.next_input = next_input();
   }
 
   void listen(SimTime byte_time, SimTime now) override {
-    owner_.board_.listen(byte_time, now);
-    state_.next_input = owner_.board_.next_input();
+    owner_.board_.listen(byte_time, owner_.clock_.to_world(now));
+    state_.next_input = next_input();
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
@@ -170,7 +171,7 @@ class HostExecutor::Instance final : public host::Host {
  private:
   static void start(void* argument) {
     auto& self = *static_cast<Instance*>(argument);
-    self.image_.entry().run(self.owner_.board_, self, self.state_.now);
+    self.image_.entry().run(self.board_, self, self.state_.now);
   }
 
   std::vector<MemoryRange> checked_memory() const {
@@ -256,7 +257,10 @@ class HostExecutor::Instance final : public host::Host {
 
   static thread_local Instance* running_;
 
+  SimTime next_input() const { return owner_.clock_.to_firmware(owner_.board_.next_input()); }
+
   HostExecutor& owner_;
+  ClockedBoard board_{owner_.board_, owner_.clock_};
   LoadedImage image_;
   host::FirmwareState& state_;
   GuardedMemory heap_;
@@ -331,7 +335,7 @@ void HostExecutor::run_until(SimTime t) {
 SimTime HostExecutor::last_call() const {
   if (!instance_) return reached_;
   const host::FirmwareState& state = instance_->state();
-  return state.waiting && !crash_ ? reached_ : state.last_call;
+  return state.waiting && !crash_ ? reached_ : clock_.to_world(state.last_call);
 }
 
 Activity HostExecutor::activity() {
@@ -345,7 +349,7 @@ Activity HostExecutor::activity() {
   if (call.arguments == 1) activity.call += fmt::format("({})", call.argument[0]);
   if (call.arguments == 2) activity.call += fmt::format("({}, {})", call.argument[0], call.argument[1]);
   activity.pin = call.pin;
-  if (reached_ - state.read_at <= kSecond) activity.polled = state.read_pin;
+  if (reached_ - clock_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
   activity.where = crash_ ? crash_->where : instance_->place();
   if (state.stopped_by) activity.stopped_by = state.stopped_by;
   return activity;

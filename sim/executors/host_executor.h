@@ -12,6 +12,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/executors/board_state.h"
 #include "sim/executors/executor.h"
+#include "sim/executors/firmware_clock.h"
 
 namespace robosim::executors {
 
@@ -29,11 +30,14 @@ class HostExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SimTime last_call() const override;
+  bool clock_can_drift() const override { return true; }
+  void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
 
  private:
   class Instance;
 
   BoardState board_;
+  FirmwareClock clock_;
   std::filesystem::path image_;
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;

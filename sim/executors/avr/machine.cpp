@@ -3,8 +3,8 @@
 namespace robosim::executors::avr {
 namespace {
 
-constexpr std::uint8_t kEempe = 0x04, kEepe = 0x02;
-constexpr Cycle kEepromWrite = 54'400;  // 3.4 ms (datasheet, table 8-1)
+constexpr std::uint8_t kEempe = 0x04, kEepe = 0x02, kEere = 0x01;
+constexpr Cycle kEepromWrite = kEepromWriteTime * 2 / 125;
 
 /// The timer whose PWM a write to this register changes; -1 = none. Of 16-bit registers the low byte counts.
 int timer_of(reg::Address address) {
@@ -34,11 +34,12 @@ bool selects_interrupts(reg::Address address) {
 
 }  // namespace
 
-Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, SimTime t)
+Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
+                 const FirmwareClock& clock, SimTime t)
     : firmware_(firmware),
       board_(board),
       chip_(firmware, board.spec(), *this),
-      link_{chip_, board, t},
+      link_{chip_, board, clock, clock.to_firmware(t)},
       stack_(chip_, firmware),
       ports_(link_),
       adc_(link_),
@@ -95,11 +96,18 @@ avr_cycle_count_t Machine::on_eeprom_written(avr_t* avr, avr_cycle_count_t, void
 void Machine::write_eeprom_control(std::uint8_t value) {
   if (eeprom_busy_) return;  // the chip ignores it while it writes
   const bool writes = value & kEepe && chip_.data(reg::kEecr) & kEempe;
+  const auto address = static_cast<std::uint16_t>((chip_.data(reg::kEearL) | chip_.data(reg::kEearH) << 8) %
+                                                  board_.spec().eeprom_bytes);
+  if (value & kEere) {  // libsimavr has a copy; the board's is the one that counts
+    avr_eeprom_desc_t byte{board_.eeprom() + address, address, 1};
+    avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &byte);
+  }
   chip_.write_through(reg::kEecr, value);
   if (!writes) return;
-  const int address = (chip_.data(reg::kEearL) | chip_.data(reg::kEearH) << 8) % board_.spec().eeprom_bytes;
-  avr_eeprom_desc_t byte{board_.eeprom() + address, static_cast<std::uint16_t>(address), 1};
+  std::uint8_t written = 0;
+  avr_eeprom_desc_t byte{&written, address, 1};
   avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_GET, &byte);
+  board_.write_eeprom(address, written, link_.now());
   // libsimavr is done at once; the chip takes its time.
   eeprom_busy_ = true;
   chip_.memory()[reg::kEecr] |= kEepe;

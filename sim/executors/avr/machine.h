@@ -19,7 +19,8 @@ struct LoopTimes {
 class Machine final : Peripherals {
  public:
   /// `loop`: the first instruction of loop(), if it is known.
-  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, SimTime t);
+  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
+          const FirmwareClock& clock, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);

@@ -128,6 +128,21 @@ TEST_F(BoardStateTest, AResetFreesPinsAndForgetsWhatIsOnItsWayButNotTheEeprom) {
   EXPECT_EQ(board_.eeprom()[8], 0xFF);
 }
 
+TEST_F(BoardStateTest, TellsOfEachWriteToTheEepromWhatWasThereBefore) {
+  struct Watcher final : EepromWatcher {
+    void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override {
+      heard.insert(heard.end(), {address, before, value, static_cast<int>(t)});
+    }
+    std::vector<int> heard;
+  } watcher;
+  board_.write_eeprom(3, 1, 10);
+  board_.watch_eeprom(watcher);
+  board_.write_eeprom(3, 2, 20);
+  board_.write_eeprom(board_.spec().eeprom_bytes, 2, 30);
+  EXPECT_THAT(watcher.heard, ElementsAre(3, 1, 2, 20));
+  EXPECT_EQ(board_.eeprom()[3], 2);
+}
+
 TEST_F(BoardStateTest, PinsThatNoBoardHasDoNoHarm) {
   board_.set_drive(kNoPin, output(true), 0);
   board_.schedule_edge(200, true, 0);

@@ -43,6 +43,45 @@ void loop() {})");
   EXPECT_NEAR(static_cast<double>(numbers()[0]), 9 * 3400, 200);
 }
 
+TEST_F(PowerTest, TheEepromIsTheBoardsAlsoWhileTheSketchRuns) {
+  struct Watcher final : EepromWatcher {
+    void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override {
+      heard = {address, before, value};
+      at = t;
+    }
+    std::vector<int> heard;
+    SimTime at = 0;
+  } watcher;
+  start(R"(#include <EEPROM.h>
+void setup() { Serial.begin(115200); delay(5); EEPROM.write(9, 7); Serial.println(EEPROM.read(9)); delay(10); Serial.println(EEPROM.read(9)); }
+void loop() {})");
+  board().watch_eeprom(watcher);
+  run(12 * kMillisecond);
+  EXPECT_THAT(watcher.heard, ElementsAre(9, 255, 7));
+  EXPECT_NEAR(static_cast<double>(watcher.at), 5e6, 1e6);
+  board().eeprom()[9] = 42;
+  run(20 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(7, 42));
+}
+
+TEST_F(PowerTest, AFastClockShowsInEverythingTheSketchTimes) {
+  start(
+      R"(void setup() { Serial.begin(115200); pinMode(13, OUTPUT); digitalWrite(13, HIGH); delay(1000); digitalWrite(13, LOW); }
+void loop() { digitalWrite(13, !digitalRead(13)); delay(100); })");
+  host_->set_clock_drift(100'000, 0);
+  run(kSecond);
+  const std::vector<SimTime> fast = changes(13);
+  ASSERT_GE(fast.size(), 3u);
+  EXPECT_NEAR(static_cast<double>(fast[2] - fast[1]), 1e9 / 1.1, 2e6);
+  host_->set_clock_drift(0, now_);
+  const SimTime right = now_;
+  run(kSecond);
+  const std::vector<SimTime> all = changes(13);
+  EXPECT_NEAR(static_cast<double>(all[all.size() - 1] - all[all.size() - 2]), 1e8, 2e6);
+  EXPECT_GT(all.back(), right);
+  EXPECT_EQ(host_->last_call(), now_);
+}
+
 TEST_F(PowerTest, ConstructorsOfStaticObjectsRunAtPowerOnAndReachTheBoard) {
   start(R"(struct Led { Led() { pinMode(12, OUTPUT); digitalWrite(12, HIGH); } } led;
 void setup() { digitalWrite(12, LOW); }

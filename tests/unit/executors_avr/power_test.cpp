@@ -40,6 +40,46 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(68)) << "the third is still being written";
 }
 
+TEST_F(PowerTest, TheEepromIsTheBoardsAlsoWhileTheSketchRuns) {
+  struct Watcher final : EepromWatcher {
+    void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override {
+      heard = {address, before, value};
+      at = t;
+    }
+    std::vector<int> heard;
+    SimTime at = 0;
+  } watcher;
+  start(R"(#include <EEPROM.h>
+void setup() { Serial.begin(115200); delay(5); EEPROM.write(9, 7); Serial.println(EEPROM.read(9)); delay(10); Serial.println(EEPROM.read(9)); }
+void loop() {})");
+  board().watch_eeprom(watcher);
+  run(12 * kMillisecond);
+  EXPECT_THAT(watcher.heard, ElementsAre(9, 255, 7));
+  EXPECT_NEAR(static_cast<double>(watcher.at), 5e6, 1e6);
+  board().eeprom()[9] = 42;
+  run(20 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(7, 42));
+}
+
+TEST_F(PowerTest, AFastClockShowsInEverythingTheSketchTimes) {
+  start(
+      R"(void setup() { Serial.begin(115200); pinMode(13, OUTPUT); digitalWrite(13, HIGH); delay(1000); digitalWrite(13, LOW); }
+void loop() { digitalWrite(13, !digitalRead(13)); delay(100); })");
+  avr_->set_clock_drift(100'000, 0);
+  run(kSecond);
+  const std::vector<SimTime> fast = changes(13);
+  ASSERT_GE(fast.size(), 3u);
+  EXPECT_NEAR(static_cast<double>(fast[2] - fast[1]), 1e9 / 1.1, 2e6);
+  avr_->set_clock_drift(0, now_);
+  const SimTime right = now_;
+  run(kSecond);
+  const std::vector<SimTime> all = changes(13);
+  EXPECT_NEAR(static_cast<double>(all[all.size() - 1] - all[all.size() - 2]), 1e8, 2e6);
+  EXPECT_GT(all.back(), right);
+  EXPECT_LE(avr_->last_call(), now_);
+  EXPECT_GT(avr_->last_call(), now_ - 2 * kMillisecond);
+}
+
 TEST_F(PowerTest, TheWatchdogStartsTheSketchAgain) {
   start(R"(#include <avr/wdt.h>
 void setup() {

@@ -48,10 +48,12 @@ class FakeBoard final : public Board {
   }
   void send_byte(uint8_t, SimTime) override {}
   uint8_t* eeprom() override { return nullptr; }
+  void write_eeprom(uint16_t, uint8_t, SimTime) override {}
   const PinDrive& drive(Pin pin) const override { return drives_[pin]; }
   void connect(Pin pin, PinSource& source) override { sources_[pin] = &source; }
   void watch(Pin pin, PinWatcher& watcher) override { watchers_[pin].push_back(&watcher); }
   void watch_serial(SerialWatcher&) override {}
+  void watch_eeprom(EepromWatcher&) override {}
   void schedule_edge(Pin pin, bool level, SimTime at) override { edges.push_back({pin, level, at}); }
   bool wants_edges(Pin) const override { return edges_wanted; }
   void receive_byte(uint8_t, SimTime) override {}
