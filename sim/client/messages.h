@@ -215,6 +215,10 @@ struct RunResult {
   std::optional<Resources> resources;  ///< on a chip
   std::vector<Entry> events;           ///< the last ones
   std::string serial;
+  double end_x_mm = 0.0;  ///< where the robot is
+  double end_y_mm = 0.0;
+  double end_yaw_rad = 0.0;
+  std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
   std::string map_sha256;
   std::string robot_sha256;

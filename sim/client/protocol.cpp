@@ -190,6 +190,11 @@ RunResult result(const Json& json) {
     r.events.push_back({get<double>(entry, "t_s"), get<std::string>(entry, "text")});
   }
   r.serial = get<std::string>(json, "serial");
+  const Json end = get<Json>(json, "end", Json::object());
+  r.end_x_mm = get<double>(end, "x", 0.0);
+  r.end_y_mm = get<double>(end, "y", 0.0);
+  r.end_yaw_rad = get<double>(end, "yaw", 0.0);
+  r.eeprom_writes = get<std::uint64_t>(json, "eeprom_writes", 0);
   r.trace_hash = get<std::string>(json, "trace_hash");
   r.map_sha256 = get<std::string>(json, "map_sha256");
   r.robot_sha256 = get<std::string>(json, "robot_sha256");

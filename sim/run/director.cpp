@@ -22,6 +22,8 @@ std::string describe_end(const Action& action) {
       return "robot put down";
     case Action::Verb::obstacle:
       return "obstacle on " + action.text + " taken away";
+    case Action::Verb::power:
+      return "power on";
     case Action::Verb::fault:
       return "fault over: " + fault_text(action);
     default:
@@ -62,6 +64,7 @@ std::string describe(const Action& action) {
 bool replaces(const Action& later, const Action& earlier) {
   using enum Action::Verb;
   const auto both = [&](Action::Verb verb) { return later.verb == verb && earlier.verb == verb; };
+  if (both(power)) return true;
   if (both(fault)) return later.part == earlier.part;
   if (both(obstacle) || (later.verb == clear && earlier.verb == obstacle)) return later.text == earlier.text;
   const auto is_move = [](Action::Verb verb) { return verb == lift || verb == lower || verb == place; };
@@ -82,7 +85,8 @@ grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
 
 }  // namespace
 
-Director::Director(std::vector<Step> steps, const Stage& stage, const Progress& progress) : stage_(stage) {
+Director::Director(std::vector<Step> steps, const Stage& stage, const Progress& progress)
+    : stage_(stage), board_(stage.executor, stage.robot, stage.seed) {
   add(std::move(steps), progress);
 }
 
@@ -113,12 +117,25 @@ void Director::check(const Step& step, const Progress& progress) const {
       stage_.robot.check_press(action.part);
     if (action.verb == Action::Verb::send && !action.part.empty()) stage_.robot.check_send(action.part);
     if (action.verb == Action::Verb::cover) stage_.robot.check_cover(action.part);
-    if (action.verb == Action::Verb::fault)
-      stage_.robot.check_fault(action.part, action.arguments.front(),
-                               {action.arguments.begin() + 1, action.arguments.end()});
+    if (action.verb == Action::Verb::fault) check_fault(action);
   } catch (const InputError& error) {
     throw InputError(step.place, error.message());
   }
+}
+
+bool Director::is_of_board(const Action& fault) const {
+  const std::vector<std::string> parts = stage_.robot.breakable();
+  return BoardFaults::knows(fault.part) && std::find(parts.begin(), parts.end(), fault.part) == parts.end();
+}
+
+void Director::check_fault(const Action& action) const {
+  if (is_of_board(action)) return board_.check(action.part, action.arguments, action.duration.has_value());
+  std::vector<std::string> names = stage_.robot.breakable();
+  names.insert(names.end(), BoardFaults::names().begin(), BoardFaults::names().end());
+  if (std::find(names.begin(), names.end(), action.part) == names.end())
+    throw InputError(fmt::format("there is no {} that can break; there is {}", action.part, one_of(names)));
+  stage_.robot.check_fault(action.part, action.arguments.front(),
+                           {action.arguments.begin() + 1, action.arguments.end()});
 }
 
 void Director::hear(std::uint8_t byte) {
@@ -139,6 +156,10 @@ bool Director::met(const Pending& pending, SimTime t, const Progress& progress) 
       return pending.heard;
     case Trigger::Kind::station:
       return progress.is_visited(trigger.text);
+    case Trigger::Kind::boot:
+      return board_.boots() >= trigger.count;
+    case Trigger::Kind::eeprom:
+      return board_.eeprom_writes() >= trigger.count;
   }
   return false;
 }
@@ -151,7 +172,7 @@ void Director::act(SimTime t, const Progress& progress, std::vector<std::string>
     }
     const Action action = undo_[i].action;
     undo_.erase(undo_.begin() + static_cast<std::ptrdiff_t>(i));
-    perform(action, t, true);
+    end(action, t);
     if (std::string note = describe_end(action); !note.empty()) notes.push_back(std::move(note));
   }
   for (std::size_t i = 0; i < pending_.size();) {
@@ -166,8 +187,8 @@ void Director::act(SimTime t, const Progress& progress, std::vector<std::string>
     const Action action = pending.step.action;
     pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
     std::erase_if(undo_, [&](const Undo& undo) { return replaces(action, undo.action); });
-    perform(action, t, false);
-    notes.push_back(describe(action));
+    const std::string more = perform(action, t);
+    notes.push_back(describe(action) + more);
     if (action.duration) undo_.push_back({t + *action.duration, action});
   }
 }
@@ -189,22 +210,20 @@ void Director::clear_obstacle(const std::string& text) {
   });
 }
 
-void Director::perform(const Action& action, SimTime t, bool undo) {
+std::string Director::perform(const Action& action, SimTime t) {
   switch (action.verb) {
     case Action::Verb::press:
-      if (undo) {
-        stage_.robot.release(action.part, t);
-      } else {
-        stage_.robot.press(action.part, t);
-      }
+      stage_.robot.press(action.part, t);
       break;
     case Action::Verb::release:
       stage_.robot.release(action.part, t);
       break;
     case Action::Verb::send:
-      if (!action.part.empty()) stage_.robot.send(action.part, action.bits, t);
-      if (!action.part.empty()) break;
-      for (const char c : action.text) stage_.executor.board().receive_byte(static_cast<std::uint8_t>(c), t);
+      if (action.part.empty()) {
+        board_.send(action.text, t);
+      } else {
+        stage_.robot.send(action.part, action.bits, t);
+      }
       break;
     case Action::Verb::place: {
       const grid::Start where = grid::parse_start(stage_.map, action.text);
@@ -212,44 +231,66 @@ void Director::perform(const Action& action, SimTime t, bool undo) {
       break;
     }
     case Action::Verb::lift:
-      stage_.body.lift(!undo);
+      stage_.body.lift(true);
       break;
     case Action::Verb::lower:
       stage_.body.lift(false);
       break;
     case Action::Verb::obstacle:
-      if (undo) {
-        clear_obstacle(action.text);
-      } else {
-        put_obstacle(action);
-      }
+      put_obstacle(action);
       break;
     case Action::Verb::clear:
       clear_obstacle(action.text);
       break;
     case Action::Verb::cover:
-      stage_.robot.cover(action.part, !undo);
+      stage_.robot.cover(action.part, true);
       break;
     case Action::Verb::fault:
-      if (undo) {
-        stage_.robot.fault(action.part, "ok", {});
-        break;
+      if (is_of_board(action)) {
+        const bool ran = board_.powered();
+        board_.fail(action.part, action.arguments, t);
+        if (ran && !board_.powered()) return ", which resets the chip";
+      } else {
+        stage_.robot.fault(action.part, action.arguments.front(),
+                           {action.arguments.begin() + 1, action.arguments.end()});
       }
-      stage_.robot.fault(action.part, action.arguments.front(),
-                         {action.arguments.begin() + 1, action.arguments.end()});
       break;
     case Action::Verb::power: {
-      const bool on = undo || action.part == "on";
-      if (on == powered_) break;
-      powered_ = on;
-      stage_.robot.power(on, t);
-      if (on) {
-        stage_.executor.power_on(t);
-      } else {
-        stage_.executor.power_off(t);
-      }
+      const bool ran = board_.powered();
+      board_.switch_power(action.part == "on", t);
+      if (ran && !board_.powered()) return board_.leave_half_written(action.half_written, t);
       break;
     }
+  }
+  return "";
+}
+
+void Director::end(const Action& action, SimTime t) {
+  switch (action.verb) {
+    case Action::Verb::press:
+      stage_.robot.release(action.part, t);
+      break;
+    case Action::Verb::lift:
+      stage_.body.lift(false);
+      break;
+    case Action::Verb::obstacle:
+      clear_obstacle(action.text);
+      break;
+    case Action::Verb::cover:
+      stage_.robot.cover(action.part, false);
+      break;
+    case Action::Verb::fault:
+      if (is_of_board(action)) {
+        board_.fail(action.part, {"ok"}, t);
+      } else {
+        stage_.robot.fault(action.part, "ok", {});
+      }
+      break;
+    case Action::Verb::power:
+      board_.switch_power(true, t);
+      break;
+    default:
+      break;
   }
 }
 

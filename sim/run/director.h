@@ -8,6 +8,7 @@
 #include "sim/executors/executor.h"
 #include "sim/grid/map.h"
 #include "sim/robot/robot.h"
+#include "sim/run/board_faults.h"
 #include "sim/run/goal.h"
 #include "sim/run/scenario.h"
 #include "sim/world/world.h"
@@ -22,6 +23,7 @@ struct Stage {
   world::World& world;
   world::Body& body;
   executors::Executor& executor;
+  std::uint64_t seed;
 };
 
 class Director {
@@ -36,7 +38,9 @@ class Director {
   void act(SimTime t, const Progress& progress, std::vector<std::string>& notes);
   /// The firmware has sent a byte.
   void hear(std::uint8_t byte);
-  bool powered() const { return powered_; }
+  bool powered() const { return board_.powered(); }
+  /// Writes of the firmware to its EEPROM, so far.
+  std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
  private:
   struct Pending {
@@ -55,18 +59,22 @@ class Director {
   };
 
   bool met(const Pending& pending, SimTime t, const Progress& progress) const;
-  void perform(const Action& action, SimTime t, bool undo);
+  /// Says what there is to say beside what the script does.
+  std::string perform(const Action& action, SimTime t);
+  void end(const Action& action, SimTime t);
   void put_obstacle(const Action& action);
   void clear_obstacle(const std::string& cell);
   void check(const Step& step, const Progress& progress) const;
+  void check_fault(const Action& action) const;
+  bool is_of_board(const Action& fault) const;
 
   Stage stage_;
+  BoardFaults board_;
   std::vector<Pending> pending_;
   std::vector<Undo> undo_;
   std::vector<Obstacle> obstacles_;
   std::string heard_;
   std::size_t longest_text_ = 0;
-  bool powered_ = true;
 };
 
 }  // namespace robosim::run

@@ -7,6 +7,7 @@
 
 #include "hal/board/sim_time.h"
 #include "sim/base/error.h"
+#include "sim/base/vec.h"
 #include "sim/executors/executor.h"
 #include "sim/run/goal.h"
 
@@ -56,6 +57,8 @@ struct Outcome {
   std::optional<executors::Resources> resources;  ///< of a chip
   std::vector<Event> events;                      ///< the last few
   std::string serial;                             ///< all that the firmware sent, up to kSerialKept bytes
+  Pose end;                                       ///< where the robot is
+  std::uint64_t eeprom_writes = 0;                ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
 };
 

@@ -12,6 +12,8 @@ namespace {
 constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift", "lower",
                                "cover", "obstacle", "clear", "fault", "power"};
 
+constexpr std::uint64_t kMostEvents = 1'000'000'000'000;
+
 Trigger parse_trigger(ScriptLine& line) {
   Trigger trigger;
   const std::string when = line.take("at or after").text;
@@ -21,12 +23,21 @@ Trigger parse_trigger(ScriptLine& line) {
   }
   if (when != "after")
     line.refuse(fmt::format("a line begins with \"at TIME\" or \"after EVENT\", not with \"{}\"", when));
-  const std::string event = line.take("an event: serial or station").text;
-  if (event != "serial" && event != "station")
-    line.refuse(fmt::format("unknown event \"{}\"; known are serial and station", event));
-  trigger.kind = event == "serial" ? Trigger::Kind::serial : Trigger::Kind::station;
-  trigger.text = line.take(event == "serial" ? "the text to wait for" : "the station's number or name").text;
-  if (trigger.text.empty()) line.refuse("the text to wait for is empty");
+  const std::string event = line.take("an event: serial, station, boot or eeprom").text;
+  if (event == "serial") {
+    trigger.kind = Trigger::Kind::serial;
+    trigger.text = line.take("the text to wait for").text;
+    if (trigger.text.empty()) line.refuse("the text to wait for is empty");
+  } else if (event == "station") {
+    trigger.kind = Trigger::Kind::station;
+    trigger.text = line.take("the station's number or name").text;
+  } else if (event == "boot" || event == "eeprom") {
+    trigger.kind = event == "boot" ? Trigger::Kind::boot : Trigger::Kind::eeprom;
+    trigger.count =
+        line.whole(event == "boot" ? "the number of a start" : "the number of a write", 1, kMostEvents);
+  } else {
+    line.refuse(fmt::format("unknown event \"{}\"; known are serial, station, boot and eeprom", event));
+  }
   if (line.take_if("wait")) trigger.time = line.duration();
   return trigger;
 }
@@ -80,6 +91,28 @@ void parse_fault(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
+// power off [for TIME] [byte old|new|erased|VALUE]
+void parse_power(ScriptLine& line, Action& action) {
+  action.part = line.take("off or on").text;
+  if (action.part != "off" && action.part != "on")
+    line.refuse(fmt::format("power is \"off\" or \"on\", not \"{}\"", action.part));
+  if (action.part == "on") return;
+  if (line.more() && !line.next_is("byte")) action.duration = line.optional_duration();
+  if (!line.take_if("byte")) return;
+  const std::string what = line.take("what the byte holds: old, new, erased or a value").text;
+  HalfWritten& byte = action.half_written;
+  if (what == "new") return;
+  byte.kind = what == "old" ? HalfWritten::Kind::before : HalfWritten::Kind::value;
+  if (what == "old" || what == "erased") return;
+  const std::uint64_t value = parse_whole(what).value_or(256);
+  if (value > 255)
+    line.refuse(
+        fmt::format("the byte that was being written holds old, new, erased or a value from 0 to 255, "
+                    "not \"{}\"",
+                    what));
+  byte.value = static_cast<std::uint8_t>(value);
+}
+
 Action parse_action(ScriptLine& line) {
   Action action;
   const std::string verb = line.take("a verb").text;
@@ -119,10 +152,7 @@ Action parse_action(ScriptLine& line) {
       parse_fault(line, action);
       break;
     case Action::Verb::power:
-      action.part = line.take("off or on").text;
-      if (action.part != "off" && action.part != "on")
-        line.refuse(fmt::format("power is \"off\" or \"on\", not \"{}\"", action.part));
-      if (action.part == "off") action.duration = line.optional_duration();
+      parse_power(line, action);
       break;
   }
   line.end();

@@ -22,10 +22,21 @@ struct Trigger {
     at,       ///< simulated time `time`
     serial,   ///< the firmware has sent `text`
     station,  ///< the station called `text` has been visited
+    boot,     ///< the chip has started for the `count`-th time; it does so first when the run begins
+    eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
   };
   Kind kind = Kind::at;
   SimTime time = 0;  ///< at: when; else: so long after the event
   std::string text;
+  std::uint64_t count = 0;
+};
+
+/// What a byte of EEPROM holds when the power fails while it is written. The chip erases it first (all bits
+/// set), then clears bits: it may hold anything.
+struct HalfWritten {
+  enum class Kind { done, before, value };
+  Kind kind = Kind::done;  ///< done: the new content, for the supply lasts long enough; before: the old one
+  std::uint8_t value = 0xFF;
 };
 
 constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
@@ -40,6 +51,7 @@ struct Action {
                      ///< "X,Y"
   std::vector<bool> bits;           ///< send by radio
   double radius = kObstacleRadius;  ///< m, of an obstacle
+  HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };
 

@@ -114,7 +114,8 @@ Simulation::Simulation(const Setup& setup, Listener& listener)
                                         {stripes_.point_of(start_.cell), grid::heading(start_.facing)}))),
       board_(setup.executor->board()),
       robot_(*setup.robot, world_, 0, board_, setup.seed, setup.profile),
-      director_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor}, progress_),
+      director_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor, setup.seed},
+                progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),
       lookout_({serial_, progress_, body_, robot_, board_}) {
@@ -303,6 +304,8 @@ Outcome Simulation::finish(Verdict verdict, SimTime t) {
   outcome.resources = setup_.executor->resources();
   outcome.events.assign(events_.begin(), events_.end());
   outcome.serial = std::move(serial_);
+  outcome.end = body_.pose();
+  outcome.eeprom_writes = director_.eeprom_writes();
   outcome.trace_hash = hash_.text();
 
   outcome.metrics = metrics();

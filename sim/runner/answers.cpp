@@ -109,6 +109,10 @@ Json to_json(const run::Outcome& outcome) {
     events.push_back({{"t_s", seconds(event.t)}, {"text", event.text}});
   json["events"] = std::move(events);
   json["serial"] = outcome.serial;
+  json["end"] = {{"x", millimetres(outcome.end.position.x)},
+                 {"y", millimetres(outcome.end.position.y)},
+                 {"yaw", outcome.end.yaw()}};
+  json["eeprom_writes"] = outcome.eeprom_writes;
   json["trace_hash"] = outcome.trace_hash;
   return json;
 }

@@ -87,7 +87,8 @@ constexpr const char* kResult =
         "metrics": {"distance_m": 1.5, "laps_s": [9.5, 9.25], "cross_track_rms_mm": 3.5, "cross_track_max_mm": 9,
           "off_line_s": 0.5, "collisions": 2, "energy_j": 4.25, "stations": [3, "dock"], "junctions": 6},
         "crash": {"reason": "division by zero", "function": "loop", "file": "A.ino", "line": 7},
-        "events": [{"t_s": 1.2, "text": "station 2 visited"}], "serial": "Ready\n", "trace_hash": "1:ab",
+        "events": [{"t_s": 1.2, "text": "station 2 visited"}], "serial": "Ready\n", "end": {"x": 1.5, "y": 2.5, "yaw": 0.5}, "eeprom_writes": 12,
+        "trace_hash": "1:ab",
         "map_sha256": "m", "robot_sha256": "r", "image_sha256": "i"}})";
 
 TEST(Protocol, ResultKeepsEveryKey) {

@@ -117,6 +117,17 @@ TEST_F(Scripts, BlockAWheel) {
   EXPECT_GT(turned, 0.1) << "the right wheel drives round the left one";
 }
 
+TEST_F(Scripts, SayWhatResetsTheChipAndWhenItStartedAgain) {
+  play("at 100ms fault power brown-out for 50ms\nafter boot 2 wait 20ms fault S1 dead\n", 0.3);
+  EXPECT_THAT(seen.notes, ElementsAre("101 fault: power brown-out, which resets the chip",
+                                      "151 fault over: power brown-out", "171 fault: S1 dead"));
+}
+
+TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
+  play("at 100ms power off for 50ms\n", 0.3);
+  EXPECT_THAT(seen.notes, ElementsAre("101 power off", "151 power on"));
+}
+
 TEST_F(Scripts, WaitAfterAStation) {
   // The oval has no stations: what waits is checked on the name first.
   EXPECT_THAT(error_of("after station 1 wait 1s lift"), HasSubstr("s.txt:1: there is no station 1"));
@@ -124,7 +135,7 @@ TEST_F(Scripts, WaitAfterAStation) {
 
 TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
   EXPECT_THAT(error_of("at 1s fault S9 dead"),
-              HasSubstr("s.txt:1: robot uno5 has nothing called S9 that can break"));
+              HasSubstr("s.txt:1: there is no S9 that can break; there is left, right, S1"));
   EXPECT_THAT(error_of("at 1s obstacle 4"),
               HasSubstr("s.txt:1: \"4\" is no cell of the map: allowed are COLUMN,ROW"));
   EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("\"400,1\" is no cell"));

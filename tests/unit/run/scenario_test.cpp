@@ -93,6 +93,27 @@ TEST(Scenario, EndsWhatLastsAfterItsTimeWithTheWordForOrWithout) {
   EXPECT_FALSE(steps[6].action.duration);
 }
 
+TEST(Scenario, CutsThePowerAtAWriteToTheEeprom) {
+  const auto steps = parse_scenario(
+      "after eeprom 12 power off for 20ms byte erased\n"
+      "after eeprom 3 wait 1ms power off 1s byte old\n"
+      "after eeprom 3 power off byte 0x5A\n"
+      "after eeprom 3 power off byte new\n"
+      "after eeprom 3 power off\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].trigger.kind, Trigger::Kind::eeprom);
+  EXPECT_EQ(steps[0].trigger.count, 12u);
+  EXPECT_EQ(*steps[0].action.duration, 20 * kMillisecond);
+  EXPECT_EQ(steps[0].action.half_written.kind, HalfWritten::Kind::value);
+  EXPECT_EQ(steps[0].action.half_written.value, 0xFF);
+  EXPECT_EQ(*steps[1].action.duration, kSecond);
+  EXPECT_EQ(steps[1].action.half_written.kind, HalfWritten::Kind::before);
+  EXPECT_FALSE(steps[2].action.duration);
+  EXPECT_EQ(steps[2].action.half_written.value, 0x5A);
+  EXPECT_EQ(steps[3].action.half_written.kind, HalfWritten::Kind::done);
+  EXPECT_EQ(steps[4].action.half_written.kind, HalfWritten::Kind::done);
+}
+
 TEST(Scenario, ReadsOneLineByItself) {
   const auto step = parse_step("at 3s lift", {"typed", 7, 1});
   ASSERT_TRUE(step);
@@ -107,7 +128,7 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
             "obstacle, "
             "clear, fault or power");
   EXPECT_EQ(error_of("\nafter lunch press b"),
-            "s.txt:2:7: unknown event \"lunch\"; known are serial and station");
+            "s.txt:2:7: unknown event \"lunch\"; known are serial, station, boot and eeprom");
   EXPECT_EQ(error_of("when 2s press b"),
             "s.txt:1:1: a line begins with \"at TIME\" or \"after EVENT\", not with \"when\"");
   EXPECT_THAT(error_of("at 2 press b"),
@@ -126,6 +147,16 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
   EXPECT_EQ(error_of("at 2s fault left dead for ever now"),
             "s.txt:1:27: \"ever\" is no time; it must be a number with a unit: ns, us, ms, s, min, h or d");
   EXPECT_EQ(error_of("at 2s obstacle 1,2 radius 9m"), "s.txt:1:27: \"9m\" is not a radius from 5mm to 500mm");
+  EXPECT_EQ(error_of("after eeprom 0 power off"),
+            "s.txt:1:14: \"0\" is not the number of a write: allowed are 1 to 1000000000000");
+  EXPECT_EQ(
+      error_of("at 2s power off byte half"),
+      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
+      "\"half\"");
+  EXPECT_EQ(
+      error_of("at 2s power off byte 256"),
+      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
+      "\"256\"");
   EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
 }
 

@@ -1,0 +1,86 @@
+// Faults between board and world, as a sketch meets them, on each target.
+#include "tests/support/require_target.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using testing::AllOf;
+using testing::Ge;
+using testing::HasSubstr;
+using testing::Le;
+
+class Faults : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (std::string(GetParam()) == "avr") ROBOSIM_NEEDS_TARGET("avr");
+  }
+  /// What the sketch Diary prints, without CR.
+  std::string diary(const std::string& script, double seconds = 0.5) {
+    result_ = run({.sketch = "Diary",
+                   .robot = "uno2",
+                   .goal = "none",
+                   .script = script,
+                   .for_s = seconds,
+                   .target = GetParam()});
+    std::string text = result_.serial;
+    std::erase(text, '\r');
+    return text;
+  }
+  std::string notes() const {
+    std::string text;
+    for (const auto& event : result_.events) text += event.text + "\n";
+    return text;
+  }
+
+  client::RunResult result_;
+};
+
+INSTANTIATE_TEST_SUITE_P(On, Faults, testing::Values("host", "avr"),
+                         [](const auto& target) { return std::string(target.param); });
+
+TEST_P(Faults, LeaveAByteOfTheEepromHalfWritten) {
+  EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 66\n");
+  EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte old\n"), "was 255 255\nwas 0 255\n");
+  EXPECT_EQ(diary("after eeprom 1 power off for 20ms byte erased\n"), "was 255 255\nwas 255 255\n");
+  EXPECT_THAT(notes(), HasSubstr("power off, while byte 0 of the EEPROM was being written: it holds 0xFF\n"));
+  EXPECT_EQ(diary("after eeprom 1 power off for 20ms\n"), "was 255 255\nwas 0 255\n");
+  EXPECT_EQ(diary("at 100ms power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 0\n") << "none was written";
+  EXPECT_EQ(result_.eeprom_writes, 4u);
+}
+
+TEST_P(Faults, FlipABitOfTheEeprom) {
+  EXPECT_EQ(diary("at 100ms fault eeprom flip 0 7\nat 110ms power off for 20ms\n"),
+            "was 255 255\nwas 128 0\n");
+}
+
+TEST_P(Faults, ResetTheChipWhenTheBatterySagsBelowItsBrownOut) {
+  EXPECT_EQ(diary("at 100ms fault power sag 5V for 50ms\n"), "was 255 255\n");
+  EXPECT_EQ(diary("at 100ms fault power sag 4.2V for 50ms\n"), "was 255 255\nwas 0 0\n");
+  EXPECT_THAT(notes(),
+              HasSubstr("fault: power sag 4.2V, which resets the chip\nfault over: power sag 4.2V\n"));
+}
+
+TEST_P(Faults, DisturbBytesOnTheirWayToTheSketch) {
+  EXPECT_THAT(diary("at 100ms fault serial lost 2nd\nat 200ms send \"abc\"\n"), HasSubstr("<a><c>"));
+  EXPECT_THAT(diary("at 100ms fault serial doubled 1\nat 200ms send \"ab\"\n"), HasSubstr("<a><a><b><b>"));
+}
+
+TEST_P(Faults, LetTheClockRunFast) {
+  const std::string text = diary("at 100ms fault clock drift 10%\nat 1.1s send \"t\"\n", 1.2);
+  EXPECT_THAT(std::stoi(text.substr(text.find('\n') + 1)), AllOf(Ge(1195), Le(1205)));
+}
+
+TEST_P(Faults, AreTheSameInEveryRun) {
+  const std::string script =
+      "at 50ms fault clock drift -3%\nat 100ms fault serial corrupted 40%\nat 200ms send \"abcdefgh\"\n"
+      "at 300ms fault power brown-out for 10ms\n";
+  const std::string text = diary(script);
+  const std::string hash = result_.trace_hash;
+  EXPECT_EQ(diary(script), text);
+  EXPECT_EQ(result_.trace_hash, hash);
+  EXPECT_THAT(text, testing::Not(HasSubstr("<a><b><c><d><e><f><g><h>")));
+}
+
+}  // namespace
+}  // namespace robosim::test
