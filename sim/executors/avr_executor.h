@@ -39,7 +39,7 @@ class AvrExecutor final : public Executor {
   int int_bits() const override { return 16; }
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
-  bool clock_can_drift() const override { return true; }
+  bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
 
  private:

@@ -82,8 +82,8 @@ class Executor {
         "--clock: only on a chip target can the clock be set; on the host it is wider and never wraps");
   }
 
-  /// Whether set_clock_drift() is there.
-  virtual bool clock_can_drift() const { return false; }
+  /// Whether scripts can break clock and EEPROM: set_clock_drift() is there, and the EEPROM is the board's.
+  virtual bool has_chip_faults() const { return false; }
   /// From `t` on, which is now, the chip's clock runs so much too fast, in parts per million; also after a
   /// power cycle.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }

@@ -30,7 +30,7 @@ class HostExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SimTime last_call() const override;
-  bool clock_can_drift() const override { return true; }
+  bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
 
  private:

@@ -136,9 +136,16 @@ void BoardFaults::check(const std::string& name, const std::vector<std::string>&
   if (kind.argument == Argument::volts) parse_volts(arguments[1]);
   if (kind.argument == Argument::bytes) read_serial_fault(arguments);
   if (kind.argument == Argument::ppm) parse_ppm(arguments[1]);
-  if (name == "clock" && !executor_.clock_can_drift())
-    throw InputError("fault clock: the clock of this target cannot drift");
+  if (name == "clock" || name == "eeprom") check_chip(name);
   if (kind.argument == Argument::bit) parse_bit(arguments, executor_.board().spec().eeprom_bytes);
+}
+
+void BoardFaults::check_chip(const std::string& what) const {
+  if (!executor_.has_chip_faults())
+    throw InputError(
+        fmt::format("{}: on this target scripts can neither break nor follow it; they can on host "
+                    "and avr",
+                    what));
 }
 
 void BoardFaults::fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t) {

@@ -110,6 +110,7 @@ void Director::check(const Step& step, const Progress& progress) const {
             fmt::format("there is no station {}; {}", step.trigger.text,
                         names.empty() ? "the map has none" : "the stations are " + one_of(names)));
     }
+    if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_chip("eeprom");
     if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
       parse_cell(stage_.map, action.text);
     if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);

@@ -37,7 +37,7 @@ class Probe final : public executors::Executor {
   const std::optional<executors::Crash>& crash() const override { return crash_; }
   executors::Activity activity() override { return {}; }
   SimTime last_call() const override { return 0; }
-  bool clock_can_drift() const override { return can_drift; }
+  bool has_chip_faults() const override { return can_drift; }
   void set_clock_drift(int ppm, SimTime) override { drift = ppm; }
 
   std::string received() {
@@ -195,7 +195,8 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("allowed is how much too fast it runs"));
   EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");
   probe.can_drift = false;
-  EXPECT_THAT(refusal({"clock", "drift", "5ppm"}), HasSubstr("cannot drift"));
+  EXPECT_THAT(refusal({"clock", "drift", "5ppm"}),
+              HasSubstr("clock: on this target scripts can neither break nor follow it"));
   EXPECT_THAT(probe.power, IsEmpty());
 }
 

@@ -136,6 +136,7 @@ TEST_F(Scripts, WaitAfterAStation) {
 TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
   EXPECT_THAT(error_of("at 1s fault S9 dead"),
               HasSubstr("s.txt:1: there is no S9 that can break; there is left, right, S1"));
+  EXPECT_THAT(error_of("after eeprom 1 lift"), HasSubstr("s.txt:1: eeprom: on this target"));
   EXPECT_THAT(error_of("at 1s obstacle 4"),
               HasSubstr("s.txt:1: \"4\" is no cell of the map: allowed are COLUMN,ROW"));
   EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("\"400,1\" is no cell"));
