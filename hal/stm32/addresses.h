@@ -21,6 +21,11 @@ constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
+/// A word that is one bit of a peripheral's register (RM0008 3.3.1; PM0056 2.2.5).
+constexpr Address bit_band(Address address, uint32_t bit) {
+  return 0x42000000 + (address - 0x40000000) * 32 + bit * 4;
+}
+
 // --- RCC: reset and clock control (RM0008 7.3)
 constexpr Address kRcc = 0x40021000;
 constexpr Address kRccCr = kRcc + 0x00, kRccCfgr = kRcc + 0x04, kRccCir = kRcc + 0x08,

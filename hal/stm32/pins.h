@@ -32,7 +32,7 @@ inline bool is_alternate(uint32_t configuration) { return is_output(configuratio
 inline void write_pin(const PinMap& pin, bool level) {
   at(port_of(pin) + kBsrr) = 1u << (level ? pin.bit : pin.bit + 16u);
 }
-inline bool read_pin(const PinMap& pin) { return load(port_of(pin) + kIdr) >> pin.bit & 1u; }
+inline bool read_pin(const PinMap& pin) { return load(bit_band(port_of(pin) + kIdr, pin.bit)) != 0; }
 
 /// Gives ports A to C and AFIO their clock, and takes PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays.
 void start_pins();
