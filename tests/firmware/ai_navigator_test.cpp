@@ -25,7 +25,7 @@ class AiNavigator : public RobotTest, public testing::WithParamInterface<std::st
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, AiNavigator, AllTargets(), Named());
+INSTANTIATE_TEST_SUITE_P(On, AiNavigator, Targets("host", "avr"), Named());
 
 TEST_P(AiNavigator, WaitsForTheButtonBeforeItDrives) {
   EXPECT_THAT(robot().run_for(1_s), AllOf(NeverDrives(at_all()), SerialSays("press the button")));

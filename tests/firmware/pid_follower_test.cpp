@@ -17,7 +17,7 @@ class PidFollower : public RobotTest, public testing::WithParamInterface<std::st
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, PidFollower, AllTargets(), Named());
+INSTANTIATE_TEST_SUITE_P(On, PidFollower, Targets("host", "avr"), Named());
 
 TEST_P(PidFollower, StartsAtOnce) {
   ASSERT_TRUE(robot().run_until(motors_start(), within(50_ms)));
@@ -50,7 +50,7 @@ class PidFollowerMeasuringItsRange : public testing::TestWithParam<std::string> 
   void SetUp() override { ROBOSIM_SKIP_WITHOUT(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, PidFollowerMeasuringItsRange, AllTargets(), Named());
+INSTANTIATE_TEST_SUITE_P(On, PidFollowerMeasuringItsRange, Targets("host", "avr"), Named());
 
 TEST_P(PidFollowerMeasuringItsRange, TurnsToAndFroFirstAndThenFollowsTheLine) {
   Simulation robot(

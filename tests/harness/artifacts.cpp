@@ -68,14 +68,20 @@ std::string replay_command(const Stage& stage, const std::string& folder, bool s
   return text;
 }
 
+void keep_inputs(const std::string& name, const Stage& stage, const std::string& script) {
+  if (name.empty()) return;
+  const fs::path folder = name;
+  fs::create_directories(folder);
+  write_file(folder / "map.map", read_file(stage.request.map));
+  write_file(folder / "robot.toml", read_file(stage.robot.file));
+  if (!script.empty()) write_file(folder / "script.txt", script);
+}
+
 std::string keep(const History& history, const Stage& stage, const std::string& script,
                  client::Runner& runner) {
   try {
     const fs::path folder = history.artifacts;
-    fs::create_directories(folder);
-    write_file(folder / "map.map", read_file(stage.request.map));
-    write_file(folder / "robot.toml", read_file(stage.robot.file));
-    if (!script.empty()) write_file(folder / "script.txt", script);
+    keep_inputs(history.artifacts, stage, script);
     write_file(folder / "serial.txt", history.serial);
     std::string events;
     for (const History::Entry& entry : history.events)

@@ -55,6 +55,13 @@ void choose_map(const Trial& trial, const fs::path& folder, Stage& stage) {
   stage.request.map = grid::find_map(stage.map).string();
 }
 
+/// Stock robots have a twin with the target's board in the Uno's place.
+std::string with_board_of(const std::string& target, const std::string& robot) {
+  if (target != "stm32") return robot;
+  if (robot == "pony") return "bluepony";
+  return robot == "uno2" || robot == "uno3" || robot == "uno5" ? "bluepill" + robot.substr(3) : robot;
+}
+
 void choose_robot(const Trial& trial, const fs::path& folder, Stage& stage) {
   std::error_code error;
   stage.robot_name = trial.robot;
@@ -62,6 +69,7 @@ void choose_robot(const Trial& trial, const fs::path& folder, Stage& stage) {
     stage.robot_name =
         fs::exists(folder / "robot.toml", error) ? (folder / "robot.toml").string() : std::string("uno5");
   stage.robot_is_text = is_text(stage.robot_name);
+  stage.robot_name = with_board_of(trial.target, stage.robot_name);
   if (stage.robot_is_text) stage.robot_name = write_scratch(stage, "robot.toml", trial.robot).string();
   stage.request.robot = stage.robot_name;
 }

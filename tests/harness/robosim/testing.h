@@ -19,3 +19,4 @@
 #include "robosim/testing/quantities.h"
 #include "robosim/testing/robot_test.h"
 #include "robosim/testing/simulation.h"
+#include "robosim/testing/success_rate.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest-spi.h>
 #include <robosim/testing.h>
+#include <stdlib.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -144,6 +145,33 @@ TEST(Resources, AreMeasuredOnTheChip) {
   EXPECT_THAT(robot, UsesAtMost(ram(2000), stack(1000), flash(30000), loop_time(20_ms)));
   EXPECT_THAT(explanation(UsesAtMost(stack(1), loop_time(20_ms)), robot.so_far()),
               HasSubstr("bytes of stack"));
+}
+
+const std::vector<std::uint64_t> kTenSeeds{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+
+TEST(SuccessRate, CountsRunsThatReachTheirGoal) {
+  Trial laps = pid_on_oval();
+  laps.goal = "laps:1";
+  EXPECT_SUCCESS_RATE(laps, 0.9, kTenSeeds);
+  EXPECT_THAT(success_rate(laps, 0.5, kTenSeeds).message(), HasSubstr("5 of 5 runs")) << "enough is known";
+}
+
+TEST(SuccessRate, NamesTheFirstSeedThatFailedWhateverTheNumberOfWorkers) {
+  Trial stays = with("WrongButton");
+  stays.limit = 1_s;
+  stays.goal = "laps:1";
+  const auto said = [&](const char* jobs) {
+    ::setenv("ROBOSIM_JOBS", jobs, 1);
+    ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
+    const testing::AssertionResult result = success_rate(stays, 0.9, kTenSeeds);
+    ::unsetenv("ROBOSIM_JOBS");
+    ::unsetenv("ROBOSIM_ARTIFACTS");
+    EXPECT_FALSE(result);
+    return std::string(result.message());
+  };
+  const std::string alone = said("1");
+  EXPECT_THAT(alone, AllOf(HasSubstr("0 of 2 runs"), HasSubstr("seed 1: timeout"), HasSubstr("--seed 1 ")));
+  EXPECT_EQ(alone, said("3"));
 }
 
 TEST(Targets, ThatDoNotExistAreNamed) {

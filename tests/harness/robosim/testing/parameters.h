@@ -17,6 +17,12 @@ inline auto AllTargets() { return ::testing::ValuesIn(target_names()); }
 std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last);
 inline auto Seeds(std::uint64_t first, std::uint64_t last) { return ::testing::ValuesIn(seeds(first, last)); }
 
+/// Some targets only.
+template <typename... Names>
+auto Targets(Names... names) {
+  return ::testing::ValuesIn(std::vector<std::string>{names...});
+}
+
 /// Maps by name or path.
 template <typename... Names>
 auto Maps(Names... names) {
