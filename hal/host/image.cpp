@@ -5,6 +5,7 @@
 #include "hal/host/adc.h"
 #include "hal/host/addresses.h"
 #include "hal/host/clock.h"
+#include "hal/host/coverage.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/timers.h"
 
@@ -61,8 +62,8 @@ void init() {
 
 __attribute__((weak)) void initVariant() {}
 
-const host::Image robosim_image = {host::kImageVersion, &host::state, host::run,
-                                   host::kShadow,       __ehdr_start, _end};
+const host::Image robosim_image = {host::kImageVersion, &host::state, host::run,      host::kShadow,
+                                   __ehdr_start,        _end,         host::kCounters};
 
 }  // extern "C"
 

@@ -109,6 +109,17 @@ struct FirmwareState {
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };
 
+/// Takes what has been counted in a sketch that was built for coverage.
+class CounterSink {
+ public:
+  /// From here on it is about this file (.gcda, as gcov reads it).
+  virtual void begin(const char* file) = 0;
+  virtual void add(const void* bytes, size_t count) = 0;
+
+ protected:
+  ~CounterSink() = default;
+};
+
 struct Image {
   uint32_t version;  ///< kImageVersion
   FirmwareState* state;
@@ -119,6 +130,9 @@ struct Image {
   uintptr_t shadow;
   const void* begin;
   const void* end;
+  /// Gives what has been counted since the start; may be called at any time outside the fiber. Null: the
+  /// image was not built for coverage.
+  void (*counters)(CounterSink& sink);
 };
 
 }  // namespace host

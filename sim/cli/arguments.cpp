@@ -49,6 +49,8 @@ Command parse_run(const Words& words) {
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.texts("--record", run.record, "FILE", "samples every 10 ms as .csv, pins as .vcd; may be repeated");
+  options.text("--coverage", run.coverage, "DIR",
+               "which lines of the sketch ran, over all runs with this DIR (host only)");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");

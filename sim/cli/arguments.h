@@ -26,6 +26,7 @@ struct RunArguments {
   std::vector<std::string> send;  ///< texts as a scenario writes them, between its double quotes
   std::vector<std::string> libraries;
   std::vector<std::string> record;  ///< files
+  std::string coverage;             ///< a folder; empty = nothing is counted
   bool sanitize = false;            ///< the sketch checks itself
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible

@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/cli/coverage.h"
 #include "sim/cli/image.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/names.h"
@@ -156,6 +158,9 @@ int run_command(const RunArguments& given) {
     check_target(arguments.target);
   }
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
+  arguments.coverage = coverage_folder(given.coverage, arguments.target);
+  std::optional<CounterFile> counters;
+  if (!arguments.coverage.empty()) counters.emplace(arguments.coverage);
   const Choice map = choose_map(arguments.map, sketch.folder);
   const Choice robot = choose_robot(arguments.robot, sketch.folder, arguments.target);
   for (const Choice* choice : {&map, &robot}) {
@@ -171,9 +176,11 @@ int run_command(const RunArguments& given) {
   sketch::Request wanted{sketch.path, board_of(robot_info), arguments.target};
   for (const std::string& folder : arguments.libraries) wanted.libraries.emplace_back(folder);
   wanted.sanitize = arguments.sanitize;
+  wanted.coverage = !arguments.coverage.empty();
   const sketch::Image image = image_of(sketch, wanted, progress);
 
   request.image = image.image.string();
+  if (counters) request.counters = counters->path().string();
   request.map = map.path.string();
   request.robot = robot.path.string();
   request.start = arguments.start;
@@ -202,10 +209,13 @@ int run_command(const RunArguments& given) {
     result.next = next_after(result, finding);
   }
 
+  const auto json = [&](std::optional<double> timing) {
+    return run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
+                     image.sketch_sha256, image.compiler, arguments.sanitize},
+                    result, timing, finding);
+  };
   if (arguments.json) {
-    print(run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
-                    image.sketch_sha256, image.compiler, arguments.sanitize},
-                   result, wall_s, finding));
+    print(json(wall_s));
   } else {
     const auto size = view::terminal_size(STDOUT_FILENO);
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
@@ -213,6 +223,12 @@ int run_command(const RunArguments& given) {
     print(view::end_screen({sketch.name, map.name, robot.name, arguments.target, listeners.started(), result,
                             listeners.trail(), wall_s},
                            drawn.get(), columns, view::look_from_environment(size.has_value())));
+  }
+  if (counters) {
+    // The same run counts once: what went into it, and what came out.
+    const std::string text = counters->keep(wanted, image, request.script + json(std::nullopt));
+    if (!given.coverage.empty())
+      fmt::print(arguments.json ? stderr : stdout, "{}{}", text, counters->make_page());
   }
   if (Interrupts::signal() == SIGTERM || Interrupts::signal() == SIGHUP) ::raise(Interrupts::signal());
   return result.status;

@@ -75,6 +75,7 @@ struct RunRequest {
   bool notes = false;                  ///< stream what happens: "station 2 visited"
   bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
   bool interactive = false;            ///< driven step by step: see driven_run.h
+  std::string counters;  ///< file for what an image built for coverage has counted; empty = none
 };
 
 /// Sent once, before everything else.

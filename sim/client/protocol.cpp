@@ -298,6 +298,7 @@ std::string run_line(long long id, const RunRequest& r) {
     json["script"] = r.script;
     json["script_file"] = r.script_file;
   }
+  if (!r.counters.empty()) json["counters"] = r.counters;
   if (r.clock_ns > 0) json["clock_ns"] = r.clock_ns;
   if (r.samples_every_ns > 0) json["samples_every_ns"] = r.samples_every_ns;
   if (r.interactive) json["interactive"] = true;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/board/board.h"
+#include "sim/base/bundle.h"
 #include "sim/base/error.h"
 
 namespace robosim::executors {
@@ -76,6 +77,9 @@ class Executor {
   virtual int int_bits() const { return 32; }
   /// Measured on chip targets only, and not of an image with the checks of --sanitize.
   virtual std::optional<Resources> resources() const { return std::nullopt; }
+  /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
+  /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
+  virtual std::vector<BundledFile> counters() { return {}; }
   /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
   virtual void set_clock_start(SimTime) {
     throw InputError(

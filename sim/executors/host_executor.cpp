@@ -76,6 +76,23 @@ void ensure_signal_stack() {
 
 }  // namespace
 
+namespace {
+
+class Counters final : public host::CounterSink {
+ public:
+  explicit Counters(std::vector<BundledFile> files) : files_(std::move(files)) {}
+  void begin(const char* file) override { files_.push_back({file, ""}); }
+  void add(const void* bytes, std::size_t count) override {
+    files_.back().content.append(static_cast<const char*>(bytes), count);
+  }
+  const std::vector<BundledFile>& files() const { return files_; }
+
+ private:
+  std::vector<BundledFile> files_;
+};
+
+}  // namespace
+
 /// One power cycle of the firmware.
 class HostExecutor::Instance final : public host::Host {
  public:
@@ -96,6 +113,10 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   const host::FirmwareState& state() const { return state_; }
+
+  void count(host::CounterSink& sink) const {
+    if (image_.entry().counters) image_.entry().counters(sink);
+  }
 
   /// Runs the firmware to `t`; false if it has crashed.
   bool run_until(SimTime t) {
@@ -320,6 +341,7 @@ void HostExecutor::power_on(SimTime t) {
 }
 
 void HostExecutor::power_off(SimTime t) {
+  counters_ = counters();
   instance_.reset();
   crash_.reset();
   board_.reset(t);
@@ -330,6 +352,12 @@ void HostExecutor::run_until(SimTime t) {
   if (!instance_ || crash_) return;
   if (instance_->run_until(t)) reached_ = t;
   board_.forget_edges(t);
+}
+
+std::vector<BundledFile> HostExecutor::counters() {
+  Counters all(counters_);
+  if (instance_) instance_->count(all);
+  return all.files();
 }
 
 SimTime HostExecutor::last_call() const {

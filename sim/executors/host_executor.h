@@ -30,6 +30,7 @@ class HostExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SimTime last_call() const override;
+  std::vector<BundledFile> counters() override;
   bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
 
@@ -41,7 +42,8 @@ class HostExecutor final : public Executor {
   std::filesystem::path image_;
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
-  SimTime reached_ = 0;  ///< until when firmware has run
+  std::vector<BundledFile> counters_;  ///< of the power cycles before
+  SimTime reached_ = 0;                ///< until when firmware has run
 };
 
 }  // namespace robosim::executors

@@ -29,6 +29,7 @@ RunRequest parse_run_request(const json& object) {
   request.profile = profile == "ideal" ? robot::Profile::ideal : robot::Profile::typical;
   request.script = keys.text("script");
   request.script_file = keys.text("script_file", "script");
+  request.counters = keys.text("counters");
   request.samples_every = keys.whole("samples_every_ns", 0);
   if (request.samples_every % kTick != 0) Keys::wrong("samples_every_ns", "a multiple of the tick, 1000000");
   request.clock_start = keys.whole("clock_ns", 0);

@@ -18,6 +18,7 @@ struct RunRequest {
   std::string script;
   std::string script_file = "script";
   SimTime samples_every = 0;
+  std::string counters;     ///< a file; empty = none
   SimTime clock_start = 0;  ///< of millis(); 0 = as it is
   bool stream_pins = false, stream_serial = false, stream_notes = false, stream_io = false;
   bool interactive = false;  ///< the client drives it step by step

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/bundle.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
@@ -151,6 +152,7 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   if (request.interactive) setup.pilot = &pilot;
   const run::Outcome outcome = run::simulate(setup, narrator);
   narrator.flush_serial(outcome.time);
+  if (!request.counters.empty()) write_file(request.counters, pack(executor->counters()));
   answer["result"] = result_of(outcome, request, robot);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "sim/base/bundle.h"
 #include "sim/base/file.h"
 #include "sim/sketch/cache.h"
 #include "sim/sketch/compile.h"
@@ -54,6 +55,8 @@ class Build {
   const Inputs& inputs() const { return inputs_; }
   const std::vector<Library>& libraries() const { return libraries_; }
   const std::string& messages() const { return messages_; }
+  /// gcov's, of each of the sketch's own sources.
+  const std::vector<BundledFile>& notes() const { return notes_; }
 
  private:
   /// All objects, those of a library that wants it so as an archive.
@@ -170,7 +173,7 @@ class Build {
     for (Unit& unit : units) {
       unit.includes = include_folders(unit);
       const std::string key = unit_key(unit);
-      const auto entry = unit.input.empty() ? cache_.find(key) : std::nullopt;
+      const auto entry = is_kept(unit) ? cache_.find(key) : std::nullopt;
       if (entry) {
         add_message(entry->facts.at("messages"));
         objects_.push_back(object_of(unit, entry->result, split_paths(entry->facts.at("inputs"))));
@@ -229,6 +232,9 @@ class Build {
     }
   }
 
+  /// Whether its object goes into the cache: not that of the joined .ino files, nor one with notes beside it.
+  bool is_kept(const Unit& unit) const { return unit.input.empty() && !is_counted(toolchain_, unit); }
+
   std::string unit_key(const Unit& unit) const {
     return fmt::format("unit\n{}\n{}\n{}\n{}", recipe(toolchain_), unit.folder.string(), unit.source,
                        join_paths(unit.includes));
@@ -237,7 +243,9 @@ class Build {
   Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
               fs::file_time_type since) {
     std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
-    if (!unit.input.empty()) return object_of(unit, object, std::move(inputs));
+    if (is_counted(toolchain_, unit))
+      notes_.push_back({notes_name(unit), read_file(object.string() + ".gcno")});
+    if (!is_kept(unit)) return object_of(unit, object, std::move(inputs));
     const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
                                      {{"inputs", join_paths(inputs)}, {"messages", messages}}, since);
     return object_of(unit, entry.result, std::move(inputs));
@@ -254,36 +262,11 @@ class Build {
     if (header.empty()) return false;
     place.file = readable(toolchain_, sketch_.folder, place.file);
     const Library* library = finder_.find(header);
-    if (!library) throw InputError(place, no_library(header));
+    if (!library) throw InputError(place, no_library(toolchain_, core_, finder_, header));
     const bool known = std::any_of(libraries_.begin(), libraries_.end(),
                                    [&](const Library& one) { return one.folder == library->folder; });
     if (!known) libraries_.push_back(*library);
     return true;
-  }
-
-  std::string no_library(const std::string& header) const {
-    const LibraryFinder chip({core_.libraries});
-    const Library* library = chip.find(header);
-    if (library && !toolchain_.target.chip)
-      return fmt::format(
-          "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr",
-          header, library->name);
-    if (!toolchain_.target.chip && fs::exists(core_.avr_libc.parent_path() / header))
-      return fmt::format(
-          "{} belongs to avr-libc and is about the chip's own hardware: it is for --target avr", header);
-    if (header.find('.') == std::string::npos)
-      return fmt::format(
-          "there is no header {}: Arduino boards with an AVR chip have no C++ standard library", header);
-    return fmt::format(
-        "there is no header {}: neither in the sketch nor in a library below {}; --libraries DIR adds "
-        "a folder of libraries",
-        header, fmt::join(paths_text(finder_.folders()), ", "));
-  }
-
-  static std::vector<std::string> paths_text(const std::vector<fs::path>& paths) {
-    std::vector<std::string> texts;
-    for (const fs::path& path : paths) texts.push_back(path.string());
-    return texts;
   }
 
   const Sketch& sketch_;
@@ -294,6 +277,7 @@ class Build {
   WorkFolder work_;
   std::vector<Library> libraries_;  ///< in the order in which they were found
   std::vector<Object> objects_;
+  std::vector<BundledFile> notes_;
   Inputs inputs_;
   std::string messages_;
   int count_ = 0;
@@ -312,6 +296,8 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   return cache.store(key, {}, work.path() / name, name, {}, since).result;
 }
 
+std::string notes_key(const Entry& entry) { return "notes\n" + entry.facts.at("image_sha256"); }
+
 Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
                bool from_cache) {
   Image image;
@@ -328,6 +314,7 @@ Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, c
   image.text_bytes = std::stoull(entry.facts.at("text_bytes"));
   image.data_bytes = std::stoull(entry.facts.at("data_bytes"));
   image.from_cache = from_cache;
+  if (const auto notes = cache.find(notes_key(entry))) image.notes = notes->result;
   return image;
 }
 
@@ -345,6 +332,7 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
 Image build(const Request& request) try {
   const Target& target = find_target(request.target);
   if (request.sanitize) check_can_sanitize(request.target);
+  if (request.coverage) check_can_cover(request.target);
   const Sketch sketch = read_sketch(request.sketch);
   if (!target.chip && !sketch.assembler.empty())
     throw InputError({sketch.assembler[0]}, "assembler sources are for the chip; build with --target avr");
@@ -357,11 +345,13 @@ Image build(const Request& request) try {
                       core_for(target, request.board, genuine, cache.folder()),
                       request.board,
                       request.warnings,
-                      request.sanitize};
+                      request.sanitize,
+                      request.coverage};
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);
-  if (const auto entry = cache.find(key)) return image_of(target, sketch, *entry, cache, true);
+  if (const auto entry = cache.find(key); entry && (!request.coverage || cache.find(notes_key(*entry))))
+    return image_of(target, sketch, *entry, cache, true);
 
   const auto since = fs::file_time_type::clock::now();
   toolchain.facts = ask(toolchain.compiler, cache.folder());
@@ -387,6 +377,11 @@ Image build(const Request& request) try {
                                    {"text_bytes", std::to_string(text_bytes)},
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
+  if (request.coverage) {
+    const WorkFolder work(cache);
+    write_file(work.path() / "notes", pack(build.notes()));
+    cache.store(notes_key(entry), {}, work.path() / "notes", sketch.name + ".notes", {}, since);
+  }
   return image_of(target, sketch, entry, cache, false);
 } catch (const fs::filesystem_error& error) {
   throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());

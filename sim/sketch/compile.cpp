@@ -78,6 +78,12 @@ void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, con
   }
 }
 
+void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
+  const Counting& counting = toolchain.target.coverage;
+  if (unit.kind == Unit::Kind::sketch) add(words, counting.own);
+  if (unit.kind == Unit::Kind::core) add(words, counting.definitions);
+}
+
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
   const Target& target = toolchain.target;
   const bool core = unit.kind == Unit::Kind::core;
@@ -90,6 +96,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   if (written_in == Language::c) add(words, target.c_code);
   add(words, core ? target.core : target.own);
   if (toolchain.sanitize) add_checks(words, toolchain, unit);
+  if (toolchain.coverage) add_counting(words, toolchain, unit);
   add(words, warning_flags(toolchain, unit));
   add(words, toolchain.core.machine);
   add(words, definitions(toolchain));
@@ -128,9 +135,22 @@ bool through_assembly(const Toolchain& toolchain, const Unit& unit) {
   return !toolchain.target.chip && unit.kind != Unit::Kind::core;
 }
 
+bool is_counted(const Toolchain& toolchain, const Unit& unit) {
+  return toolchain.coverage && unit.kind == Unit::Kind::sketch;
+}
+
+std::string notes_name(const Unit& unit) {
+  std::string name = unit.input.empty() ? unit.source : "ino";
+  std::replace(name.begin(), name.end(), '/', '#');
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
   std::vector<std::string> words = base_words(toolchain, unit);
   add(words, {"-MD", "-MF", object.string() + ".d"});
+  if (is_counted(toolchain, unit))
+    add(words, {"-fprofile-note=" + object.string() + ".gcno", "-dumpbase", notes_name(unit)});
   if (through_assembly(toolchain, unit))
     add(words, {"-S", "-o", object.string() + ".s"});
   else
@@ -183,6 +203,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   add(words, {"-o", image.string()});
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
+  if (toolchain.coverage) add(words, toolchain.target.coverage.link);
   return {std::move(words), work, {}};
 }
 
@@ -203,10 +224,13 @@ std::string recipe(const Toolchain& toolchain) {
     text += fmt::format("{}\n", fmt::join(words, " "));
   for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
     if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
-  if (toolchain.sanitize)
-    for (const auto* words : {&target.sanitizer.undefined, &target.sanitizer.addresses,
-                              &target.sanitizer.definitions, &target.sanitizer.link})
-      text += fmt::format("{}\n", fmt::join(*words, " "));
+  const auto add_text = [&](std::initializer_list<const std::vector<std::string>*> all) {
+    for (const auto* words : all) text += fmt::format("{}\n", fmt::join(*words, " "));
+  };
+  const Sanitizer& checks = target.sanitizer;
+  if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
+  const Counting& counting = target.coverage;
+  if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
   text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;

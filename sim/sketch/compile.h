@@ -36,6 +36,10 @@ std::vector<std::filesystem::path> split_paths(const std::string& text);
 /// Whether the unit is compiled to the assembly `object` + ".s", in which endless loops are marked
 /// (endless.h) before assemble_command; else it goes to `object` at once.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
+/// Whether the unit's lines are counted: gcov's notes on it are then in `object` + ".gcno", and its data has
+/// this name.
+bool is_counted(const Toolchain& toolchain, const Unit& unit);
+std::string notes_name(const Unit& unit);
 /// Lists all files read in `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& object);

@@ -29,6 +29,11 @@ void check_can_sanitize(const std::string& target) {
     throw InputError(fmt::format("--sanitize: there are no checks for the target {}", target));
 }
 
+void check_can_cover(const std::string& target) {
+  if (find_target(target).coverage.own.empty())
+    throw InputError("--coverage is for --target host; a chip has no room for its counters");
+}
+
 std::vector<Limit> stated_limits(const Image& image) {
   constexpr std::string_view kPrefix = "linekit_limit_";
   std::vector<Limit> limits;

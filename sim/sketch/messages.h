@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/sketch/compile.h"
+#include "sim/sketch/libraries.h"
 #include "sim/sketch/source.h"
 #include "sim/sketch/toolchain.h"
 
@@ -14,6 +15,10 @@ namespace robosim::sketch {
 
 /// The header that a failed compilation did not find; empty if it failed otherwise.
 std::string missing_header(const std::string& output, Place* place);
+
+/// The sentence for a header that no library below the finder's folders has.
+std::string no_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
+                       const std::string& header);
 
 /// The compiler's messages with places as the user knows them.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);

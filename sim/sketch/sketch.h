@@ -28,14 +28,16 @@ struct Request {
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< sketch and libraries check themselves while they run
+  bool coverage = false;  ///< the sketch's own lines are counted (coverage.h); for the host only
 };
 
 struct Image {
   std::string name;             ///< of the sketch
   std::filesystem::path image;  ///< in the cache; its content never changes under this name
   std::vector<std::filesystem::path>
-      products;               ///< what was made of it, likewise: the .hex or .bin of a chip's .elf
-  std::string sketch_sha256;  ///< of the sketch's own files, by name and content
+      products;                 ///< what was made of it, likewise: the .hex or .bin of a chip's .elf
+  std::filesystem::path notes;  ///< of gcov on the sketch, bundled; with Request::coverage
+  std::string sketch_sha256;    ///< of the sketch's own files, by name and content
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of those that were compiled in
@@ -64,8 +66,9 @@ std::vector<std::string> targets();
 /// there. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);
 
-/// Throws InputError for a target whose sketches cannot be built with Request::sanitize.
+/// These throw InputError for a target whose sketches cannot be built with Request::sanitize, or coverage.
 void check_can_sanitize(const std::string& target);
+void check_can_cover(const std::string& target);
 
 /// A limit that the firmware states by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
 /// (firmware/src/nav/Limits.h).

@@ -73,6 +73,12 @@ const Target kHost = {
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
                           "strncat", "strcmp", "strncmp", "strchr", "strstr"})},
+    // Not optimised: a line keeps its code, and a counter is in memory whenever the firmware is left. The
+    // data's name must not depend on folders, and gcov checks that notes and data are of the same build.
+    .coverage = {.own = {"-O0", "-fprofile-arcs", "-ftest-coverage", "-fprofile-info-section=robosim_gcov",
+                         "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
+                 .definitions = {"-DROBOSIM_COVERAGE"},
+                 .link = {"-lgcov"}},
     .core = {},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},

@@ -36,6 +36,13 @@ struct Sanitizer {
   std::vector<std::string> link;
 };
 
+/// What is added to count the lines that ran; empty = the target cannot.
+struct Counting {
+  std::vector<std::string> own;          ///< for the sketch's own sources
+  std::vector<std::string> definitions;  ///< for the core
+  std::vector<std::string> link;
+};
+
 struct Target {
   const char* name;
   const char* image_ending;
@@ -56,6 +63,7 @@ struct Target {
   std::vector<std::string> own;
   const char* own_level;
   Sanitizer sanitizer;
+  Counting coverage;
   std::vector<std::string> core;
   const char* core_level;
   std::vector<std::string> definitions;

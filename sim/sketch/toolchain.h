@@ -65,6 +65,7 @@ struct Toolchain {
   const BoardSpec& board;
   Warnings warnings = Warnings::standard;
   bool sanitize = false;
+  bool coverage = false;
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

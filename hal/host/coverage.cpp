@@ -1,0 +1,44 @@
+#include "hal/host/coverage.h"
+
+#ifdef ROBOSIM_COVERAGE
+
+struct gcov_info;
+
+extern "C" {
+// gcc's record of each source, collected by the linker (-fprofile-info-section).
+extern const gcov_info* const __start_robosim_gcov[] __attribute__((weak, visibility("hidden")));
+extern const gcov_info* const __stop_robosim_gcov[] __attribute__((weak, visibility("hidden")));
+
+// Of libgcov, for programs without files.
+void __gcov_info_to_gcda(const gcov_info* info, void (*name)(const char*, void*),
+                         void (*dump)(const void*, unsigned, void*), void* (*allocate)(unsigned, void*),
+                         void* argument);
+
+// Records name it for merging with a file, which only happens where there are files.
+void __gcov_merge_add(int64_t*, unsigned) {}
+}
+
+namespace robosim {
+namespace host {
+namespace {
+
+void name(const char* file, void* sink) { static_cast<CounterSink*>(sink)->begin(file); }
+
+void dump(const void* bytes, unsigned count, void* sink) {
+  static_cast<CounterSink*>(sink)->add(bytes, count);
+}
+
+// Asked for by kinds of counters that -fprofile-arcs has not.
+void* allocate(unsigned, void*) { return nullptr; }
+
+}  // namespace
+
+void give_counters(CounterSink& sink) {
+  for (const gcov_info* const* info = __start_robosim_gcov; info != __stop_robosim_gcov; ++info)
+    __gcov_info_to_gcda(*info, name, dump, allocate, &sink);
+}
+
+}  // namespace host
+}  // namespace robosim
+
+#endif  // ROBOSIM_COVERAGE

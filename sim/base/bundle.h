@@ -1,0 +1,21 @@
+// Several small files in one: name and size of each on a line, then its bytes.
+//
+//   Blink.ino.gcda 132\n<132 bytes>helper.cpp.gcda 88\n<88 bytes>
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim {
+
+struct BundledFile {
+  std::string name;  ///< holds no line feed
+  std::string content;
+};
+
+std::string pack(const std::vector<BundledFile>& files);
+/// Throws InputError for what was not packed.
+std::vector<BundledFile> unpack(std::string_view bundle);
+
+}  // namespace robosim
