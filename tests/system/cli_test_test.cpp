@@ -166,7 +166,8 @@ TEST(CliNew, MakesAProjectThatPasses) {
   const Folder folder;
   const Ended made = robosim_command({"new", "demo"}, folder.path());
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_THAT(made.out, AllOf(HasSubstr("demo.ino"), EndsWith("next: cd demo && robosim test\n")));
+  EXPECT_THAT(made.out, AllOf(HasSubstr("demo.ino"), HasSubstr("test/line_test.cpp"),
+                              EndsWith("next: cd demo && robosim test\n")));
   const Ended tested = robosim_command({"test"}, folder / "demo");
   EXPECT_EQ(tested.status, 0) << tested.out << tested.err;
   EXPECT_THAT(tested.err, IsEmpty()) << "not even a warning of the compiler";
