@@ -24,9 +24,9 @@ std::string program_of(const std::string& target) {
                                  : target == "stm32" ? "libunicorn-dev libdw-dev"
                                                      : "";
     if (!packages.empty()) {
-      throw ToolMissing("the target " + target + " is missing: Robosim was built without the Debian packages " +
-                        packages + ". Install them (sudo apt install " + packages +
-                        "), configure and build Robosim again");
+      throw ToolMissing(
+          "the target " + target + " is missing: Robosim was built without the Debian packages " + packages +
+          ". Install them (sudo apt install " + packages + "), configure and build Robosim again");
     }
     throw ToolMissing("the runner of target " + target + " is not there: " + program.string() +
                       ". This version has " + one_of(available_targets()) + ".");

@@ -19,8 +19,8 @@
 
 namespace robosim::client {
 
-/// The targets that this version has runners for: "host", "avr", "stm32". A build without an emulator's package lacks
-/// its runner all the same: Runner then throws ToolMissing.
+/// The targets that this version has runners for: "host", "avr", "stm32". A build without an emulator's
+/// package lacks its runner all the same: Runner then throws ToolMissing.
 const std::vector<std::string>& available_targets();
 
 class Process;

@@ -1,8 +1,8 @@
 // What can be said about firmware from its chip's state and its debug information.
 #pragma once
 
-#include "sim/executors/chip/debug_info.h"
 #include "sim/executors/avr/machine.h"
+#include "sim/executors/chip/debug_info.h"
 #include "sim/executors/undefined.h"
 
 namespace robosim::executors::avr {

@@ -18,7 +18,8 @@ constexpr std::uint32_t kDataSpace = 0x800000;     // avr-gcc's address of data 
 constexpr std::uint32_t kEepromSpace = 0x810000;   // and of what is neither flash nor RAM
 constexpr std::uint32_t kEnlargedFlash = 0x10000;  // all that a data pointer reaches
 
-void load_segments(const FileReader& in, const Elf32_Ehdr& header, const BoardSpec& board, Firmware& firmware) {
+void load_segments(const FileReader& in, const Elf32_Ehdr& header, const BoardSpec& board,
+                   Firmware& firmware) {
   std::vector<Elf32_Phdr> segments;
   std::uint64_t size = 0;
   for (unsigned i = 0; i < header.e_phnum; ++i) {
