@@ -1,0 +1,101 @@
+// AiNavigator keeps its map in EEPROM. Wherever the power fails while it writes, it must come to with the
+// right map or with none: a wrong one must never be used.
+#include "sim/client/power_cuts.h"
+
+#include <cmath>
+
+#include "sim/grid/true_graph.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using testing::AnyOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+// It scans and drives to station 2. Switched on again it is sent there once more, if it knows the way; else
+// it scans from where it stands.
+constexpr char kScript[] =
+    "at 300ms press start 100ms\n"
+    "after serial \"at 1\\r\\n\" send \"2\\n\"\n"
+    "after boot 2 wait 300ms send \"2\\n\"\n"
+    "after boot 2 wait 1s press start 100ms\n"
+    "after boot 2 wait 55s send \"2\\n\"\n";
+
+std::string without_cr(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
+// The line that begins so, up to its end; nothing if there is none.
+std::string line_of(const std::string& text, const std::string& beginning) {
+  const std::size_t at = text.find(beginning);
+  return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+}
+
+TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
+  const test::Run plan{
+      .sketch = "AiNavigator", .map = "b", .goal = "none", .script = kScript, .for_s = 120.0};
+  const grid::Map map = grid::read_map(grid::find_map(plan.map));
+  const grid::TrueGraph graph = grid::true_graph(map, grid::default_start(map));
+  const Vec2 station_2 = map.centre(graph.stations[1].cell) * 1e3;
+  const std::string counts = std::to_string(graph.stations.size()) + " stations, " +
+                             std::to_string(graph.junctions.size()) + " junctions";
+  std::string way;  // from station 1 to station 2
+  int kept = 0, lost = 0;
+
+  // The map, and after it the three bytes of the place where it stands.
+  const std::uint64_t record = run({.sketch = "AiNavigator",
+                                    .map = plan.map,
+                                    .goal = "none",
+                                    .script = "at 300ms press start 100ms\n",
+                                    .for_s = 60.0})
+                                   .eeprom_writes -
+                               3;
+  std::size_t runs = 0;
+  const auto check = [&](const client::PowerCut& cut, const client::Answer& answer) {
+    ++runs;
+    SCOPED_TRACE(cut.text());
+    const auto* const result = std::get_if<client::RunResult>(&answer);
+    ASSERT_TRUE(result) << std::get<client::Failure>(answer).message;
+    const std::string all = without_cr(result->serial);
+    const std::string text = all.substr(all.rfind("ready\n"));
+    SCOPED_TRACE(text);
+    ASSERT_NE(all.rfind("ready\n"), 0u) << "it starts twice";
+    EXPECT_THAT(text, EndsWith("arrived at 2\ndestination?\n"));
+    const bool whole_record = cut.write > record || (cut.write == record && cut.byte == "new");
+    if (!whole_record) {
+      EXPECT_THAT(text, Not(HasSubstr("I have a map")));
+    }
+    if (const std::string stored = line_of(text, "I have a map: "); !stored.empty()) {
+      EXPECT_EQ(stored, "I have a map: " + counts);
+    }
+    if (const std::string scanned = line_of(text, "scan complete: "); !scanned.empty()) {
+      ++lost;
+      EXPECT_THAT(scanned, HasSubstr(counts));
+      return;
+    }
+    ++kept;
+    EXPECT_THAT(line_of(text, "way:"), AnyOf(way, "way: station 2"));
+    EXPECT_LT(std::hypot(result->end_x_mm - station_2.x, result->end_y_mm - station_2.y), 25.0);
+  };
+
+  client::Pool pool(2);
+  client::Task task{"host", request_of(plan)};
+  way = [&] {
+    const client::RunResult whole = run(plan);
+    return line_of(without_cr(whole.serial), "way:");
+  }();
+  EXPECT_THAT(way, HasSubstr("station 2"));
+  const client::Answer whole = run_with_power_cuts(pool, task, check);
+  ASSERT_TRUE(std::holds_alternative<client::RunResult>(whole));
+  EXPECT_EQ(runs, 3 * std::get<client::RunResult>(whole).eeprom_writes);
+  EXPECT_GT(runs, 30u);
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(lost, kept);
+}
+
+}  // namespace
+}  // namespace robosim::test
