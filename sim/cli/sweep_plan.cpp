@@ -155,7 +155,7 @@ class Combiner {
   Combination combine(const SketchChoice& sketch, const std::string& map_word, const std::string& robot_word,
                       const std::string& target) {
     const Choice map = supplies_.said(choose_map(map_word, sketch.folder));
-    const Choice robot_choice = supplies_.said(choose_robot(robot_word, sketch.folder));
+    const Choice robot_choice = supplies_.said(choose_robot(robot_word, sketch.folder, target));
     const client::RobotInfo& info = supplies_.robot(robot_choice.path.string());
     const sketch::Image& made = image(sketch, board_of(info), target);
     Combination c;
