@@ -35,10 +35,23 @@ struct Cleaner {
   }
 };
 
+void check(const client::Demand& demand, std::int64_t seeds) {
+  if (!(demand.rate >= 0.0 && demand.rate <= 1.0))
+    throw InputError(fmt::format("a success rate must be from 0 to 1, not {}", demand.rate));
+  if (seeds < 1) throw InputError("a success rate needs at least one seed");
+  if (client::needed_successes(demand, seeds)) return;
+  const auto needed = client::needed_runs(demand);
+  throw InputError(needed ? fmt::format("{} seeds cannot show a rate of {}, even if all succeed; {} could",
+                                        seeds, demand.rate, *needed)
+                          : std::string("no number of runs can show that a rate is 1"));
+}
+
 }  // namespace
 
-::testing::AssertionResult success_rate(const Trial& given, double least,
+::testing::AssertionResult success_rate(const Trial& given, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds) {
+  const client::Demand demand{least.rate, least.sure};
+  check(demand, static_cast<std::int64_t>(seeds.size()));
   Trial trial = given;
   trial.target = target_of(given);
   Stage stage = [&] {
@@ -49,7 +62,7 @@ struct Cleaner {
   stage.request.samples_every_ns = 0;
   stage.request.serial = stage.request.notes = false;
 
-  client::Tally tally(static_cast<std::int64_t>(seeds.size()), client::Demand{least, false});
+  client::Tally tally(static_cast<std::int64_t>(seeds.size()), demand);
   std::string failures, problem;
   std::size_t failed = 0;
   client::Pool pool(workers());
@@ -93,7 +106,8 @@ struct Cleaner {
   if (tally.met()) return ::testing::AssertionSuccess() << found;
   return ::testing::AssertionFailure()
          << fmt::format("{} on {}, target {}: {}; wanted were {:g} %", stage.sketch_title,
-                        stage.map_is_text ? "the test's map" : stage.map, trial.target, found, 100.0 * least)
+                        stage.map_is_text ? "the test's map" : stage.map, trial.target, found,
+                        100.0 * least.rate)
          << failures;
 }
 

@@ -156,6 +156,15 @@ TEST(SuccessRate, CountsRunsThatReachTheirGoal) {
   EXPECT_THAT(success_rate(laps, 0.5, kTenSeeds).message(), HasSubstr("5 of 5 runs")) << "enough is known";
 }
 
+TEST(SuccessRate, MayBeAskedForSurely) {
+  Trial moment = pid_on_oval();
+  moment.limit = 50_ms;
+  EXPECT_SUCCESS_RATE(moment, at_least(1.0), kTenSeeds);
+  EXPECT_SUCCESS_RATE(moment, surely_at_least(0.7), kTenSeeds);
+  EXPECT_THROW(success_rate(moment, surely_at_least(0.8), kTenSeeds), std::exception);
+  EXPECT_THROW(success_rate(moment, at_least(1.5), kTenSeeds), std::exception);
+}
+
 TEST(SuccessRate, NamesTheFirstSeedThatFailedWhateverTheNumberOfWorkers) {
   Trial stays = with("WrongButton");
   stays.limit = 1_s;

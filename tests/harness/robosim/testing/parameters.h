@@ -15,6 +15,8 @@ inline auto AllTargets() { return ::testing::ValuesIn(target_names()); }
 
 /// Seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N makes them N, from `first` on.
 std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last);
+/// 1 to `count`, likewise.
+inline std::vector<std::uint64_t> seeds(std::uint64_t count) { return seeds(1, count); }
 inline auto Seeds(std::uint64_t first, std::uint64_t last) { return ::testing::ValuesIn(seeds(first, last)); }
 
 /// Some targets only.
