@@ -13,6 +13,7 @@
 #include "sim/cli/build_command.h"
 #include "sim/cli/names.h"
 #include "sim/cli/output.h"
+#include "sim/cli/shell_word.h"
 #include "sim/sketch/process.h"
 
 extern char** environ;
@@ -31,18 +32,9 @@ BuildArguments build_arguments(const FlashArguments& arguments) {
   return build;
 }
 
-/// A word as a shell takes it.
-std::string quoted(const std::string& word) {
-  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
 std::string command_line(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + quoted(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + shell_word(word);
   return text;
 }
 

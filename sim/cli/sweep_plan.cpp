@@ -15,6 +15,7 @@
 #include "sim/cli/image.h"
 #include "sim/cli/names.h"
 #include "sim/cli/run_command.h"
+#include "sim/cli/shell_word.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
