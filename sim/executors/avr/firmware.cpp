@@ -118,11 +118,12 @@ std::uint32_t Firmware::loop_head(std::uint32_t entry) const {
   if (!function || function->address == entry || function->size == 0) return entry;
   const std::uint32_t end = std::min(function->address + function->size, code_end);
   std::uint32_t head = end;
-  for (std::uint32_t pc = function->address; pc + 4 <= end;) {
+  for (std::uint32_t pc = function->address; pc + 2 <= end;) {
     const int op = word(pc);
     const bool jmp = (op & 0xFE0E) == 0x940C, rjmp = (op & 0xF000) == 0xC000,
                branch = (op & 0xF800) == 0xF000;
     const bool two_words = jmp || (op & 0xFE0E) == 0x940E || (op & 0xFC0F) == 0x9000;
+    if (two_words && pc + 4 > end) break;
     std::uint32_t target = pc + 2;
     if (jmp) target = static_cast<std::uint32_t>(word(pc + 2)) * 2;
     if (rjmp)

@@ -54,6 +54,15 @@ void loop() { static byte n; delayMicroseconds(++n % 10 == 0 ? 3000 : 1000); PIN
   EXPECT_DOUBLE_EQ(r.cpu_load, 1.0);
 }
 
+TEST_F(MemoryTest, LoopIsTimedThoughTheJumpBackIsTheLastInstructionOfMain) {
+  const Resources r = used(R"(unsigned passes;
+void blink() { digitalWrite(13, passes % 2); }
+void setup() { pinMode(13, OUTPUT); Serial.begin(115200); }
+void loop() { ++passes; blink(); Serial.println(millis() + analogRead(A0)); delay(5); })",
+                           kSecond);
+  EXPECT_NEAR(r.loop_us_mean, 5200.0, 200.0) << "and not a pass of the loop that waits in delay()";
+}
+
 TEST_F(MemoryTest, APassOfLoopThatHasNotEndedCounts) {
   const Resources r =
       used("void setup() {}\nvoid loop() { static byte n; if (++n == 10) delay(10000); }", kSecond);
