@@ -33,7 +33,7 @@ using Words = std::vector<std::string>;
 
 Command parse_run(const Words& words) {
   RunArguments run;
-  std::string duration, clock, number, speed;
+  std::string duration, clock, number, speed, port;
   Options options("run", "Runs a sketch on a robot on a map, and judges it.");
   options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
@@ -52,6 +52,7 @@ Command parse_run(const Words& words) {
   options.text("--coverage", run.coverage, "DIR",
                "which lines of the sketch ran, over all runs with this DIR (host only)");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
+  options.text("--gdb", port, "PORT", "wait at this port for gdb, which then halts sketch and world (chip)");
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
   options.flag("--json", run.json, "print the result as JSON");
@@ -60,6 +61,7 @@ Command parse_run(const Words& words) {
   if (!duration.empty()) run.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) run.clock_ns = simulated_time("--clock", clock);
   if (!number.empty()) run.seed = seed_number(number);
+  if (!port.empty()) run.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
   check_choice("--profile", run.profile, {"ideal", "typical"});
   if (run.view && run.json)

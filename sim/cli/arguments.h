@@ -28,6 +28,7 @@ struct RunArguments {
   std::vector<std::string> record;  ///< files
   std::string coverage;             ///< a folder; empty = nothing is counted
   bool sanitize = false;            ///< the sketch checks itself
+  int gdb_port = 0;                 ///< where a debugger is waited for; 0 = nowhere
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;

@@ -14,6 +14,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/cli/coverage.h"
+#include "sim/cli/debugger.h"
 #include "sim/cli/image.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/names.h"
@@ -81,6 +82,7 @@ class Listeners {
   }
 
   void watch(view::LiveView* view) { view_ = view; }
+  void name_debugger(std::string command) { debugger_ = std::move(command); }
 
   void on_event(const client::Event& event) {
     for (view::CsvRecord& table : tables_) table.add(event);
@@ -89,6 +91,10 @@ class Listeners {
     if (const auto* sample = std::get_if<client::Sample>(&event)) {
       trail_.add(*sample);
       if (!view_) progress_.advance(sample->t_us, for_s_);
+    }
+    if (std::holds_alternative<client::DebuggerAwaited>(event)) {
+      progress_.clear();
+      fmt::print(stderr, "robosim: waiting for a debugger; in another terminal type: {}\n", debugger_);
     }
     if (view_) view_->on_event(event);
   }
@@ -105,6 +111,7 @@ class Listeners {
   std::vector<view::CsvRecord> tables_;
   std::vector<view::VcdRecord> waves_;
   view::LiveView* view_ = nullptr;
+  std::string debugger_;  ///< what to type to attach one
   client::Started started_;
   view::Trail trail_;
   double for_s_ = 0.0;
@@ -157,6 +164,7 @@ int run_command(const RunArguments& given) {
     arguments.target = sketch.elf_target;
     check_target(arguments.target);
   }
+  check_debugger(arguments.gdb_port, arguments.target);
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   arguments.coverage = coverage_folder(given.coverage, arguments.target);
   std::optional<CounterFile> counters;
@@ -188,12 +196,16 @@ int run_command(const RunArguments& given) {
   request.for_ns = arguments.for_ns;
   request.seed = arguments.seed;
   request.clock_ns = arguments.clock_ns;
+  request.gdb_port = arguments.gdb_port;
   request.profile = arguments.profile;
   request.samples_every_ns = samples_every_ns(arguments, progress.active());
   request.serial = request.notes = arguments.view;
   request.pins = request.io = std::any_of(arguments.record.begin(), arguments.record.end(), is_vcd);
 
   Listeners listeners(arguments, board_of(robot_info), progress);
+  if (arguments.gdb_port > 0)
+    listeners.name_debugger(debugger_command(image.image, sketch.elf_target.empty() ? sketch.folder : "",
+                                             arguments.target, arguments.gdb_port));
   const double began_s = wall_now_s();
   const std::string title = fmt::format("{} · {} on {}", sketch.name, robot.name, map.name);
   client::RunResult result = simulate(runner, request, arguments, title, robot_info, map.path, listeners);

@@ -67,6 +67,7 @@ struct RunRequest {
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< or "ideal"
   std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
+  int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = nowhere; chip targets only
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< its name in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
@@ -151,7 +152,13 @@ struct Note {
   std::string text;
 };
 
-using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte>;
+/// The run waits for a debugger before the firmware's first instruction.
+struct DebuggerAwaited {
+  int port = 0;
+};
+
+using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
+                           DebuggerAwaited>;
 /// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
 /// does not return, the runner is held up by the full pipe; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;

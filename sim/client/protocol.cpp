@@ -120,6 +120,7 @@ Event event(const Json& json) {
                      get<double>(json, "duty"),
                      get<std::uint32_t>(json, "tone_hz", 0)};
   }
+  if (kind == "debugger_awaited") return DebuggerAwaited{get<int>(json, "port")};
   if (kind == "level")
     return LevelSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
                      get<bool>(json, "level")};
@@ -300,6 +301,7 @@ std::string run_line(long long id, const RunRequest& r) {
   }
   if (!r.counters.empty()) json["counters"] = r.counters;
   if (r.clock_ns > 0) json["clock_ns"] = r.clock_ns;
+  if (r.gdb_port > 0) json["gdb_port"] = r.gdb_port;
   if (r.samples_every_ns > 0) json["samples_every_ns"] = r.samples_every_ns;
   if (r.interactive) json["interactive"] = true;
   Json stream = Json::array();

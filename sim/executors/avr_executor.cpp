@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/executors/avr/debug_port.h"
 #include "sim/executors/avr/diagnosis.h"
 
 namespace robosim::executors {
@@ -27,10 +28,12 @@ void AvrExecutor::power_on(SimTime t) {
   power_off(t);
   machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, clock_, t);
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
+  if (debug_port_) machine_->set_debug_port(debug_port_.get());
 }
 
 void AvrExecutor::power_off(SimTime t) {
   before_ = resources();
+  if (debug_port_) debug_port_->unplug();
   machine_.reset();
   crash_.reset();
   board_.reset(t);
@@ -67,6 +70,10 @@ void AvrExecutor::set_clock_start(SimTime start) {
     throw InputError({image_->firmware.file},
                      "has no clock that --clock could set (it never calls millis())");
   clock_start_ = start;
+}
+
+void AvrExecutor::debug_with(gdb::Server& server) {
+  debug_port_ = std::make_unique<avr::DebugPort>(server, image_->firmware, board_);
 }
 
 Activity AvrExecutor::activity() {

@@ -20,8 +20,9 @@
 namespace robosim::executors {
 
 namespace avr {
+class DebugPort;
 class Machine;
-}
+}  // namespace avr
 
 class AvrExecutor final : public Executor {
  public:
@@ -41,6 +42,7 @@ class AvrExecutor final : public Executor {
   void set_clock_start(SimTime start) override;
   bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
+  void debug_with(gdb::Server& server) override;
 
  private:
   struct Image;
@@ -48,6 +50,7 @@ class AvrExecutor final : public Executor {
   BoardState board_;
   FirmwareClock clock_;
   std::unique_ptr<const Image> image_;
+  std::unique_ptr<avr::DebugPort> debug_port_;  ///< null = nobody debugs
   std::unique_ptr<avr::Machine> machine_;
   std::optional<Crash> crash_;
   std::optional<Resources> before_;  ///< what was measured before the last power-on

@@ -12,6 +12,10 @@
 
 namespace robosim::executors {
 
+namespace gdb {
+class Server;
+}
+
 /// A place in the user's sketch; empty and 0 where not known.
 struct SourceLine {
   std::string function;
@@ -91,6 +95,11 @@ class Executor {
   /// From `t` on, which is now, the chip's clock runs so much too fast, in parts per million; also after a
   /// power cycle.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
+  /// From the next power-on, a debugger may halt the firmware: run_until() then does not return. `server`
+  /// must outlive the executor's use. Throws InputError where that cannot be.
+  virtual void debug_with(gdb::Server&) {
+    throw InputError("--gdb: a debugger attaches to an emulated chip only, as in --target avr");
+  }
 };
 
 }  // namespace robosim::executors

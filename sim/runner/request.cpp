@@ -34,6 +34,9 @@ RunRequest parse_run_request(const json& object) {
   if (request.samples_every % kTick != 0) Keys::wrong("samples_every_ns", "a multiple of the tick, 1000000");
   request.clock_start = keys.whole("clock_ns", 0);
   request.interactive = keys.truth("interactive", false);
+  const std::int64_t port = keys.whole("gdb_port", 0);
+  if (port > 65535) Keys::wrong("gdb_port", "a port, 1 to 65535, or 0");
+  request.gdb_port = static_cast<int>(port);
   if (const json* stream = keys.find("stream")) {
     if (!stream->is_array()) Keys::wrong("stream", "an array");
     for (const json& name : *stream) {

@@ -20,6 +20,7 @@ struct RunRequest {
   SimTime samples_every = 0;
   std::string counters;     ///< a file; empty = none
   SimTime clock_start = 0;  ///< of millis(); 0 = as it is
+  int gdb_port = 0;         ///< where a debugger is waited for; 0 = nowhere
   bool stream_pins = false, stream_serial = false, stream_notes = false, stream_io = false;
   bool interactive = false;  ///< the client drives it step by step
 };

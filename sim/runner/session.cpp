@@ -16,6 +16,7 @@
 #include "sim/base/bundle.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/executors/gdb/server.h"
 #include "sim/robot/description.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
@@ -61,7 +62,10 @@ class Narrator final : public run::Listener {
   Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board)
       : id_(std::move(id)), request_(request), board_(board) {}
 
-  void began(const run::Beginning& beginning) override { send("started", to_json(beginning)); }
+  void began(const run::Beginning& beginning) override {
+    send("started", to_json(beginning));
+    if (request_.gdb_port > 0) send("debugger_awaited", {{"port", request_.gdb_port}});
+  }
   void sampled(const run::Sample& s) override { send("sample", to_json(s)); }
   void noted(const run::Event& event) override {
     if (request_.stream_notes) send("note", {{"t_ns", event.t}, {"text", event.text}});
@@ -132,6 +136,12 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
 
   if (request.clock_start > 0) executor->set_clock_start(request.clock_start);
 
+  std::optional<executors::gdb::Server> debugger;
+  if (request.gdb_port > 0) {
+    debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
+    executor->debug_with(*debugger);
+  }
+
   run::Setup setup;
   setup.map = &map;
   setup.robot = &robot;
@@ -145,7 +155,7 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   setup.samples_every = request.samples_every;
   setup.interrupted = &interrupted;
   setup.reached = &reached;
-  start_watchdog();
+  if (!debugger) start_watchdog();  // nor is a chip ever caught inside a tick
 
   Narrator narrator(id, request, *robot.board);
   RemotePilot pilot(id, request.script_file, interrupted, [&](SimTime t) { narrator.flush_serial(t); });
@@ -153,6 +163,7 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   const run::Outcome outcome = run::simulate(setup, narrator);
   narrator.flush_serial(outcome.time);
   if (!request.counters.empty()) write_file(request.counters, pack(executor->counters()));
+  if (debugger) debugger->ended(static_cast<int>(run::exit_status(outcome.verdict)));
   answer["result"] = result_of(outcome, request, robot);
 }
 

@@ -13,9 +13,6 @@ namespace {
 constexpr std::size_t kAddressSpace = 0x10000;
 // How often the stack is looked at; a sixth of a percent of the time.
 constexpr Cycle kLookEvery = 1000;
-// No instruction of the chip, nor of libsimavr.
-constexpr std::uint16_t kTrapOpcode = 0x00FF;
-
 constexpr std::uint8_t kIntervalsToRepeat = 3;
 constexpr Cycle kRepeatWithin = 10 * 16'000'000ull;
 
@@ -255,60 +252,33 @@ void Chip::on_log(avr_t* avr, int level, const char* format, va_list arguments) 
   }
 }
 
-void Chip::invalid_opcode() {
-  const std::uint32_t pc = avr_->pc;
-  for (std::size_t i = 0; i < traps_.size(); ++i) {
-    if (!traps_[i].set || traps_[i].pc != pc) continue;
-    trapped_ = static_cast<Trap>(i);
-    avr_->state = cpu_Stopped;
-    return;
-  }
-  if (word(pc) != kTrapOpcode) return fail(Fault::Kind::bad_opcode, pc, word(pc));
-  fail(pc == 0 ? Fault::Kind::restart : Fault::Kind::bad_jump, pc, 0);
-}
-
 void Chip::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
   if (fault_) return;
   fault_ = Fault{kind, pc, address};
   avr_->state = cpu_Crashed;
 }
 
-void Chip::set_trap(Trap trap, std::uint32_t pc) {
-  TrapPlace& place = traps_[static_cast<std::size_t>(trap)];
-  place = {true, pc, word(pc)};
-  set_word(pc, kTrapOpcode);
+std::uint8_t Chip::status() const {
+  std::uint8_t value = 0;
+  READ_SREG_INTO(avr_, value);
+  return value;
 }
 
-void Chip::clear_trap(Trap trap) {
-  TrapPlace& place = traps_[static_cast<std::size_t>(trap)];
-  if (place.set) set_word(place.pc, place.opcode);
-  place.set = false;
-  if (passing_ == trap) passing_.reset();
-}
-
-std::optional<Chip::Trap> Chip::take_trap() {
-  const std::optional<Trap> trap = trapped_;
-  trapped_.reset();
-  return trap;
-}
-
-void Chip::pass_trap() {
-  // The trap itself took a cycle and a word; both are given back.
-  const TrapPlace place = traps_[static_cast<std::size_t>(*passing_)];
+void Chip::set_pc(std::uint32_t pc) {
+  avr_->pc = pc;
   passing_.reset();
-  avr_->state = cpu_Running;
-  if (!place.set) return;
-  set_word(place.pc, place.opcode);
-  avr_->run_cycle_count = 0;
-  avr_run(avr_);
-  set_word(place.pc, kTrapOpcode);
 }
+
+void Chip::set_status(std::uint8_t value) { SET_SREG_FROM(avr_, value); }
 
 void Chip::run_to(Cycle cycle) {
   if (fault_ || off_) return;
   stop_ = cycle;
   if (cycle > avr_->cycle) avr_cycle_timer_register(avr_, cycle - avr_->cycle, &Chip::on_stop, this);
-  while (avr_->cycle < stop_ && !fault_ && !off_ && !trapped_) step();
+  while (avr_->cycle < stop_ && !fault_ && !off_ && !trapped_) {
+    step();
+    if (singly_) break;
+  }
 }
 
 void Chip::stop_at(Cycle cycle) {
@@ -322,16 +292,17 @@ void Chip::step() {
   avr_->run_cycle_limit = kLookEvery;
   if (avr_->run != run_) return watchdog_bites();
   const bool was_asleep = is_asleep();
-  if (passing_) {
+  const std::uint32_t pc = avr_->pc;
+  if (passing_ == pc) {
     pass_trap();
   } else {
+    if (singly_) avr_->run_cycle_count = 0;
     avr_run(avr_);
   }
   if (trapped_) {
-    avr_->pc = traps_[static_cast<std::size_t>(*trapped_)].pc;
-    avr_->cycle -= 1;
+    avr_->pc -= 2;
     avr_->state = cpu_Running;
-    passing_ = trapped_;
+    passing_ = avr_->pc;
     return;
   }
   if (is_asleep()) {
@@ -371,6 +342,7 @@ void Chip::leave_sleep() {
 
 void Chip::watchdog_bites() {
   reset_pc_ = avr_->pc;
+  passing_.reset();
   const Cycle now = avr_->cycle;
   watchdog_resets_ = watchdog_resets_ > 0 && now - last_bite_ < kRepeatWithin ? watchdog_resets_ + 1 : 1;
   last_bite_ = now;

@@ -88,12 +88,20 @@ class Chip {
   }
 
   // --- traps: the emulator stops before an instruction
-  /// Calls `hit` each time `pc` is about to run. At most one of each kind.
-  enum class Trap { loop, main };
+  /// Who wants to know that an instruction is about to run.
+  enum Trap : unsigned { kLoopTrap = 1, kMainTrap = 2, kBreakpoint = 4 };
   void set_trap(Trap trap, std::uint32_t pc);
-  void clear_trap(Trap trap);
-  /// The trap that run_to() returned for; it is armed again as the chip runs on.
-  std::optional<Trap> take_trap();
+  void clear_trap(Trap trap, std::uint32_t pc);
+  /// The traps, as a sum, that run_to() returned for; they are armed again as the chip runs on.
+  unsigned take_traps();
+
+  // --- for debuggers
+  /// run_to() returns after every instruction, and after every jump of time while the chip sleeps.
+  void step_singly(bool singly) { singly_ = singly; }
+  int open_handlers() const { return avr_->interrupts.running_ptr; }
+  std::uint8_t status() const;
+  void set_status(std::uint8_t value);
+  void set_pc(std::uint32_t pc);
 
   // --- the stack, followed at every change of the stack pointer
   std::uint16_t lowest_sp() const { return lowest_sp_; }
@@ -113,6 +121,13 @@ class Chip {
   std::uint32_t reset_pc() const { return reset_pc_; }  ///< where it was when the watchdog last bit
 
  private:
+  /// What stands where nothing shall run: no instruction of the chip, nor of libsimavr.
+  static constexpr std::uint16_t kTrapOpcode = 0x00FF;
+  struct TrapPlace {
+    std::uint32_t pc = 0;
+    std::uint16_t opcode = 0;  ///< the instruction that belongs there
+    unsigned traps = 0;        ///< a sum
+  };
   struct Hook {
     avr_io_read_t read = nullptr;
     void* read_param = nullptr;
@@ -136,6 +151,7 @@ class Chip {
   void after_reset();
   void watchdog_bites();
   void step();
+  std::vector<TrapPlace>::iterator trap_place(std::uint32_t pc);
   void pass_trap();
   void invalid_opcode();
   void enter_sleep();
@@ -151,19 +167,14 @@ class Chip {
   }
   void set_word(std::uint32_t pc, std::uint16_t value);
 
-  struct TrapPlace {
-    bool set = false;
-    std::uint32_t pc = 0;
-    std::uint16_t opcode = 0;
-  };
-
   Peripherals& peripherals_;
   avr_t* avr_ = nullptr;
   avr_run_t run_ = nullptr;
   std::array<Hook, 0x100> hooks_;
-  std::array<TrapPlace, 2> traps_;
-  std::optional<Trap> trapped_;
-  std::optional<Trap> passing_;
+  std::vector<TrapPlace> traps_;
+  unsigned trapped_ = 0;
+  std::optional<std::uint32_t> passing_;  ///< the instruction whose trap has been told: it runs next
+  bool singly_ = false;
   std::optional<Fault> fault_;
   int (*flash_ioctl_)(avr_io_t*, std::uint32_t, void*) = nullptr;
   std::uint16_t lowest_sp_ = reg::kLastRam;

@@ -1,5 +1,7 @@
 #include "sim/executors/avr/machine.h"
 
+#include "sim/executors/avr/debug_port.h"
+
 namespace robosim::executors::avr {
 namespace {
 
@@ -46,7 +48,7 @@ Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, Bo
       uart_(link_) {
   avr_eeprom_desc_t content{board.eeprom(), 0, board.spec().eeprom_bytes};
   avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &content);
-  if (loop) chip_.set_trap(Chip::Trap::loop, *loop);
+  if (loop) chip_.set_trap(Chip::kLoopTrap, *loop);
 }
 
 Machine::~Machine() = default;
@@ -145,13 +147,37 @@ void Machine::loop_began() {
   loop_began_ = now;
 }
 
+void Machine::set_debug_port(DebugPort* port) {
+  debug_port_ = port;
+  if (port) port->plug_into(*this);
+}
+
+std::uint8_t Machine::peek(reg::Address address) {
+  if (address == reg::kSreg) return chip_.status();
+  const bool counter = address == reg::kTcnt0 || address == reg::kTcnt1L || address == reg::kTcnt1L + 1 ||
+                       address == reg::kTcnt2;
+  if (counter) chip_.read_through(address);
+  return chip_.data(address);
+}
+
+void Machine::poke(reg::Address address, std::uint8_t value) {
+  if (address == reg::kSreg) {
+    chip_.set_status(value);
+  } else if (address == reg::kSpL || address == reg::kSpH || address < reg::kFirstIo ||
+             address >= reg::kFirstRam) {
+    chip_.memory()[address] = value;
+  } else {
+    io_write(address, value);
+  }
+}
+
 void Machine::set_clock(SimTime start) {
   clock_start_ = start;
-  if (const auto main = firmware_.find("main")) chip_.set_trap(Chip::Trap::main, *main);
+  if (const auto main = firmware_.find("main")) chip_.set_trap(Chip::kMainTrap, *main);
 }
 
 void Machine::start_clock() {
-  chip_.clear_trap(Chip::Trap::main);
+  chip_.clear_trap(Chip::kMainTrap, chip_.pc());
   // The core's (wiring.c): milliseconds, and overflows of timer 0, each of 1024 us.
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);
@@ -182,14 +208,16 @@ Resources Machine::resources() const {
 void Machine::run_until(SimTime t) {
   link_.limit = t;
   const Cycle end = link_.cycle_at(t);
+  if (debug_port_) debug_port_->begin_tick();
   while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
     take_inputs();
     const SimTime next = board_.next_input();
     const Cycle stop = next < t ? std::max(link_.cycle_at(next), chip_.cycle() + 1) : end;
     chip_.run_to(std::min(stop, end));
-    const std::optional<Chip::Trap> trap = chip_.take_trap();
-    if (trap == Chip::Trap::loop) loop_began();
-    if (trap == Chip::Trap::main) start_clock();
+    const unsigned traps = chip_.take_traps();
+    if (traps & Chip::kLoopTrap) loop_began();
+    if (traps & Chip::kMainTrap) start_clock();
+    if (debug_port_) debug_port_->ran(traps & Chip::kBreakpoint);
   }
 }
 

@@ -9,6 +9,8 @@
 
 namespace robosim::executors::avr {
 
+class DebugPort;
+
 /// How long sketches take.
 struct LoopTimes {
   std::uint64_t count = 0;  ///< passes of loop(), from one beginning to the next
@@ -24,9 +26,16 @@ class Machine final : Peripherals {
   ~Machine();
 
   void run_until(SimTime t);
+  /// Whom to ask before and after instructions run; may be null.
+  void set_debug_port(DebugPort* port);
   /// millis() begins with `start` when main() begins.
   void set_clock(SimTime start);
   Resources resources() const;
+
+  /// Data memory as a debugger sees it, without effect on the firmware: PINx and UDR0 hold what it read last.
+  std::uint8_t peek(reg::Address address);
+  /// As if the firmware had written there.
+  void poke(reg::Address address, std::uint8_t value);
 
   Chip& chip() { return chip_; }
   const Chip& chip() const { return chip_; }
@@ -60,6 +69,7 @@ class Machine final : Peripherals {
   Cycle loop_began_ = 0;
   bool looped_ = false;
   SimTime clock_start_ = 0;
+  DebugPort* debug_port_ = nullptr;
 };
 
 }  // namespace robosim::executors::avr

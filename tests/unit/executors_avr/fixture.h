@@ -52,12 +52,15 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
     for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
     board().watch_serial(*this);
+    before_power_on();
     avr_->power_on(0);
     now_ = 0;
     serial_.clear();
     byte_times_.clear();
     pins_.clear();
   }
+
+  virtual void before_power_on() {}
 
   Board& board() { return avr_->board(); }
 

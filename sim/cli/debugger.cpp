@@ -1,0 +1,34 @@
+#include "sim/cli/debugger.h"
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/cli/shell_word.h"
+#include "sim/sketch/process.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+void check_debugger(int port, const std::string& target) {
+  if (port > 0 && target == "host")
+    throw InputError(
+        "--gdb: a debugger attaches to an emulated chip, not to the target host; give --target avr too");
+}
+
+std::string debugger_command(const fs::path& elf, const fs::path& sources, const std::string& target,
+                             int port) {
+  const std::string own = target == "avr" ? "avr-gdb" : "gdb-multiarch";
+  std::string debugger = own;
+  for (const std::string& name : {own, std::string("gdb-multiarch")}) {
+    if (sketch::find_program(name).empty()) continue;
+    debugger = name;
+    break;
+  }
+  const auto word = [](const fs::path& path) {
+    return shell_word(fs::absolute(path).lexically_normal().string());
+  };
+  const std::string folder = sources.empty() ? "" : " -d " + word(sources);
+  return fmt::format("{}{} {} -ex 'target remote :{}'", debugger, folder, word(elf), port);
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,161 @@
+// `robosim run --gdb PORT`, driven by avr-gdb: a debugger that is not ours.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/gdb_client.h"
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const std::string kSketch =
+    "unsigned passes;\n"                              // 1
+    "void blink() {\n"                                // 2
+    "  digitalWrite(13, passes % 2);\n"               // 3
+    "}\n"                                             // 4
+    "void setup() {\n"                                // 5
+    "  pinMode(13, OUTPUT);\n"                        // 6
+    "  Serial.begin(115200);\n"                       // 7
+    "}\n"                                             // 8
+    "void loop() {\n"                                 // 9
+    "  ++passes;\n"                                   // 10
+    "  blink();\n"                                    // 11
+    "  Serial.println(millis() + analogRead(A0));\n"  // 12
+    "  delay(5);\n"                                   // 13
+    "}\n";
+
+std::string field(const Ended& ended, const char* key) {
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  return json.is_object() ? json.value(key, "") : ended.out + ended.err;
+}
+
+std::vector<std::string> lines_with(const std::string& text, const std::string& part) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    if (line.find(part) != line.npos) lines.push_back(line);
+  return lines;
+}
+
+class CliGdb : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("avr");
+    const bool missing = std::system("command -v avr-gdb >/dev/null 2>&1") != 0;
+    if (missing && is_required("avr-gdb")) FAIL() << "avr-gdb is missing: apt install gdb-avr";
+    if (missing) GTEST_SKIP() << "avr-gdb is missing: apt install gdb-avr";
+    folder_.write("My/My.ino", kSketch);
+    const Ended built = robosim_command({"build", "My/", "--target", "avr", "--out", "out"}, folder_.path());
+    ASSERT_EQ(built.status, 0) << built.err;
+  }
+
+  Ended run(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words{"run",    "out/My.elf", "--map", "oval",  "--robot", "uno5",
+                                   "--goal", "none",       "--for", "100ms", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return robosim_command(words, folder_.path());
+  }
+
+  struct Session {
+    Ended run;
+    std::string gdb;  ///< what it printed
+  };
+  /// A run, and avr-gdb attached to it with these commands; avr-gdb itself tries until the run listens.
+  Session debug(const std::string& commands) const {
+    const std::string port = std::to_string(free_port());
+    folder_.write(
+        "commands",
+        "set confirm off\nset pagination off\nset width 0\nset tcp connect-timeout 60\ntarget remote :" +
+            port + "\n" + commands);
+    auto runs = std::async(std::launch::async, [&] { return run({"--gdb", port}); });
+    const std::string gdb =
+        "cd '" + folder_.path().string() +
+        "' && timeout 120 avr-gdb -nx -batch -x commands out/My.elf >gdb.out 2>&1 </dev/null";
+    EXPECT_EQ(std::system(gdb.c_str()), 0);
+    return {runs.get(), read_file(folder_ / "gdb.out")};
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(CliGdb, TheRunIsTheSameAsWithoutADebugger) {
+  const Ended alone = run();
+  const Session session = debug("continue\n");
+  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  EXPECT_EQ(session.run.status, 0);
+  EXPECT_THAT(session.run.err, AllOf(HasSubstr("waiting for a debugger"), HasSubstr("avr-gdb "),
+                                     HasSubstr("out/My.elf -ex 'target remote :")));
+  EXPECT_THAT(session.gdb, HasSubstr("exited normally"));
+}
+
+TEST_F(CliGdb, TheWorldStandsStillWithTheFirmware) {
+  const Ended alone = run();
+  const Session session = debug(
+      "break My.ino:10\ncontinue\ncontinue\ncontinue\n"
+      "print passes\nmonitor time\nprint timer0_millis\n"
+      "info registers\nbacktrace\nx/4xb 0x800100\nx/8i $pc\n"
+      "monitor time\nprint timer0_millis\n"
+      "step\nprint passes\nnext\nstepi\nstepi\n"
+      "delete\nwatch passes\ncontinue\nprint passes\n"
+      "delete\nbreak My.ino:3\ncontinue\nprint passes % 2\n"
+      "delete\ncontinue\n");
+  SCOPED_TRACE(session.gdb);
+  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  EXPECT_THAT(session.gdb, HasSubstr("Breakpoint 1, loop () at My.ino:10"));
+  EXPECT_THAT(session.gdb, HasSubstr("$1 = 2\n")) << "two passes are complete at the third";
+  EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 3\nNew value = 4"));
+  EXPECT_THAT(session.gdb, HasSubstr("exited normally"));
+
+  const auto times = lines_with(session.gdb, "s simulated, cycle ");
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_EQ(times[0], times[1]) << "no time passed while the firmware was halted and looked at";
+  const auto millis = lines_with(session.gdb, "$");
+  ASSERT_GE(millis.size(), 3u);
+  EXPECT_EQ(millis[1].substr(5), millis[2].substr(5)) << "millis()";
+}
+
+TEST_F(CliGdb, AfterADetachTheRunGoesOnAlone) {
+  const Ended alone = run();
+  for (const char* commands : {"break My.ino:10\ncontinue\ndetach\n",
+                               "break My.ino:10\ncontinue\ndisconnect\n", "break My.ino:10\ncontinue\n"}) {
+    SCOPED_TRACE(commands);
+    EXPECT_EQ(debug(commands).run.out, alone.out);
+  }
+}
+
+TEST_F(CliGdb, KillEndsTheRun) {
+  const Session session = debug("break My.ino:10\ncontinue\nkill\n");
+  EXPECT_EQ(field(session.run, "verdict"), "interrupted");
+  EXPECT_EQ(session.run.status, 130);
+}
+
+TEST_F(CliGdb, WhatCannotBeDebuggedIsSaidInOneSentence) {
+  const Port taken;
+  const std::string port = std::to_string(taken.number());
+  Ended ended = run({"--gdb", port});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("--gdb: port " + port + " is in use"));
+  for (const char* wrong : {"0", "65536", "-1", "gdb"}) {
+    ended = run({"--gdb", wrong});
+    EXPECT_EQ(ended.status, 2) << wrong;
+    EXPECT_THAT(ended.err, HasSubstr("--gdb")) << wrong;
+  }
+  ended = robosim_command({"run", "My/", "--gdb", "3333"}, folder_.path());
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("--gdb"), HasSubstr("--target avr")));
+}
+
+}  // namespace
+}  // namespace robosim::test
