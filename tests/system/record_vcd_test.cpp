@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
 namespace robosim::test {
@@ -58,26 +59,35 @@ Waves read_back(const Folder& folder, const std::string& vcd) {
   return waves;
 }
 
-TEST(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
-  if (!has_gtkwave()) {
-    const char* required = std::getenv("ROBOSIM_REQUIRE");
-    ASSERT_TRUE(!required || std::string(required).find("gtkwave") == std::string::npos)
-        << "GTKWave's converters are missing: apt install gtkwave";
-    GTEST_SKIP() << "GTKWave's converters are missing: apt install gtkwave";
+class RecordVcd : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const bool lacking = !has_gtkwave();
+    if (lacking && is_required("gtkwave")) FAIL() << "GTKWave's converters are missing: apt install gtkwave";
+    if (lacking) GTEST_SKIP() << "GTKWave's converters are missing: apt install gtkwave";
+    ROBOSIM_NEEDS_TARGET(GetParam());
   }
-  const Folder folder;
-  folder.write(
-      "hello/hello.ino",
+  Ended record(const std::string& sketch, const char* duration) {
+    folder_.write("hello/hello.ino", sketch);
+    return robosim_command({"run", "./hello", "--robot", "uno5", "--map", "oval", "--goal", "none", "--for",
+                            duration, "--target", GetParam(), "--record", "x.vcd"},
+                           folder_.path());
+  }
+  const Folder folder_;
+};
+
+TEST_P(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
+  const Ended run = record(
       "void setup() { Serial.begin(9600); pinMode(13, OUTPUT); pinMode(5, OUTPUT); Serial.print(\"aab\"); }\n"
       "void loop() {\n"
       "  analogRead(A0); analogWrite(5, 64); digitalWrite(13, HIGH); delay(10);\n"
       "  analogWrite(5, 128); digitalWrite(13, LOW); delay(10);\n"
-      "}\n");
-  const Ended run = robosim_command({"run", "./hello", "--robot", "uno5", "--map", "oval", "--goal", "none",
-                                     "--for", "100ms", "--record", "x.vcd"},
-                                    folder.path());
+      "}\n",
+      "100ms");
   ASSERT_EQ(run.status, 0) << run.err;
-  const Waves waves = read_back(folder, "x.vcd");
+  const Waves waves = read_back(folder_, "x.vcd");
+  for (const char* signal : {"D0", "D13", "A5", "D3_duty", "D11_duty", "D8_tone_hz", "A5_volts", "rx"})
+    EXPECT_EQ(waves.count(signal), 1u) << signal << " is declared, though nothing happens there";
 
   std::vector<std::string> sent;
   for (const Change& change : waves.at("tx")) sent.push_back(change.value);
@@ -97,6 +107,21 @@ TEST(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
   const std::size_t last = led.size() - 1;
   EXPECT_NEAR(static_cast<double>(led[last].t_ns - led[last - 1].t_ns), 10e6, 1.1e6) << "delay(10)";
 }
+
+TEST_P(RecordVcd, ACrashLeavesWhatWasRecorded) {
+  const bool chip = GetParam() == std::string("avr");
+  const Ended run =
+      record(std::string("void setup() { pinMode(13, OUTPUT); digitalWrite(13, HIGH); delay(20); ") +
+                 (chip ? "*(volatile int*)0x4000 = 1;" : "*(volatile int*)0 = 1;") + " }\nvoid loop() {}\n",
+             "100ms");
+  ASSERT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("crashed"));
+  const Waves waves = read_back(folder_, "x.vcd");
+  EXPECT_EQ(waves.at("D13").back().value, "1");
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, RecordVcd, ::testing::Values("host", "avr"),
+                         [](const auto& target) { return std::string(target.param); });
 
 }  // namespace
 }  // namespace robosim::test
