@@ -35,6 +35,7 @@ std::optional<Finding> look_again(client::Runner& runner, client::RunRequest req
       first.verdict == "timeout" ? kLongest_s : std::max(kLongest_s, first.time_s + kMargin_s);
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s * 1e9));
   request.samples_every_ns = 0;
+  request.gdb_port = 0;
   request.pins = request.serial = request.notes = request.io = false;
   try {
     request.image = sketch::build(checked).image.string();
