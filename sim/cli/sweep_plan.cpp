@@ -57,14 +57,6 @@ std::string conditions_of(const client::RunRequest& r, const std::string& versio
 
 }  // namespace
 
-std::string shell_word(const std::string& text) {
-  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+-@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 class SweepSupplies {
  public:
   SweepSupplies(Progress& progress, SweepPlanner::Says says) : progress_(progress), says_(says) {}

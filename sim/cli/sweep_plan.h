@@ -69,9 +69,6 @@ class SweepPlanner {
   std::unique_ptr<SweepSupplies> supplies_;
 };
 
-/// As a shell takes it for one word.
-std::string shell_word(const std::string& text);
-
 /// The command that makes one run again.
 std::string replay_command(const Combination& combination, std::uint64_t seed);
 
