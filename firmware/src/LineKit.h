@@ -14,6 +14,7 @@
 //
 //   nav/Explorer.h      scans a network           nav/Landmark.h says what a robot must be able to do
 //   nav/FixedNetwork.h  keeps it in a chip        200 nodes in 1 KB of RAM; in EEPROM, too
+//   nav/FixedTree.h     the same, of trees only   200 nodes in 436 bytes
 //   nav/Navigator.h     drives to any node        round obstacles; nav/NextPlanners.h
 //   nav/Plan.h          seven planners            breadth-first search to Dijkstra's algorithm
 //

@@ -90,7 +90,9 @@ std::string size_report(const sketch::Image& image, const std::string& target, c
   std::string text = target == "host" ? host_sizes(image, board) : chip_sizes(image, board);
   std::vector<std::string> limits;
   for (const sketch::Limit& limit : sketch::stated_limits(image))
-    limits.push_back(fmt::format("{} {}", limit.value, limit.what));
+    limits.push_back(
+        fmt::format("{} {}{}", limit.value, limit.what,
+                    limit.bytes_each ? fmt::format(" (at {} bytes of RAM each)", limit.bytes_each) : ""));
   if (!limits.empty()) text += fmt::format("Limits: {}\n", fmt::join(limits, ", "));
   if (!image.libraries.empty()) text += fmt::format("libraries: {}\n", fmt::join(image.libraries, ", "));
   for (const fs::path& file : files)

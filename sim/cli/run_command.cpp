@@ -57,6 +57,25 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   return std::max(kTrailEvery_ns, arguments.for_ns / kTrailSamples / kTick * kTick);
 }
 
+/// RAM that neither variables nor the deepest stack took.
+std::optional<std::int64_t> free_bytes(const client::RunResult& result, const BoardSpec& board) {
+  if (!result.resources) return std::nullopt;
+  const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;
+  return std::max<std::int64_t>(0, static_cast<std::int64_t>(board.ram_bytes) - used);
+}
+
+/// How far the limits might be raised that the firmware states.
+std::vector<view::Room> rooms(const sketch::Image& image, std::optional<std::int64_t> free) {
+  std::vector<view::Room> rooms;
+  if (!free) return rooms;
+  for (const sketch::Limit& limit : sketch::stated_limits(image)) {
+    if (limit.bytes_each == 0) continue;
+    const std::uint64_t fit = limit.value + static_cast<std::uint64_t>(*free) / limit.bytes_each;
+    rooms.push_back({limit.what, limit.value, std::min(fit, limit.most), limit.bytes_each});
+  }
+  return rooms;
+}
+
 /// The map for pictures; null if it is too large for one.
 std::unique_ptr<grid::Map> map_to_draw(const fs::path& path) {
   std::error_code error;
@@ -232,8 +251,9 @@ int run_command(const RunArguments& given) {
     const auto size = view::terminal_size(STDOUT_FILENO);
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(map.path);
+    const auto free = free_bytes(result, board_of(robot_info));
     print(view::end_screen({sketch.name, map.name, robot.name, arguments.target, listeners.started(), result,
-                            listeners.trail(), wall_s},
+                            listeners.trail(), wall_s, free, rooms(image, free)},
                            drawn.get(), columns, view::look_from_environment(size.has_value())));
   }
   if (counters) {

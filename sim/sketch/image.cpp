@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <map>
+#include <string>
 
 #include "sim/base/file.h"
 #include "sim/sketch/elf_file.h"
@@ -35,12 +36,23 @@ void check_can_cover(const std::string& target) {
 }
 
 std::vector<Limit> stated_limits(const Image& image) {
-  constexpr std::string_view kPrefix = "linekit_limit_";
+  const std::string file = read_file(image.image);
+  const auto stated = [&](const std::string& prefix) {
+    std::map<std::string, std::uint64_t> values;
+    for (const AbsoluteSymbol& symbol : absolute_symbols(file, prefix))
+      values[symbol.name.substr(prefix.size())] = symbol.value;
+    return values;
+  };
+  const auto most = stated("linekit_most_"), bytes_each = stated("linekit_bytes_each_");
+  const auto of = [](const auto& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() ? 0 : found->second;
+  };
   std::vector<Limit> limits;
-  for (const AbsoluteSymbol& symbol : absolute_symbols(read_file(image.image), kPrefix)) {
-    std::string what = symbol.name.substr(kPrefix.size());
+  for (const auto& [name, value] : stated("linekit_limit_")) {
+    std::string what = name;
     std::replace(what.begin(), what.end(), '_', ' ');
-    if (limits.empty() || limits.back().what != what) limits.push_back({what, symbol.value});
+    limits.push_back({what, value, of(bytes_each, name), of(most, name)});
   }
   return limits;
 }

@@ -75,6 +75,8 @@ void check_can_cover(const std::string& target);
 struct Limit {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t value = 0;
+  std::uint64_t bytes_each = 0;  ///< RAM that one more takes, by `linekit_bytes_each_...`; 0 = not stated
+  std::uint64_t most = 0;        ///< how far it may be raised, by `linekit_most_...`; 0 = not stated
 };
 /// All of an image, sorted by their names.
 std::vector<Limit> stated_limits(const Image& image);

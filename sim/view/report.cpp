@@ -145,8 +145,13 @@ void write_figures(Writer& out, const Report& report) {
   }
   if (r.resources) {
     const client::Resources& used = *r.resources;
-    out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most",
-                                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max));
+    const std::string free =
+        report.free_bytes ? fmt::format(" · {} bytes of RAM never used", *report.free_bytes) : "";
+    out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most{}",
+                                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max, free));
+    for (const Room& room : report.rooms)
+      out.labelled("room for    ", fmt::format("{} {}; with this stack {} would fit, at {} bytes each",
+                                               room.now, room.what, room.fit, room.bytes_each));
     const std::string loop = used.loops == 0
                                  ? ""
                                  : fmt::format("loop() {:.3f} ms on average, {:.3f} ms at most · ",

@@ -29,6 +29,14 @@ class Trail {
 };
 
 /// What a report is made of.
+/// A limit of the firmware's, and how far it might be raised.
+struct Room {
+  std::string what;  ///< "nodes of a tree"
+  std::uint64_t now = 0;
+  std::uint64_t fit = 0;  ///< so many would take all RAM that the deepest stack has left
+  std::uint64_t bytes_each = 0;
+};
+
 struct Report {
   std::string sketch;  ///< as the user named it
   std::string map;
@@ -38,6 +46,9 @@ struct Report {
   client::RunResult result;
   Trail trail;
   std::optional<double> wall_s;  ///< with --timing
+  /// On a chip: RAM that neither variables nor the deepest stack took.
+  std::optional<std::int64_t> free_bytes;
+  std::vector<Room> rooms;
 };
 
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.

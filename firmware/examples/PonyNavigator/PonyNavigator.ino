@@ -13,7 +13,7 @@
 #include <EEPROM.h>
 #include <LineKit.h>
 #include <nav/Explorer.h>
-#include <nav/FixedNetwork.h>
+#include <nav/FixedTree.h>
 #include <nav/Navigator.h>
 #include <nav/NextPlanners.h>
 

@@ -47,6 +47,7 @@ template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
  public:
   static constexpr uint8_t kVersion = 3;
+  static constexpr uint16_t kRecordBytes = 1 + kCosts + 4 * kCells;  ///< at most
 
   void clear() { places_ = lines_ = joined_ = 0; }
   uint8_t lines() const { return lines_; }
@@ -222,6 +223,7 @@ template <uint8_t kBlockedArms>
 class TreeMemory {
  public:
   static constexpr uint8_t kVersion = 2;
+  static constexpr uint16_t kRecordBytes = 1 + 2 * kBlockedArms;  ///< at most
 
   void clear() { lines_ = 0; }
   uint8_t lines() const { return lines_; }

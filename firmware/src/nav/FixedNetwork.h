@@ -1,258 +1,32 @@
-// A Network (Network.h) in fixed arrays, with ids of one byte: for a chip with 2 KB of RAM.
+// A Network (Network.h) in fixed arrays (FixedNodes.h): for a chip with 2 KB of RAM.
 //
 //   nav::FixedNetwork<60> network;   // junctions less than 60 (mm) apart are one
-//   nav::FixedTree<> network;        // for a robot without odometry: no places, no cycles
 //
-// RAM, on an ATmega328P:
+// RAM, on an ATmega328P, for 200 nodes:
 //
-//                      FixedNetwork<60>       FixedTree<>
-//   parents, arms      2 bytes for a node     2 bytes for a node
-//   costs              64 bytes               -
-//   junctions' places  4 bytes for each of    -
-//   side lines         these, 130 in all      2 bytes for each of 16 (blocked arms only)
-//   in all             990 bytes              436 bytes                      (200 nodes)
+//   parents, arms                  2 bytes for a node            400
+//   costs                          64 bytes                       64
+//   junctions' places, side lines  4 bytes for each of these,
+//                                  130 in all                    520
+//   in all                                                       990 bytes
 //
 // A side line is a line that closes a cycle, or an arm that was blocked before anything behind it was seen.
 // So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms; or for
 // 64 junctions with four arms, all of them joined: 65 lines close cycles then. What does not fit is refused.
-//
-// Nodes are in preorder, so links need not be kept. The children of a node are those whose parent it is, in
-// the order of its slots 1, 2, 3 (and 0, for the root) that have no side line. Looking up a link takes a walk
-// through the node's descendants and the side lines: at most some 300 short steps.
-//
-// It can be kept in EEPROM, in 1024 bytes (some 840 if it is full):
-//
-//   network.save(sink);         // sink.put(byte), byte by byte
-//   if (network.load(source))   // source.get(); false, and empty, if the record is damaged or foreign
+// In EEPROM it takes some 840 bytes if it is full.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 
-#include "FixedMemory.h"
-#include "Limits.h"
-#include "Network.h"
-#include "Record.h"
+#include "FixedNodes.h"
 
 namespace nav {
-
-template <class Memory, uint8_t kNodes>
-class FixedNodes {
- public:
-  typedef uint8_t Id;
-  static constexpr Id kNone = 0xFF;
-  static constexpr Id kBlocked = kBlockedArm;
-  static constexpr Id kCapacity = kNodes;
-  static constexpr bool kPreorder = true;  ///< explorers number so, and load() takes nothing else
-  static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");
-
-  Id size() const { return size_; }
-  Id junctions() const { return junctions_; }
-  bool isStation(Id node) const { return (shape_[node] & kJunction) == 0; }
-  uint8_t arms(Id node) const { return shape_[node] & 15; }
-  Heading entry(Id node) const { return shape_[node] >> 4 & 3; }
-  Place place(Id junction) const { return memory_.place(row(junction)); }
-  Id parent(Id node) const { return parent_[node]; }
-
-  Id link(Id node, uint8_t slot) const {
-    if (isParent(node, slot)) return cut(node) ? kBlocked : parent_[node];
-    SideLine other;
-    if (memory_.sideLine(node, slot, other)) return other.node;
-    const Id child = childBehind(node, slot);
-    return child != kNone && cut(child) ? kBlocked : child;
-  }
-  uint8_t backSlot(Id node, uint8_t slot) const {
-    if (isParent(node, slot)) return slotOfChild(parent_[node], node);
-    SideLine other;
-    return memory_.sideLine(node, slot, other) ? other.slot : 0;
-  }
-  uint32_t cost(Id node, uint8_t slot) const {
-    if (isParent(node, slot)) return costToParent(node);
-    SideLine other;
-    if (memory_.sideLine(node, slot, other)) return memory_.cost(other);
-    const Id child = childBehind(node, slot);
-    return child == kNone ? 0 : costToParent(child);
-  }
-  Id find(const Place& at) const {
-    uint8_t row = memory_.find(at);
-    for (Id node = 0; node < size_; ++node)
-      if (!isStation(node) && row-- == 0) return node;
-    return kNone;
-  }
-  bool isAt(Id junction, const Place& at) const { return find(at) == junction; }
-  bool isTree() const { return memory_.joined() == 0; }
-  /// No line of the depth-first tree is blocked.
-  bool allOpen() const { return cuts_ == 0; }
-  /// The number of junctions before this one: an index for tables of junctions.
-  uint8_t row(Id node) const {
-    uint8_t before = 0;
-    for (Id other = 0; other < node; ++other)
-      if (!isStation(other)) ++before;
-    return before;
-  }
-
-  void clear() {
-    size_ = junctions_ = cuts_ = 0;
-    memory_.clear();
-  }
-  Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t) {
-    return size_ < kNodes ? add(from, shapeOf(arms, entry)) : Id(kNone);
-  }
-  /// Refuses a place beyond ±32767, too.
-  Id addJunction(Id from, uint8_t, uint8_t arms, Heading entry, const Place& at, uint32_t cost) {
-    if (size_ >= kNodes || (!isTree() && junctions_ >= kCyclicJunctions) || !memory_.addPlace(at))
-      return kNone;
-    memory_.setCost(junctions_, cost);
-    ++junctions_;
-    return add(from, shapeOf(arms, entry) | kJunction);
-  }
-  bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost) {
-    return junctions_ <= kCyclicJunctions && memory_.join(a, slot_a, b, slot_b, cost);
-  }
-  bool block(Id node, uint8_t slot) {
-    if (isParent(node, slot)) {
-      cutOff(node);
-      return true;
-    }
-    SideLine other;
-    const Id child = memory_.sideLine(node, slot, other) ? Id(kNone) : childBehind(node, slot);
-    if (child == kNone) return memory_.block(node, slot);
-    cutOff(child);
-    return true;
-  }
-
-  template <class Sink>
-  void save(Sink& sink) const {
-    RecordWriter<Sink> record(sink);
-    record.put(Memory::kVersion);
-    record.put(size_);
-    record.put(junctions_);
-    for (Id node = 1; node < size_; ++node) {  // how many nodes up from the one before is the parent
-      for (Id at = node - 1; at != parent_[node]; at = parent_[at]) record.putBit(false);
-      record.putBit(true);
-    }
-    for (Id node = 0; node < size_; ++node) record.put(shape_[node]);
-    memory_.save(record);
-    record.finish();
-  }
-
-  template <class Source>
-  bool load(Source& source) {
-    RecordReader<Source> record(source);
-    if (loadNodes(record) && memory_.load(record, junctions_) && record.finish() && isSound()) return true;
-    clear();
-    return false;
-  }
-
- private:
-  // A node's shape: its arms, 16 · entry, and
-  static constexpr uint8_t kCut = 0x40;  ///< the line to its parent is blocked
-  static constexpr uint8_t kJunction = 0x80;
-  static constexpr uint8_t kNoSlot = 0xFF;
-
-  static uint8_t shapeOf(uint8_t arms, Heading entry) {
-    return static_cast<uint8_t>((arms & 15) | entry << 4);
-  }
-  static bool isParent(Id node, uint8_t slot) { return slot == 0 && node != 0; }
-  bool cut(Id node) const { return (shape_[node] & kCut) != 0; }
-  void cutOff(Id node) {
-    shape_[node] |= kCut;
-    cuts_ = 1;
-  }
-
-  // Every way to a station takes the one line there is: any cost will do.
-  uint32_t costToParent(Id node) const { return isStation(node) ? 1 : memory_.cost(row(node)); }
-
-  Id add(Id from, uint8_t shape) {
-    parent_[size_] = from;
-    shape_[size_] = shape;
-    return size_++;
-  }
-
-  // Slots that may lead to children are numbered 1, 2, 3, and of the root `count` stands for 0.
-  Id childBehind(Id node, uint8_t slot) const {
-    SideLine other;
-    const uint8_t last = slot == 0 ? slotCount(arms(node)) : slot;
-    uint8_t before = 0;
-    for (uint8_t s = 1; s < last; ++s)
-      if (!memory_.sideLine(node, s, other)) ++before;
-    for (Id id = node + 1; id < size_ && parent_[id] >= node; ++id)
-      if (parent_[id] == node && before-- == 0) return id;
-    return kNone;
-  }
-  uint8_t slotOfChild(Id node, Id child) const {
-    SideLine other;
-    uint8_t before = 0;
-    for (Id id = node + 1; id < child; ++id)
-      if (parent_[id] == node) ++before;
-    const uint8_t count = slotCount(arms(node));
-    for (uint8_t i = 1; i <= count; ++i) {
-      const uint8_t slot = i == count ? 0 : i;
-      if (!isParent(node, slot) && !memory_.sideLine(node, slot, other) && before-- == 0) return slot;
-    }
-    return kNoSlot;
-  }
-
-  template <class Record>
-  bool loadNodes(Record& record) {
-    size_ = cuts_ = 0;
-    if (record.get() != Memory::kVersion) return false;
-    const Id size = record.get();
-    junctions_ = record.get();
-    if (size > kNodes || junctions_ > size) return false;
-    for (; size_ < size; ++size_) {
-      Id up = size_ - 1;
-      while (size_ != 0 && !record.getBit()) {
-        if (up == 0) return false;
-        up = parent_[up];
-      }
-      parent_[size_] = size_ == 0 ? Id(kNone) : up;
-    }
-    for (Id node = 0; node < size; ++node) {
-      shape_[node] = record.get();
-      if (cut(node)) cuts_ = 1;
-    }
-    return true;
-  }
-
-  // Whether no function above can go astray on what was loaded, and everything has a place of its own.
-  bool isSound() const {
-    if (row(size_) != junctions_ || (!isTree() && junctions_ > kCyclicJunctions)) return false;
-    for (Id node = 0; node < size_; ++node) {
-      const uint8_t count = slotCount(arms(node));
-      if (!hasArm(arms(node), opposite(entry(node))) && !(size_ == 1 && shape_[0] == shapeOf(0, entry(0))))
-        return false;
-      if (isStation(node) && count > 1) return false;
-      if (node != 0 && slotOfChild(parent_[node], node) == kNoSlot) return false;
-    }
-    for (uint8_t i = 0; i < memory_.lines(); ++i) {
-      uint8_t a, slot_a, b, slot_b;
-      memory_.ends(i, a, slot_a, b, slot_b);
-      if (!isSoundEnd(i, a, slot_a)) return false;
-      if (b != kBlocked && (!isSoundEnd(i, b, slot_b) || (a == b && slot_a == slot_b))) return false;
-    }
-    return true;
-  }
-  bool isSoundEnd(uint8_t line, Id node, uint8_t slot) const {
-    if (node >= size_ || slot >= slotCount(arms(node)) || isParent(node, slot)) return false;
-    for (uint8_t i = 0; i < line; ++i) {
-      uint8_t a, slot_a, b, slot_b;
-      memory_.ends(i, a, slot_a, b, slot_b);
-      if ((a == node && slot_a == slot) || (b == node && slot_b == slot)) return false;
-    }
-    return true;
-  }
-
-  Id parent_[kNodes];
-  uint8_t shape_[kNodes];
-  Id size_ = 0, junctions_ = 0;
-  uint8_t cuts_ = 0;  ///< 1 if there are any
-  Memory memory_;
-};
 
 template <uint16_t kTolerance, uint8_t kNodes = kTreeNodes, uint8_t kCells = kNodes / 2 + 30>
 using FixedNetwork = FixedNodes<MapMemory<kCyclicJunctions, kCells, kTolerance>, kNodes>;
 
-template <uint8_t kNodes = kTreeNodes, uint8_t kBlockedArms = 16>
-using FixedTree = FixedNodes<TreeMemory<kBlockedArms>, kNodes>;
+// Two bytes for a node, and four for every second, which may be a junction.
+LINEKIT_LIMIT_GROWS(nodes_of_a_tree, 4, 253);
+static_assert(sizeof(FixedNetwork<1, 202>) - sizeof(FixedNetwork<1, 200>) == 2 * 4, "4 bytes each");
 
 }  // namespace nav
 

@@ -16,14 +16,24 @@
 
 #include <stdint.h>
 
+// A sketch may choose how many nodes there are, before its first #include:  #define LINEKIT_TREE_NODES 230
+#ifndef LINEKIT_TREE_NODES
+#define LINEKIT_TREE_NODES 200
+#endif
+
 #define LINEKIT_REPORT_LIMIT(name, value) __asm__(".set linekit_limit_" #name ", " #value)
+/// States also what one more of them takes, in bytes of RAM, and how far it may be raised: robosim run says
+/// how many fit beside the deepest stack.
+#define LINEKIT_LIMIT_GROWS(name, bytes_each, most)           \
+  __asm__(".set linekit_bytes_each_" #name ", " #bytes_each); \
+  __asm__(".set linekit_most_" #name ", " #most)
 #define LINEKIT_LIMIT(constant, name, value) \
   LINEKIT_REPORT_LIMIT(name, value);         \
   static const uint8_t constant = value
 
 namespace nav {
 
-LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, 200);                      // stations and junctions
+LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, LINEKIT_TREE_NODES);       // stations and junctions
 LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // and kTreeNodes in all
 
 }  // namespace nav

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "firmware/src/nav/FixedNetwork.h"
+#include "firmware/src/nav/FixedTree.h"
 #include "random_floor.h"
 #include "truth.h"
 

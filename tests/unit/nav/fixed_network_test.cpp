@@ -1,4 +1,5 @@
 #include "firmware/src/nav/FixedNetwork.h"
+#include "firmware/src/nav/FixedTree.h"
 
 #include <gtest/gtest.h>
 

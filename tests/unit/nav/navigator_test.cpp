@@ -6,6 +6,7 @@
 
 #include "firmware/src/nav/Explorer.h"
 #include "firmware/src/nav/FixedNetwork.h"
+#include "firmware/src/nav/FixedTree.h"
 #include "firmware/src/nav/NextPlanners.h"
 #include "firmware/src/nav/PrunedBfs.h"
 #include "firmware/src/nav/Search.h"
