@@ -78,10 +78,10 @@ void analogWrite(uint8_t number, int value) {
   }
   const Address timer = timer_base(pin->timer);
   const uint32_t compare = value < 0 ? 0 : value > 255 ? kPwmSteps : static_cast<uint32_t>(value);
+  const bool runs = configuration(*pin) == kAlternate;
+  if (!runs) start_pwm(*pin, timer);  // first: without its clock the timer takes nothing
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;
-  if (configuration(*pin) == kAlternate) return;
-  start_pwm(*pin, timer);
-  configure(*pin, kAlternate);
+  if (!runs) configure(*pin, kAlternate);
 }
 
 }  // extern "C"
