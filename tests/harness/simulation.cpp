@@ -284,6 +284,8 @@ std::string Simulation::replay_command() const {
   return fmt::format("{} --for {}ms", in_->history->replay, in_->now_ns() / kMillisecond_ns);
 }
 
+std::uint64_t Simulation::eeprom_writes() { return in_->run->end().eeprom_writes; }
+
 std::string Simulation::trace_hash() { return in_->run->end().trace_hash; }
 
 void PrintTo(const Simulation& simulation, std::ostream* out) { PrintTo(simulation.so_far(), out); }

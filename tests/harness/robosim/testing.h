@@ -16,6 +16,7 @@
 #include "robosim/testing/graph.h"
 #include "robosim/testing/matchers.h"
 #include "robosim/testing/parameters.h"
+#include "robosim/testing/power_cuts.h"
 #include "robosim/testing/quantities.h"
 #include "robosim/testing/robot_test.h"
 #include "robosim/testing/simulation.h"

@@ -87,6 +87,8 @@ class Simulation {
   std::string replay_command() const;
   /// Of the run until now; ends it.
   std::string trace_hash();
+  /// How many bytes the sketch has written to its EEPROM; ends the run.
+  std::uint64_t eeprom_writes();
 
  private:
   struct Inside;
