@@ -85,7 +85,7 @@ class Generated : public ::testing::TestWithParam<grid::Family> {};
 
 TEST_P(Generated, FloorsAreFoundAsTheyAreAndNoEdgeIsUsedMoreThanTwiceInEachDirection) {
   std::size_t most_junctions = 0;
-  for (std::uint64_t n = 0; n < test::rounds(334); ++n) {
+  for (std::uint64_t n = 0; n < test::rounds(334u); ++n) {
     const int most = GetParam() == grid::Family::tree ? 201 : GetParam() == grid::Family::cycles ? 140 : 80;
     const int stations = 2 + static_cast<int>(n * n) % most;
     grid::Map map = grid::generate(GetParam(), stations, n);

@@ -126,7 +126,7 @@ TEST(StatusOfChecks, IsTheWorst) {
   EXPECT_EQ(sketch_with({bad_input, tool_missing}).status(), tool_missing);
   EXPECT_EQ(sketch_with({internal, tool_missing}).status(), internal);
   SketchResult broken = sketch_with({ok});
-  broken.problem.emplace();
+  broken.problem = SketchResult::Problem();
   EXPECT_EQ(broken.status(), bad_input);
 }
 
@@ -136,7 +136,7 @@ TEST(ReportOfManySketches, HasALineForEach) {
   sketches[0].name = "anna";
   sketches[1].name = "ben";
   sketches[2].name = "cleo";
-  sketches[2].problem.emplace();
+  sketches[2].problem = SketchResult::Problem();
   sketches[2].problem->line = "cleo.ino:3: error: expected ‘;’";
   EXPECT_EQ(class_report(sketches),
             "anna  passed  2 of 2\n"
