@@ -88,7 +88,8 @@ std::vector<SourceLine> Diagnosis::call_chain(std::uint32_t pc) const {
     const Firmware::Symbol* function = frames.empty() ? firmware_.function_at(at) : nullptr;
     if (function) frames.push_back({function->name, "", 0});
     for (const SourceLine& frame : frames)
-      if (chain.size() < kMostCalls && (chain.empty() || !same_place(chain.back(), frame)))
+      if (!frame.function.starts_with(kCheckPrefix) && chain.size() < kMostCalls &&
+          (chain.empty() || !same_place(chain.back(), frame)))
         chain.push_back(frame);
   };
   add(pc);
@@ -112,7 +113,7 @@ SourceLine Diagnosis::place_of_check(const Undefined& found) const {
   SourceLine best;
   for (const Stack::Call& call : calls) {
     for (SourceLine frame : debug_.frames(call.pc)) {
-      if (is_core_file(frame.file)) continue;
+      if (is_core_file(frame.file) || frame.function.starts_with(kCheckPrefix)) continue;
       if (found.file.empty()) return frame;
       // The compiler's optimiser may have moved the call; the check knows its own line.
       if (best.file.empty()) best = {frame.function, file_name(found.file), found.line};
