@@ -159,8 +159,8 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
     // A call may be the last instruction of all: its return address is then behind the code.
-    const auto* const pc = static_cast<const char*>(address.pc) - (address.is_return ? 1 : 0);
-    if (has_code(pc)) offsets.push_back(reinterpret_cast<std::uintptr_t>(pc) - base_);
+    const std::uintptr_t pc = reinterpret_cast<std::uintptr_t>(address.pc) - (address.is_return ? 1 : 0);
+    if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
   // An instruction that belongs to no line has no folder either, so that nobody can tell whose it is.
