@@ -10,7 +10,6 @@
 #     test. It sees the sketch or image as ROBOSIM_SKETCH, and AllTargets() are these TARGETS; of all that there are if
 #     none are given.
 include_guard(GLOBAL)
-include(GoogleTest)
 
 function(robosim_add_sketch name)
   cmake_parse_arguments(arg "" "SKETCH;ROBOT" "TARGETS" ${ARGN})
@@ -40,8 +39,16 @@ function(robosim_add_test name)
     message(FATAL_ERROR
       "robosim_add_test(${name} SOURCES file… [SKETCH folder | IMAGE file.elf] [TARGETS …]), and not: ${ARGN}")
   endif()
+  if(NOT TARGET GTest::gmock)  # GoogleTest of your own project goes before the system's
+    find_package(GTest REQUIRED)
+  endif()
   add_executable(${name} ${arg_SOURCES} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/test_setup.cpp)
   target_link_libraries(${name} PRIVATE robosim::testing GTest::gmock GTest::gtest_main)
+  foreach(runner robosim-host robosim-avr robosim-stm32)
+    if(TARGET ${runner})
+      add_dependencies(${name} ${runner})
+    endif()
+  endforeach()
   get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)  # empty: what was built is in its build folder
   string(REPLACE ";" "," targets "${arg_TARGETS}")
   target_compile_definitions(${name} PRIVATE
@@ -51,5 +58,6 @@ function(robosim_add_test name)
     cmake_path(ABSOLUTE_PATH firmware NORMALIZE)
     target_compile_definitions(${name} PRIVATE ROBOSIM_SKETCH="${firmware}")
   endif()
+  include(GoogleTest)  # it has variables of this scope
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()

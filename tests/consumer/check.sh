@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# tests/consumer/check.sh BUILD FOLDER: installs what was built in BUILD below FOLDER, and does there what a user does with
+# an installed Robosim: a new project, its checks, its test in C++, a project with tests of every kind.
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+build=$(readlink -f "$1")
+rm -rf "$2"
+mkdir -p "$2"
+cd "$2"
+
+cmake --install "$build" --prefix "$PWD/installed" >/dev/null
+targets=host
+for target in avr stm32; do
+  [[ ! -x installed/libexec/robosim/robosim-$target ]] || targets+=";$target"
+done
+
+installed/bin/robosim new demo
+(cd demo && ../installed/bin/robosim test)
+
+# Both projects in one build, so that the harness is compiled once.
+cmake -S "$here" -B build -G Ninja "-Drobosim_ROOT=$PWD/installed" "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
+cmake --build build
+ctest --test-dir build --output-on-failure --no-tests=error
+
+# With the sources instead of a package CMake gives the same targets and functions. Built is this elsewhere.
+cmake -S "$here" -B sources -G Ninja "-DROBOSIM_SOURCE=$here/../.." "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
