@@ -62,6 +62,31 @@ TEST_P(AiNavigator, RefusesAStationThatDoesNotExist) {
   EXPECT_THAT(robot().run_for(2_s), AllOf(SerialSays("refused"), NeverDrives(at_all())));
 }
 
+TEST_P(AiNavigator, KnowsStationsByTheirNames) {
+  scan();
+  robot().send("dock\n");
+  ASSERT_TRUE(robot().run_until(serial_says("arrived at 2"), within(1_min)));
+}
+
+TEST_P(AiNavigator, RefusesWhatIsNoStation) {
+  scan();
+  for (const char* wrong : {"65538", "-1", "docks", "shelter", "2 ", "doc"}) {
+    robot().send(wrong + std::string("\n"));
+    ASSERT_TRUE(robot().run_until(serial_says("refused. Stations: 1 home, 2 dock, 3 shelf\r\n"), within(1_s)))
+        << wrong;
+  }
+  robot().send(std::string(60, 'x') + "\n");
+  ASSERT_TRUE(robot().run_until(serial_says("refused"), within(1_s)));
+  go_to(2);
+}
+
+TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
+  scan();
+  robot().act("fault eeprom flip 4 1");
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("My map is damaged."), within(2_s)));
+}
+
 TEST_P(AiNavigator, RemembersItsMapWhenItIsSwitchedOff) {
   scan();
   robot().power_off(200_ms);

@@ -45,6 +45,14 @@ TEST_P(PonyNavigator, DrivesToTheStationThatTheRadioSays) {
   EXPECT_THAT(robot(), NeverCollides());
 }
 
+TEST_P(PonyNavigator, ShowsWhereItIs) {
+  scan();
+  EXPECT_EQ(robot().reading("ones"), 1);
+  EXPECT_EQ(robot().reading("tens"), -1) << "dark";
+  go_to(2);
+  EXPECT_EQ(robot().reading("ones"), 2);
+}
+
 TEST_P(PonyNavigator, RefusesAStationThatDoesNotExist) {
   scan();
   robot().act("send radio 9");
@@ -75,6 +83,16 @@ TEST_P(PonyNavigator, WaitsBeforeAnObstacleUntilTheWayIsFree) {
   robot().press("bumper", 2_s);
   EXPECT_THAT(robot().run_for(1500_ms), StopsWithin(300_ms));
   ASSERT_TRUE(robot().run_until(serial_says("at station 3"), within(2_min)));
+}
+
+TEST_P(PonyNavigator, GivesUpBeforeAnObstacleThatStays) {
+  scan();
+  robot().act("send radio 3");
+  ASSERT_TRUE(robot().run_until(serial_says("to station 3"), within(2_s)));
+  robot().run_for(1_s);
+  robot().press("bumper", 6_s);
+  ASSERT_TRUE(robot().run_until(serial_says("no way: there is an obstacle"), within(1_min)));
+  go_to(1);
 }
 
 }  // namespace

@@ -1,0 +1,11 @@
+// Sketches that are here to be tested only: small ones with parts that Robosim's examples do without.
+#pragma once
+
+#include <string>
+
+#include "sim/base/file.h"
+
+/// The folder of one of tests/firmware/sketches.
+inline std::string test_sketch(const std::string& name) {
+  return (robosim::data_folder() / "tests/firmware/sketches" / name).string();
+}
