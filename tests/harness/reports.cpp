@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace robosim::testing {
@@ -29,11 +30,20 @@ std::string escaped(const std::string& text) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// The line of a failure that says what was found.
+/// What a failure found, in one line: of a matcher, what it says of the drive and how the run ended.
 std::string essence(const std::string& message) {
   const std::string mark = "  Actual: ";
   const std::size_t at = message.find(mark);
-  return first_line(at == std::string::npos ? message : message.substr(at + mark.size()));
+  if (at == std::string::npos) return first_line(message);
+  const std::string actual = message.substr(at + mark.size());
+  const std::size_t type = first_line(actual).find(" (of type ");
+  if (type == std::string::npos) return first_line(actual);
+  std::string found = actual.substr(0, type) + ":";
+  for (const char* told : {"\n", "\n  the run ended at "}) {
+    const std::size_t line = actual.find(told);
+    if (line != std::string::npos) found += first_line(actual.substr(line + 1)).substr(1);
+  }
+  return found;
 }
 
 std::string name_of(const ::testing::TestInfo& test) {
@@ -58,10 +68,18 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
     if (summary_.empty()) return;
+    const bool alone = tests.test_to_run_count() == 1;  // as ctest starts them: one table for all that failed
+    if (alone && rows_.empty()) return;
+    const bool continued = alone && ends_in_table();
     std::ofstream out(summary_, std::ios::app | std::ios::binary);
-    out << fmt::format("### Robosim: {} passed, {} failed, {} skipped\n\n", tests.successful_test_count(),
-                       tests.failed_test_count(), tests.skipped_test_count());
-    if (!rows_.empty()) out << "| test | what was found |\n|---|---|\n" << rows_ << "\n";
+    if (alone && !continued)
+      out << "### Robosim: failed tests\n\n";
+    else if (!alone)
+      out << fmt::format("### Robosim: {} passed, {} failed, {} skipped\n\n", tests.successful_test_count(),
+                         tests.failed_test_count(), tests.skipped_test_count());
+    if (!continued && !rows_.empty()) out << "| test | what was found |\n|---|---|\n";
+    out << rows_;
+    if (!alone && !rows_.empty()) out << "\n";
   }
 
  private:
@@ -69,6 +87,12 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
     std::string result;
     for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
     return result;
+  }
+
+  bool ends_in_table() const {
+    std::ifstream in(summary_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return text.size() > 1 && text.compare(text.size() - 2, 2, "|\n") == 0;
   }
 
   std::string summary_, test_, rows_;

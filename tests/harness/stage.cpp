@@ -120,9 +120,10 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   stage.target = trial.target;
   stage.libraries = trial.libraries;
   const fs::path sketch = is_elf(trial.sketch) ? fs::path(trial.sketch) : sketch::find_sketch(trial.sketch);
-  stage.sketch_title = sketch.stem().string();
   std::error_code error;
   const fs::path folder = fs::is_directory(sketch, error) ? sketch : sketch.parent_path();
+  const fs::path whole = fs::absolute(sketch).lexically_normal();  // "." has a name, too
+  stage.sketch_title = (whole.has_filename() ? whole : whole.parent_path()).stem().string();
   if (!is_path(trial.sketch)) stage.sketch_title = trial.sketch;
   choose_map(trial, folder, stage);
   choose_robot(trial, folder, stage);

@@ -90,9 +90,23 @@ TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
 TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
   EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
   EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
-  EXPECT_THAT(text("summary.md"),
-              AllOf(HasSubstr("### Robosim: 0 passed, 3 failed, 0 skipped"), HasSubstr("| `WrongButton."),
-                    HasSubstr("| `Forgetful.VisitsTheStations` |")));
+  EXPECT_THAT(
+      text("summary.md"),
+      AllOf(HasSubstr("### Robosim: 0 passed, 3 failed, 0 skipped"), HasSubstr("| `WrongButton."),
+            HasSubstr("| `Forgetful.VisitsTheStations` | Forgetful on d (uno3, target host, seed 1), "),
+            HasSubstr(": it did not come to 2 and 3 until "),
+            HasSubstr(" s as crashed: The sketch crashed")));
+}
+
+TEST_F(FailedTests, AreOneTableThoughEachHasAProcess) {
+  for (const char* one : {"TooFast.*", "Forgetful.*"})
+    run("GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY=" + path("ctest.md") +
+            " ROBOSIM_ARTIFACTS=none " FAILING_TESTS " --gtest_filter=" + one,
+        "one.txt");
+  EXPECT_THAT(text("ctest.md"),
+              ::testing::MatchesRegex(
+                  "### Robosim: failed tests\n\n\\| test \\| what was found \\|\n\\|---\\|---\\|\n"
+                  "\\| `TooFast[^\n]*\\|\n\\| `Forgetful[^\n]*\\|\n"));
 }
 
 TEST_F(FailedTests, AreTheExamplesOfTheGuide) {
