@@ -23,6 +23,10 @@ std::string program_of(const std::string& target) {
     const std::string packages = target == "avr"     ? "libsimavr-dev libdw-dev"
                                  : target == "stm32" ? "libunicorn-dev libdw-dev"
                                                      : "";
+    if (!packages.empty() && helper_folder().filename() == "robosim") {  // libexec/robosim: it is installed
+      throw ToolMissing("the target " + target + " is missing: it is the package robosim-" + target +
+                        " (sudo apt install robosim-" + target + ")");
+    }
     if (!packages.empty()) {
       throw ToolMissing(
           "the target " + target + " is missing: Robosim was built without the Debian packages " + packages +
