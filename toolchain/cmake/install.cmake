@@ -10,7 +10,9 @@ install(DIRECTORY sim/classic/include DESTINATION share/robosim/sim/classic COMP
 install(DIRECTORY docs/examples sim/cli/new DESTINATION share/robosim COMPONENT host)
 install(DIRECTORY hal firmware maps DESTINATION share/robosim COMPONENT host PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT host)
-install(FILES README.md LICENSE DESTINATION share/doc/robosim COMPONENT host)
+install(FILES README.md DESTINATION share/doc/robosim COMPONENT host)
+install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHING PATTERN *.md)
+install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
 set(libraries client sketch view grid trace board base)
@@ -54,6 +56,7 @@ foreach(target avr stm32)
 endforeach()
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_NAME robosim)
 set(CPACK_PACKAGE_CONTACT "Robosim's maintainers <maintainers@robosim.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -70,7 +73,8 @@ set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")
 set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr")
-set(CPACK_DEBIAN_HOST_PACKAGE_SUGGESTS "robosim-avr, robosim-stm32, libgmock-dev, cmake, avrdude")
+set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev")  # for tests in C++
+set(CPACK_DEBIAN_HOST_PACKAGE_SUGGESTS "robosim-avr, robosim-stm32, avrdude")
 set(CPACK_DEBIAN_AVR_PACKAGE_NAME robosim-avr)
 set(CPACK_DEBIAN_AVR_DESCRIPTION "Robosim's target avr
  Runs the very image that is flashed to an Arduino Uno or Nano, in an emulator, on Robosim's simulated robots.")
