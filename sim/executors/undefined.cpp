@@ -50,38 +50,42 @@ std::string a(const Type& type) { return with_article(name(type)); }
 int bits(const Type& type) { return type.kind == Type::integer ? 1 << (type.info >> 1) : type.info; }
 bool is_signed(const Type& type) { return type.info & 1; }
 
-using Wide = __int128;
+/// A whole number of up to 64 bits.
+struct Whole {
+  std::uint64_t bits;  // those above the type's own repeat its sign
+  bool is_signed;
+};
 
 /// Values wider than a register are handed over by their address.
 template <typename T>
 T stored(std::uintptr_t handle, int bits) {
   T result = 0;
   const auto bytes = static_cast<std::size_t>(bits) / 8;
-  const void* const from = bits <= static_cast<int>(8 * sizeof handle)
-                               ? static_cast<const void*>(&handle)
-                               : reinterpret_cast<const void*>(handle);
-  std::memcpy(&result, from, std::min(bytes, sizeof result));
+  if (bytes <= sizeof handle) {
+    std::memcpy(&result, &handle, std::min(bytes, sizeof result));
+  } else {
+    std::memcpy(&result, reinterpret_cast<const void*>(handle), std::min(bytes, sizeof result));
+  }
   return result;
 }
 
-Wide integer(const Type& type, std::uintptr_t handle) {
-  const int width = bits(type);
+Whole integer(const Type& type, std::uintptr_t handle) {
+  const int width = std::min(bits(type), 64);
   const auto raw = stored<std::uint64_t>(handle, width);
-  if (width >= 64) return is_signed(type) ? Wide{static_cast<std::int64_t>(raw)} : Wide{raw};
-  const std::uint64_t low = raw & ((std::uint64_t{1} << width) - 1);
-  const bool negative = is_signed(type) && (low >> (width - 1));
-  return negative ? Wide{low} - (Wide{1} << width) : Wide{low};
+  const std::uint64_t sign = std::uint64_t{1} << (width - 1);
+  const std::uint64_t low = raw & (sign - 1 + sign);
+  return {is_signed(type) && (low & sign) ? low | ~(sign - 1) : low, is_signed(type)};
 }
 
-std::string text(Wide value) {
-  return value < 0 ? fmt::format("{}", static_cast<std::int64_t>(value))
-                   : fmt::format("{}", static_cast<std::uint64_t>(value));
+std::string text(Whole value) {
+  return value.is_signed ? fmt::format("{}", static_cast<std::int64_t>(value.bits))
+                         : fmt::format("{}", value.bits);
 }
 
 std::string range(const Type& type) {
-  const int width = bits(type);
-  const Wide low = is_signed(type) ? -(Wide{1} << (width - 1)) : 0;
-  const Wide high = (Wide{1} << (is_signed(type) ? width - 1 : width)) - 1;
+  const std::uint64_t sign = std::uint64_t{1} << (std::min(bits(type), 64) - 1);
+  const Whole low{is_signed(type) ? ~(sign - 1) : 0, is_signed(type)};
+  const Whole high{is_signed(type) ? sign - 1 : sign - 1 + sign, is_signed(type)};
   return fmt::format("{} to {}", text(low), text(high));
 }
 
@@ -114,7 +118,7 @@ std::string explain_overflow(const OneType& data, const char* sign, std::uintptr
 
 std::string explain_division(const OneType& data, std::uintptr_t left, std::uintptr_t right) {
   const bool whole = data.type->kind == Type::integer;
-  if (!whole || integer(*data.type, right) == 0) return "division by zero";
+  if (!whole || integer(*data.type, right).bits == 0) return "division by zero";
   return explain_overflow(data, "/", left, right);
 }
 

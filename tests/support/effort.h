@@ -1,25 +1,30 @@
 // How often a test repeats itself with other random numbers.
 #pragma once
 
-#if defined(__SANITIZE_ADDRESS__)
-#define ROBOSIM_SANITIZED 1
+#if defined(ROBOSIM_EMULATED)  // cross-built: its programs run under qemu-user
+#define ROBOSIM_SLOW 1
+#elif defined(__SANITIZE_ADDRESS__)
+#define ROBOSIM_SLOW 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
-#define ROBOSIM_SANITIZED 1
+#define ROBOSIM_SLOW 1
 #endif
 #endif
 
 namespace robosim::test {
 
-/// `times`; under the sanitizers, where a run takes tens of times as long, a tenth of it, rounded up: the
-/// optimised build shows that the results are right, this one that no line misbehaves on the way.
+/// Under the sanitizers and under an emulator a run takes tens of times as long. The optimised build shows
+/// that the results are right, this one that no line misbehaves on the way.
+#if defined(ROBOSIM_SLOW)
+inline constexpr bool kSlow = true;
+#else
+inline constexpr bool kSlow = false;
+#endif
+
+/// `times`; in a slow build a tenth of it, rounded up.
 template <typename Count>
 constexpr Count rounds(Count times) {
-#if defined(ROBOSIM_SANITIZED)
-  return (times + 9) / 10;
-#else
-  return times;
-#endif
+  return kSlow ? (times + 9) / 10 : times;
 }
 
 }  // namespace robosim::test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,6 +15,7 @@
 #include "sim/client/runner.h"
 #include "sim/grid/map.h"
 #include "sim/sketch/sketch.h"
+#include "tests/support/effort.h"
 #include "tests/support/require_target.h"
 
 namespace robosim::test {
@@ -98,10 +100,11 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
 }
 
 /// Every map on the host; on the chip, which takes hundreds of times as long, `quick` alone, unless
-/// ROBOSIM_TEST_SEEDS is set.
+/// ROBOSIM_TEST_SEEDS is set. In a slow build the first four maps on the host.
 inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;
-  for (const char* map : maps) all.push_back({"host", map});
+  const std::size_t hosts = kSlow ? std::min<std::size_t>(maps.size(), 4) : maps.size();
+  for (std::size_t i = 0; i < hosts; ++i) all.push_back({"host", maps[i]});
   for (const char* map : maps)
     if (seeds_asked_for() > 0 || map == std::string(quick)) all.push_back({"avr", map});
   return all;
@@ -110,7 +113,7 @@ inline std::vector<Trial> trials(const std::vector<const char*>& maps, const cha
 /// How many seeds a trial takes.
 inline std::uint64_t seeds_of(const Trial& trial) {
   if (seeds_asked_for() > 0) return seeds_asked_for();
-  return trial.target == std::string("host") ? 2 : 1;
+  return trial.target == std::string("host") ? rounds(2u) : 1;
 }
 
 }  // namespace robosim::test

@@ -1,23 +1,29 @@
 #!/usr/bin/env bash
-# toolchain/arm64_sysroot.sh [FOLDER]: unpacks the arm64 libraries that Robosim and its tests link (the groups host and
-# test of packages.txt, and what these depend on) into FOLDER, build/arm64-sysroot by default, for aarch64.cmake.
-# The system's own packages and lists stay as they are. About 40 MB are downloaded.
+# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks that architecture's libraries that Robosim and its tests link (the
+# [host], [test], [avr] and [stm32] groups of packages.txt, and what these depend on) into FOLDER,
+# build/ARCHITECTURE-sysroot by default, for pi64.cmake and pi32.cmake.
+# The system's own packages and lists stay as they are. About 60 MB are downloaded.
 set -euo pipefail
 
+architecture=${1:-}
+if [[ $architecture != arm64 && $architecture != armhf ]]; then
+  echo "usage: toolchain/pi_sysroot.sh arm64|armhf [FOLDER]" >&2
+  exit 2
+fi
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-folder=${1:-$here/../build/arm64-sysroot}
+folder=${2:-$here/../build/$architecture-sysroot}
 [[ ! -e $folder/complete ]] || exit 0
 rm -rf "$folder"
 mkdir -p "$folder"/apt/{lists,archives}/partial
 folder=$(readlink -f "$folder")
 : >"$folder/apt/status"  # as if nothing were installed: everything that is needed comes along
 
-apt=(apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o APT::Sandbox::User=root
+apt=(apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$architecture" -o APT::Sandbox::User=root
   -o "Dir::State::status=$folder/apt/status" -o "Dir::State::lists=$folder/apt/lists"
   -o "Dir::Cache=$folder/apt" -o "Dir::Cache::archives=$folder/apt/archives"
   -o Acquire::Retries=1 -o Acquire::http::Timeout=8 -o Acquire::https::Timeout=8)
-mapfile -t libraries < <(sed -n '/^\[host\]/,/^\[ci\]/s/^\([a-z0-9+-]*-dev\)\b.*/\1/p' "$here/packages.txt")
-"${apt[@]}" update
+mapfile -t libraries < <(sed '/^\[ci\]/,/^\[avr\]/d' "$here/packages.txt" | sed -n 's/^\([a-z0-9+-]*-dev\)\b.*/\1/p')
+"${apt[@]}" update || echo "pi_sysroot.sh: going on with the package lists that came" >&2
 "${apt[@]}" -y --no-install-recommends --download-only install "${libraries[@]}" >/dev/null
 for package in "$folder"/apt/archives/*.deb; do
   dpkg-deb --extract "$package" "$folder"
