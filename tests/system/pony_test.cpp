@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/grid/network.h"
+#include "tests/system/command.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -175,8 +176,17 @@ TEST(PonyNavigatorSketch, TurnsBackBeforeWhatStaysInTheWayAndSaysSo) {
 }
 
 TEST(PonyNavigatorSketch, TellsThatANetworkWithACircleIsNotForIt) {
+  const Folder folder;
+  const auto map = folder.write("circle.map",
+                                "_____________\n"
+                                "_____________\n"
+                                "__S.......___\n"
+                                "_____._._____\n"
+                                "_____._._____\n"
+                                "_____..._____\n"
+                                "_____________\n");
   const Watch seen = watch({.sketch = "PonyNavigator",
-                            .map = "warehouse",
+                            .map = map.string(),
                             .robot = "pony",
                             .goal = "none",
                             .script = "at 300ms press scan 100ms\n",

@@ -37,7 +37,7 @@ std::string line_of(const std::string& text, const std::string& beginning) {
 
 TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   const test::Run plan{
-      .sketch = "AiNavigator", .map = "b", .goal = "none", .script = kScript, .for_s = 120.0};
+      .sketch = "AiNavigator", .map = "a", .goal = "none", .script = kScript, .for_s = 120.0};
   const grid::Map map = grid::read_map(grid::find_map(plan.map));
   const grid::TrueGraph graph = grid::true_graph(map, grid::default_start(map));
   const Vec2 station_2 = map.centre(graph.stations[1].cell) * 1e3;
