@@ -19,6 +19,7 @@ struct CheckResult {
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence, of a failure
   std::string replay;  ///< the command that makes the first failed run again; empty = there is none
+  std::string serial;  ///< what the sketch sent in that run
   std::size_t runs = 0;
   std::size_t passed = 0;
   double time_s = 0.0;                    ///< simulated, of all runs

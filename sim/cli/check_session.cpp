@@ -182,6 +182,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const client::RunRes
   if (!planned.first_failure.empty()) return;
   planned.first_failure = *why;
   planned.first_name = run_text(planned.plan, run);
+  result.serial = run_result.serial;
   result.replay = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
 }
 

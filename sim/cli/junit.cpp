@@ -37,6 +37,20 @@ std::string escaped(const std::string& text) {
   return xml;
 }
 
+/// What a sketch sent, readable: with plain line ends.
+std::string escaped_log(const std::string& serial) {
+  std::string xml;
+  for (std::size_t begin = 0; begin < serial.size();) {
+    const std::size_t end = std::min(serial.find('\n', begin), serial.size());
+    std::string line = serial.substr(begin, end - begin);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    xml += escaped(line);
+    if (end < serial.size()) xml += '\n';
+    begin = end + 1;
+  }
+  return xml;
+}
+
 std::string property(const std::string& name, const std::string& value) {
   return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, escaped(value));
 }
@@ -65,12 +79,17 @@ std::string verdict(const CheckResult& result) {
                      escaped(result.replay.empty() ? result.why : result.why + "\n" + result.replay));
 }
 
+std::string log(const CheckResult& result) {
+  if (result.ok() || result.serial.empty()) return "";
+  return fmt::format("      <system-out>{}</system-out>\n", escaped_log(result.serial));
+}
+
 std::string test_case(const std::string& sketch, const CheckResult& result) {
   return fmt::format(
-      "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" time=\"{:.3f}\">\n{}{}    "
+      "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" time=\"{:.3f}\">\n{}{}{}    "
       "</testcase>\n",
       escaped(sketch), escaped(result.name), escaped(result.place.file), result.place.line, result.time_s,
-      properties(result), verdict(result));
+      properties(result), verdict(result), log(result));
 }
 
 struct Sums {

@@ -126,6 +126,8 @@ TEST(CliTest, WritesJunitWithTheFigures) {
               HasSubstr("<testcase classname=\"Greets\" name=\"a &lt; b\" file=\"checks.toml\" line=\"1\""));
   EXPECT_THAT(xml, HasSubstr("<property name=\"collisions\" value=\"0\"/>"));
   EXPECT_THAT(xml, HasSubstr("<failure message=\"distance_m was 0, and it must be 1 at least\">"));
+  EXPECT_THAT(xml, HasSubstr("</failure>\n      <system-out>hello\n</system-out>\n    </testcase>"));
+  EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "of failures only";
 }
 
 /// Sets a variable of the environment, and takes it back.
