@@ -1,7 +1,7 @@
 // AiNavigator: it explores a floor by itself, and then drives to any station that it is told.
 #include <robosim/testing.h>
 
-#include "firmware/src/nav/FixedNetwork.h"
+#include "tests/firmware/explored.h"
 #include "tests/firmware/maps.h"
 
 namespace {
@@ -122,31 +122,26 @@ TEST_P(AiNavigator, LightsTheSecondLedAtAStation) {
   EXPECT_EQ(robot().station(), "3");
 }
 
+// Its map is right or missing, wherever the power is cut while it writes: switched on again it knows it, or
+// asks for a scan.
+TEST(AiNavigatorsMemory, NeverHoldsAWrongGraphWhereverThePowerIsCut) {
+  AtEveryPowerCut({.sketch = "AiNavigator", .map = kTee}, [](Simulation& robot) {
+    const Event asks_for_a_scan = serial_says("press the button");
+    ASSERT_TRUE(robot.run_until(asks_for_a_scan, within(1_s)));
+    robot.press("start");
+    ASSERT_TRUE(robot.run_until(serial_says("destination?") || asks_for_a_scan, within(2_min)));
+    const Graph kept = explored(robot.eeprom());
+    if (kept.nodes.empty()) {
+      EXPECT_THAT(robot, Not(SerialSays("I have a map")));
+    } else {
+      EXPECT_THAT(kept, IsTheSameGraphAs(robot.true_graph()));
+    }
+  });
+}
+
 class AiNavigatorOnMap : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Map, AiNavigatorOnMap, Maps("b", "warehouse"), Named());
-
-/// The map that the sketch keeps in EEPROM.
-Graph explored(const std::vector<std::uint8_t>& eeprom) {
-  struct Source {
-    const std::vector<std::uint8_t>& bytes;
-    std::size_t at = 0;
-    std::uint8_t get() { return bytes[at++]; }
-  } source{eeprom};
-  nav::FixedNetwork<60> network;
-  Graph graph;
-  if (!network.load(source)) return graph;
-  graph.nodes.resize(network.size());
-  for (std::uint8_t node = 0; node < network.size(); ++node) {
-    for (std::uint8_t slot = 0; slot < nav::slots(network, node); ++slot) {
-      const std::uint8_t other = network.link(node, slot);
-      graph.nodes[node].arms.push_back(other == network.kBlocked || other == network.kNone
-                                           ? Graph::End{}
-                                           : Graph::End{other, network.backSlot(node, slot)});
-    }
-  }
-  return graph;
-}
 
 TEST_P(AiNavigatorOnMap, ExploresTheGraphThatIsThere) {
   Simulation robot({.sketch = "AiNavigator", .map = GetParam()});

@@ -12,6 +12,7 @@
 #include "sim/base/file.h"
 #include "sim/view/record_csv.h"
 #include "sim/view/record_vcd.h"
+#include "tests/harness/rehearsal.h"
 
 namespace robosim::testing {
 namespace fs = std::filesystem;
@@ -39,6 +40,7 @@ std::string shell_word(const std::string& text) {
 }  // namespace
 
 std::string artifact_folder() {
+  if (is_rehearsal()) return "";
   const char* chosen = std::getenv("ROBOSIM_ARTIFACTS");
   if (chosen && std::string(chosen) == "none") return "";
   const fs::path base = chosen && *chosen ? chosen : "robosim-artifacts";

@@ -9,7 +9,7 @@
 namespace robosim::testing {
 
 /// The folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts; "" if that is
-/// "none". Nothing is made yet.
+/// "none", and in rehearsals. Nothing is made yet.
 std::string artifact_folder();
 
 /// The robosim command for a stage, but for --for; `script` is its file, or empty.

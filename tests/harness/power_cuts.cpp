@@ -3,33 +3,32 @@
 #include <gtest/gtest.h>
 
 #include "sim/client/power_cuts.h"
+#include "tests/harness/rehearsal.h"
 
 namespace robosim::testing {
-namespace {
 
-/// The writes to the EEPROM of one run.
-std::uint64_t run(const Trial& trial, const std::string& what, const std::function<void(Simulation&)>& body) {
-  Simulation robot(trial);
-  body(robot);
-  if (::testing::Test::HasFailure()) ADD_FAILURE() << what << "\n  replay: " << robot.replay_command();
-  return robot.eeprom_writes();
-}
-
-}  // namespace
-
-void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body) {
-  const std::uint64_t writes = run(trial, "this was without any power cut", body);
-  if (::testing::Test::HasFailure()) return;
+void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body, const char* file,
+                     int line) {
+  std::uint64_t writes = 0;
+  const auto counted = [&](Simulation& robot) {
+    body(robot);
+    writes = robot.eeprom_writes();
+  };
+  if (fails_in(trial, counted)) {
+    run_for_all_to_see(trial, body, "this was without any power cut", file, line);
+    return;
+  }
   if (writes == 0) {
-    ADD_FAILURE() << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
+    ADD_FAILURE_AT(file, line) << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
     return;
   }
   for (const client::PowerCut& cut : client::all_power_cuts(writes)) {
     Trial with_cut = trial;
     if (!with_cut.script.empty() && with_cut.script.back() != '\n') with_cut.script += '\n';
     with_cut.script += cut.script();
-    run(with_cut, "this was with a " + cut.text(), body);
-    if (::testing::Test::HasFailure()) return;
+    if (!fails_in(with_cut, body)) continue;
+    run_for_all_to_see(with_cut, body, "this was with a " + cut.text(), file, line);
+    return;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "sim/client/driven_run.h"
 #include "tests/harness/artifacts.h"
 #include "tests/harness/history.h"
+#include "tests/harness/rehearsal.h"
 #include "tests/harness/reports.h"
 #include "tests/harness/stage.h"
 
@@ -300,7 +301,7 @@ Simulation::~Simulation() {
           << "the run failed by itself, which no expectation looked at\n  " << so_far().title()
           << so_far().epilogue(now());
     }
-    record_figures(history, result);
+    if (!is_rehearsal()) record_figures(history, result);
     if (::testing::Test::HasFailure() && !history.artifacts.empty()) {
       const std::string problem = keep(history, in_->stage, in_->run->script(), *in_->runner);
       if (!problem.empty()) fmt::print(stderr, "robosim: {}\n", problem);

@@ -14,9 +14,10 @@ namespace robosim::testing {
 /// message names the write, and the command that replays the run.
 ///
 ///   AtEveryPowerCut({.sketch = "MyDiary"}, [](Simulation& robot) {
-///     robot.run_for(2s);
+///     robot.run_for(2_s);
 ///     EXPECT_THAT(robot.serial(), Not(HasSubstr("nonsense")));
 ///   });
-void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body);
+void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body,
+                     const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace robosim::testing

@@ -1,0 +1,35 @@
+// What AiNavigator has found out.
+#pragma once
+
+#include <robosim/testing.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "firmware/src/nav/FixedNetwork.h"
+
+namespace robosim::testing {
+
+/// AiNavigator's map, from the EEPROM; empty if there is none, or a damaged one.
+inline Graph explored(const std::vector<std::uint8_t>& eeprom) {
+  struct Source {
+    const std::vector<std::uint8_t>& bytes;
+    std::size_t at = 0;
+    std::uint8_t get() { return bytes[at++]; }
+  } source{eeprom};
+  nav::FixedNetwork<60> network;
+  Graph graph;
+  if (!network.load(source)) return graph;
+  graph.nodes.resize(network.size());
+  for (std::uint8_t node = 0; node < network.size(); ++node) {
+    for (std::uint8_t slot = 0; slot < nav::slots(network, node); ++slot) {
+      const std::uint8_t other = network.link(node, slot);
+      graph.nodes[node].arms.push_back(other == network.kBlocked || other == network.kNone
+                                           ? Graph::End{}
+                                           : Graph::End{other, network.backSlot(node, slot)});
+    }
+  }
+  return graph;
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,21 @@
+// Runs whose failures nobody is to see: a search tries many, and reports one.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "robosim/testing/simulation.h"
+
+namespace robosim::testing {
+
+/// Whether a rehearsal is going on: its runs keep nothing and record no figures.
+bool is_rehearsal();
+
+/// Whether the body fails, or throws, in such a run; nothing is reported.
+bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body);
+
+/// The same for all to see: what fails, fails the test, with `why` below it.
+void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&)>& body,
+                        const std::string& why, const char* file, int line);
+
+}  // namespace robosim::testing
