@@ -1,5 +1,5 @@
 // Tests that fail, of sketches with bugs: docs/testing.md shows what they say.
-#include <robosim/testing.h>
+#include <robosim/random_worlds.h>
 
 namespace {
 
@@ -22,6 +22,12 @@ TEST(WrongButton, DrivesWhenTheButtonIsPressed) {
 TEST(Forgetful, VisitsTheStations) {
   Simulation robot({.sketch = "./Forgetful", .map = "d", .robot = "uno3", .goal = "tour"});
   EXPECT_THAT(robot.run_to_the_end(), Visits({2, 3}));
+}
+
+TEST(StopsAtTees, ToursEveryTree) {
+  InRandomWorlds({.trial = {.sketch = "./StopsAtTees", .robot = "uno3", .goal = "tour", .limit = 1_min},
+                  .maps = trees()},
+                 runs(20), [](Simulation& robot) { EXPECT_THAT(robot.run_to_the_end(), Reaches("tour")); });
 }
 
 }  // namespace

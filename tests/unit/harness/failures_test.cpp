@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -87,12 +88,28 @@ TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
   EXPECT_THAT(text("out.txt"), Not(HasSubstr("a fault of Robosim")));
 }
 
+TEST_F(FailedTests, InRandomWorldsAreReplayedInTheSmallestOne) {
+  const std::string kept = path("kept/StopsAtTees.ToursEveryTree");
+  EXPECT_FALSE(fs::exists(kept + "-2")) << "the worlds on the way are not kept";
+  const std::string map = read_file(kept + "/map.map");
+  EXPECT_EQ(std::count(map.begin(), map.end(), '.'), 7) << "a single bend is enough\n" << map;
+  std::istringstream rows(map);
+  for (std::string row; std::getline(rows, row);)
+    EXPECT_THAT(text("out.txt"), HasSubstr("    " + row + "\n"));
+  const std::string command = text("kept/StopsAtTees.ToursEveryTree/command.txt");
+  run(ROBOSIM_COMMAND +
+          command.substr(std::string("robosim").size(), command.size() - std::string("robosim\n").size()),
+      "replay.txt");
+  EXPECT_THAT(text("replay.txt"),
+              HasSubstr("timeout: The 60.00 s of simulated time are up before the goal tour"));
+}
+
 TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
   EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
   EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
   EXPECT_THAT(
       text("summary.md"),
-      AllOf(HasSubstr("### Robosim: 0 passed, 3 failed, 0 skipped"), HasSubstr("| `WrongButton."),
+      AllOf(HasSubstr("### Robosim: 0 passed, 4 failed, 0 skipped"), HasSubstr("| `WrongButton."),
             HasSubstr("| `Forgetful.VisitsTheStations` | Forgetful on d (uno3, target host, seed 1), "),
             HasSubstr(": it did not come to 2 and 3 until "),
             HasSubstr(" s as crashed: The sketch crashed")));

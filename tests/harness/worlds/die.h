@@ -1,0 +1,11 @@
+// Chance for those who need not know RapidCheck.
+#pragma once
+
+#include <functional>
+
+namespace robosim::testing {
+
+/// A number from 0 to below − 1.
+using Die = std::function<int(int below)>;
+
+}  // namespace robosim::testing
