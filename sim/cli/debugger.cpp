@@ -10,9 +10,9 @@ namespace robosim::cli {
 namespace fs = std::filesystem;
 
 void check_debugger(int port, const std::string& target) {
-  if (port > 0 && target != "avr")
-    throw InputError(fmt::format(
-        "--gdb: no debugger can attach to the target {}; give --target avr, an emulated chip", target));
+  if (port > 0 && target == "host")
+    throw InputError(
+        "--gdb: no debugger can attach to the target host; give --target avr or stm32, an emulated chip");
 }
 
 std::string debugger_command(const fs::path& elf, const fs::path& sources, const std::string& target,

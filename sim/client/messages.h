@@ -75,8 +75,11 @@ struct RunRequest {
   bool serial = false;                 ///< stream what the firmware prints
   bool notes = false;                  ///< stream what happens: "station 2 visited"
   bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
-  bool interactive = false;            ///< driven step by step: see driven_run.h
-  std::string counters;  ///< file for what an image built for coverage has counted; empty = none
+  /// Of pins and bytes, stream only what happens from the one time to the other, and from which line of the
+  /// sketch.
+  std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
+  bool interactive = false;  ///< driven step by step: see driven_run.h
+  std::string counters;      ///< file for what an image built for coverage has counted; empty = none
 };
 
 /// Sent once, before everything else.
@@ -111,6 +114,13 @@ struct Sample {
   std::string at_station;        ///< of a driven run: whose centre the body covers; "" = none
 };
 
+/// A line of the sketch; "" and 0 where not known, or not asked for.
+struct Source {
+  std::string function;
+  std::string file;
+  int line = 0;
+};
+
 struct PinChange {
   std::int64_t t_ns = 0;
   std::string pin;   ///< "D5"
@@ -119,6 +129,7 @@ struct PinChange {
   bool pwm = false;
   double duty = 0.0;
   std::uint32_t tone_hz = 0;  ///< 0 = none
+  Source source;
 };
 
 /// The firmware looked at a pin, or an edge reached one of its interrupts.
@@ -126,6 +137,7 @@ struct LevelSeen {
   std::int64_t t_ns = 0;
   std::string pin;
   bool level = false;
+  Source source;
 };
 
 /// The ADC sampled a pin.
@@ -133,6 +145,7 @@ struct VoltsSeen {
   std::int64_t t_ns = 0;
   std::string pin;
   double volts = 0.0;
+  Source source;
 };
 
 /// A byte at the UART.
@@ -140,6 +153,7 @@ struct SerialByte {
   std::int64_t t_ns = 0;
   std::uint8_t value = 0;
   bool sent = false;  ///< by the firmware; else received
+  Source source;
 };
 
 struct SerialText {

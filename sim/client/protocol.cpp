@@ -105,6 +105,12 @@ Sample sample(const Json& json) {
           get<std::string>(json, "at", "")};
 }
 
+Source source(const Json& json) {
+  const auto found = json.find("source");
+  if (found == json.end()) return {};
+  return {get<std::string>(*found, "function"), get<std::string>(*found, "file"), get<int>(*found, "line")};
+}
+
 Event event(const Json& json) {
   const auto kind = get<std::string>(json, "event");
   if (kind == "sample") return sample(json);
@@ -118,18 +124,19 @@ Event event(const Json& json) {
                      get<bool>(json, "level"),
                      get<bool>(json, "pwm"),
                      get<double>(json, "duty"),
-                     get<std::uint32_t>(json, "tone_hz", 0)};
+                     get<std::uint32_t>(json, "tone_hz", 0),
+                     source(json)};
   }
   if (kind == "debugger_awaited") return DebuggerAwaited{get<int>(json, "port")};
   if (kind == "level")
-    return LevelSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
-                     get<bool>(json, "level")};
+    return LevelSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"), get<bool>(json, "level"),
+                     source(json)};
   if (kind == "volts")
     return VoltsSeen{get<std::int64_t>(json, "t_ns"), get<std::string>(json, "pin"),
-                     get<double>(json, "volts")};
+                     get<double>(json, "volts"), source(json)};
   if (kind == "byte")
     return SerialByte{get<std::int64_t>(json, "t_ns"), get<std::uint8_t>(json, "value"),
-                      get<bool>(json, "sent")};
+                      get<bool>(json, "sent"), source(json)};
   throw RunnerError("there is no event " + kind);
 }
 
@@ -304,6 +311,7 @@ std::string run_line(long long id, const RunRequest& r) {
   if (r.gdb_port > 0) json["gdb_port"] = r.gdb_port;
   if (r.samples_every_ns > 0) json["samples_every_ns"] = r.samples_every_ns;
   if (r.interactive) json["interactive"] = true;
+  if (r.source_ns) json["source"] = {r.source_ns->first, r.source_ns->second};
   Json stream = Json::array();
   if (r.pins) stream.push_back("pin");
   if (r.serial) stream.push_back("serial");

@@ -29,6 +29,13 @@ void AvrExecutor::power_on(SimTime t) {
   machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, clock_, t);
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
   if (debug_port_) machine_->set_debug_port(debug_port_.get());
+  if (written_) {
+    written_->begin([this](const SourceLine&) {
+      const avr::Diagnosis diagnosis(image_->firmware, image_->debug, *machine_);
+      return diagnosis.place_of_calls(machine_->stack().open_calls());
+    });
+    machine_->trace_bytes(*written_);
+  }
 }
 
 void AvrExecutor::power_off(SimTime t) {
@@ -74,6 +81,14 @@ void AvrExecutor::set_clock_start(SimTime start) {
 
 void AvrExecutor::debug_with(gdb::Server& server) {
   debug_port_ = std::make_unique<avr::DebugPort>(server, image_->firmware, board_);
+}
+
+SourceLine AvrExecutor::source() {
+  return machine_ ? avr::Diagnosis(image_->firmware, image_->debug, *machine_).where_now() : SourceLine{};
+}
+
+SourceLine AvrExecutor::source_of(std::uint8_t byte) {
+  return written_ ? written_->take(byte) : SourceLine{};
 }
 
 Activity AvrExecutor::activity() {

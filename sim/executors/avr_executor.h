@@ -14,6 +14,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/executors/board_state.h"
+#include "sim/executors/chip/written_bytes.h"
 #include "sim/executors/executor.h"
 #include "sim/executors/firmware_clock.h"
 
@@ -43,6 +44,9 @@ class AvrExecutor final : public Executor {
   bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
   void debug_with(gdb::Server& server) override;
+  SourceLine source() override;
+  void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
+  SourceLine source_of(std::uint8_t byte) override;
 
  private:
   struct Image;
@@ -52,6 +56,7 @@ class AvrExecutor final : public Executor {
   std::unique_ptr<const Image> image_;
   std::unique_ptr<avr::DebugPort> debug_port_;  ///< null = nobody debugs
   std::unique_ptr<avr::Machine> machine_;
+  std::optional<WrittenBytes> written_;
   std::optional<Crash> crash_;
   std::optional<Resources> before_;  ///< what was measured before the last power-on
   SimTime clock_start_ = 0;

@@ -90,6 +90,14 @@ class Executor {
         "--clock: only on a chip target can the clock be set; on the host it is wider and never wraps");
   }
 
+  /// Where in the sketch the firmware is now; also while run_until() lasts, for watchers of pins.
+  virtual SourceLine source() { return activity().where; }
+  /// From the next power-on, source_of() is asked for every byte that is sent, and answers for those of this
+  /// span.
+  virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }
+  /// The line that has printed the byte which is being sent.
+  virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
+
   /// Whether scripts can break clock and EEPROM: set_clock_drift() is there, and the EEPROM is the board's.
   virtual bool has_chip_faults() const { return false; }
   /// From `t` on, which is now, the chip's clock runs so much too fast, in parts per million; also after a

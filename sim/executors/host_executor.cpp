@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,17 @@ class HostExecutor::Instance final : public host::Host {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
     add_stack(static_cast<const std::byte*>(suspended_at_), addresses);
     return image_.locate(addresses);
+  }
+
+  /// Of the call that is going on, asked from within it.
+  SourceLine source() {
+    std::vector<CodeAddress> addresses = {{state_.place, true}};
+    add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
+    std::vector<const void*> key;
+    for (const CodeAddress& address : addresses) key.push_back(address.pc);
+    const auto [known, fresh] = sources_.try_emplace(std::move(key));
+    if (fresh) known->second = image_.locate(addresses);
+    return known->second;
   }
 
   // --- host::Host, called on the fiber
@@ -290,6 +302,7 @@ class HostExecutor::Instance final : public host::Host {
   ShadowMemory shadow_;
   std::vector<host::GlobalRecord> globals_;
   const void* suspended_at_ = nullptr;
+  std::map<std::vector<const void*>, SourceLine> sources_;
   Fault fault_;
   sigjmp_buf escape_;
 };
@@ -365,6 +378,8 @@ SimTime HostExecutor::last_call() const {
   const host::FirmwareState& state = instance_->state();
   return state.waiting && !crash_ ? reached_ : clock_.to_world(state.last_call);
 }
+
+SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
 
 Activity HostExecutor::activity() {
   Activity activity;

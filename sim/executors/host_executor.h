@@ -29,6 +29,7 @@ class HostExecutor final : public Executor {
   void run_until(SimTime t) override;
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
+  SourceLine source() override;
   SimTime last_call() const override;
   std::vector<BundledFile> counters() override;
   bool has_chip_faults() const override { return true; }

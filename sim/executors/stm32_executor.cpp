@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/executors/stm32/debug_port.h"
 #include "sim/executors/stm32/diagnosis.h"
 
 namespace robosim::executors {
@@ -28,10 +29,22 @@ void Stm32Executor::power_on(SimTime t) {
   power_off(t);
   machine_ = std::make_unique<stm32::Machine>(image_->firmware, image_->loop, board_, eeprom_pages_, t);
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
+  if (debug_port_) machine_->set_debug_port(debug_port_.get());
+  if (written_) {
+    // The jump that led out of the sketch, as a function's last call leaves no trace on the stack.
+    written_->begin([this](const SourceLine& before) {
+      const stm32::Diagnosis diagnosis(image_->firmware, image_->debug, *machine_);
+      SourceLine line = diagnosis.place_of(machine_->cpu().last_jumps());
+      if (line.file.empty()) line = before;
+      return line.file.empty() ? diagnosis.place_of(machine_->open_calls()) : line;
+    });
+    machine_->trace_bytes(*written_);
+  }
 }
 
 void Stm32Executor::power_off(SimTime t) {
   before_ = resources();
+  if (debug_port_) debug_port_->unplug();
   machine_.reset();
   crash_.reset();
   board_.reset(t);
@@ -67,6 +80,18 @@ void Stm32Executor::set_clock_start(SimTime start) {
     throw InputError({image_->firmware.file},
                      "has no clock that --clock could set (it is not built with Robosim's core)");
   clock_start_ = start;
+}
+
+void Stm32Executor::debug_with(gdb::Server& server) {
+  debug_port_ = std::make_unique<stm32::DebugPort>(server, image_->firmware);
+}
+
+SourceLine Stm32Executor::source() {
+  return machine_ ? stm32::Diagnosis(image_->firmware, image_->debug, *machine_).where_now() : SourceLine{};
+}
+
+SourceLine Stm32Executor::source_of(std::uint8_t byte) {
+  return written_ ? written_->take(byte) : SourceLine{};
 }
 
 Activity Stm32Executor::activity() {

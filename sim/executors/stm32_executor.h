@@ -15,13 +15,15 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/executors/board_state.h"
+#include "sim/executors/chip/written_bytes.h"
 #include "sim/executors/executor.h"
 
 namespace robosim::executors {
 
 namespace stm32 {
+class DebugPort;
 class Machine;
-}
+}  // namespace stm32
 
 class Stm32Executor final : public Executor {
  public:
@@ -38,6 +40,10 @@ class Stm32Executor final : public Executor {
   SimTime last_call() const override;
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
+  void debug_with(gdb::Server& server) override;
+  SourceLine source() override;
+  void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
+  SourceLine source_of(std::uint8_t byte) override;
 
  private:
   struct Image;
@@ -45,7 +51,9 @@ class Stm32Executor final : public Executor {
   BoardState board_;
   std::unique_ptr<const Image> image_;
   std::vector<std::uint8_t> eeprom_pages_;
+  std::unique_ptr<stm32::DebugPort> debug_port_;  ///< null = nobody debugs
   std::unique_ptr<stm32::Machine> machine_;
+  std::optional<WrittenBytes> written_;
   std::optional<Crash> crash_;
   std::optional<Resources> before_;  ///< what was measured before the last power-on
   SimTime clock_start_ = 0;

@@ -34,6 +34,12 @@ RunRequest parse_run_request(const json& object) {
   if (request.samples_every % kTick != 0) Keys::wrong("samples_every_ns", "a multiple of the tick, 1000000");
   request.clock_start = keys.whole("clock_ns", 0);
   request.interactive = keys.truth("interactive", false);
+  if (const json* span = keys.find("source")) {
+    const bool sound = span->is_array() && span->size() == 2 && (*span)[0].is_number_integer() &&
+                       (*span)[1].is_number_integer();
+    if (!sound) Keys::wrong("source", "two times in nanoseconds, as in [0, 1000000]");
+    request.source.emplace((*span)[0].get<SimTime>(), (*span)[1].get<SimTime>());
+  }
   const std::int64_t port = keys.whole("gdb_port", 0);
   if (port > 65535) Keys::wrong("gdb_port", "a port, 1 to 65535, or 0");
   request.gdb_port = static_cast<int>(port);

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "hal/board/sim_time.h"
 #include "sim/robot/robot.h"
@@ -23,6 +25,9 @@ struct RunRequest {
   int gdb_port = 0;         ///< where a debugger is waited for; 0 = nowhere
   bool stream_pins = false, stream_serial = false, stream_notes = false, stream_io = false;
   bool interactive = false;  ///< the client drives it step by step
+  /// With `source`: events of pins and bytes are sent of this span only, and say where in the sketch they
+  /// come from.
+  std::optional<std::pair<SimTime, SimTime>> source;
 };
 
 /// Throws InputError for unknown keys and values of the wrong kind.

@@ -59,8 +59,9 @@ void start_watchdog() {
 // Turns what a run tells into protocol events.
 class Narrator final : public run::Listener {
  public:
-  Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board)
-      : id_(std::move(id)), request_(request), board_(board) {}
+  Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board,
+           executors::Executor& executor)
+      : id_(std::move(id)), request_(request), board_(board), executor_(executor) {}
 
   void began(const run::Beginning& beginning) override {
     send("started", to_json(beginning));
@@ -73,26 +74,35 @@ class Narrator final : public run::Listener {
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
     static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
     if (!request_.stream_pins) return;
-    send("pin", {{"t_ns", t},
-                 {"pin", board_.pins[pin].name},
-                 {"mode", kModes[static_cast<int>(drive.mode)]},
-                 {"level", drive.level},
-                 {"pwm", drive.pwm},
-                 {"duty", drive.duty},
-                 {"tone_hz", drive.tone_hz}});
+    detail("pin", t,
+           {{"t_ns", t},
+            {"pin", board_.pins[pin].name},
+            {"mode", kModes[static_cast<int>(drive.mode)]},
+            {"level", drive.level},
+            {"pwm", drive.pwm},
+            {"duty", drive.duty},
+            {"tone_hz", drive.tone_hz}});
   }
   bool wants_inputs() const override { return request_.stream_io; }
   void level_seen(Pin pin, bool level, SimTime t) override {
-    send("level", {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"level", level}});
+    detail("level", t, {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"level", level}});
   }
   void volts_seen(Pin pin, double volts, SimTime t) override {
-    send("volts", {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"volts", volts}});
+    detail("volts", t, {{"t_ns", t}, {"pin", board_.pins[pin].name}, {"volts", volts}});
   }
   void byte_received(std::uint8_t byte, SimTime t) override {
-    send("byte", {{"t_ns", t}, {"value", byte}, {"sent", false}});
+    detail("byte", t, {{"t_ns", t}, {"value", byte}, {"sent", false}});
   }
   void byte_sent(std::uint8_t byte, SimTime t) override {
-    if (request_.stream_io) send("byte", {{"t_ns", t}, {"value", byte}, {"sent", true}});
+    if (request_.stream_io) {
+      const Json event{{"t_ns", t}, {"value", byte}, {"sent", true}};
+      if (request_.source) {
+        const executors::SourceLine source = executor_.source_of(byte);
+        if (in_span(t)) send_with("byte", event, source);
+      } else {
+        send("byte", event);
+      }
+    }
     if (!request_.stream_serial) return;
     line_ += static_cast<char>(byte);
     if (byte == '\n' || line_.size() >= 256) flush_serial(t);
@@ -103,7 +113,19 @@ class Narrator final : public run::Listener {
   }
 
  private:
-  void send(const char* event, Json body) {
+  bool in_span(SimTime t) const { return t >= request_.source->first && t < request_.source->second; }
+  void detail(const char* event, SimTime t, const Json& body) {
+    if (!request_.source)
+      send(event, body);
+    else if (in_span(t))
+      send_with(event, body, executor_.source());
+  }
+  void send_with(const char* event, Json body, const executors::SourceLine& source) {
+    if (!source.file.empty())
+      body["source"] = {{"function", source.function}, {"file", source.file}, {"line", source.line}};
+    send(event, body);
+  }
+  void send(const char* event, const Json& body) {
     Json line = with_id(id_);
     line["event"] = event;
     line.update(body);
@@ -113,6 +135,7 @@ class Narrator final : public run::Listener {
   nlohmann::json id_;
   const RunRequest& request_;
   const BoardSpec& board_;
+  executors::Executor& executor_;
   std::string line_;
 };
 
@@ -157,7 +180,8 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   setup.reached = &reached;
   if (!debugger) start_watchdog();  // nor is a chip ever caught inside a tick
 
-  Narrator narrator(id, request, *robot.board);
+  if (request.source) executor->trace_bytes(request.source->first, request.source->second);
+  Narrator narrator(id, request, *robot.board, *executor);
   RemotePilot pilot(id, request.script_file, interrupted, [&](SimTime t) { narrator.flush_serial(t); });
   if (request.interactive) setup.pilot = &pilot;
   const run::Outcome outcome = run::simulate(setup, narrator);

@@ -1,4 +1,4 @@
-// `robosim run --gdb PORT`, driven by avr-gdb: a debugger that is not ours.
+// `robosim run --gdb PORT`, driven by avr-gdb and gdb-multiarch: debuggers that are not ours.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,20 +49,33 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
   return lines;
 }
 
-class CliGdb : public ::testing::Test {
+struct Debugged {
+  const char* target;
+  const char* robot;
+  const char* debugger;
+  const char* package;
+  const char* millis;  ///< the core's variable
+  const char* ram;     ///< where it begins
+};
+
+class CliGdb : public ::testing::TestWithParam<Debugged> {
  protected:
   void SetUp() override {
-    ROBOSIM_NEEDS_TARGET("avr");
-    const bool missing = std::system("command -v avr-gdb >/dev/null 2>&1") != 0;
-    if (missing && is_required("avr-gdb")) FAIL() << "avr-gdb is missing: apt install gdb-avr";
-    if (missing) GTEST_SKIP() << "avr-gdb is missing: apt install gdb-avr";
+    const Debugged& d = GetParam();
+    ROBOSIM_NEEDS_TARGET(d.target);
+    const bool missing = std::system(("command -v " + debugger() + " >/dev/null 2>&1").c_str()) != 0;
+    const std::string remedy = debugger() + " is missing: apt install " + d.package;
+    if (missing && is_required(d.debugger)) FAIL() << remedy;
+    if (missing) GTEST_SKIP() << remedy;
     folder_.write("My/My.ino", kSketch);
-    const Ended built = robosim_command({"build", "My/", "--target", "avr", "--out", "out"}, folder_.path());
+    const Ended built = robosim_command(
+        {"build", "My/", "--target", d.target, "--robot", d.robot, "--out", "out"}, folder_.path());
     ASSERT_EQ(built.status, 0) << built.err;
   }
+  static std::string debugger() { return GetParam().debugger; }
 
   Ended run(std::vector<std::string> more = {}) const {
-    std::vector<std::string> words{"run",    "out/My.elf", "--map", "oval",  "--robot", "uno5",
+    std::vector<std::string> words{"run",    "out/My.elf", "--map", "oval",  "--robot", GetParam().robot,
                                    "--goal", "none",       "--for", "100ms", "--json"};
     words.insert(words.end(), more.begin(), more.end());
     return robosim_command(words, folder_.path());
@@ -72,7 +85,7 @@ class CliGdb : public ::testing::Test {
     Ended run;
     std::string gdb;  ///< what it printed
   };
-  /// A run, and avr-gdb attached to it with these commands; avr-gdb itself tries until the run listens.
+  /// A run, and gdb attached to it with these commands; gdb itself tries until the run listens.
   Session debug(const std::string& commands) const {
     const std::string port = std::to_string(free_port());
     folder_.write(
@@ -80,9 +93,8 @@ class CliGdb : public ::testing::Test {
         "set confirm off\nset pagination off\nset width 0\nset tcp connect-timeout 60\ntarget remote :" +
             port + "\n" + commands);
     auto runs = std::async(std::launch::async, [&] { return run({"--gdb", port}); });
-    const std::string gdb =
-        "cd '" + folder_.path().string() +
-        "' && timeout 120 avr-gdb -nx -batch -x commands out/My.elf >gdb.out 2>&1 </dev/null";
+    const std::string gdb = "cd '" + folder_.path().string() + "' && timeout 120 " + debugger() +
+                            " -nx -batch -x commands out/My.elf >gdb.out 2>&1 </dev/null";
     EXPECT_EQ(std::system(gdb.c_str()), 0);
     return {runs.get(), read_file(folder_ / "gdb.out")};
   }
@@ -90,23 +102,31 @@ class CliGdb : public ::testing::Test {
   const Folder folder_;
 };
 
-TEST_F(CliGdb, TheRunIsTheSameAsWithoutADebugger) {
+INSTANTIATE_TEST_SUITE_P(On, CliGdb,
+                         ::testing::Values(Debugged{"avr", "uno5", "avr-gdb", "gdb-avr", "timer0_millis",
+                                                    "0x800100"},
+                                           Debugged{"stm32", "bluepill5", "gdb-multiarch", "gdb-multiarch",
+                                                    "robosim_millis", "0x20000000"}),
+                         [](const auto& on) { return std::string(on.param.target); });
+
+TEST_P(CliGdb, TheRunIsTheSameAsWithoutADebugger) {
   const Ended alone = run();
   const Session session = debug("continue\n");
   EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
   EXPECT_EQ(session.run.status, 0);
-  EXPECT_THAT(session.run.err, AllOf(HasSubstr("waiting for a debugger"), HasSubstr("avr-gdb "),
+  EXPECT_THAT(session.run.err, AllOf(HasSubstr("waiting for a debugger"), HasSubstr(debugger() + " "),
                                      HasSubstr("out/My.elf -ex 'target remote :")));
   EXPECT_THAT(session.gdb, HasSubstr("exited normally"));
 }
 
-TEST_F(CliGdb, TheWorldStandsStillWithTheFirmware) {
+TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
   const Ended alone = run();
   const Session session = debug(
       "break My.ino:10\ncontinue\ncontinue\ncontinue\n"
-      "print passes\nmonitor time\nprint timer0_millis\n"
-      "info registers\nbacktrace\nx/4xb 0x800100\nx/8i $pc\n"
-      "monitor time\nprint timer0_millis\n"
+      "print passes\nmonitor time\nprint " +
+      std::string(GetParam().millis) + "\ninfo registers\nbacktrace\nx/4xb " + GetParam().ram +
+      "\nx/8i $pc\nmonitor time\nprint " + GetParam().millis +
+      "\n"
       "step\nprint passes\nnext\nstepi\nstepi\n"
       "delete\nwatch passes\ncontinue\nprint passes\n"
       "delete\nbreak My.ino:3\ncontinue\nprint passes % 2\n"
@@ -126,7 +146,7 @@ TEST_F(CliGdb, TheWorldStandsStillWithTheFirmware) {
   EXPECT_EQ(millis[1].substr(5), millis[2].substr(5)) << "millis()";
 }
 
-TEST_F(CliGdb, AfterADetachTheRunGoesOnAlone) {
+TEST_P(CliGdb, AfterADetachTheRunGoesOnAlone) {
   const Ended alone = run();
   for (const char* commands : {"break My.ino:10\ncontinue\ndetach\n",
                                "break My.ino:10\ncontinue\ndisconnect\n", "break My.ino:10\ncontinue\n"}) {
@@ -135,13 +155,13 @@ TEST_F(CliGdb, AfterADetachTheRunGoesOnAlone) {
   }
 }
 
-TEST_F(CliGdb, KillEndsTheRun) {
+TEST_P(CliGdb, KillEndsTheRun) {
   const Session session = debug("break My.ino:10\ncontinue\nkill\n");
   EXPECT_EQ(field(session.run, "verdict"), "interrupted");
   EXPECT_EQ(session.run.status, 130);
 }
 
-TEST_F(CliGdb, WhatCannotBeDebuggedIsSaidInOneSentence) {
+TEST_P(CliGdb, WhatCannotBeDebuggedIsSaidInOneSentence) {
   const Port taken;
   const std::string port = std::to_string(taken.number());
   Ended ended = run({"--gdb", port});

@@ -89,7 +89,7 @@ class Chip {
 
   // --- traps: the emulator stops before an instruction
   /// Who wants to know that an instruction is about to run.
-  enum Trap : unsigned { kLoopTrap = 1, kMainTrap = 2, kBreakpoint = 4 };
+  enum Trap : unsigned { kLoopTrap = 1, kMainTrap = 2, kBreakpoint = 4, kWriteTrap = 8 };
   void set_trap(Trap trap, std::uint32_t pc);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for; they are armed again as the chip runs on.

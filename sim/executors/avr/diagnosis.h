@@ -14,12 +14,13 @@ class Diagnosis {
 
   Crash crash(const Fault& fault) const;
   Activity activity() const;
+  SourceLine where_now() const;
+  /// The first of these calls that is the user's.
+  SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
 
  private:
   SourceLine place(std::uint32_t pc) const;
-  SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
   SourceLine place_of_check(const Undefined& found) const;
-  SourceLine where_now() const;
   std::string jump_text(const Fault& fault) const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;

@@ -171,6 +171,16 @@ void Machine::poke(reg::Address address, std::uint8_t value) {
   }
 }
 
+void Machine::trace_bytes(WrittenBytes& bytes) {
+  written_ = &bytes;
+  if (const auto write = firmware_.find(WrittenBytes::kFunction)) chip_.set_trap(Chip::kWriteTrap, *write);
+}
+
+void Machine::write_called() {
+  constexpr reg::Address kByte = 22;  // where avr-gcc passes it, `this` being in 24 and 25
+  written_->wrote(chip_.data(kByte), link_.time_of(chip_.cycle()));
+}
+
 void Machine::set_clock(SimTime start) {
   clock_start_ = start;
   if (const auto main = firmware_.find("main")) chip_.set_trap(Chip::kMainTrap, *main);
@@ -217,6 +227,7 @@ void Machine::run_until(SimTime t) {
     const unsigned traps = chip_.take_traps();
     if (traps & Chip::kLoopTrap) loop_began();
     if (traps & Chip::kMainTrap) start_clock();
+    if (traps & Chip::kWriteTrap) write_called();
     if (debug_port_) debug_port_->ran(traps & Chip::kBreakpoint);
   }
 }

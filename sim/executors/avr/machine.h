@@ -5,6 +5,7 @@
 #include "sim/executors/avr/ports.h"
 #include "sim/executors/avr/stack.h"
 #include "sim/executors/avr/uart.h"
+#include "sim/executors/chip/written_bytes.h"
 #include "sim/executors/executor.h"
 
 namespace robosim::executors::avr {
@@ -28,6 +29,8 @@ class Machine final : Peripherals {
   void run_until(SimTime t);
   /// Whom to ask before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
+  /// What the firmware prints is told to `bytes`, which outlives this.
+  void trace_bytes(WrittenBytes& bytes);
   /// millis() begins with `start` when main() begins.
   void set_clock(SimTime start);
   Resources resources() const;
@@ -55,6 +58,7 @@ class Machine final : Peripherals {
   void take_inputs();
   void loop_began();
   void start_clock();
+  void write_called();
 
   const Firmware& firmware_;
   BoardState& board_;
@@ -70,6 +74,7 @@ class Machine final : Peripherals {
   bool looped_ = false;
   SimTime clock_start_ = 0;
   DebugPort* debug_port_ = nullptr;
+  WrittenBytes* written_ = nullptr;
 };
 
 }  // namespace robosim::executors::avr

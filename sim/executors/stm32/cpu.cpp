@@ -60,7 +60,7 @@ struct Cpu::Hooks {
         if (at >= kReturn)
           c.returning_ = true;
         else
-          c.fail(Fault::Kind::bad_jump, at);
+          c.jumped_nowhere(at);
         break;
       case UC_MEM_WRITE_PROT:
         c.fail(Fault::Kind::flash_write, c.pc_, at);
@@ -90,7 +90,7 @@ struct Cpu::Hooks {
     } else if (number == kUndefined) {
       c.fail(Fault::Kind::bad_opcode, c.pc_, c.opcode(c.pc_));
     } else {
-      c.fail(Fault::Kind::bad_jump, pc);
+      c.jumped_nowhere(pc);
     }
   }
   static bool undefined(uc_engine*, void* cpu) {
@@ -212,7 +212,7 @@ Cpu::Cached& Cpu::cached(std::uint32_t pc) {
   entry.instruction = decode(firmware_.half(kFlash + offset), firmware_.half(kFlash + offset + 2));
   const Instruction& i = entry.instruction;
   entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.loop &&
-                !entry.call && !entry.sets;
+                !entry.call && !entry.sets && !entry.watched && !entry.breaks;
   return entry;
 }
 
@@ -221,6 +221,37 @@ void Cpu::mark(std::optional<std::uint32_t> pc, bool Cached::*flag) {
   Cached& entry = cache_[(*pc - kFlash) / 2];
   entry.known = false;
   entry.*flag = true;
+}
+
+void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
+  watcher_ = std::move(watcher);
+  mark(pc, &Cached::watched);
+}
+
+void Cpu::set_breakpoint(std::uint32_t pc, bool set) {
+  if (pc < kFlash || pc >= kEepromFlash) return;
+  Cached& entry = cache_[(pc - kFlash) / 2];
+  entry.known = false;
+  entry.breaks = set;
+}
+
+bool Cpu::write_register(int number, std::uint32_t value) {
+  if (number == kPc) {
+    if (!firmware_.has_code(value)) return false;
+    next_ = value & ~1u;
+    return true;
+  }
+  set_reg(number, value);
+  return true;
+}
+
+std::uint8_t Cpu::byte(Address address) const {
+  const std::uint8_t* const at = ram(address, 1);
+  return at ? *at : 0;
+}
+
+void Cpu::set_byte(Address address, std::uint8_t value) {
+  if (std::uint8_t* const at = ram(address, 1)) *at = value;
 }
 
 void Cpu::set_at(std::uint32_t pc, Address variable, std::uint32_t value) {
@@ -232,6 +263,14 @@ void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
   if (!fault_) fault_ = Fault{kind, pc, address};
   stop_ = 0;
 }
+
+// Before the instruction there would run: the jump has not been noted.
+void Cpu::jumped_nowhere(std::uint32_t pc) {
+  note_jump();
+  fail(Fault::Kind::bad_jump, pc);
+}
+
+void Cpu::note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
 
 void Cpu::accessed() {
   if (handlers_.empty()) {
@@ -247,7 +286,7 @@ void Cpu::before(std::uint32_t pc) {
   if (look_after_) after_special();
   if (pc != next_) {
     clock_.now += kRefill_cycles;
-    jumps_[jump_count_++ % jumps_.size()] = pc_;
+    note_jump();
   }
   next_ = pc;
   if (clock_.now >= stop_ && (predicated_ == 0 || fault_)) {
@@ -255,12 +294,22 @@ void Cpu::before(std::uint32_t pc) {
     uc_emu_stop(uc_);
     return;
   }
-  pc_ = pc;
   const Cached& entry = cached(pc);
+  if ((halting_ || entry.breaks) && halts_at(pc, entry)) return;
+  pc_ = pc;
   next_ = pc + entry.instruction.bytes;
   clock_.now += entry.instruction.cycles;
   if (predicated_ > 0) --predicated_;
   if (!entry.plain) before_special(entry);
+}
+
+bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
+  if (entry.breaks && std::exchange(passing_, 1) != pc) halting_ = true;
+  if (!halting_ || predicated_ > 0) return false;
+  halting_ = false;
+  at_breakpoint_ = stopped_ = true;
+  uc_emu_stop(uc_);
+  return true;
 }
 
 void Cpu::before_special(const Cached& entry) {
@@ -275,6 +324,7 @@ void Cpu::before_special(const Cached& entry) {
     set_word(early_->variable, early_->value);
     early_.reset();
   }
+  if (entry.watched && watcher_) watcher_();
   if (i.divides && nvic_.traps_division() && i.divisor < 13 && reg(i.divisor) == 0)
     fail(Fault::Kind::division, pc_);
   sleeps_ = i.sleeps;

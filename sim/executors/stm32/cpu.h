@@ -7,8 +7,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/executors/stm32/bus.h"
@@ -74,6 +76,7 @@ class Cpu {
   void set_word(Address address, std::uint32_t value);
 
   bool in_handler() const { return !handlers_.empty(); }
+  std::size_t open_handlers() const { return handlers_.size(); }
   /// Where the firmware was when the outermost handler that runs interrupted it.
   std::uint32_t interrupted_pc() const { return interrupted_pc_; }
   std::uint32_t lowest_sp() const { return lowest_sp_; }
@@ -81,6 +84,20 @@ class Cpu {
   Address stack_limit() const { return stack_limit_; }
   /// Addresses of the instructions that jumped last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
+
+  // --- for debuggers
+  /// run_to() returns before the instruction at `pc` runs; within an IT block, behind the block.
+  void set_breakpoint(std::uint32_t pc, bool set);
+  /// The next instruction runs though there is a breakpoint.
+  void pass_breakpoint() { passing_ = next_; }
+  /// Whether run_to() has returned for a breakpoint; asked once.
+  bool take_breakpoint() { return std::exchange(at_breakpoint_, false); }
+  /// Of the instruction that comes next.
+  std::uint32_t next_pc() const { return next_; }
+  /// False for a pc where there is no code.
+  bool write_register(int number, std::uint32_t value);
+  std::uint8_t byte(Address address) const;
+  void set_byte(Address address, std::uint8_t value);
 
   // --- accounts
   Cycle last_io() const {
@@ -93,6 +110,8 @@ class Cpu {
   /// Of the pass that has begun; 0 before the first.
   SimTime present_loop() const;
 
+  /// Whom to call whenever the instruction at `pc` is about to run.
+  void watch(std::uint32_t pc, std::function<void()> watcher);
   /// Once, when the instruction at `pc` is about to run, the word at `variable` becomes `value`.
   void set_at(std::uint32_t pc, Address variable, std::uint32_t value);
 
@@ -100,7 +119,8 @@ class Cpu {
   struct Hooks;
   struct Cached {
     Instruction instruction{};
-    bool known = false, plain = false, loop = false, call = false, sets = false;
+    bool known = false, plain = false, loop = false, call = false, sets = false, watched = false,
+         breaks = false;
   };
   struct Handler {
     Exception exception;
@@ -113,10 +133,13 @@ class Cpu {
   };
 
   void before(std::uint32_t pc);
+  bool halts_at(std::uint32_t pc, const Cached& cached);
   void before_special(const Cached& cached);
   void after_special();
   void loop_began();
   void check_stack();
+  void note_jump();
+  void jumped_nowhere(std::uint32_t pc);
   void accessed();
   void enter(Exception exception);
   void leave();
@@ -149,6 +172,9 @@ class Cpu {
   std::uint32_t jump_count_ = 0;
   std::uint32_t lowest_sp_ = 0, stack_limit_ = 0;
   std::optional<EarlySet> early_;
+  std::function<void()> watcher_;
+  std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; no instruction's address if none is
+  bool halting_ = false, at_breakpoint_ = false;
   Cycle last_io_ = 0;
   std::uint32_t last_io_pc_ = 0;
   Cycle handler_began_ = 0, handler_cycles_ = 0, sleep_cycles_ = 0;

@@ -20,33 +20,14 @@ bool same_place(const SourceLine& a, const SourceLine& b) {
 
 }  // namespace
 
-/// Words on the stack that are the address behind a BL or BLX, innermost first.
-std::vector<std::uint32_t> Diagnosis::open_calls() const {
-  std::vector<std::uint32_t> calls;
-  const auto add = [&](std::uint32_t word) {
-    const std::uint32_t pc = word & ~1u;
-    if (!(word & 1) || pc < kFlash + 4 || !firmware_.has_code(pc)) return;
-    const unsigned first = firmware_.half(pc - 4), second = firmware_.half(pc - 2);
-    if ((first & 0xF800) == 0xF000 && (second & 0xD000) == 0xD000)
-      calls.push_back(pc - 4);
-    else if ((second & 0xFF87) == 0x4780)
-      calls.push_back(pc - 2);
-  };
-  add(cpu_.reg(Cpu::kLr));
-  for (std::uint32_t at = cpu_.reg(Cpu::kSp) & ~3u; at + 4 <= kRam + kRamBytes && calls.size() < kMostCalls;
-       at += 4)
-    add(cpu_.word(at));
-  return calls;
-}
-
 SourceLine Diagnosis::place(std::uint32_t pc) const {
   for (const SourceLine& frame : debug_.frames(pc))
     if (!is_core_file(frame.file)) return frame;
   return {};
 }
 
-SourceLine Diagnosis::place_of_calls() const {
-  for (const std::uint32_t call : open_calls()) {
+SourceLine Diagnosis::place_of(const std::vector<std::uint32_t>& calls) const {
+  for (const std::uint32_t call : calls) {
     const SourceLine where = place(call);
     if (!where.file.empty()) return where;
   }
@@ -56,7 +37,7 @@ SourceLine Diagnosis::place_of_calls() const {
 SourceLine Diagnosis::where_now() const {
   SourceLine where = place(cpu_.pc());
   if (where.file.empty() && cpu_.in_handler()) where = place(cpu_.interrupted_pc());
-  return where.file.empty() ? place_of_calls() : where;
+  return where.file.empty() ? place_of(machine_.open_calls()) : where;
 }
 
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
@@ -120,7 +101,7 @@ std::vector<SourceLine> Diagnosis::call_chain(std::uint32_t pc) const {
         chain.push_back(frame);
   };
   add(pc);
-  for (const std::uint32_t call : open_calls()) add(call);
+  for (const std::uint32_t call : machine_.open_calls()) add(call);
   return chain;
 }
 
@@ -140,7 +121,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
     for (const std::uint32_t pc : cpu_.last_jumps())
       if (crash.where.file.empty()) crash.where = place(pc);
   if (crash.where.file.empty() && cpu_.in_handler()) crash.where = place(cpu_.interrupted_pc());
-  if (crash.where.file.empty()) crash.where = place_of_calls();
+  if (crash.where.file.empty()) crash.where = place_of(machine_.open_calls());
   crash.calls = call_chain(is_jump(fault) ? cpu_.pc() : fault.pc);
   crash.registers = registers();
   return crash;

@@ -13,12 +13,12 @@ class Diagnosis {
 
   Crash crash(const Fault& fault) const;
   Activity activity() const;
+  SourceLine where_now() const;
+  /// The first of these calls that is the user's.
+  SourceLine place_of(const std::vector<std::uint32_t>& calls) const;
 
  private:
-  std::vector<std::uint32_t> open_calls() const;
   SourceLine place(std::uint32_t pc) const;
-  SourceLine place_of_calls() const;
-  SourceLine where_now() const;
   std::string access_text(const char* kind, std::uint32_t address) const;
   std::string jump_text(const Fault& fault) const;
   std::string reason(const Fault& fault) const;

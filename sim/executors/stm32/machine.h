@@ -1,10 +1,13 @@
 // The chip with everything around it that firmware can touch.
 #pragma once
 
+#include "sim/executors/chip/written_bytes.h"
 #include "sim/executors/executor.h"
 #include "sim/executors/stm32/cpu.h"
 
 namespace robosim::executors::stm32 {
+
+class DebugPort;
 
 class Machine {
  public:
@@ -15,24 +18,39 @@ class Machine {
   void run_until(SimTime t);
   /// millis() begins with `start` when main() begins.
   void set_clock(SimTime start);
+  /// What the firmware prints is told to `bytes`, which outlives this.
+  void trace_bytes(WrittenBytes& bytes);
   Resources resources() const;
+  /// The calls that are open: words on the stack that are the address behind a BL or BLX, innermost first.
+  std::vector<std::uint32_t> open_calls() const;
   /// The firmware sleeps, and nothing will ever wake it.
   bool is_off() const { return off_; }
 
+  /// Whom to ask before and after instructions run; may be null.
+  void set_debug_port(DebugPort* port);
+  /// A byte of the pages that hold the EEPROM.
+  std::uint8_t eeprom_byte(Address address) const {
+    return eeprom_pages_[address - robosim::stm32::kEepromFlash];
+  }
+
+  Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
   const Bus& bus() const { return bus_; }
   SimTime time_of(Cycle cycle) const { return bus_.link().clock.time_of(cycle); }
 
  private:
   void look_at_heap();
+  void write_called(WrittenBytes& bytes);
 
   const Firmware& firmware_;
   BoardState& board_;
+  const EepromPages& eeprom_pages_;
   Bus bus_;
   Cpu cpu_;
   std::uint32_t stack_top_;
   Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
   bool off_ = false;
+  DebugPort* debug_port_ = nullptr;
 };
 
 }  // namespace robosim::executors::stm32
