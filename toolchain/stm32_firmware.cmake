@@ -49,6 +49,7 @@ function(robosim_stm32_board board)
     F_CPU=${ROBOSIM_STM32_${board}}L ARDUINO=10819 ARDUINO_BLUEPILL_F103C8 ARDUINO_ARCH_STM32 STM32F103xB)
   target_compile_options(arduino-${board}-flags INTERFACE
     -Os -gdwarf-4 -gno-record-gcc-switches -ffunction-sections -fdata-sections -nostdinc
+    -fno-delete-null-pointer-checks
     "SHELL:-isystem ${hal}/arduino/libc" "SHELL:-isystem ${own_headers}" -Wno-builtin-declaration-mismatch
     $<$<COMPILE_LANGUAGE:C>:-std=gnu11>
     $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++14 -fpermissive -fno-exceptions -fno-rtti -fno-threadsafe-statics
@@ -56,7 +57,13 @@ function(robosim_stm32_board board)
   target_link_options(arduino-${board}-flags INTERFACE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--build-id=none "SHELL:-T ${hal}/stm32/stm32f103c8.ld")
 
-  file(GLOB sources CONFIGURE_DEPENDS ${hal}/stm32/*.cpp ${hal}/arduino/*.cpp ${ROBOSIM_STM32_STAGE}/*.cpp)
+  # The linker takes archives' members in their order: the same bytes as by `robosim build` (sim/sketch/toolchain.cpp).
+  set(sources)
+  foreach(folder ${hal}/stm32 ${hal}/arduino ${ROBOSIM_STM32_STAGE})
+    file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp)
+    list(SORT found)
+    list(APPEND sources ${found})
+  endforeach()
   add_library(arduino-${board} STATIC ${sources})
   target_link_libraries(arduino-${board} PUBLIC arduino-${board}-flags)
   target_compile_options(arduino-${board} PRIVATE -w)

@@ -16,12 +16,12 @@ using Address = uint32_t;
 // --- memory (RM0008 3.3)
 constexpr Address kFlash = 0x08000000, kRam = 0x20000000;
 constexpr uint32_t kFlashBytes = 64 * 1024, kRamBytes = 20 * 1024;
-constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased (PM0075 2.1)
+constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased (PM0075 1.2)
 /// The last pages of flash are no program memory here: they hold the emulated EEPROM (eeprom.h).
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
-/// A word that is one bit of a peripheral's register (RM0008 3.3.1; PM0056 2.2.5).
+/// A word that is one bit of a peripheral's register (RM0008 3.3.2; PM0056 2.2.5).
 constexpr Address bit_band(Address address, uint32_t bit) {
   return 0x42000000 + (address - 0x40000000) * 32 + bit * 4;
 }

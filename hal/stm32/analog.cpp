@@ -1,4 +1,4 @@
-// analogRead by ADC1 (RM0008 11), analogWrite by timers 1, 3 and 4 (14.3.9, 15.3.9).
+// analogRead by ADC1 (RM0008 11), analogWrite by timers 1, 3 and 4 (14.3.10, 15.3.9).
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"

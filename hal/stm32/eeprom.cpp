@@ -49,7 +49,7 @@ uint8_t read(Address bank, uint16_t address, uint32_t changes) {
 
 void await_flash() { at(kFlashSr).await(kFlashBusy, 0); }
 
-/// Flash can be changed while it lives (PM0075 3.1).
+/// Flash can be changed while it lives (PM0075 2.3.2).
 class Unlocked {
  public:
   Unlocked() {
@@ -60,7 +60,7 @@ class Unlocked {
   ~Unlocked() { at(kFlashCr) = kFlashLock; }
 };
 
-// PM0075 2.3.2
+// PM0075 2.3.3
 void program(Address address, uint16_t value) {
   at(kFlashCr) = kFlashPg;
   store_half(address, value);
@@ -68,7 +68,7 @@ void program(Address address, uint16_t value) {
   at(kFlashCr) = 0;
 }
 
-// PM0075 2.3.3
+// PM0075 2.3.4
 void erase_page(Address page) {
   at(kFlashCr) = kFlashPer;
   at(kFlashAr) = page;

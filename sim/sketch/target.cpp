@@ -146,7 +146,9 @@ const Target kStm32 = {
     .hal = "stm32",
     .boards = {{"bluepill", "stm32f103c8", ""}, {"bluepill8", "stm32f103c8", ""}},
     .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
-             "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc"},
+             "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc",
+             // Else a write through a null pointer is left out, with all that follows it.
+             "-fno-delete-null-pointer-checks"},
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-fno-use-cxa-atexit", "-nostdinc++", "-Wno-error=narrowing",
                  "-Wno-builtin-declaration-mismatch"},

@@ -83,6 +83,12 @@ inline void needs_target(const std::string& target) {
   if (!missing.empty()) GTEST_SKIP() << missing;
 }
 
+/// The robot with the target's board in the Uno's place.
+inline std::string with_board_of(const std::string& target, const std::string& robot) {
+  if (target != "stm32") return robot;
+  return robot == "pony" ? "bluepony" : "bluepill" + robot.substr(3);
+}
+
 /// How many seeds ROBOSIM_TEST_SEEDS asks for; 0 = it is not set.
 inline std::uint64_t seeds_asked_for() {
   const char* text = ::getenv("ROBOSIM_TEST_SEEDS");
@@ -99,14 +105,17 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
   return std::string(trial.param.target) + "_" + trial.param.map;
 }
 
-/// Every map on the host; on the chip, which takes hundreds of times as long, `quick` alone, unless
-/// ROBOSIM_TEST_SEEDS is set. In a slow build the first four maps on the host.
+/// Every map on the host; on the AVR, which takes hundreds of times as long, `quick` alone, and on the STM32,
+/// which takes thousands, the first alone, unless ROBOSIM_TEST_SEEDS is set. In a slow build the first four
+/// maps on the host.
 inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;
   const std::size_t hosts = kSlow ? std::min<std::size_t>(maps.size(), 4) : maps.size();
   for (std::size_t i = 0; i < hosts; ++i) all.push_back({"host", maps[i]});
   for (const char* map : maps)
     if (seeds_asked_for() > 0 || map == std::string(quick)) all.push_back({"avr", map});
+  for (const char* map : maps)
+    if (seeds_asked_for() > 0 || map == maps.front()) all.push_back({"stm32", map});
   return all;
 }
 

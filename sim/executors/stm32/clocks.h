@@ -1,6 +1,6 @@
 // RCC: where the clock comes from, and which peripherals have one (RM0008 7).
 //
-// Modelled: HSI (8 MHz), HSE (an 8 MHz crystal, as on a Blue Pill, there after 2 ms: DS5319 table 24), the
+// Modelled: HSI (8 MHz), HSE (an 8 MHz crystal, as on a Blue Pill, there after 2 ms: DS5319 table 22), the
 // PLL (locks within 200 us: table 27), AHB at SYSCLK, APB1 at up to 36 MHz, APB2 at AHB's frequency. Other
 // prescalers are refused, as not modelled.
 #pragma once

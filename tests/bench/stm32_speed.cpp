@@ -1,0 +1,48 @@
+// How many times faster than real time the emulated Blue Pill runs, on one core, at 8 and at 72 MHz. An
+// executable of its own: what links libunicorn (GPL-2) shall link no other emulator.
+
+#include <benchmark/benchmark.h>
+
+#include "sim/executors/stm32_executor.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/sketch/sketch.h"
+
+namespace robosim {
+namespace {
+
+constexpr SimTime kSimulated = 10 * kSecond;
+
+// The whole simulation: robot, world and judge too.
+void whole(benchmark::State& state, const char* board) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description robot = robot::parse_description(
+      std::string("base = \"bluepill5\"\nboard = \"") + board + "\"\n", "bench.toml");
+  sketch::Request request{sketch::find_sketch("PidFollower"), *robot.board};
+  request.target = "stm32";
+  const auto image = sketch::build(request).image;
+  for (auto _ : state) {
+    executors::Stm32Executor executor(*robot.board, image);
+    run::Setup setup;
+    setup.map = &map;
+    setup.robot = &robot;
+    setup.executor = &executor;
+    setup.goal = run::parse_goal("none");
+    setup.limit = kSimulated;
+    run::Listener nobody;
+    const run::Outcome outcome = run::simulate(setup, nobody);
+    if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+  }
+  const double seconds = 1e-9 * static_cast<double>(kSimulated) * static_cast<double>(state.iterations());
+  state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
+}
+
+BENCHMARK_CAPTURE(whole, at_8, "bluepill8")
+    ->Name("stm32/PidFollower on oval, 8 MHz")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole, at_72, "bluepill")
+    ->Name("stm32/PidFollower on oval, 72 MHz")
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace robosim
