@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "sim/base/error.h"
+#include "sim/cli/compare_arguments.h"
 #include "sim/cli/help_text.h"
 #include "sim/cli/names.h"
 #include "sim/cli/options.h"
@@ -16,9 +17,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",   "sweep", "play",  "classic", "build",
-                                         "flash", "map",   "robot", "test",    "new"};
-const std::vector<std::string> kLater{"compare"};
+const std::vector<std::string> kCommands{"run",   "sweep", "compare", "play", "classic", "build",
+                                         "flash", "map",   "robot",   "test", "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -265,6 +265,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
   if (first == "sweep") return parse_sweep(rest);
+  if (first == "compare") return parse_compare(rest);
   if (first == "play") return parse_play(rest);
   if (first == "classic") return parse_classic(rest);
   if (first == "build") return parse_build(rest);
@@ -273,10 +274,6 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);
-  if (std::find(kLater.begin(), kLater.end(), first) != kLater.end()) {
-    throw InputError(
-        fmt::format("the command {} is not in this version yet; there are {}", first, one_of(kCommands)));
-  }
   if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
   throw InputError(unknown_name("command", first, kCommands));
 }

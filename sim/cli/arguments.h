@@ -53,6 +53,18 @@ struct SweepArguments {
   bool json = false;
 };
 
+/// `robosim compare`
+struct CompareArguments {
+  std::string sketch;
+  std::string map;
+  std::string robot;
+  std::vector<std::string> targets;  ///< the others are held against the first
+  RunArguments each;                 ///< its sketch, map, robot, target and seed do not count
+  std::uint64_t first_seed = 1;
+  std::uint64_t last_seed = 1;
+  bool json = false;
+};
+
 /// `robosim build`
 struct BuildArguments {
   std::string sketch;
@@ -138,9 +150,9 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, SweepArguments, PlayArguments, ClassicArguments, BuildArguments,
-                             FlashArguments, MapArguments, GenerateArguments, RobotArguments, TestArguments,
-                             NewArguments, PrintText>;
+using Command = std::variant<RunArguments, SweepArguments, CompareArguments, PlayArguments, ClassicArguments,
+                             BuildArguments, FlashArguments, MapArguments, GenerateArguments, RobotArguments,
+                             TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

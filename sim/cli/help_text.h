@@ -20,6 +20,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
   sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?
+  compare [SKETCH]            the first thing that host, AVR and STM32 do differently
   play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
   classic MAP                 the robot on cells: walk, scan and find the way
   build [SKETCH]              compile a sketch as Arduino would, and say its size
@@ -36,7 +37,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
 SKETCH is a folder, an .ino file or the name of a sketch of ours; without it, the current folder. A name with / or . in
 it is a path.
 
-Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended or crashed · 2 usage, a bad file, or
+Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended, crashed, or a difference · 2 usage, a bad file, or
 a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
 )";
 

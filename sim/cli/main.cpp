@@ -7,6 +7,7 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/build_command.h"
 #include "sim/cli/classic_command.h"
+#include "sim/cli/compare_command.h"
 #include "sim/cli/flash_command.h"
 #include "sim/cli/interrupts.h"
 #include "sim/cli/map_command.h"
@@ -25,6 +26,7 @@ namespace {
 struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
   int operator()(const SweepArguments& arguments) const { return sweep_command(arguments); }
+  int operator()(const CompareArguments& arguments) const { return compare_command(arguments); }
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
   int operator()(const FlashArguments& arguments) const { return flash_command(arguments); }

@@ -19,35 +19,11 @@ namespace {
 constexpr std::uint64_t kMostJobs = 1024;
 constexpr std::uint64_t kMostSeeds = 1'000'000;
 
-// "17" or "1..100"
-void read_seeds(const std::string& text, SweepArguments& sweep) {
-  const std::size_t dots = text.find("..");
-  const std::string last = dots == std::string::npos ? text : text.substr(dots + 2);
-  sweep.first_seed = whole_number("--seeds", text.substr(0, dots), 0, kMostSeed);
-  sweep.last_seed = whole_number("--seeds", last, 0, kMostSeed);
-  if (sweep.last_seed < sweep.first_seed)
-    refuse_value("--seeds", text, "the first and the last seed, as in 1..100");
-  if (sweep.last_seed - sweep.first_seed >= kMostSeeds)
-    refuse_value("--seeds", text, fmt::format("{} seeds at most", kMostSeeds));
-}
-
 double rate(const std::string& text) {
   const auto value = parse_quantity(text, Dimension::ratio);
   if (!value || *value < 0.0 || *value > 1.0)
     refuse_value("--min-rate", text, "a share from 0 to 1, as in 0.99 or 99%");
   return *value;
-}
-
-// "host,avr" as well as "host avr"
-std::vector<std::string> split_at_commas(const std::vector<std::string>& words) {
-  std::vector<std::string> parts;
-  for (const std::string& word : words) {
-    for (std::size_t at = 0; at <= word.size();) {
-      parts.push_back(word.substr(at, word.find(',', at) - at));
-      at += parts.back().size() + 1;
-    }
-  }
-  return parts;
 }
 
 void refuse_repetition(const char* what, std::vector<std::string> names) {
@@ -80,6 +56,25 @@ void check_possible(const client::Demand& demand, std::uint64_t seeds) {
 
 }  // namespace
 
+void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last) {
+  const std::size_t dots = text.find("..");
+  first = whole_number("--seeds", text.substr(0, dots), 0, kMostSeed);
+  last = whole_number("--seeds", dots == std::string::npos ? text : text.substr(dots + 2), 0, kMostSeed);
+  if (last < first) refuse_value("--seeds", text, "the first and the last seed, as in 1..100");
+  if (last - first >= kMostSeeds) refuse_value("--seeds", text, fmt::format("{} seeds at most", kMostSeeds));
+}
+
+std::vector<std::string> split_at_commas(const std::vector<std::string>& words) {
+  std::vector<std::string> parts;
+  for (const std::string& word : words) {
+    for (std::size_t at = 0; at <= word.size();) {
+      parts.push_back(word.substr(at, word.find(',', at) - at));
+      at += parts.back().size() + 1;
+    }
+  }
+  return parts;
+}
+
 std::size_t number_of_jobs(const std::string& text) {
   if (text.empty()) return std::max(1u, std::thread::hardware_concurrency());
   return whole_number("--jobs", text, 1, kMostJobs);
@@ -96,7 +91,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
                       "folders, .ino files or names, before the options; default: the current folder");
   options.lists("--map", sweep.maps, "MAP...", "files, or names of sample maps");
   options.lists("--robot", sweep.robots, "ROBOT...", "files, or names of stock robots");
-  options.lists("--target", sweep.targets, "TARGET...", "host, avr or both (stm32 is to come)");
+  options.lists("--target", sweep.targets, "TARGET...", "host, avr, stm32");
   options.text("--seeds", seeds, "A..B", "first and last seed; default: 1..100");
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
   options.text("--csv", sweep.csv, "FILE", "a row for each run");
@@ -117,7 +112,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.flag("--sanitize", sweep.each.sanitize,
                "the sketch checks itself, as with run --sanitize (host only)");
   if (const auto help = options.parse(words)) return PrintText{*help};
-  if (!seeds.empty()) read_seeds(seeds, sweep);
+  if (!seeds.empty()) read_seeds(seeds, sweep.first_seed, sweep.last_seed);
   sweep.jobs = number_of_jobs(jobs);
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
   if (!duration.empty()) sweep.each.for_ns = simulated_time("--for", duration);

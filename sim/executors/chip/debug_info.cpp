@@ -87,7 +87,7 @@ SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
 bool is_core_file(const std::string& file) {
   return file.empty() || file[0] == '?' || file[0] == '<' || file.starts_with("arduino/") ||
          file.starts_with("robosim/") || file.find("/arduino/") != std::string::npos ||
-         file.starts_with("/usr/");
+         file.starts_with("/usr/") || file.starts_with("../");  // of newlib and libgcc
 }
 
 DebugInfo::DebugInfo(const std::filesystem::path& file)

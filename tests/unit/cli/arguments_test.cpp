@@ -147,7 +147,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refused{{"rnu"}, "there is no command “rnu”; did you mean run? There are run, "},
         Refused{{"--verson"}, "did you mean --version?"},
-        Refused{{"compare"}, "compare is not in this version yet"},
+        Refused{{"compare", "--target", "avr"}, "give two or more"},
+        Refused{{"compare", "--target", "avr,avr"}, "--target avr is given twice"},
+        Refused{{"compare", "--seed", "1", "--seeds", "1..2"}, "give one of them"},
         Refused{{"run", "--mapp", "x"}, "run has no option --mapp; did you mean --map?"},
         Refused{{"run", "--sed=3"}, "did you mean --seed?"},
         Refused{{"run", "-x"}, "run has no option -x; see"},

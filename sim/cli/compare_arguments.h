@@ -1,0 +1,14 @@
+// The command line of `robosim compare`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// `words` after "compare". Throws InputError.
+Command parse_compare(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

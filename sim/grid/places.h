@@ -1,0 +1,51 @@
+// At which landmark of a map a robot is: the nearest station or junction, measured along the line.
+//
+// A robot between two of them is at neither where it is nearly as far to the one as to the other: within 0.3
+// cells of the middle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+class Places {
+ public:
+  /// Stations and junctions that can be reached from `start`. The map must outlive this.
+  Places(const Map& map, const Start& start);
+
+  /// "station 3", "station dock", "junction 2"; empty if the point (world frame, m) is between two, or there
+  /// is no landmark.
+  std::string at(Vec2 point) const;
+  /// Cells between the point and the nearest piece of line, bends taken as square.
+  double cells_off(Vec2 point) const;
+
+ private:
+  static constexpr std::int32_t kNone = -1;
+  /// The two nearest landmarks of a cell, and how many cells it is to them along the line.
+  struct Near {
+    std::array<std::int32_t, 2> landmark{kNone, kNone};
+    std::array<std::int32_t, 2> cells{};
+  };
+
+  void spread(const std::vector<CellAt>& landmarks);
+  CellAt line_cell_near(Vec2 point) const;
+  /// A place on the line: between two cells, or on one, so far along (0..1).
+  struct OnLine {
+    CellAt cell{-1, -1};
+    CellAt next{-1, -1};
+    double along = 0.0;
+  };
+  OnLine nearest(Vec2 point) const;
+
+  const Map& map_;
+  std::vector<std::string> names_;
+  std::vector<Near> near_;
+};
+
+}  // namespace robosim::grid

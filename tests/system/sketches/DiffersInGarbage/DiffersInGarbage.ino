@@ -1,0 +1,19 @@
+// Prints what nobody has set: what the calls before have left on the stack, which lies elsewhere on each target.
+void __attribute__((noinline)) leaveNumbers() {
+  volatile int left[8];
+  for (int i = 0; i < 8; ++i) left[i] = 1000 * i;
+}
+
+void __attribute__((noinline)) printWhatIsThere() {
+  volatile int found[8];
+  Serial.println(found[3]);
+}
+
+void setup() {
+  Serial.begin(115200);
+  Serial.println("hello");
+  leaveNumbers();
+  printWhatIsThere();
+}
+
+void loop() { delay(10); }
