@@ -64,6 +64,8 @@ TEST_P(AiNavigator, RefusesAStationThatDoesNotExist) {
 
 TEST_P(AiNavigator, KnowsStationsByTheirNames) {
   scan();
+  robot().send("shelf\n");
+  ASSERT_TRUE(robot().run_until(serial_says("arrived at 3"), within(1_min)));
   robot().send("dock\n");
   ASSERT_TRUE(robot().run_until(serial_says("arrived at 2"), within(1_min)));
 }

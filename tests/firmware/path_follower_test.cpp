@@ -42,17 +42,6 @@ TEST_P(PathSketch, TurnsRoundWhereTheLineEnds) {
   EXPECT_LT(back.distance().mm, 1200.0) << "there is 0.6 m of line between them";
 }
 
-class PathSketchAfterSevenWeeks : public PathSketch {};
-
-INSTANTIATE_TEST_SUITE_P(On, PathSketchAfterSevenWeeks, Targets("avr"), Named());
-
-TEST_P(PathSketchAfterSevenWeeks, DrivesOnWhenItsClockWraps) {
-  Trial wraps = trial("RightPath", kTee);
-  wraps.clock_start = std::chrono::milliseconds((1LL << 32) - 2000);
-  Simulation robot(wraps);
-  EXPECT_THAT(robot.run_to_the_end(), VisitsInOrder({2, 3, 1}));
-}
-
 class PathSketchOnMapD : public testing::TestWithParam<std::uint64_t> {};
 
 INSTANTIATE_TEST_SUITE_P(Seed, PathSketchOnMapD, Seeds(1, 2), Named());

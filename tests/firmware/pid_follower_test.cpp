@@ -1,6 +1,9 @@
 // PidFollower: it follows a line fast, through bends and gaps, and never loses it.
 #include <robosim/testing.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace {
 
 using namespace robosim::testing;
@@ -37,6 +40,24 @@ TEST_P(PidFollower, ComesBackToTheLineAfterAFingerOnASensor) {
   robot().cover("S1", 100_ms);
   robot().run_for(1_s);
   EXPECT_THAT(robot().run_for(4_s), Follows(line(), within(25_mm)));
+}
+
+TEST_P(PidFollower, ComesBackToTheLineAfterItWasPushedOff) {
+  robot().run_for(1_s);
+  robot().act("fault left stuck for 400ms");
+  robot().run_for(100_ms);
+  for (const char* sensor : {"S1", "S2", "S3", "S4", "S5"})
+    robot().act("fault " + std::string(sensor) + " stuck 60 for 250ms");
+  robot().run_for(2_s);
+  EXPECT_THAT(robot().run_for(2_s), Follows(line(), within(25_mm)));
+}
+
+TEST_P(PidFollower, KeepsTheLineUnderItsMiddle) {
+  robot().run_for(500_ms);
+  std::vector<double> off;
+  for (const Moment& moment : robot().run_for(4_s).moments()) off.push_back(moment.cross_track.mm);
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() / 2], 4.0) << "mm, the median";
 }
 
 TEST_P(PidFollower, LeavesTheChipRoomAndComesRoundEveryTenMilliseconds) {

@@ -42,7 +42,7 @@ TEST_P(PonyNavigator, DrivesToTheStationThatTheRadioSays) {
   go_to(3);
   go_to(2);
   go_to(1);
-  EXPECT_THAT(robot(), NeverCollides());
+  EXPECT_THAT(robot(), AllOf(NeverCollides(), Not(SerialSays("refused"))));
 }
 
 TEST_P(PonyNavigator, ShowsWhereItIs) {

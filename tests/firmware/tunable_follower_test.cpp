@@ -33,13 +33,13 @@ class TunableFollower : public RobotTest, public testing::WithParamInterface<std
     ASSERT_TRUE(robot().run_until(serial_says(answer), within(500_ms))) << "to " << command;
   }
   /// What `status` says behind a word: "speed", "odometer", "battery".
-  int status(const std::string& word) {
+  long long status(const std::string& word) {
     robot().send("status\n");
     const Drive answer = robot().run_until(serial_says(" mV\r\n"), within(500_ms));
     std::smatch found;
     const std::string text = answer.serial();
     if (!answer || !std::regex_search(text, found, std::regex(word + " (\\d+)"))) return -1;
-    return std::stoi(found[1]);
+    return std::stoll(found[1]);
   }
 };
 
@@ -61,11 +61,28 @@ TEST_P(TunableFollower, FollowsTheLine) {
   EXPECT_GT(robot().so_far().distance().mm, 1500.0);
 }
 
+TEST_P(TunableFollower, FollowsTheLineAtFullSpeed) {
+  tell("speed 255", "ok");
+  tell("go", "driving");
+  EXPECT_THAT(robot().run_for(4_s), AllOf(Follows(line(), within(30_mm)), Not(SerialSays("stopped"))));
+}
+
 TEST_P(TunableFollower, StartsStraightEvenIfItHasStoodBesideTheLineForLong) {
   robot().cover("S5", 3_s);
   robot().run_for(3_s);
   tell("go", "driving");
   EXPECT_THAT(robot().run_for(1_s), Follows(line(), within(8_mm)));
+}
+
+TEST_P(TunableFollower, FollowsAtOnceWhenItIsPutDownAfterItWasHeldBesideTheLine) {
+  tell("go", "driving");
+  robot().run_for(500_ms);
+  robot().act("lift for 1500ms");
+  for (const char* sensor : {"S1", "S2", "S3", "S4"})
+    robot().act("fault " + std::string(sensor) + " stuck 60 for 1500ms");
+  robot().act("fault S5 stuck 1000 for 1500ms");
+  robot().run_for(1500_ms);
+  EXPECT_THAT(robot().run_for(2_s), AllOf(Follows(line(), within(25_mm)), Not(SerialSays("stopped"))));
 }
 
 TEST_P(TunableFollower, DrivesForTheTimeThatItIsTold) {

@@ -25,7 +25,8 @@ uint16_t edgesSoFar() {
   return so_far;
 }
 
-void drive(bool forward) {
+void drive(int8_t way) {
+  const bool forward = way > 0;
   digitalWrite(LEFT_1, forward ? HIGH : LOW);
   digitalWrite(LEFT_2, forward ? LOW : HIGH);
   digitalWrite(RIGHT_1, forward ? HIGH : LOW);
@@ -41,13 +42,14 @@ void brake() {
   digitalWrite(RIGHT_2, HIGH);
 }
 
-void leg(bool forward) {
+// Forward (1) or back (-1).
+void leg(int8_t way) {
   noInterrupts();
   edges = 0;
   turning = false;
   interrupts();
   const uint32_t start = micros();
-  drive(forward);
+  drive(way);
   while (!turning) {
   }
   const uint32_t started = micros() - start;
@@ -55,7 +57,7 @@ void leg(bool forward) {
   }
   brake();
   delay(300);
-  Serial.print(forward ? F("forward ") : F("back "));
+  Serial.print(way > 0 ? F("forward ") : F("back "));
   Serial.print(static_cast<uint32_t>(edgesSoFar()) * UM_PER_EDGE / 1000);
   Serial.print(F(" mm, the wheel started after "));
   Serial.print(started);
@@ -72,6 +74,6 @@ void setup() {
 }
 
 void loop() {
-  leg(true);
-  leg(false);
+  leg(1);
+  leg(-1);
 }
