@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tests/consumer/check.sh BUILD FOLDER: installs what was built in BUILD below FOLDER, and does there what a user does with
-# an installed Robosim: a new project, its checks, its test in C++, a project with tests of every kind.
+# an installed Robosim: a new project, its checks, its test in C++, a project with tests of every kind; a missing target.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -25,3 +25,10 @@ ctest --test-dir build --output-on-failure --no-tests=error
 
 # With the sources instead of a package CMake gives the same targets and functions. Built is this elsewhere.
 cmake -S "$here" -B sources -G Ninja "-DROBOSIM_SOURCE=$here/../.." "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
+
+# A target without its package: status 5, and the package's name.
+rm -f installed/libexec/robosim/robosim-avr
+status=0
+installed/bin/robosim run ./demo --target avr 2>missing.txt || status=$?
+cat missing.txt
+[[ $status == 5 ]] && grep -q 'apt install robosim-avr' missing.txt
