@@ -6,6 +6,9 @@ extern "C" {
 void* __dso_handle = nullptr;
 
 int __cxa_atexit(void (*)(void*), void*, void*) { return 0; }
+#ifdef __ARM_EABI__  // 32-bit ARM asks by this name
+int __aeabi_atexit(void*, void (*)(void*), void*) { return 0; }
+#endif
 
 int errno = 0;
 

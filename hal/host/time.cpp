@@ -54,8 +54,9 @@ void delay(unsigned long ms) {
   if (ms > 0) yield();
   if (!own_yield && micros_goes_on()) {
     const unsigned long elapsed = read_micros() - start;
-    if (elapsed < ms * 1000) {
-      const auto ticks = static_cast<int64_t>((ms * 1000 - elapsed) / kMicrosPerTick);
+    const uint64_t us = uint64_t{ms} * 1000;
+    if (elapsed < us) {
+      const auto ticks = static_cast<int64_t>((us - elapsed) / kMicrosPerTick);
       host::wait_until(host::timer0.ticks_from_now(ticks));
     }
     host::spend(cost::kDelayEnd);

@@ -34,6 +34,7 @@ struct Fault {
   const std::byte* address = nullptr;
   const std::byte* pc = nullptr;
   const std::byte* stack_pointer = nullptr;
+  const void* link = nullptr;  // where the innermost call returns to, if that is in a register
   bool known_write = false;
   bool known_read = false;
 };
@@ -52,9 +53,11 @@ Fault describe(int signal, const siginfo_t& info, const ucontext_t& context) {
 #elif defined(__aarch64__)
   fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.pc);
   fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.sp);
+  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.regs[30]);
 #elif defined(__arm__)
   fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_pc);
   fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_sp);
+  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.arm_lr);
 #endif
   return fault;
 }
@@ -260,6 +263,7 @@ class HostExecutor::Instance final : public host::Host {
   void report_fault() {
     const Fault& fault = fault_;
     std::vector<CodeAddress> addresses = {{fault.pc, false}};
+    if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
     add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
     addresses.push_back({state_.place, true});
     owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};

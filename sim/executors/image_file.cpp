@@ -78,6 +78,16 @@ int find_code(dl_phdr_info* info, std::size_t, void* argument) {
   return 1;
 }
 
+/// On 32-bit ARM the lowest bit of a code address says which instruction set is meant.
+std::uintptr_t without_mode(const void* pc) {
+  const auto address = reinterpret_cast<std::uintptr_t>(pc);
+#if defined(__arm__)
+  return address & ~std::uintptr_t{1};
+#else
+  return address;
+#endif
+}
+
 }  // namespace
 
 bool is_own_file(const std::string& file) {
@@ -159,7 +169,7 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
     // A call may be the last instruction of all: its return address is then behind the code.
-    const std::uintptr_t pc = reinterpret_cast<std::uintptr_t>(address.pc) - (address.is_return ? 1 : 0);
+    const std::uintptr_t pc = without_mode(address.pc) - (address.is_return ? 1 : 0);
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};

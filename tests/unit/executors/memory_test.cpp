@@ -53,7 +53,8 @@ TEST_F(MemoryTest, AnOverrunStopsAtTheHeapsEnd) {
       "1;\n}\nvoid loop() {}\n");
   run(kSecond);
   ASSERT_TRUE(host_->crash());
-  EXPECT_EQ(host_->crash()->reason, "write outside the heap");
+  // Only x86 tells a handler whether it was a write.
+  EXPECT_THAT(host_->crash()->reason, testing::AnyOf("write outside the heap", "access outside the heap"));
   EXPECT_EQ(host_->crash()->where.line, 4);
 }
 

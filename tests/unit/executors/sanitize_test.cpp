@@ -37,8 +37,8 @@ TEST_F(SanitizeTest, AnIndexOutsideOfAnArray) {
   expect_found("char a[3]; volatile int i = -1;", "a[i] = 1;",
                "index -1 is outside of the array, a char [3]: its first is 0 and its last 2");
   expect_found(
-      "volatile unsigned long i = 1234567890123;", "volatile byte a[2]; a[i] = 1;",
-      "index 1234567890123 is outside of the array, an unsigned char [2]: its first is 0 and its last 1");
+      "volatile unsigned long i = 1234567890;", "volatile byte a[2]; a[i] = 1;",
+      "index 1234567890 is outside of the array, an unsigned char [2]: its first is 0 and its last 1");
 }
 
 TEST_F(SanitizeTest, AnOverflowOfASignedNumber) {
@@ -48,8 +48,8 @@ TEST_F(SanitizeTest, AnOverflowOfASignedNumber) {
   expect_found("volatile int a = 65536;", "a = a * a;", "65536 * 65536" + ends);
   expect_found("volatile int a = -2147483648;", "a = -a;", "-(-2147483648)" + ends);
   expect_found("volatile int a = -2147483648, b = -1;", "a = a / b;", "-2147483648 / -1" + ends);
-  expect_found("volatile long a = 9223372036854775807;", "a++;",
-               "9223372036854775807 + 1 does not fit a long int, which holds -9223372036854775808 to "
+  expect_found("volatile long long a = 9223372036854775807;", "a++;",
+               "9223372036854775807 + 1 does not fit a long long int, which holds -9223372036854775808 to "
                "9223372036854775807 here");
 }
 

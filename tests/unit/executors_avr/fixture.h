@@ -75,10 +75,10 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     return serial_;
   }
   /// The lines of what was printed, as numbers.
-  std::vector<long> numbers() const {
-    std::vector<long> result;
+  std::vector<long long> numbers() const {
+    std::vector<long long> result;
     for (std::size_t at = 0, end = 0; (end = serial_.find("\r\n", at)) != std::string::npos; at = end + 2)
-      result.push_back(std::stol(serial_.substr(at, end - at)));
+      result.push_back(std::stoll(serial_.substr(at, end - at)));
     return result;
   }
   /// When `pin` changed, its becoming an output included.
