@@ -97,6 +97,7 @@ std::string keep(const History& history, const Stage& stage, const std::string& 
     request.script = script;
     request.for_ns = until_ns;
     request.pins = request.io = true;
+    request.counters.clear();
     const BoardSpec* board = find_board(stage.robot.board.name.c_str());
     view::CsvRecord table(folder / "run.csv");
     view::VcdRecord waves(folder / "run.vcd", *board);

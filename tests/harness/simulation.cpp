@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/client/driven_run.h"
 #include "tests/harness/artifacts.h"
+#include "tests/harness/coverage.h"
 #include "tests/harness/history.h"
 #include "tests/harness/rehearsal.h"
 #include "tests/harness/reports.h"
@@ -301,6 +302,9 @@ Simulation::~Simulation() {
           << "the run failed by itself, which no expectation looked at\n  " << so_far().title()
           << so_far().epilogue(now());
     }
+    if (in_->stage.counted)
+      keep_coverage(coverage_folder(trial_.target), in_->stage.request.counters, in_->stage.counted->request,
+                    in_->stage.counted->image, replay_command() + "\n" + in_->run->script());
     if (!is_rehearsal()) record_figures(history, result);
     if (::testing::Test::HasFailure() && !history.artifacts.empty()) {
       const std::string problem = keep(history, in_->stage, in_->run->script(), *in_->runner);

@@ -13,6 +13,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/true_graph.h"
 #include "sim/sketch/sketch.h"
+#include "tests/harness/coverage.h"
 
 namespace robosim::testing {
 namespace fs = std::filesystem;
@@ -75,8 +76,8 @@ void choose_robot(const Trial& trial, const fs::path& folder, Stage& stage) {
 }
 
 /// Sketches are compiled once a process; after that even the cache on the disk is not asked.
-std::string image_of(const Trial& trial, const fs::path& sketch, const std::string& board) {
-  static std::map<std::string, std::string> built;
+const Built& built_for(const Trial& trial, const fs::path& sketch, const std::string& board) {
+  static std::map<std::string, Built> built;
   std::string key = fmt::format("{}\n{}\n{}", sketch.string(), board, trial.target);
   for (const std::string& folder : trial.libraries) key += "\n" + folder;
   const auto known = built.find(key);
@@ -85,7 +86,8 @@ std::string image_of(const Trial& trial, const fs::path& sketch, const std::stri
   if (!spec) throw InputError("the robot's board is unknown: " + board);
   sketch::Request request{sketch, *spec, trial.target, {}, sketch::Warnings::standard};
   for (const std::string& folder : trial.libraries) request.libraries.emplace_back(folder);
-  return built[key] = sketch::build(request).image.string();
+  request.coverage = !coverage_folder(trial.target).empty();
+  return built.emplace(key, Built{request, sketch::build(request)}).first->second;
 }
 
 }  // namespace
@@ -130,7 +132,16 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   stage.robot = runner.describe_robot(stage.robot_name);
 
   client::RunRequest& request = stage.request;
-  request.image = is_elf(trial.sketch) ? trial.sketch : image_of(trial, sketch, stage.robot.board.name);
+  if (is_elf(trial.sketch)) {
+    request.image = trial.sketch;
+  } else {
+    const Built& built = built_for(trial, sketch, stage.robot.board.name);
+    request.image = built.image.image.string();
+    if (built.request.coverage) {
+      stage.counted = &built;
+      request.counters = new_counter_file(coverage_folder(trial.target));
+    }
+  }
   request.start = trial.start;
   request.goal = trial.goal;
   request.for_ns = trial.limit.count();

@@ -8,6 +8,7 @@
 
 #include "robosim/testing/simulation.h"
 #include "sim/client/runner.h"
+#include "sim/sketch/sketch.h"
 
 namespace robosim::testing {
 
@@ -29,13 +30,20 @@ class Borrowed {
   bool sound_ = true;
 };
 
+/// A sketch as it was compiled.
+struct Built {
+  sketch::Request request;
+  sketch::Image image;
+};
+
 /// What a Trial means.
 struct Stage {
   client::RunRequest request;
   client::RobotInfo robot;
   std::string sketch, map, robot_name, target;  ///< as the robosim command takes them
   std::vector<std::string> libraries;
-  std::string sketch_title;  ///< for messages: "PidFollower"
+  std::string sketch_title;        ///< for messages: "PidFollower"
+  const Built* counted = nullptr;  ///< whose lines are counted, if they are; request.counters is set then
   bool map_is_text = false, robot_is_text = false;
   std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
 };

@@ -126,6 +126,17 @@ TEST_F(FailedTests, AreOneTableThoughEachHasAProcess) {
                   "\\| `TooFast[^\n]*\\|\n\\| `Forgetful[^\n]*\\|\n"));
 }
 
+TEST_F(FailedTests, CountTheLinesThatTheyHaveRunWhereCoverageIsAskedFor) {
+  run("ROBOSIM_ARTIFACTS=none ROBOSIM_COVERAGE=" + path("coverage") +
+          " " FAILING_TESTS " --gtest_filter=TooFast.*:Forgetful.*",
+      "covered.txt");
+  const std::string info = text("coverage/coverage.info");
+  EXPECT_THAT(info, AllOf(HasSubstr("/TooFast.ino\n"), HasSubstr("/Forgetful.ino\n")));
+  EXPECT_THAT(info, HasSubstr("DA:16,")) << "speedOn() of Forgetful";
+  for (const auto& entry : fs::directory_iterator(path("coverage")))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".counters"))) << "it is left behind";
+}
+
 TEST_F(FailedTests, AreTheExamplesOfTheGuide) {
   const std::string guide = read_file(TESTING_GUIDE);
   // Each line of an example is one of the output, but for places of files, and figures, which another
