@@ -5,6 +5,8 @@
 
 #include <exception>
 
+#include "tests/harness/history.h"
+
 namespace robosim::testing {
 namespace {
 
@@ -42,6 +44,10 @@ void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&
   const ::testing::ScopedTrace trace(file, line, why);
   try {
     Simulation robot(trial);
+    const std::string kept = robot.so_far().history().artifacts;
+    const ::testing::ScopedTrace where(
+        file, line,
+        kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");
     body(robot);
   } catch (const std::exception& problem) {
     ADD_FAILURE_AT(file, line) << problem.what();

@@ -27,7 +27,7 @@ namespace robosim::testing {
 struct Networks {
   int lines = 10;     ///< straight pieces of line, each `apart` or apart + 1 cells long
   int apart = 3;      ///< cells (of 100 mm) between landmarks: stations, junctions, bends; and between lines
-                      ///< that do not meet, and to the edge
+                      ///< that do not meet; 2 at least
   int most_ways = 4;  ///< of a junction; 3: no crossings
   int cycles = 0;     ///< lines beyond those of a tree
   int obstacles = 0;  ///< that stand on lines

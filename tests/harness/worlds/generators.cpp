@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "robosim/random_worlds.h"
+#include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "tests/harness/stage.h"
 #include "tests/harness/worlds/fault_plan.h"
@@ -35,11 +36,17 @@ int share(int most, int size) {
   return std::max(1, most * std::min(size, rc::kNominalSize) / rc::kNominalSize);
 }
 
+void check_apart(int cells) {
+  if (cells < 2)
+    throw InputError(fmt::format("lines {} cell apart would touch; 2 are needed at least", cells));
+}
+
 client::RobotInfo described(const std::string& robot) { return Borrowed("host")->describe_robot(robot); }
 
 }  // namespace
 
 rc::Gen<std::string> networks(Networks limits) {
+  check_apart(limits.apart);
   const auto draw = [limits](const Die& die, int size) {
     return grow(
         {1 + die(share(limits.lines, size)), limits.apart, limits.most_ways, limits.cycles, limits.obstacles},
@@ -51,6 +58,7 @@ rc::Gen<std::string> networks(Networks limits) {
 rc::Gen<std::string> trees(int lines) { return networks({.lines = lines}); }
 
 rc::Gen<std::string> tracks(Tracks limits) {
+  check_apart(limits.apart);
   const std::string front = fmt::format(
       "+++\ncell = \"{:g} mm\"\ncorner = \"{:g} mm\"\ngoal = \"laps:1\"\n[legend]\n3 = \"gap\"\n+++\n",
       limits.cell_mm, limits.corner_mm);

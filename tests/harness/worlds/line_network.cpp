@@ -214,13 +214,13 @@ std::vector<LineNetwork> LineNetwork::smaller() const {
 }
 
 int LineNetwork::column_of(int x) const {
-  return std::accumulate(columns.begin(), columns.begin() + x, apart);
+  return std::accumulate(columns.begin(), columns.begin() + x, margin());
 }
-int LineNetwork::row_of(int y) const { return std::accumulate(rows.begin(), rows.begin() + y, apart); }
+int LineNetwork::row_of(int y) const { return std::accumulate(rows.begin(), rows.begin() + y, margin()); }
 
 std::vector<std::string> LineNetwork::cells() const {
-  const int width = column_of(static_cast<int>(columns.size())) + apart + 1;
-  const int height = row_of(static_cast<int>(rows.size())) + apart + 1;
+  const int width = column_of(static_cast<int>(columns.size())) + margin() + 1;
+  const int height = row_of(static_cast<int>(rows.size())) + margin() + 1;
   std::vector<std::string> cells(static_cast<std::size_t>(height),
                                  std::string(static_cast<std::size_t>(width), '_'));
   for (const Piece& piece : pieces)

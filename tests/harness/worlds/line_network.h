@@ -1,6 +1,7 @@
 // A network of lines on a lattice: what random maps are made of, and shrunk by.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Piece {
 };
 
 struct LineNetwork {
-  int apart = 3;              ///< cells: the least distance of two knots, and of lines from the map's edge
+  int apart = 3;              ///< cells: the least distance of two knots; 2 at least, or lines would touch
   int most_ways = 4;          ///< of a knot
   std::vector<Piece> pieces;  ///< in order
   std::vector<int> columns, rows;  ///< cells from a lattice column, or row, to the next
@@ -41,6 +42,8 @@ struct LineNetwork {
   /// Networks that are a step smaller, sound ones only; the smallest come first. Ends after finitely many
   /// steps.
   std::vector<LineNetwork> smaller() const;
+  /// Cells from lines to the map's edge: what a robot needs to turn round.
+  int margin() const { return std::max(apart, 3); }
   /// The column, or row, of the map's cell at a knot.
   int column_of(int x) const;
   int row_of(int y) const;

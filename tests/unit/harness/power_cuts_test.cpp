@@ -56,6 +56,7 @@ TEST(AtEveryPowerCut, EndsWithTheFirstRunThatFailsAndNamesTheWrite) {
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_THAT(failures[0],
               HasSubstr("this was with a power cut during write 1 to the EEPROM, its byte left new"));
+  EXPECT_THAT(failures[0], HasSubstr(", with the command that replays it"));
   EXPECT_EQ(runs, 1 + 3 + 1) << "the failing one is run again for all to see";
 }
 

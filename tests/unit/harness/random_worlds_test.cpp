@@ -226,7 +226,8 @@ TEST(InRandomWorlds, FailsOnceAndTellsTheSmallestWorld) {
   EXPECT_EQ(area(messages[0].substr(messages[0].find("map:"))), 10) << messages[0];
   EXPECT_THAT(messages[0], HasSubstr("seed: 1\n"));
   EXPECT_EQ(messages[0].find("script:"), std::string::npos) << "no fault is needed";
-  EXPECT_EQ(caught_failures(search), messages) << "again";
+  const std::string again = caught_failures(search).at(0);
+  EXPECT_EQ(again.substr(again.find("world ")), messages[0].substr(messages[0].find("world ")));
 }
 
 TEST(InRandomWorlds, FailsWhereTheBodyThrows) {
