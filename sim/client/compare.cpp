@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kStream = 20;  // a text that comes more often is a stream
 constexpr std::int64_t kSecond_ns = 1'000'000'000, kNear_ns = kSecond_ns;
 constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // manoeuvres
-constexpr double kSpeed = 0.25;                                          // of the full command
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
+constexpr double kSpeed = 0.25;                    // of the full command
 constexpr std::size_t kLongestName = 60;
 
 /// A mark, and its number among all lines.
@@ -28,11 +29,32 @@ std::string quoted(const std::string& text) {
   return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
 }
 
+std::string came_to(const Mark& place) {
+  return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
+}
+
 std::string seconds(std::int64_t ns) {
   const std::int64_t ms = (ns + 500'000) / 1'000'000;
   std::string text = std::to_string(ms / 1000) + ".";
   const std::string rest = std::to_string(ms % 1000);
   return text + std::string(3 - rest.size(), '0') + rest + " s";
+}
+
+/// What there was before both had lost the line.
+History up_to(std::int64_t until, History history) {
+  const auto later = [&](const Mark& mark) { return mark.t_ns > until; };
+  std::erase_if(history.places, later);
+  std::erase_if(history.lines, later);
+  std::erase_if(history.stretches, [&](const Stretch& stretch) { return stretch.from_ns > until; });
+  for (Stretch& stretch : history.stretches) stretch.to_ns = std::min(stretch.to_ns, until);
+  history.lost_ns = until;
+  return history;
+}
+
+/// How a run ends that has lost the line, one way or the other.
+bool is_astray(const History& history) {
+  return history.lost_ns &&
+         (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
 }
 
 /// From one side's time to the other's: common events, and between them evenly.
@@ -167,8 +189,7 @@ class Comparer {
       const std::array<std::int64_t, 2> t{a[i].t_ns, b[i].t_ns};
       const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the beginning of the way";
       if (a[i].text != b[i].text)
-        return report(
-            {Difference::Kind::place, from, t, {"comes to " + a[i].text, "comes to " + b[i].text}, "", {}});
+        return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}});
       if (i > 0 && !same_time(t, before, a[i].text + ", " + from, {})) return;
       clocks_.add(t[0], t[1]);
       before = t;
@@ -182,7 +203,7 @@ class Comparer {
                    {},
                    "",
                    {}};
-      d.sides[first ? 0 : 1] = "comes to " + longer[at].text;
+      d.sides[first ? 0 : 1] = came_to(longer[at]);
       d.sides[first ? 1 : 0] = "comes to no other place";
       return d;
     });
@@ -383,7 +404,7 @@ class Comparer {
   void compare_verdicts() {
     const History& a = *sides_[0];
     const History& b = *sides_[1];
-    if (a.verdict == b.verdict) return;
+    if (a.verdict == b.verdict || (is_astray(a) && is_astray(b))) return;
     const auto text = [](const History& h) { return h.verdict + ": " + h.why; };
     const bool first = a.end_ns <= b.end_ns;
     const std::array<std::int64_t, 2> t{first ? a.end_ns : clocks_.to_a(b.end_ns),
@@ -402,7 +423,10 @@ class Comparer {
 }  // namespace
 
 Comparison compare(const History& a, const History& b, const Tolerance& tolerance) {
-  return Comparer(a, b, tolerance).compare();
+  if (!a.lost_ns || !b.lost_ns) return Comparer(a, b, tolerance).compare();
+  const std::int64_t until = std::min(*a.lost_ns, *b.lost_ns) - kSlipping_ns;
+  const History first = up_to(until, a), second = up_to(until, b);
+  return Comparer(first, second, tolerance).compare();
 }
 
 const char* name_of(Difference::Kind kind) {

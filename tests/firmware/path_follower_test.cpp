@@ -16,7 +16,7 @@ class PathSketch : public testing::TestWithParam<std::string> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, PathSketch, Targets("host", "avr"), Named());
+INSTANTIATE_TEST_SUITE_P(On, PathSketch, Targets("host", "avr", "stm32"), Named());
 
 TEST_P(PathSketch, RightPathTakesTheRightBranchFirst) {
   Simulation robot(trial("RightPath", kTee));

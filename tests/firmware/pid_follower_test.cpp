@@ -20,7 +20,7 @@ class PidFollower : public RobotTest, public testing::WithParamInterface<std::st
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, PidFollower, Targets("host", "avr"), Named());
+INSTANTIATE_TEST_SUITE_P(On, PidFollower, Targets("host", "avr", "stm32"), Named());
 
 TEST_P(PidFollower, StartsAtOnce) {
   ASSERT_TRUE(robot().run_until(motors_start(), within(50_ms)));

@@ -166,7 +166,13 @@ TEST(Compare, WhatARobotDoesOffTheLineDoesNotCount) {
   a.lost_ns = b.lost_ns = 4 * kS;
   b.end_ns = 25 * kS;
   EXPECT_EQ(kind(a, b), std::nullopt);
+  b.places.back().t_ns = *b.lost_ns = 9 * kS;
+  b.places.insert(b.places.begin() + 1, {6 * kS, "junction 1"});
+  EXPECT_EQ(kind(a, b), std::nullopt) << "nor does which of them keeps to it for longer";
+  a.verdict = "lost";
   b.verdict = "stuck";
+  EXPECT_EQ(kind(a, b), std::nullopt);
+  b.verdict = "crashed";
   EXPECT_EQ(kind(a, b), Kind::verdict);
   b = places({{0, "station 1"}});
   EXPECT_EQ(kind(a, b), Kind::place) << "one of them leaves the line";
