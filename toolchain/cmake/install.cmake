@@ -64,6 +64,12 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(libraries "")
+if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps knows this machine's libraries only
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
+  set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${ROBOSIM_PI_ARCHITECTURE})
+  set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), zlib1g")
+endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 
@@ -72,15 +78,15 @@ set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")
-set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr")
+set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr${libraries}")
 set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev")  # for tests in C++
 set(CPACK_DEBIAN_HOST_PACKAGE_SUGGESTS "robosim-avr, robosim-stm32, avrdude")
 set(CPACK_DEBIAN_AVR_PACKAGE_NAME robosim-avr)
 set(CPACK_DEBIAN_AVR_DESCRIPTION "Robosim's target avr
  Runs the very image that is flashed to an Arduino Uno or Nano, in an emulator, on Robosim's simulated robots.")
-set(CPACK_DEBIAN_AVR_PACKAGE_DEPENDS "robosim (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_AVR_PACKAGE_DEPENDS "robosim (= ${PROJECT_VERSION})${libraries}")
 set(CPACK_DEBIAN_STM32_PACKAGE_NAME robosim-stm32)
 set(CPACK_DEBIAN_STM32_DESCRIPTION "Robosim's target stm32
  Compiles sketches for the STM32F103 \"Blue Pill\" and runs the image in an emulator, on Robosim's simulated robots.")
-set(CPACK_DEBIAN_STM32_PACKAGE_DEPENDS "robosim (= ${PROJECT_VERSION}), gcc-arm-none-eabi, libnewlib-arm-none-eabi")
+set(CPACK_DEBIAN_STM32_PACKAGE_DEPENDS "robosim (= ${PROJECT_VERSION}), gcc-arm-none-eabi, libnewlib-arm-none-eabi${libraries}")
 include(CPack)
