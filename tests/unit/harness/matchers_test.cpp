@@ -55,6 +55,42 @@ TEST(NeverDrives, LooksAtTheDriveAlone) {
   EXPECT_THAT(robot.run_for(300_ms), NeverDrives(at_all()));
 }
 
+TEST(StopsWithin, DoesNotHoldOfARobotThatGoesOn) {
+  Simulation robot(pid_on_oval());
+  const Drive drive = robot.run_for(1_s);
+  EXPECT_THAT(drive, Not(StopsWithin(mm(1e6))));
+}
+
+TEST(NeverCollides, TellsWhenAndWhereItDid) {
+  Trial trial = pid_on_oval();
+  trial.script = "at 0s obstacle 14,14";
+  Simulation robot(trial);
+  const Drive drive = robot.run_for(3_s);
+  EXPECT_GT(drive.collisions(), 0);
+  EXPECT_THAT(drive, Not(NeverCollides()));
+  EXPECT_THAT(explanation(NeverCollides(), drive),
+              HasSubstr("it met a wall, an obstacle or the map's edge, at column 1"));
+}
+
+TEST(EndsAs, DoesNotHoldWhileTheRunGoesOn) {
+  Simulation robot(pid_on_oval());
+  EXPECT_THAT(robot.run_for(100_ms), Not(EndsAs("lost")));
+}
+
+/// Two junctions that three lines join; `twisted`: two of them cross.
+Graph three_lines(bool twisted) {
+  const auto arms_to = [&](int node) {
+    return std::vector<Graph::End>{{node, 0}, {node, twisted ? 1 : 2}, {node, twisted ? 2 : 1}};
+  };
+  return {{{arms_to(1)}, {arms_to(0)}}};
+}
+
+TEST(Graphs, DifferIfTheirLinesComeInByOtherArms) {
+  EXPECT_THAT(difference(three_lines(false), three_lines(true)),
+              HasSubstr("its lines join them in another way"));
+  EXPECT_THAT(three_lines(false), IsTheSameGraphAs(three_lines(false)));
+}
+
 TEST(Stations, AreThoseItCameToInTheirOrder) {
   Simulation robot({.sketch = "RightPath", .map = "a", .robot = "uno3", .goal = "tour"});
   EXPECT_EQ(robot.station(), "1");
@@ -81,6 +117,9 @@ TEST(SerialEvents, ReadOnAndLookBehindTheLastDeed) {
   const Drive answer = robot.run_until(serial_says("I will scan"), within(100_ms));
   EXPECT_TRUE(answer);
   EXPECT_THAT(answer, Not(SerialSays("ready")));
+  robot.send("1\n");
+  ASSERT_TRUE(robot.run_until(serial_matches("I will scan"), within(100_ms)));
+  EXPECT_FALSE(robot.run_until(serial_matches("I will scan"), within(10_ms))) << "that line was read";
 }
 
 TEST(Events, AreWhicheverComesFirst) {
@@ -143,6 +182,12 @@ TEST(Resources, AreMeasuredOnTheChip) {
   Simulation robot(trial);
   robot.run_for(300_ms);
   EXPECT_THAT(robot, UsesAtMost(ram(2000), stack(1000), flash(30000), loop_time(20_ms)));
+  const Usage used = *robot.so_far().usage();
+  EXPECT_NE(used.stack_bytes, used.ram_bytes);
+  EXPECT_THAT(robot, UsesAtMost(ram(used.ram_bytes), stack(used.stack_bytes), flash(used.flash_bytes)));
+  EXPECT_THAT(robot, Not(UsesAtMost(stack(used.stack_bytes - 1))));
+  EXPECT_THAT(robot, Not(UsesAtMost(ram(used.ram_bytes - 1))));
+  EXPECT_THAT(robot, Not(UsesAtMost(flash(used.flash_bytes - 1))));
   EXPECT_THAT(explanation(UsesAtMost(stack(1), loop_time(20_ms)), robot.so_far()),
               HasSubstr("bytes of stack"));
 }

@@ -206,6 +206,31 @@ TEST(RandomFaults, KeepTheOneThatMattersAsMildAsItMayBe) {
               MatchesRegex("at 0ms fault clock drift -?500ppm\n"));
 }
 
+TEST(Trials, TakeMapRobotScriptAndSeedByChance) {
+  const Worlds worlds{.trial = {.sketch = "PidFollower", .goal = "tour", .script = "at 1s press start"},
+                      .maps = trees(),
+                      .robots = robots("uno5"),
+                      .scripts = faults("uno5", {.at_most = 3}),
+                      .seeds = 50};
+  std::set<std::string> maps, robots, scripts;
+  std::set<std::uint64_t> seeds;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Trial trial = draw(trials(worlds), seed).value();
+    EXPECT_EQ(trial.goal, "tour");
+    EXPECT_THAT(trial.script, ::testing::StartsWith("at 1s press start\n"));
+    EXPECT_TRUE(trial.seed >= 1 && trial.seed <= 50) << trial.seed;
+    maps.insert(trial.map);
+    robots.insert(trial.robot);
+    scripts.insert(trial.script);
+    seeds.insert(trial.seed);
+  }
+  for (const std::size_t different : {maps.size(), robots.size(), scripts.size(), seeds.size()})
+    EXPECT_GT(different, 8u);
+  const Trial same = draw(trials({.trial = worlds.trial, .seeds = 1}), 1).value();
+  EXPECT_EQ(same.seed, worlds.trial.seed);
+  EXPECT_EQ(same.map + same.robot, "");
+}
+
 Worlds pid_in_trees() { return {.trial = {.sketch = "PidFollower"}, .maps = trees(8)}; }
 
 TEST(InRandomWorlds, TriesSoManyWorldsAndNoTwoAlike) {
