@@ -1,0 +1,31 @@
+// A bug of the museum: a patch for our own firmware, and what is said about it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace robosim::museum {
+
+/// A file of bugs/. Above the unified diff stand one or two sentences, an empty line, and these:
+///
+///   Kind: units                     what sort of mistake it is
+///   Tests: PidFollower              suites whose names have one of these words in them are run first
+///   Survives: nobody can notice it  only if no test finds it: why
+struct Bug {
+  std::string name;  ///< the file's, without ".patch"
+  std::filesystem::path patch;
+  std::string story;  ///< the sentences, on one line
+  std::string kind;
+  std::vector<std::string> tests;
+  std::string survives;
+  std::vector<std::string> files;  ///< that the patch changes, relative to the source tree
+
+  /// Only one sketch has the bug, so that no other suites need to be run.
+  bool in_one_sketch() const;
+};
+
+/// All of a folder, by kind and name. Throws InputError for a file that does not say what it must.
+std::vector<Bug> read_bugs(const std::filesystem::path& folder);
+
+}  // namespace robosim::museum

@@ -1,0 +1,219 @@
+// robosim_museum: which bugs does the suite of tests/firmware find? docs/museum.md has what it says.
+//
+//   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
+//                                    firmware, and runs the suite against it. First the suite must pass.
+//   --docs FILE                      writes the table into this page, too
+//   --jobs N                         so many bugs at a time; default: one for each core
+//   --check BUG...                   what CI does, in seconds: all patches apply, the page docs/museum.md has
+//                                    them all, and these bugs are caught
+//
+// Where the host does not find a bug, the chips are asked. Status 1: a bug was not caught though its patch
+// does not say “Survives:”, or was caught though it does, or could not be tried.
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "tests/museum/stage.h"
+#include "tests/museum/table.h"
+
+namespace {
+
+using namespace robosim;
+using namespace robosim::museum;
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kTargets = {"host", "avr", "stm32"};
+
+struct Arguments {
+  std::vector<std::string> bugs;
+  std::string docs;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  bool check = false;
+};
+
+void say(const std::string& line) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  std::cerr << line << std::endl;
+}
+
+Arguments read_arguments(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&] {
+      if (i + 1 == argc) throw InputError(word + " needs a value");
+      return std::string(argv[++i]);
+    };
+    if (word == "--check") {
+      arguments.check = true;
+    } else if (word == "--docs") {
+      arguments.docs = value();
+    } else if (word == "--jobs") {
+      arguments.jobs = static_cast<unsigned>(std::max(1, std::atoi(value().c_str())));
+    } else if (word.starts_with("-")) {
+      throw InputError(word + " is unknown; there are --docs FILE, --jobs N, --check and names of bugs");
+    } else {
+      arguments.bugs.push_back(word);
+    }
+  }
+  return arguments;
+}
+
+std::vector<const Bug*> chosen(const std::vector<Bug>& all, const Arguments& arguments) {
+  std::vector<const Bug*> bugs;
+  if (arguments.bugs.empty() && !arguments.check)
+    for (const Bug& bug : all) bugs.push_back(&bug);
+  for (const std::string& name : arguments.bugs) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Bug& bug) { return bug.name == name; });
+    if (found == all.end()) throw InputError("there is no bug " + name + " in " + ROBOSIM_MUSEUM_BUGS);
+    bugs.push_back(&*found);
+  }
+  return bugs;
+}
+
+/// Calls `task(stage, i)` for each i below `count`, several at a time.
+template <typename Task>
+void for_each(std::size_t count, std::vector<Stage>& stages, Task task) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::future<void>> workers;
+  for (Stage& stage : stages)
+    workers.push_back(std::async(std::launch::async, [&] {
+      for (std::size_t i; (i = next++) < count;) task(stage, i);
+    }));
+  for (std::future<void>& worker : workers) worker.get();
+}
+
+/// The suite on the firmware as it is. Gives the targets that can be asked.
+std::vector<std::string> run_baseline(std::vector<Stage>& stages) {
+  std::vector<TestRun> runs(kTargets.size());
+  for_each(runs.size(), stages, [&](Stage& stage, std::size_t i) {
+    runs[i] = stage.test({kTargets[i], {}});
+    say(fmt::format("without a bug, {}: {} tests passed, {} skipped{}", kTargets[i], runs[i].passed,
+                    runs[i].skipped, runs[i].failed.empty() ? "" : ", failed: " + runs[i].failed));
+  });
+  std::vector<std::string> targets;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].failed.empty())
+      throw InputError("without any bug " + runs[i].failed + " fails on " + kTargets[i] +
+                       ", so that a table would mean nothing:\n" + runs[i].message);
+    if (runs[i].passed > 0) targets.push_back(kTargets[i]);
+  }
+  return targets;
+}
+
+/// The first test that fails: of the suites that the bug names, then of all others that it may touch.
+std::string first_failure(const Stage& stage, const Bug& bug, const std::string& target) {
+  std::string failed = stage.test({target, bug.tests}).failed;
+  if (failed.empty() && !bug.in_one_sketch()) failed = stage.test({target, bug.tests, true}).failed;
+  return failed;
+}
+
+/// On the host, and if that does not find it, on all chips; or on the chips until one has found it.
+Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& targets, bool one_is_enough) {
+  Result result{&bug, {}, 0.0, ""};
+  try {
+    stage.restore();
+    stage.spoil(bug);
+    const auto start = std::chrono::steady_clock::now();
+    for (const std::string& target : targets) {
+      const std::string failed = first_failure(stage, bug, target);
+      if (!failed.empty()) result.catches.push_back({target, failed});
+      if (result.on_host() || (one_is_enough && result.caught())) break;
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  } catch (const std::exception& problem) {
+    result.trouble = problem.what();
+  }
+  return result;
+}
+
+bool is_as_told(const Result& result) {
+  return result.trouble.empty() && result.caught() == result.bug->survives.empty();
+}
+
+std::string line_of(const Result& result) {
+  if (!result.trouble.empty())
+    return fmt::format("{}: could not be tried: {}", result.bug->name, result.trouble);
+  return fmt::format("{}: {} ({:.1f} s){}", result.bug->name,
+                     result.caught() ? "caught, " + catches_of(result) : "not caught", result.seconds,
+                     is_as_told(result) ? ""
+                     : result.caught()  ? " — though its patch says that it survives"
+                                        : " — and its patch does not say why");
+}
+
+bool all_apply(const Stage& stage, const std::vector<Bug>& bugs) {
+  bool all = true;
+  for (const Bug& bug : bugs) {
+    const std::string complaint = stage.complaint(bug);
+    if (complaint.empty()) continue;
+    all = false;
+    say(bug.patch.string() + " no longer applies: make it anew for what the firmware is now\n" + complaint);
+  }
+  return all;
+}
+
+bool all_are_in(const fs::path& page, const std::vector<Bug>& bugs) {
+  const std::string text = read_file(page);
+  std::string missing;
+  for (const Bug& bug : bugs)
+    if (text.find("bugs/" + bug.name + ".patch") == std::string::npos) missing += " " + bug.name;
+  if (!missing.empty()) say(page.string() + " lacks" + missing + "; the target museum writes its table");
+  return missing.empty();
+}
+
+bool run(const Arguments& arguments) {
+  const fs::path work =
+      arguments.check ? fs::path(ROBOSIM_MUSEUM_WORK) / "check" : fs::path(ROBOSIM_MUSEUM_WORK);
+  const std::vector<Bug> all = read_bugs(ROBOSIM_MUSEUM_BUGS);
+  const std::vector<const Bug*> bugs = chosen(all, arguments);
+  std::vector<Stage> stages;
+  for (unsigned i = 0; i < arguments.jobs; ++i) stages.emplace_back(work / fmt::format("stage{}", i));
+  if (!all_apply(stages[0], all)) return false;
+  if (arguments.check && !all_are_in(data_folder() / "docs/museum.md", all)) return false;
+
+  const std::vector<std::string> targets = arguments.check ? kTargets : run_baseline(stages);
+  std::vector<Result> results(bugs.size());
+  std::atomic<std::size_t> done = 0;
+  for_each(bugs.size(), stages, [&](Stage& stage, std::size_t i) {
+    results[i] = try_bug(stage, *bugs[i], targets, arguments.check);
+    say(fmt::format("{}/{} {}", ++done, bugs.size(), line_of(results[i])));
+  });
+  bool good = true;
+  for (const Result& result : results) {
+    if (!is_as_told(result)) say(line_of(result));
+    good = good && is_as_told(result);
+  }
+  if (arguments.check) return good;
+  std::string asked;
+  for (const std::string& target : targets) asked += (asked.empty() ? "" : ", ") + target;
+  const std::string table = table_of(results, asked);
+  std::cout << table;
+  if (!arguments.docs.empty() && arguments.bugs.empty())
+    write_file(arguments.docs, with_table(read_file(arguments.docs), table));
+  return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const Arguments arguments = read_arguments(argc, argv);
+  // The suite's own switches are ours here.
+  for (const char* name : {"ROBOSIM_REQUIRE", "ROBOSIM_TARGETS", "ROBOSIM_TEST_SEEDS", "GITHUB_ACTIONS"})
+    ::unsetenv(name);
+  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
+  ::setenv("XDG_CACHE_HOME", ROBOSIM_MUSEUM_WORK "/cache", 1);
+  return run(arguments) ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "robosim_museum: " << error.what() << '\n';
+  return 2;
+}

@@ -1,0 +1,120 @@
+#include "tests/museum/stage.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/sketch/process.h"
+
+namespace robosim::museum {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kChanged[] = {"firmware", "tests/firmware/sketches"};
+constexpr const char* kLinked[] = {"hal", "maps", "sim"};
+constexpr const char* kMostSeconds = "600";
+
+std::string program(const std::string& name, const std::string& package) {
+  const fs::path found = sketch::find_program(name);
+  if (found.empty()) throw ToolMissing(name + " is missing; the Debian package " + package + " brings it");
+  return found.string();
+}
+
+sketch::Outcome patch(const fs::path& folder, const Bug& bug, bool dry) {
+  std::vector<std::string> words = {
+      program("patch", "patch"), "-p1", "--force", "--fuzz=0", "--no-backup-if-mismatch", "--reject-file=-"};
+  if (dry) words.push_back("--dry-run");
+  return sketch::run(sketch::Command{words, folder, bug.patch});
+}
+
+/// GoogleTest's: of this target, and of the chosen suites.
+std::string filter(const Choice& choice) {
+  const bool host = choice.target == "host";
+  const std::string ending = host ? "" : "/" + choice.target;
+  std::string yes, no = host ? "*/avr:*/stm32" : "";
+  for (const std::string& word : choice.words) {
+    std::string& list = choice.others ? no : yes;
+    list += (list.empty() ? "*" : ":*") + word + (choice.others ? "*.*" : "*.*" + ending);
+  }
+  if (yes.empty()) yes = "*" + ending;
+  return yes + (no.empty() ? "" : "-" + no);
+}
+
+/// "On/PidFollower" and "StartsAtOnce/host" are PidFollower.StartsAtOnce.
+std::string plain_name(const std::string& suite, const std::string& test) {
+  const std::size_t slash = suite.find('/');
+  return (slash == std::string::npos ? suite : suite.substr(slash + 1)) + "." +
+         test.substr(0, test.find('/'));
+}
+
+TestRun read_report(const std::string& report) {
+  TestRun run;
+  const nlohmann::json json = nlohmann::json::parse(report);
+  for (const auto& suite : json.at("testsuites")) {
+    for (const auto& test : suite.at("testsuite")) {
+      if (test.contains("failures") && run.failed.empty()) {
+        run.failed = plain_name(suite.at("name"), test.at("name"));
+        run.message = test.at("failures").at(0).at("failure");
+      } else if (test.at("result") == "COMPLETED") {
+        ++run.passed;
+      } else if (test.at("result") == "SKIPPED") {
+        ++run.skipped;
+      }
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+Stage::Stage(fs::path folder) : folder_(std::move(folder)) {
+  fs::remove_all(folder_);
+  for (const char* sub : {"bin", "libexec", "share/robosim"}) fs::create_directories(folder_ / sub);
+  fs::copy_file(ROBOSIM_FIRMWARE_TESTS, folder_ / "bin/tests");
+  fs::create_directory_symlink(helper_folder(), folder_ / "libexec/robosim");
+  for (const char* name : kLinked) fs::create_directory_symlink(data_folder() / name, data() / name);
+  restore();
+}
+
+void Stage::restore() {
+  for (const char* name : kChanged) {
+    fs::remove_all(data() / name);
+    fs::create_directories(data() / name);
+    fs::copy(data_folder() / name, data() / name, fs::copy_options::recursive);
+  }
+}
+
+std::string Stage::complaint(const Bug& bug) const {
+  const sketch::Outcome outcome = patch(data(), bug, true);
+  return outcome.status == 0 ? "" : outcome.output;
+}
+
+void Stage::spoil(const Bug& bug) {
+  const sketch::Outcome outcome = patch(data(), bug, false);
+  if (outcome.status != 0) throw InputError({bug.patch.string()}, "no longer applies:\n" + outcome.output);
+}
+
+TestRun Stage::test(const Choice& choice) const {
+  const fs::path report = folder_ / "report.json";
+  fs::remove(report);
+  const sketch::Outcome outcome = sketch::run(sketch::Command{
+      {program("timeout", "coreutils"), kMostSeconds, (folder_ / "bin/tests").string(), "--gtest_fail_fast",
+       "--gtest_brief=1", "--gtest_filter=" + filter(choice), "--gtest_output=json:" + report.string()},
+      folder_,
+      {}});
+  if (outcome.status > 1 || !fs::exists(report))
+    throw std::runtime_error(fmt::format("the tests on {} ended with status {}:\n{}", choice.target,
+                                         outcome.status, outcome.output));
+  const TestRun run = read_report(read_file(report));
+  // Not what the robot did: the sketch does not compile, or the test asks for what does not exist.
+  if (run.message.find("C++ exception with description") != std::string::npos)
+    throw std::runtime_error(
+        fmt::format("{} on {} could not be run:\n{}", run.failed, choice.target, run.message));
+  return run;
+}
+
+}  // namespace robosim::museum

@@ -1,0 +1,33 @@
+// What came of each bug, as the table of docs/museum.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/museum/bug.h"
+
+namespace robosim::museum {
+
+struct Result {
+  struct Catch {
+    std::string target, test;
+  };
+  const Bug* bug = nullptr;
+  std::vector<Catch> catches;  ///< empty: it survived
+  double seconds = 0.0;        ///< until the last of them
+  std::string trouble;         ///< the bug could not be tried; empty = it was
+
+  bool caught() const { return !catches.empty(); }
+  bool on_host() const { return caught() && catches[0].target == "host"; }
+};
+
+/// "host: PidFollower.StartsAtOnce"; the same test on two chips is named once.
+std::string catches_of(const Result& result);
+
+/// Markdown: a sentence with the sums, the table, and the survivors with the reasons.
+std::string table_of(const std::vector<Result>& results, const std::string& targets);
+
+/// The text with what stands between the table's two marks replaced. Throws InputError if they are not there.
+std::string with_table(const std::string& text, const std::string& table);
+
+}  // namespace robosim::museum
