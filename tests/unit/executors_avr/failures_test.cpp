@@ -11,9 +11,7 @@ using testing::HasSubstr;
 class FailuresTest : public AvrTest {
  protected:
   const std::optional<Crash>& crash_of(const std::string& name, SimTime duration = kSecond) {
-    const std::filesystem::path root =
-        std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-    sketch::Request request{root / "system/sketches" / name, *find_board("uno")};
+    sketch::Request request{std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name, *find_board("uno")};
     request.target = "avr";
     avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), sketch::build(request).image);
     avr_->power_on(0);
