@@ -196,9 +196,9 @@ TEST_F(HalTest, DigitalReadAsksOnePinOnly) {
 }
 
 TEST_F(HalTest, AnalogReadHasTenBitsOfTheSupplyOnEveryInput) {
+  Volts source;
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) {
     if (board_.spec().pins[pin].analog_channel < 0) continue;
-    Volts source;
     source.value = 1.65;
     board_.connect(pin, source);
     EXPECT_EQ(analogRead(pin), 512) << int{pin};
