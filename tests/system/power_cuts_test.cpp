@@ -36,6 +36,7 @@ std::string line_of(const std::string& text, const std::string& beginning) {
 }
 
 TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
+  if (kSlow) GTEST_SKIP() << "left to fast builds; AiNavigatorsMemory takes the same way in slow ones";
   const test::Run plan{
       .sketch = "AiNavigator", .map = "a", .goal = "none", .script = kScript, .for_s = 120.0};
   const grid::Map map = grid::read_map(grid::find_map(plan.map));
