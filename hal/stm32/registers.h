@@ -16,6 +16,7 @@ uint16_t load_half(Address address);
 void store_half(Address address, uint16_t value);
 bool disable_interrupts();
 void restore_interrupts(bool enabled);
+bool takes_interrupts();
 void wait_for_interrupt();
 #else
 inline uint32_t load(Address address) { return *reinterpret_cast<volatile uint32_t*>(address); }
@@ -33,6 +34,12 @@ inline bool disable_interrupts() {
 }
 inline void restore_interrupts(bool enabled) {
   if (enabled) __asm__ volatile("cpsie i" ::: "memory");
+}
+/// Whether they are on and no handler runs: else a sleep may have no end.
+inline bool takes_interrupts() {
+  uint32_t masked, handler;
+  __asm__ volatile("mrs %0, primask\n\tmrs %1, ipsr" : "=r"(masked), "=r"(handler));
+  return masked == 0 && handler == 0;
 }
 /// Also wakes, without calling its handler, at an interrupt that is masked by PRIMASK (PM0056 2.5.2).
 inline void wait_for_interrupt() { __asm__ volatile("wfi" ::: "memory"); }

@@ -9,6 +9,19 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
+/// What a sleep takes to begin and to end, at most: some 400 cycles.
+constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
+
+/// Waits with interrupts off, when micros() stands still after a millisecond: by the counter alone.
+void spin(uint32_t us) {
+  uint32_t last = load(kStkVal), cycles = 0;
+  while (us > 0) {
+    const uint32_t count = load(kStkVal);
+    cycles += last >= count ? last - count : last + kCyclesPerMilli - count;
+    last = count;
+    for (; us > 0 && cycles >= kCyclesPerMicro; cycles -= kCyclesPerMicro) --us;
+  }
+}
 
 /// How many microseconds `pin` stays at `level`, until `end` at most: then false.
 bool wait_while(const PinMap& pin, bool level, unsigned long start, unsigned long timeout) {
@@ -60,8 +73,11 @@ void delay(unsigned long ms) {
 }
 
 void delayMicroseconds(unsigned int us) {
+  if (!takes_interrupts()) return spin(us);
   const unsigned long start = micros();
-  while (micros() - start < us) {
+  for (unsigned long elapsed = 0; elapsed < us; elapsed = micros() - start) {
+    const unsigned long left = us - elapsed;
+    if (left > 2 * kSleepUs) sleep_for(left - kSleepUs < 1000 ? left - kSleepUs : 1000);
   }
 }
 

@@ -100,6 +100,7 @@ void restore_interrupts(bool enabled) {
   chip->interrupts_on = true;
   chip->settle();
 }
+bool takes_interrupts() { return chip->interrupts_on && !chip->serving; }
 void wait_for_interrupt() { chip->sleep(); }
 
 }  // namespace robosim::stm32
@@ -155,6 +156,32 @@ TEST_F(HalTest, TheClockIs72MegahertzAndMillisecondsPass) {
   delayMicroseconds(40);
   EXPECT_NEAR(static_cast<double>(now() - began), 5.04e6, 5e3);
   EXPECT_EQ(millis(), micros() / 1000);
+}
+
+TEST_F(HalTest, AWaitOfMicrosecondsLastsAsLongWithInterruptsOff) {
+  for (const unsigned int us : {1u, 15u, 500u, 3000u, 16000u}) {
+    for (const bool on : {true, false}) {
+      if (!on) robosim::stm32::disable_interrupts();
+      const SimTime began = now();
+      delayMicroseconds(us);
+      EXPECT_NEAR(static_cast<double>(now() - began), 1e3 * us, 2e3) << us << " us, interrupts on: " << on;
+      robosim::stm32::restore_interrupts(true);
+    }
+  }
+}
+
+TEST_F(HalTest, AWaitOfMicrosecondsInAHandlerEnds) {
+  static SimTime took;
+  const auto handler = [] {
+    const SimTime began = chip->bus.link().clock.time();
+    delayMicroseconds(1500);
+    took = chip->bus.link().clock.time() - began;
+  };
+  took = 0;
+  attachInterrupt(digitalPinToInterrupt(2), handler, RISING);
+  board_.schedule_edge(2, true, now() + kMicrosecond);
+  chip_->pass(72);
+  EXPECT_NEAR(static_cast<double>(took), 1.5e6, 2e3);
 }
 
 TEST_F(HalTest, MicrosNeverGoesBack) {
