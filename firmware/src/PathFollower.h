@@ -56,17 +56,17 @@ class PathFollower {
   /// What depends on the robot. Speeds are those of DriveMotors, -255..255; a width is the width of the line,
   /// given in tenths.
   struct Settings {
-    int16_t fast = 170;      ///< along the edge: the outer wheel of the zigzag ...
-    int16_t slow = 0;        ///< ... and the inner one; 0 brakes it, so that the robot answers at once
-    int16_t cruise = 85;     ///< both wheels, straight over a branch or past a line's end
-    int16_t turn = 80;       ///< on the spot: one wheel forward, the other backward
-    int16_t counter = 130;   ///< against the motion, to stop; 0 leaves that to the motors' brakes
-    uint8_t stop_ms = 50;    ///< how long, before a turn ...
-    uint8_t settle_ms = 25;  ///< ... and at the end of one
-    uint8_t leave_ms = 200;  ///< for so long a turn cannot have come to the branch yet, only off the old line
-    uint8_t noise_ms = 8;    ///< what lasts shorter than this is not believed
-    uint8_t end_tenths = 8;  ///< so far with no line in sight, and the line has ended
-    uint8_t past_tenths = 8;     ///< from there until the axle is over the end
+    int16_t fast = 170;          ///< along the edge: the outer wheel of the zigzag ...
+    int16_t slow = 0;            ///< ... and the inner one; 0 brakes it, so that the robot answers at once
+    int16_t cruise = 85;         ///< both wheels, straight over a branch or past a line's end
+    int16_t turn = 80;           ///< on the spot: one wheel forward, the other backward
+    int16_t counter = 130;       ///< against the motion, to stop; 0 leaves that to the motors' brakes
+    uint8_t stop_ms = 50;        ///< how long, before a turn ...
+    uint8_t settle_ms = 25;      ///< ... and at the end of one
+    uint16_t leave_ms = 280;     ///< in a turn: until then it cannot be a branch, only the line it came on
+    uint8_t noise_ms = 8;        ///< what lasts shorter than this is not believed
+    uint8_t end_tenths = 12;     ///< so far with no line in sight, and the line has ended
+    uint8_t past_tenths = 4;     ///< from there until the axle is over the end
     uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
                                  ///< distance from the axle, less half a line's width, less the way to stop
     uint16_t width_ms = 70;      ///< time for one width until the first branch has been measured

@@ -33,7 +33,7 @@ TEST_P(GoldenSketch, RunsBitForBitAsPinned) {
 
 INSTANTIATE_TEST_SUITE_P(Of, GoldenSketch,
                          testing::Values(Pinned{"PidFollower", "oval", "uno5", "1:544c6e6bb857f776"},
-                                         Pinned{"LeftPath", "d", "uno3", "1:6423bb300412f30d"},
+                                         Pinned{"LeftPath", "d", "uno3", "1:0ff7894b5e7caab3"},
                                          Pinned{"SpinsOnPin", "oval", "uno3", "1:de7a58ea1b8cbe66"}),
                          [](const auto& test) { return test.param.sketch; });
 

@@ -75,7 +75,7 @@ TEST_P(PathFollowerTest, TakesABranchOnItsSide) {
   EXPECT_EQ(path.state(), State::turning) << "it still stands over the line it came on";
   EXPECT_GT(turn(), 0);
   EXPECT_EQ(speed(), 0);
-  see(kOffTheEdge, 200);
+  see(kOffTheEdge, 300);
   EXPECT_EQ(path.state(), State::turning);
   see(kLine, 2);
   EXPECT_EQ(path.state(), State::settling);
@@ -83,6 +83,18 @@ TEST_P(PathFollowerTest, TakesABranchOnItsSide) {
   EXPECT_EQ(path.state(), State::following);
   EXPECT_EQ(path.branches(), 1);
   EXPECT_EQ(path.ends(), 0);
+}
+
+TEST_P(PathFollowerTest, DoesNotTurnIntoTheLineItCameOnWhichItCrossesWhenItStoodAslant) {
+  see(kLine, 300);
+  see(kBranch, 70);
+  while (path.state() != State::turning) see(kOffTheEdge, 2);
+  see(kOffTheEdge, 220);
+  see(kLine, 40);
+  EXPECT_EQ(path.state(), State::turning);
+  see(kOffTheEdge, 150);
+  see(kLine, 2);
+  EXPECT_EQ(path.state(), State::settling);
 }
 
 TEST_P(PathFollowerTest, TakesItsOwnSideOfATee) {
@@ -122,6 +134,12 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
   EXPECT_EQ(path.branches(), 0);
 }
 
+TEST_P(PathFollowerTest, DoesNotTakeTheFloorBesideTheEdgeForTheEndOfTheLine) {
+  see(kLine, 300);
+  see(kOffTheEdge, 76);  // the wide part of the zigzag: a line's width, and a little
+  EXPECT_EQ(path.state(), State::following);
+}
+
 TEST_P(PathFollowerTest, GoesOnWhenTheLineComesBackWhileItRollsOnPastAnEnd) {
   see(kLine, 300);
   see_until_change(kOffTheEdge);
@@ -151,7 +169,7 @@ TEST_P(PathFollowerTest, DoesNotTakeTheBranchItHasJustTurnedIntoForAnother) {
   see(kLine, 300);
   see(kBranch, 70);
   while (path.state() != State::turning) see(kLine, 2);
-  see(kOffTheEdge, 200);
+  see(kOffTheEdge, 300);
   while (path.state() != State::following) see(kLine, 2);
   see(kBranch, 100);  // not straight on the line yet
   EXPECT_EQ(path.state(), State::following);
