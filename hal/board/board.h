@@ -136,6 +136,8 @@ class Board {
   /// Whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's input
   /// register must follow). Sources that are costly to evaluate ask first.
   virtual bool wants_edges(Pin pin) const = 0;
+  /// Whether that holds for any pin: asked once a tick.
+  virtual bool wants_any_edges() const = 0;
   /// A byte arrives at the UART. Bytes queue at the firmware's baud rate.
   virtual void receive_byte(uint8_t byte, SimTime at) = 0;
   /// One watcher at a time; hearing changes nothing.

@@ -76,6 +76,7 @@ void BoardState::reset(SimTime t) {
     set_drive(pin, PinDrive{}, t);
     pins_[pin].wants_edges = false;
   }
+  wanted_pins_ = 0;
   edges_.clear();
   bytes_.clear();
   byte_time_ = 0;
@@ -85,6 +86,7 @@ void BoardState::reset(SimTime t) {
 void BoardState::set_wants_edges(Pin pin, bool wanted) {
   if (pin >= kMaxPins || pins_[pin].wants_edges == wanted) return;
   pins_[pin].wants_edges = wanted;
+  wanted_pins_ += wanted ? 1 : -1;
   refresh_next();
 }
 

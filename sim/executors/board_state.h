@@ -38,6 +38,7 @@ class BoardState final : public Board {
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
   void schedule_edge(Pin pin, bool level, SimTime at) override;
   bool wants_edges(Pin pin) const override { return pins_[pin % kMaxPins].wants_edges; }
+  bool wants_any_edges() const override { return wanted_pins_ > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
@@ -80,6 +81,7 @@ class BoardState final : public Board {
   InputWatcher* input_watcher_ = nullptr;
   EepromWatcher* eeprom_watcher_ = nullptr;
   std::array<PinState, kMaxPins> pins_;
+  int wanted_pins_ = 0;  ///< of which edges are wanted
   std::vector<SerialWatcher*> serial_watchers_;
   std::vector<std::uint8_t> eeprom_;
   std::vector<BoardInput> edges_;  ///< by time, and as scheduled where times are equal

@@ -30,6 +30,7 @@ class ClockedBoard final : public Board {
   void watch_eeprom(EepromWatcher& watcher) override { board_.watch_eeprom(watcher); }
   void schedule_edge(Pin pin, bool level, SimTime at) override { board_.schedule_edge(pin, level, at); }
   bool wants_edges(Pin pin) const override { return board_.wants_edges(pin); }
+  bool wants_any_edges() const override { return board_.wants_any_edges(); }
   void receive_byte(std::uint8_t byte, SimTime at) override { board_.receive_byte(byte, at); }
   void watch_inputs(InputWatcher& watcher) override { board_.watch_inputs(watcher); }
 

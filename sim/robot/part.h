@@ -50,7 +50,9 @@ class Part;
 
 /// What the robot's parts offer; each part enters itself.
 struct Roster {
-  std::vector<Part*> ticking;    ///< want begin_tick in every tick
+  std::vector<Part*> ticking;  ///< want begin_tick in every tick
+  /// Want it only while the board wants edges, and in the first tick after: most firmware polls.
+  std::vector<Part*> edging;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
   std::vector<ButtonPart*> buttons;

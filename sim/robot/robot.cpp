@@ -61,6 +61,7 @@ struct Robot::Inside {
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
   std::vector<ButtonPart*> bouncing;
+  bool edges = false;  // the board wanted some in the last tick
   world::WheelCommand command[2];
   mutable std::size_t last_seen = 0;  // the sensor that saw the line last
 };
@@ -145,6 +146,10 @@ Robot::~Robot() = default;
 void Robot::begin_tick(SimTime t) {
   in_->view.tick_start = t;
   for (Part* part : in_->roster.ticking) part->begin_tick(t);
+  const bool edges = in_->setting.board.wants_any_edges();
+  if (edges || in_->edges)
+    for (Part* part : in_->roster.edging) part->begin_tick(t);
+  in_->edges = edges;
   if (in_->bouncing.empty()) return;
   for (ButtonPart* part : in_->bouncing) part->begin_tick(t);
   std::erase_if(in_->bouncing, [](const ButtonPart* part) { return part->settled(); });

@@ -56,6 +56,7 @@ class FakeBoard final : public Board {
   void watch_eeprom(EepromWatcher&) override {}
   void schedule_edge(Pin pin, bool level, SimTime at) override { edges.push_back({pin, level, at}); }
   bool wants_edges(Pin) const override { return edges_wanted; }
+  bool wants_any_edges() const override { return edges_wanted; }
   void receive_byte(uint8_t, SimTime) override {}
   void watch_inputs(InputWatcher&) override {}
 
