@@ -120,6 +120,19 @@ TEST(Encoder, WhoListensLateHearsNothingOfThePast) {
   for (const auto& edge : bench.board.edges) EXPECT_GT(edge.at, bench.now);
 }
 
+TEST(Encoder, WhoListensAgainHearsNothingOfThePause) {
+  BenchRobot bench(kQuadrature);
+  bench.board.edges_wanted = true;
+  drive(bench, true);
+  bench.ticks(50);
+  bench.board.edges_wanted = false;
+  bench.ticks(100);
+  bench.board.edges.clear();
+  bench.board.edges_wanted = true;
+  bench.tick();
+  EXPECT_THAT(bench.board.edges.size(), ::testing::Lt(10u));
+}
+
 TEST(Encoder, ASingleChannelServesOnePin) {
   BenchRobot bench(with_motors("wheel = \"right\"\npins = { a = 2 }\nperiods = 20\n"));
   bench.board.edges_wanted = true;
