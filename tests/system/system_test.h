@@ -105,18 +105,16 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
   return std::string(trial.param.target) + "_" + trial.param.map;
 }
 
-/// Every map on the host; on the AVR, which takes hundreds of times as long, `quick` alone, and on the STM32,
-/// where a sketch that polls takes as long as in life, `quickest` alone, unless ROBOSIM_TEST_SEEDS is set. In
-/// a slow build the first four maps on the host.
-inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick,
-                                 const char* quickest = "") {
+/// Every map on the host; on the chips, which take hundreds of times as long, `quick` alone, unless
+/// ROBOSIM_TEST_SEEDS is set. In a slow build the first four maps on the host, and no STM32.
+inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;
   const std::size_t hosts = kSlow ? std::min<std::size_t>(maps.size(), 4) : maps.size();
   for (std::size_t i = 0; i < hosts; ++i) all.push_back({"host", maps[i]});
-  for (const char* map : maps)
-    if (seeds_asked_for() > 0 || map == std::string(quick)) all.push_back({"avr", map});
-  for (const char* map : maps)
-    if (seeds_asked_for() > 0 || map == std::string(quickest)) all.push_back({"stm32", map});
+  const std::vector<const char*> chips = kSlow ? std::vector{"avr"} : std::vector{"avr", "stm32"};
+  for (const char* chip : chips)
+    for (const char* map : maps)
+      if (seeds_asked_for() > 0 || map == std::string(quick)) all.push_back({chip, map});
   return all;
 }
 

@@ -58,8 +58,7 @@ class Paths : public testing::TestWithParam<Trial> {
   void SetUp() override { needs_target(GetParam().target); }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, Paths, testing::ValuesIn(trials({"a", "b", "c", "d", "e", "f"}, "a", "a")),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(On, Paths, testing::ValuesIn(trials({"a", "b", "c", "d", "e", "f"}, "a")), name_of);
 
 TEST_P(Paths, LeftAndRightComeHomeFromEveryStation) {
   const auto [target, map] = GetParam();
