@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <utility>
 
 namespace robosim::view {
 namespace {
@@ -153,6 +154,7 @@ void Screen::enter() {
     raw.c_cc[VMIN] = 0;
     raw.c_cc[VTIME] = 0;
     ::tcsetattr(input_, TCSANOW, &raw);
+    raw_ = true;
   }
   write_all(output_, kEnter);
   shown_ = Frame(0, 0);
@@ -160,7 +162,7 @@ void Screen::enter() {
 
 void Screen::leave() {
   write_all(output_, kLeave);
-  if (has_keys_) ::tcsetattr(input_, TCSANOW, &before_us);
+  if (std::exchange(raw_, false)) ::tcsetattr(input_, TCSANOW, &before_us);
 }
 
 TerminalSize Screen::size() const { return terminal_size(output_).value_or(TerminalSize{}); }
@@ -180,8 +182,11 @@ void Screen::read_bytes(int timeout_ms) {
   const ssize_t n = ::read(input_, chunk, sizeof chunk);
   if (n > 0) {
     bytes_.append(chunk, static_cast<std::size_t>(n));
-  } else if (n == 0 || errno != EINTR) {
-    has_keys_ = false;  // hung up: do not spin
+  } else if (n == 0) {
+    // Nothing any more, for Ctrl-C discards what was typed before it; or hung up: do not spin.
+    has_keys_ = (ready.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+  } else if (errno != EINTR) {
+    has_keys_ = false;
   }
 }
 

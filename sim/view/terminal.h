@@ -79,6 +79,7 @@ class Screen {
   int input_, output_;
   Look look_;
   bool has_keys_;
+  bool raw_ = false;  // the terminal gives keys one by one, unseen
   Frame shown_{0, 0};
   std::string bytes_;  // keys not understood yet
 };

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <string>
+#include <utility>
 
 namespace robosim::view {
 namespace {
@@ -102,6 +103,27 @@ TEST_F(ScreenTest, KnowsItsSizeKeysAndChanges) {
   frame.put(1, 0, "b");
   screen.show(frame);
   EXPECT_EQ(written(), "\033[1;2Hb");
+}
+
+// As when Ctrl-C discards, between the look and the read, what was typed before it.
+TEST_F(ScreenTest, AReadThatBringsNothingIsNoHangUp) {
+  {
+    Screen screen(terminal_, terminal_, {true, false});
+    termios lines = before_;
+    lines.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+    ::tcsetattr(terminal_, TCSANOW, &lines);
+    ASSERT_EQ(::write(master_, "\004", 1), 1);  // the end of an empty line
+    EXPECT_EQ(screen.wait_press(1000).kind, Press::Kind::nothing);
+    EXPECT_TRUE(screen.has_keys());
+  }
+  EXPECT_TRUE(as_before());
+}
+
+TEST_F(ScreenTest, AHangUpIsTheEndOfTheKeys) {
+  Screen screen(terminal_, terminal_, {true, false});
+  ::close(std::exchange(master_, -1));
+  EXPECT_EQ(screen.wait_press(1000).kind, Press::Kind::nothing);
+  EXPECT_EQ(screen.wait_press(1000).kind, Press::Kind::end);
 }
 
 TEST_F(ScreenTest, NoticesAResize) {
