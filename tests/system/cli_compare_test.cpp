@@ -72,7 +72,8 @@ TEST_F(CliCompare, TheWrapOfMillisIsFound) {
 }
 
 TEST_F(CliCompare, WhatNobodyHasSetIsFound) {
-  const Ended ended = compare("DiffersInGarbage", "host,stm32");
+  // On a 32-bit Raspberry Pi the host's stack is laid out as the STM32's.
+  const Ended ended = compare("DiffersInGarbage", "avr,stm32");
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("DiffersInGarbage.ino:9 in printWhatIsThere()")) << ended.out;
 }
