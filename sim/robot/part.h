@@ -52,7 +52,7 @@ class Part;
 struct Roster {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
   /// Want it only while the board wants edges, and in the first tick after: most firmware polls.
-  std::vector<Part*> edging;
+  std::vector<Part*> edge_makers;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
   std::vector<ButtonPart*> buttons;

@@ -148,7 +148,7 @@ void Robot::begin_tick(SimTime t) {
   for (Part* part : in_->roster.ticking) part->begin_tick(t);
   const bool edges = in_->setting.board.wants_any_edges();
   if (edges || in_->edges)
-    for (Part* part : in_->roster.edging) part->begin_tick(t);
+    for (Part* part : in_->roster.edge_makers) part->begin_tick(t);
   in_->edges = edges;
   if (in_->bouncing.empty()) return;
   for (ButtonPart* part : in_->bouncing) part->begin_tick(t);

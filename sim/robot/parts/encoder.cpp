@@ -41,7 +41,7 @@ EncoderPart::EncoderPart(const EncoderSpec& spec, Setting& setting)
 void EncoderPart::join(Roster& roster) {
   setting_.board.connect(spec_.a, a_);
   if (spec_.b != kNoPin) setting_.board.connect(spec_.b, b_);
-  roster.edging.push_back(this);
+  roster.edge_makers.push_back(this);
   roster.breakable.push_back(this);
 }
 

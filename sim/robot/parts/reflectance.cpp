@@ -87,7 +87,7 @@ class ReflectancePart final : public Part {
 
   void join(Roster& roster) override {
     if (spec_.read == Read::rc) roster.ticking.push_back(this);
-    if (spec_.read == Read::digital) roster.edging.push_back(this);
+    if (spec_.read == Read::digital) roster.edge_makers.push_back(this);
     if (spec_.emitter != kNoPin) {
       setting_.wires.watch(spec_.emitter, emitter_);
       emitter_.pin_changed(spec_.emitter, setting_.wires.drive(spec_.emitter), 0);
