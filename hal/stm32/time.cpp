@@ -12,7 +12,8 @@ constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
 /// What a sleep takes to begin and to end, at most: some 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits with interrupts off, when micros() stands still after a millisecond: by the counter alone.
+/// Waits where no interrupt is served, so that micros() stands still after a millisecond: by the counter
+/// alone.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {
