@@ -114,14 +114,19 @@ std::vector<std::string> over_budget(const sketch::Image& image, const client::R
   return sentences;
 }
 
-Built build_sketch(const BuildArguments& arguments) {
+Built build_sketch(const BuildArguments& arguments, Boards boards) {
   check_build_target(arguments.target);
   if (arguments.sanitize) sketch::check_can_sanitize(arguments.target);
   const SketchChoice sketch = choose_sketch(arguments.sketch);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
   const Choice choice = choose_robot(arguments.robot, sketch.folder, arguments.target);
   // The robot is the same for all targets, so the runner that is always there tells of it.
-  client::RobotInfo robot = client::Runner("host").describe_robot(choice.path.string());
+  client::Runner describer("host");
+  const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
+  Carrier carrier = boards == Boards::own ? Carrier{choice, describe(choice.path.string()), ""}
+                                          : fit_to_target(choice, arguments.target, describe);
+  if (!carrier.announcement.empty()) fmt::print(stderr, "robosim: {}\n", carrier.announcement);
+  client::RobotInfo& robot = carrier.info;
   const BoardSpec& board = board_of(robot);
   sketch::Request request{sketch.path,       board, arguments.target, {}, warnings_of(arguments.warnings),
                           arguments.sanitize};
@@ -143,7 +148,7 @@ ExitStatus check_size(const Built& built) {
 }
 
 int build_command(const BuildArguments& arguments) {
-  const Built built = build_sketch(arguments);
+  const Built built = build_sketch(arguments, Boards::fitting);
   if (arguments.sanitize && arguments.target != "host") {
     print(fmt::format(
         "{} for the {}, with checks ({})\n"

@@ -28,9 +28,12 @@ struct Built {
   client::RobotInfo robot;
 };
 
+/// Whether another board may take the place of the robot's own, where that has no chip of the target.
+enum class Boards { own, fitting };
+
 /// Compiles for the board of the robot that `robosim run` would take. The compiler's warnings go to standard
 /// error. Throws InputError or ToolMissing.
-Built build_sketch(const BuildArguments& arguments);
+Built build_sketch(const BuildArguments& arguments, Boards boards);
 
 /// Says on standard error in which ways an image for a chip is over the robot's budget: `failed` if it is.
 /// Throws sketch::CompileError for what does not fit the chip at all.

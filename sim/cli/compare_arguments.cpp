@@ -17,7 +17,7 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.positional("SKETCH", compare.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", compare.map, "MAP", "file, or name of a sample map");
   options.text("--robot", compare.robot, "ROBOT",
-               "file, or name of a stock robot; uno5 is bluepill5 on stm32");
+               "file, or name of a stock robot; each target puts a board of its own on it");
   options.lists("--target", compare.targets, "TARGET...", "two or more; default: host,avr,stm32");
   options.text("--seed", seed, "N", "of all noise and spread; default: 1");
   options.text("--seeds", seeds, "A..B", "one after the other, until they differ");

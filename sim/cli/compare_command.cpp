@@ -35,13 +35,6 @@ struct Lane {
   client::Runner runner;
 };
 
-/// Stock robots have a twin with the target's board in the Uno's place.
-std::string twin(const std::string& robot, const std::string& target) {
-  if (target != "stm32") return robot;
-  if (robot == "pony") return "bluepony";
-  return robot == "uno2" || robot == "uno3" || robot == "uno5" ? "bluepill" + robot.substr(3) : robot;
-}
-
 /// Runs one request on each lane, all at a time.
 std::vector<client::RunResult> run_all(std::vector<Lane*> lanes,
                                        const std::vector<client::RunRequest>& requests,
@@ -72,7 +65,7 @@ class CompareCommand {
       SweepArguments one;
       one.sketches = {arguments.sketch};
       if (!arguments.map.empty()) one.maps = {arguments.map};
-      if (!arguments.robot.empty()) one.robots = {twin(arguments.robot, target)};
+      if (!arguments.robot.empty()) one.robots = {arguments.robot};
       one.targets = {target};
       one.each = arguments.each;
       if (target == "host") one.each.clock_ns = 0;

@@ -94,8 +94,10 @@ std::string compare_text(const Compared& c) {
   const RunInputs& in = c.runs.front().inputs;
   std::string text = fmt::format("{} on {}, seed {}: {} ", in.sketch, in.map, c.seed, names_of(c.runs));
   text += c.difference ? "differ\n" : "do the same\n";
+  std::size_t longest = 0;
+  for (const ComparedRun& run : c.runs) longest = std::max(longest, run.inputs.robot.size());
   for (const ComparedRun& run : c.runs)
-    text += fmt::format("  {:<6} {:<10} {:<8} {:8.2f} s\n", run.inputs.target, run.inputs.robot,
+    text += fmt::format("  {:<6} {:<{}}  {:<8} {:8.2f} s\n", run.inputs.target, run.inputs.robot, longest,
                         run.result.verdict, run.result.time_s);
   for (std::size_t i = 0; i < c.known.size(); ++i)
     text +=

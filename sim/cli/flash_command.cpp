@@ -117,7 +117,7 @@ int flash_command(const FlashArguments& arguments) {
 
   fs::path file = sketch.path;  // a finished image: avrdude reads it itself
   if (sketch.elf_target.empty()) {
-    const Built built = build_sketch(build_arguments(arguments));
+    const Built built = build_sketch(build_arguments(arguments), Boards::own);
     if (const ExitStatus status = check_size(built); status != ExitStatus::ok)
       return static_cast<int>(status);
     file = built.image.products.at(0);

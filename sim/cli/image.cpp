@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "sim/base/file.h"
+#include "sim/base/robot_name.h"
+#include "sim/client/fit_robot.h"
 #include "sim/client/runner.h"
 
 namespace robosim::cli {
@@ -14,6 +17,21 @@ const BoardSpec& board_of(const client::RobotInfo& robot) {
   if (!board)
     throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
   return *board;
+}
+
+Carrier fit_to_target(const Choice& robot, const std::string& target,
+                      const std::function<client::RobotInfo(const std::string&)>& describe) {
+  client::FittedRobot fitted = client::fit_robot(robot.path.string(), sketch::boards_of(target), describe);
+  Carrier carrier{robot, std::move(fitted.info), ""};
+  if (fitted.own_board.empty()) return carrier;
+  const std::string& board = carrier.info.board.name;
+  carrier.robot.path = fitted.robot;
+  carrier.robot.name = parse_robot_name(fitted.robot).board.empty() ? parse_robot_name(robot.name).robot
+                                                                    : robot_with_board(robot.name, board);
+  carrier.announcement = fmt::format(
+      "on {} the robot is {}: its {} has no such chip, and a {} takes its place, on the same pins", target,
+      carrier.robot.name, fitted.own_board, board);
+  return carrier;
 }
 
 sketch::Image image_of(const SketchChoice& sketch, const sketch::Request& request, Progress& progress,

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/robot_name.h"
 #include "sim/client/runner.h"
 #include "sim/sketch/sketch.h"
 
@@ -183,14 +184,15 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
 }
 
 Choice choose_robot(const std::string& name, const fs::path& sketch_folder, const std::string& target) {
-  if (is_path(name)) {
-    check_path("robot", name);
+  const std::string robot_alone = parse_robot_name(name).robot;
+  if (is_path(robot_alone)) {
+    check_path("robot", robot_alone);
     return {name, name, ""};
   }
   if (!name.empty()) {
     const auto stock = names_in(stock_robot_folder(), ".toml");
-    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
-      throw InputError(unknown_name("robot", name, stock) + " (a name with / or . is a path)");
+    if (std::find(stock.begin(), stock.end(), robot_alone) == stock.end()) {
+      throw InputError(unknown_name("robot", robot_alone, stock) + " (a name with / or . is a path)");
     }
     return {name, name, ""};
   }

@@ -49,8 +49,8 @@ SketchChoice choose_sketch(const std::string& name);
 /// The map named; else the only .map in the sketch's folder; else `oval`. Throws InputError.
 Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);
 
-/// The robot named; else robot.toml in the sketch's folder; else uno5, or bluepill5 for the target stm32.
-/// Throws InputError.
+/// The robot named (sim/base/robot_name.h); else robot.toml in the sketch's folder; else uno5, or bluepill5
+/// for the target stm32. Throws InputError.
 Choice choose_robot(const std::string& name, const std::filesystem::path& sketch_folder,
                     const std::string& target = "host");
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/file.h"
+#include "sim/base/robot_name.h"
 #include "sim/cli/names.h"
 #include "sim/cli/output.h"
 #include "sim/client/runner.h"
@@ -32,8 +33,8 @@ void list() {
   print(text);
 }
 
-void show(const Choice& robot) {
-  print(read_file(is_path(robot.name) ? robot.path : stock_robot_folder() / (robot.name + ".toml")));
+void show(const std::string& robot) {
+  print(read_file(is_path(robot) ? std::filesystem::path(robot) : stock_robot_folder() / (robot + ".toml")));
 }
 
 void check(const Choice& robot) {
@@ -60,7 +61,7 @@ int robot_command(const RobotArguments& arguments) {
     return 0;
   }
   const Choice robot = choose_robot(arguments.robot, ".");
-  arguments.action == "show" ? show(robot) : check(robot);
+  arguments.action == "show" ? show(parse_robot_name(robot.name).robot) : check(robot);
   return 0;
 }
 

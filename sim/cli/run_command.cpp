@@ -189,8 +189,8 @@ int run_command(const RunArguments& given) {
   std::optional<CounterFile> counters;
   if (!arguments.coverage.empty()) counters.emplace(arguments.coverage);
   const Choice map = choose_map(arguments.map, sketch.folder);
-  const Choice robot = choose_robot(arguments.robot, sketch.folder, arguments.target);
-  for (const Choice* choice : {&map, &robot}) {
+  const Choice robot_choice = choose_robot(arguments.robot, sketch.folder, arguments.target);
+  for (const Choice* choice : {&map, &robot_choice}) {
     if (!choice->announcement.empty()) fmt::print(stderr, "robosim: {}\n", choice->announcement);
   }
   client::RunRequest request;
@@ -199,7 +199,11 @@ int run_command(const RunArguments& given) {
 
   Progress progress(!arguments.view);
   client::Runner runner(arguments.target);
-  const client::RobotInfo robot_info = runner.describe_robot(robot.path.string());
+  const Carrier carrier = fit_to_target(robot_choice, arguments.target,
+                                        [&](const std::string& name) { return runner.describe_robot(name); });
+  if (!carrier.announcement.empty()) fmt::print(stderr, "robosim: {}\n", carrier.announcement);
+  const Choice& robot = carrier.robot;
+  const client::RobotInfo& robot_info = carrier.info;
   sketch::Request wanted{sketch.path, board_of(robot_info), arguments.target};
   for (const std::string& folder : arguments.libraries) wanted.libraries.emplace_back(folder);
   wanted.sanitize = arguments.sanitize;

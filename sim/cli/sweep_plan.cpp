@@ -62,17 +62,17 @@ class SweepSupplies {
   SweepSupplies(Progress& progress, SweepPlanner::Says says) : progress_(progress), says_(says) {}
 
   Choice said(Choice choice) {
-    if (says_.choices && !choice.announcement.empty() && announced_.insert(choice.announcement).second)
-      fmt::print(stderr, "robosim: {}\n", choice.announcement);
+    say(choice.announcement);
     return choice;
   }
 
-  const client::RobotInfo& robot(const std::string& path) {
-    const auto known = robots_.find(path);
-    if (known != robots_.end()) return known->second;
-    if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
-    return robots_.emplace(path, describer_->describe_robot(path)).first->second;
+  Carrier carrier(const Choice& robot_choice, const std::string& target) {
+    Carrier fitted =
+        fit_to_target(robot_choice, target, [this](const std::string& name) { return robot(name); });
+    say(fitted.announcement);
+    return fitted;
   }
+
   const std::string& version() const { return describer_->hello().version; }
 
   const sketch::Image& image(const SketchChoice& sketch, const sketch::Request& request) {
@@ -91,6 +91,18 @@ class SweepSupplies {
   }
 
  private:
+  void say(const std::string& announcement) {
+    if (says_.choices && !announcement.empty() && announced_.insert(announcement).second)
+      fmt::print(stderr, "robosim: {}\n", announcement);
+  }
+
+  const client::RobotInfo& robot(const std::string& name) {
+    const auto known = robots_.find(name);
+    if (known != robots_.end()) return known->second;
+    if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
+    return robots_.emplace(name, describer_->describe_robot(name)).first->second;
+  }
+
   Progress& progress_;
   SweepPlanner::Says says_;
   std::set<std::string> announced_;
@@ -148,15 +160,15 @@ class Combiner {
   Combination combine(const SketchChoice& sketch, const std::string& map_word, const std::string& robot_word,
                       const std::string& target) {
     const Choice map = supplies_.said(choose_map(map_word, sketch.folder));
-    const Choice robot_choice = supplies_.said(choose_robot(robot_word, sketch.folder, target));
-    const client::RobotInfo& info = supplies_.robot(robot_choice.path.string());
-    const sketch::Image& made = image(sketch, board_of(info), target);
+    const Carrier carrier =
+        supplies_.carrier(supplies_.said(choose_robot(robot_word, sketch.folder, target)), target);
+    const sketch::Image& made = image(sketch, board_of(carrier.info), target);
     Combination c;
     c.task.target = target;
     client::RunRequest& request = c.task.request;
     request.image = made.image.string();
     request.map = map.path.string();
-    request.robot = robot_choice.path.string();
+    request.robot = carrier.robot.path.string();
     request.start = arguments_.each.start;
     request.goal = arguments_.each.goal;
     request.for_ns = arguments_.each.for_ns;
@@ -166,11 +178,11 @@ class Combiner {
     request.script_file = arguments_.each.script.empty() ? "--send" : arguments_.each.script;
     c.inputs = {supplies_.version(), target,
                 sketch.name,         map.name,
-                robot_choice.name,   made.sketch_sha256,
+                carrier.robot.name,  made.sketch_sha256,
                 made.compiler,       arguments_.each.sanitize};
     c.image_sha256 = supplies_.hash_of_file(request.image);
     c.map_sha256 = supplies_.hash_of_file(request.map);
-    c.robot_sha256 = info.sha256;
+    c.robot_sha256 = carrier.info.sha256;
     const std::string conditions = sha256(conditions_of(request, c.inputs.robosim));
     c.fingerprint.parts = {c.image_sha256.substr(0, kDigits), c.map_sha256.substr(0, kDigits),
                            c.robot_sha256.substr(0, kDigits), conditions.substr(0, kDigits)};

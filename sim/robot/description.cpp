@@ -7,6 +7,7 @@
 
 #include "sim/base/config.h"
 #include "sim/base/file.h"
+#include "sim/base/robot_name.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/shift_register.h"
 #include "sim/robot/robot.h"
@@ -169,13 +170,17 @@ Source load_source(std::string_view text, const fs::path& file, int depth) {
   return source;
 }
 
+std::string board_names() {
+  std::vector<std::string> names;
+  for (int i = 0; board_at(i); ++i) names.emplace_back(board_at(i)->name);
+  return one_of(names);
+}
+
 const BoardSpec& read_board(TableReader& reader) {
   const ConfigValue& value = reader.require("board");
   const BoardSpec* board = find_board(as_string(value, "board").c_str());
   if (board) return *board;
-  std::vector<std::string> names;
-  for (int i = 0; board_at(i); ++i) names.emplace_back(board_at(i)->name);
-  throw InputError(value.place, fmt::format("board is \"{}\"; allowed are {}", value.string, one_of(names)));
+  throw InputError(value.place, fmt::format("board is \"{}\"; allowed are {}", value.string, board_names()));
 }
 
 // Whether every corner lies to the left of every side; a star that turns left all the way does not.
@@ -351,7 +356,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
 
 }  // namespace
 
-Description parse_description(std::string_view text, const fs::path& file) {
+Description parse_description(std::string_view text, const fs::path& file, const BoardSpec* instead) {
   const Source source = load_source(text, file, 0);
   TableReader reader(source.tree, "a robot file");
   Description robot;
@@ -360,8 +365,15 @@ Description parse_description(std::string_view text, const fs::path& file) {
   robot.sha256 = sha256(source.bytes);
   reader.find("base");
   reader.find("remove");
-  robot.board = &read_board(reader);
-  if (const ConfigValue* budget = reader.find("budget")) robot.budget = read_budget(*budget, *robot.board);
+  const BoardSpec& own_board = read_board(reader);
+  robot.board = &own_board;
+  if (const ConfigValue* budget = reader.find("budget")) robot.budget = read_budget(*budget, own_board);
+  if (instead && instead != &own_board) {
+    robot.board = instead;
+    robot.budget = {};
+    robot.name = robot_with_board(robot.name, instead->name);
+    robot.sha256 = sha256(source.bytes + "@" + instead->name);
+  }
   robot.chassis = read_chassis(reader.require("chassis"));
   robot.motors = read_motors(reader.require("motors"));
   const ConfigValue* parts = reader.find("part");
@@ -369,7 +381,7 @@ Description parse_description(std::string_view text, const fs::path& file) {
     throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
   if (parts && parts->items.size() > kMostParts)
     throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
-  const Terminals terminals{robot.board, register_names(parts)};
+  const Terminals terminals{robot.board, &own_board, register_names(parts)};
   robot.registers = terminals.registers;
   std::vector<Wire> driver_wires;
   robot.driver = read_driver(reader.require("driver"), terminals, driver_wires);
@@ -387,9 +399,14 @@ std::string pin_text(const Description& robot, Pin pin) {
   return output_name(robot.registers, pin);
 }
 
-Description load_description(const std::string& name_or_path) {
-  const fs::path file = find_robot(name_or_path);
-  return parse_description(read_file(file), file);
+Description load_description(const std::string& robot_name) {
+  const RobotName name = parse_robot_name(robot_name);
+  const BoardSpec* board = name.board.empty() ? nullptr : find_board(name.board.c_str());
+  if (!board && !name.board.empty())
+    throw InputError(
+        fmt::format("{}: no board is called \"{}\"; there are {}", robot_name, name.board, board_names()));
+  const fs::path file = find_robot(name.robot);
+  return parse_description(read_file(file), file, board);
 }
 
 }  // namespace robosim::robot

@@ -111,9 +111,9 @@ struct Budget {
 };
 
 struct Description {
-  std::string name;  ///< the file's stem
+  std::string name;  ///< the file's stem, with another board's name behind an @
   std::filesystem::path file;
-  std::string sha256;  ///< of the file's bytes, followed by those of its bases
+  std::string sha256;  ///< of the file's bytes, followed by those of its bases and by "@" and another board
   const BoardSpec* board = nullptr;
   Budget budget;
   Chassis chassis;
@@ -130,11 +130,15 @@ std::filesystem::path find_robot(const std::string& name_or_path);
 /// The names of the stock robots, sorted.
 std::vector<std::string> stock_robots();
 
-/// Reads a robot file or a stock robot by name. Throws InputError with file and line.
-Description load_description(const std::string& name_or_path);
+/// Reads a robot file, or a stock robot by name, either with another board in its own's place
+/// (sim/base/robot_name.h). Throws InputError with file and line.
+Description load_description(const std::string& robot_name);
 
-/// The same from text; `file` is for messages, and `base` is looked for beside it.
-Description parse_description(std::string_view text, const std::filesystem::path& file);
+/// The same from text; `file` is for messages, and `base` is looked for beside it. The board `instead`, if
+/// there is one, takes the place of the file's own: pins keep their numbers, the voltages of sensors their
+/// share of the supply. A budget is of the own board's chip, and then none holds.
+Description parse_description(std::string_view text, const std::filesystem::path& file,
+                              const BoardSpec* instead = nullptr);
 
 /// A wire's name as robot files write it: "5", "A0", "REG1.Q4".
 std::string pin_text(const Description&, Pin);

@@ -51,6 +51,23 @@ Pin as_output(const ConfigValue& value, const char* key, const Terminals& termin
   return output_pin(static_cast<int>(found - registers.begin()), number[0] - '0');
 }
 
+void check_use(const ConfigValue& value, const char* key, const BoardSpec& board, Pin pin, PinUse use) {
+  if (pin >= board.pin_count)
+    throw InputError(value.place,
+                     fmt::format("{} is {}, which board {} does not have; its pins are 0 to {} and {}", key,
+                                 written(value), board.name, board.analog_pin_0 - 1, analog_pins(board)));
+  const PinSpec& spec = board.pins[pin];
+  if (use == PinUse::analog && spec.analog_channel < 0)
+    throw InputError(
+        value.place,
+        fmt::format("{} is {}, which has no analog input on board {}; those that have one are {}", key,
+                    written(value), board.name, analog_pins(board)));
+  if (use != PinUse::analog && !spec.digital)
+    throw InputError(value.place,
+                     fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
+                                 key, written(value), board.name, board.analog_pin_0 + 5));
+}
+
 }  // namespace
 
 Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most) {
@@ -89,7 +106,7 @@ Vec2 as_point(const ConfigValue& value, const char* key) {
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
   if (value.kind == ConfigValue::Kind::string && value.string.rfind(".Q") != std::string::npos)
     return as_output(value, key, terminals, use);
-  const BoardSpec& board = *terminals.board;
+  const BoardSpec& board = *terminals.written_for;
   Pin pin = kNoPin;
   if (value.kind == ConfigValue::Kind::integer) {
     if (value.integer >= 0 && value.integer < board.pin_count) pin = static_cast<Pin>(value.integer);
@@ -99,20 +116,8 @@ Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals
     throw InputError(value.place, fmt::format("{} is {}; it must be a pin such as 5 or \"A0\"", key,
                                               to_string(value.kind)));
   }
-  if (pin == kNoPin)
-    throw InputError(value.place,
-                     fmt::format("{} is {}, which board {} does not have; its pins are 0 to {} and {}", key,
-                                 written(value), board.name, board.analog_pin_0 - 1, analog_pins(board)));
-  const PinSpec& spec = board.pins[pin];
-  if (use == PinUse::analog && spec.analog_channel < 0)
-    throw InputError(
-        value.place,
-        fmt::format("{} is {}, which has no analog input on board {}; those that have one are {}", key,
-                    written(value), board.name, analog_pins(board)));
-  if (use != PinUse::analog && !spec.digital)
-    throw InputError(value.place,
-                     fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
-                                 key, written(value), board.name, board.analog_pin_0 + 5));
+  check_use(value, key, board, pin, use);
+  check_use(value, key, *terminals.board, pin, use);
   return pin;
 }
 
@@ -128,6 +133,14 @@ PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, con
     throw InputError(name.place,
                      "name must be 1 to 40 letters, digits, '_', '-' or '.', without spaces: scripts use it");
   type_ = as_string(table_.require("type"), "type");
+}
+
+Number PartReader::volts(const char* key, Number fallback, double most) {
+  const double own = terminals_.written_for->supply_volts;
+  const Number usual{fallback.value * own, fallback.spread * own};
+  const Number volts = figure(key, Dimension::voltage, usual, 0.0, std::min(most, own));
+  const double share = terminals_.board->supply_volts / own;
+  return {volts.value * share, volts.spread * share};
 }
 
 Vec2 PartReader::point(const char* key, Vec2 fallback) {

@@ -21,6 +21,7 @@ enum class PinUse {
 /// What wires may be tied to.
 struct Terminals {
   const BoardSpec* board;
+  const BoardSpec* written_for;        ///< the file's own board, of which its pins and volts speak
   std::vector<std::string> registers;  ///< names of the shift registers, in the file's order
 };
 
@@ -42,7 +43,6 @@ class PartReader {
 
   const std::string& name() const { return name_; }
   const std::string& type() const { return type_; }
-  const BoardSpec& board() const { return *terminals_.board; }
   const Terminals& terminals() const { return terminals_; }
   const Driver& driver() const { return driver_; }
   TableReader& table() { return table_; }
@@ -50,6 +50,10 @@ class PartReader {
   Number figure(const char* key, Dimension dimension, Number fallback, double least, double most) {
     return read_figure(table_, key, dimension, fallback, least, most);
   }
+  /// A voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the supply. With
+  /// another board in the place of the file's own it is as much of that one's supply as it would be of its
+  /// own's.
+  Number volts(const char* key, Number fallback = {}, double most = 1e3);
   Vec2 point(const char* key, Vec2 fallback);
   /// The wire of that key, which must be there.
   Pin pin(const char* key, PinUse use);

@@ -25,7 +25,7 @@ enum class Profile { ideal, typical };
 struct Description;
 
 /// Reads a robot file or a stock robot by name. Throws InputError.
-Description load_description(const std::string& name_or_path);
+Description load_description(const std::string& robot_name);
 
 /// A level for people to look at: noise-free, consumes no sample.
 struct Reading {

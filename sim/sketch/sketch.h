@@ -62,6 +62,10 @@ Image build(const Request& request);
 /// The targets that sketches are compiled for: "host", "avr", "stm32".
 std::vector<std::string> targets();
 
+/// The boards that have a chip of this target, the usual one first; empty = any board will do. Throws
+/// InputError for an unknown target.
+std::vector<std::string> boards_of(const std::string& target);
+
 /// The sentence that names the first tool or package that building for this target lacks; empty if all are
 /// there. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);

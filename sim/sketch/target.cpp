@@ -182,4 +182,10 @@ std::vector<std::string> targets() {
   return names;
 }
 
+std::vector<std::string> boards_of(const std::string& target) {
+  std::vector<std::string> names;
+  for (const Chip& chip : find_target(target).boards) names.emplace_back(chip.board);
+  return names;
+}
+
 }  // namespace robosim::sketch

@@ -10,6 +10,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/client/fit_robot.h"
 #include "sim/grid/map.h"
 #include "sim/grid/true_graph.h"
 #include "sim/sketch/sketch.h"
@@ -56,23 +57,19 @@ void choose_map(const Trial& trial, const fs::path& folder, Stage& stage) {
   stage.request.map = grid::find_map(stage.map).string();
 }
 
-/// Stock robots have a twin with the target's board in the Uno's place.
-std::string with_board_of(const std::string& target, const std::string& robot) {
-  if (target != "stm32") return robot;
-  if (robot == "pony") return "bluepony";
-  return robot == "uno2" || robot == "uno3" || robot == "uno5" ? "bluepill" + robot.substr(3) : robot;
-}
-
-void choose_robot(const Trial& trial, const fs::path& folder, Stage& stage) {
+void choose_robot(const Trial& trial, const fs::path& folder, client::Runner& runner, Stage& stage) {
   std::error_code error;
   stage.robot_name = trial.robot;
   if (stage.robot_name.empty())
     stage.robot_name =
         fs::exists(folder / "robot.toml", error) ? (folder / "robot.toml").string() : std::string("uno5");
   stage.robot_is_text = is_text(stage.robot_name);
-  stage.robot_name = with_board_of(trial.target, stage.robot_name);
   if (stage.robot_is_text) stage.robot_name = write_scratch(stage, "robot.toml", trial.robot).string();
-  stage.request.robot = stage.robot_name;
+  client::FittedRobot fitted =
+      client::fit_robot(stage.robot_name, sketch::boards_of(trial.target),
+                        [&](const std::string& name) { return runner.describe_robot(name); });
+  stage.robot = std::move(fitted.info);
+  stage.request.robot = stage.robot_name = fitted.robot;
 }
 
 /// Sketches are compiled once a process; after that even the cache on the disk is not asked.
@@ -128,8 +125,7 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   stage.sketch_title = (whole.has_filename() ? whole : whole.parent_path()).stem().string();
   if (!is_path(trial.sketch)) stage.sketch_title = trial.sketch;
   choose_map(trial, folder, stage);
-  choose_robot(trial, folder, stage);
-  stage.robot = runner.describe_robot(stage.robot_name);
+  choose_robot(trial, folder, runner, stage);
 
   client::RunRequest& request = stage.request;
   if (is_elf(trial.sketch)) {

@@ -97,7 +97,7 @@ TEST_P(AiNavigator, ScansTheMapAndThenVisitsEveryStation) {
   for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
     const Seen seen = watch({.sketch = "AiNavigator",
                              .map = map,
-                             .robot = with_board_of(target, "uno5"),
+                             .robot = "uno5",
                              .goal = "none",
                              .script = script,
                              .seed = seed,

@@ -96,6 +96,18 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
+TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
+  const Folder folder;
+  ASSERT_EQ(robosim_command({"new", "mine"}, folder.path()).status, 0);
+  const Ended ended =
+      robosim_command({"compare", "./mine", "--goal", "none", "--for", "2s", "--json"}, folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const auto runs = nlohmann::json::parse(ended.out)["runs"];
+  EXPECT_EQ(runs[0]["robot"], "robot.toml");
+  EXPECT_EQ(runs[1]["robot"], "robot.toml");
+  EXPECT_EQ(runs[2]["robot"], "robot.toml@bluepill");
+}
+
 TEST_F(CliCompare, WhatCannotBeComparedIsSaidInOneSentence) {
   const Ended ended = robosim_command({"compare", "PidFollower", "--target", "host,arduino"});
   EXPECT_EQ(ended.status, 2);

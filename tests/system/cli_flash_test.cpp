@@ -76,6 +76,15 @@ TEST_F(CliFlash, TakesTheBoardOfTheRobotAndTheSpeedOfAnOldBootLoader) {
   EXPECT_THAT(read_file(words()), HasSubstr("-b\n57600\n-P\n/dev/ttyUSB0\n"));
 }
 
+TEST_F(CliFlash, PutsNoOtherBoardInThePlaceOfTheRobots) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  fake_avrdude(0);
+  const Ended ended = flash({"--port", "/dev/ttyUSB0", "--robot", "bluepill3"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("the board bluepill has no chip of the target avr"));
+  EXPECT_FALSE(std::filesystem::exists(words())) << "avrdude was started";
+}
+
 TEST_F(CliFlash, ADryRunPrintsTheCommandAndTheHashOfTheTestedImage) {
   ROBOSIM_NEEDS_TARGET("avr");
   fake_avrdude(0);

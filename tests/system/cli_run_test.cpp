@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
 namespace robosim::test {
@@ -159,6 +160,21 @@ TEST(Cli, AFullDiskIsNoticed) {
   const Ended full = robosim_command({"robot", "show", "uno5"}, ".", "/dev/full");
   EXPECT_EQ(full.status, 2);
   EXPECT_THAT(full.err, HasSubstr("the standard output cannot be written"));
+}
+
+TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {
+  ROBOSIM_NEEDS_TARGET("stm32");
+  const Ended ended = robosim_command(with(kShort, {"--target", "stm32", "--json"}));
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.err,
+              HasSubstr("on stm32 the robot is uno5@bluepill: its uno has no such chip, and a bluepill "
+                        "takes its place, on the same pins\n"));
+  EXPECT_THAT(ended.out, HasSubstr("\"robot\": \"uno5@bluepill\""));
+  std::vector<std::string> named = with(kShort, {"--target", "stm32", "--json"});
+  named[5] = "uno5@bluepill";
+  const Ended same = robosim_command(named);
+  EXPECT_EQ(same.out, ended.out);
+  EXPECT_THAT(same.err, Not(HasSubstr("takes its place")));
 }
 
 }  // namespace

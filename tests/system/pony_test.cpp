@@ -103,7 +103,7 @@ TEST_P(PonyNavigator, ScansTheMapAndThenVisitsEveryStation) {
   for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
     const Watch seen = watch({.sketch = "PonyNavigator",
                               .map = name,
-                              .robot = with_board_of(target, "pony"),
+                              .robot = "pony",
                               .goal = "none",
                               .script = tour_script(stations),
                               .seed = seed,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
+#include "sim/client/fit_robot.h"
 #include "sim/client/runner.h"
 #include "sim/grid/map.h"
 #include "sim/sketch/sketch.h"
@@ -30,7 +31,7 @@ inline std::filesystem::path sketch_folder(const std::string& name) {
 struct Run {
   std::string sketch;
   std::string map = "oval";
-  std::string robot = "uno5";
+  std::string robot = "uno5";  ///< with a board of the target in its own's place
   std::string goal;
   std::string script;
   std::uint64_t seed = 1;
@@ -46,13 +47,15 @@ inline client::Runner& runner_of(const std::string& target) {
 }
 
 inline client::RunRequest request_of(const Run& run) {
-  const std::string board = runner_of("host").describe_robot(run.robot).board.name;
+  const client::FittedRobot robot =
+      client::fit_robot(run.robot, sketch::boards_of(run.target),
+                        [](const std::string& name) { return runner_of("host").describe_robot(name); });
   client::RunRequest request;
-  sketch::Request sketch{sketch_folder(run.sketch), *find_board(board.c_str())};
+  sketch::Request sketch{sketch_folder(run.sketch), *find_board(robot.info.board.name.c_str())};
   sketch.target = run.target;
   request.image = sketch::build(sketch).image;
   request.map = grid::find_map(run.map);
-  request.robot = run.robot;
+  request.robot = robot.robot;
   request.goal = run.goal;
   request.script = run.script;
   request.seed = run.seed;
@@ -81,12 +84,6 @@ inline void needs_target(const std::string& target) {
   const std::string missing = what_is_missing(target);
   if (!missing.empty() && is_required(target)) FAIL() << missing;
   if (!missing.empty()) GTEST_SKIP() << missing;
-}
-
-/// The robot with the target's board in the Uno's place.
-inline std::string with_board_of(const std::string& target, const std::string& robot) {
-  if (target != "stm32") return robot;
-  return robot == "pony" ? "bluepony" : "bluepill" + robot.substr(3);
 }
 
 /// How many seeds ROBOSIM_TEST_SEEDS asks for; 0 = it is not set.

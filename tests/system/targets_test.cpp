@@ -23,7 +23,7 @@ TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
   const std::uint64_t usual = std::string(GetParam()) == "stm32" ? 1 : 3;
   for (std::uint64_t seed = 1; seed <= std::max(seeds_asked_for(), usual); ++seed) {
     const client::RunResult r = run({.sketch = "PidFollower",
-                                     .robot = with_board_of(GetParam(), "uno5"),
+                                     .robot = "uno5",
                                      .goal = "laps:1",
                                      .seed = seed,
                                      .for_s = 60.0,
@@ -35,10 +35,7 @@ TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
 
 TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsEachByItsOwnHand) {
   const bool slow = std::string(GetParam()) == "stm32";
-  test::Run tour{.map = slow ? "b" : "d",
-                 .robot = with_board_of(GetParam(), "uno3"),
-                 .goal = "tour",
-                 .target = GetParam()};
+  test::Run tour{.map = slow ? "b" : "d", .robot = "uno3", .goal = "tour", .target = GetParam()};
   std::vector<std::string> right{"1", "2", "3", "4"};
   if (!slow) right.insert(right.end(), {"5", "6", "7"});
   std::vector<std::string> left(right.rbegin(), right.rend());
@@ -64,12 +61,8 @@ TEST_P(Paths, LeftAndRightComeHomeFromEveryStation) {
   const auto [target, map] = GetParam();
   for (const char* sketch : {"LeftPath", "RightPath"}) {
     for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
-      const client::RunResult r = run({.sketch = sketch,
-                                       .map = map,
-                                       .robot = with_board_of(target, "uno3"),
-                                       .goal = "tour",
-                                       .seed = seed,
-                                       .target = target});
+      const client::RunResult r = run(
+          {.sketch = sketch, .map = map, .robot = "uno3", .goal = "tour", .seed = seed, .target = target});
       EXPECT_EQ(r.verdict, "reached") << sketch << " on " << map << ", seed " << seed << ": " << r.why;
     }
   }
@@ -85,7 +78,6 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
     // Those that poll are slow there.
     if (GetParam() == std::string("stm32") && !sketch.script.empty() && seeds_asked_for() == 0) continue;
     test::Run once = sketch;
-    once.robot = with_board_of(GetParam(), sketch.robot);
     once.goal = "none";
     once.seed = 7;
     once.for_s = 5.0;
@@ -97,11 +89,8 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
 }
 
 TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
-  const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "waits.toml";
-  const std::string uno = read_file(sketch_folder("WaitsForFlag") / "robot.toml");
-  write_file(robot, (std::string(GetParam()) == "stm32" ? "board = \"bluepill\"\n" : "") + uno);
   const client::RunResult r = run({.sketch = "WaitsForFlag",
-                                   .robot = robot.string(),
+                                   .robot = (sketch_folder("WaitsForFlag") / "robot.toml").string(),
                                    .goal = "none",
                                    .script = "at 500ms press go",
                                    .for_s = 1.0,

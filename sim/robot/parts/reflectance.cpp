@@ -50,13 +50,10 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
     spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
     return;
   }
-  const double supply = reader.board().supply_volts;
-  const Number light{0.08 * supply, 0.0};
-  const Number dark{0.9 * supply, 0.0};
-  spec.white_volts =
-      reader.figure("white_volts", Dimension::voltage, spec.black_high ? light : dark, 0.0, supply);
-  spec.black_volts =
-      reader.figure("black_volts", Dimension::voltage, spec.black_high ? dark : light, 0.0, supply);
+  const Number light{0.08, 0.0};  // of the supply
+  const Number dark{0.9, 0.0};
+  spec.white_volts = reader.volts("white_volts", spec.black_high ? light : dark);
+  spec.black_volts = reader.volts("black_volts", spec.black_high ? dark : light);
   if ((spec.black_volts.value > spec.white_volts.value) != spec.black_high)
     throw InputError(reader.table().table().place,
                      fmt::format("{}: black = \"{}\" does not go with white_volts and black_volts",

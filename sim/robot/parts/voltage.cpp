@@ -7,9 +7,9 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_voltage(PartReader& reader) {
   auto spec = std::make_shared<VoltageSpec>();
   spec->pin = reader.pin("pin", PinUse::analog);
-  spec->volts = reader.figure("volts", Dimension::voltage, {}, 0.0, reader.board().supply_volts);
+  spec->volts = reader.volts("volts");
   spec->share = reader.figure("share", Dimension::ratio, {}, 0.0, 1.0);
-  spec->noise = reader.figure("noise", Dimension::voltage, {}, 0.0, 1.0);
+  spec->noise = reader.volts("noise", {}, 1.0);
   const ConfigValue& table = reader.table().table();
   if ((table.find("volts") != nullptr) == (table.find("share") != nullptr))
     throw InputError(table.place, reader.name() + " needs either volts, or share (of the battery's voltage)");

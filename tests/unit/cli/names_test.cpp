@@ -132,6 +132,16 @@ TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
   EXPECT_THAT(refusal([&] { choose_robot("uno55", folder_); }), HasSubstr("did you mean uno5?"));
 }
 
+TEST_F(NamesTest, ARobotMayBeNamedWithAnotherBoard) {
+  EXPECT_EQ(choose_robot("uno3@bluepill", folder_).path, "uno3@bluepill");
+  touch("robot.toml");
+  const std::string file = (folder_ / "robot.toml").string();
+  EXPECT_EQ(choose_robot(file + "@bluepill", folder_).path, file + "@bluepill");
+  EXPECT_THAT(refusal([&] { choose_robot("uno55@bluepill", folder_); }), HasSubstr("did you mean uno5?"));
+  EXPECT_THAT(refusal([&] { choose_robot("./none.toml@bluepill", folder_); }),
+              HasSubstr("./none.toml: there is no such file"));
+}
+
 TEST(Target, SketchesAreCompiledForAllThree) {
   EXPECT_NO_THROW(check_build_target("host"));
   EXPECT_NO_THROW(check_build_target("avr"));

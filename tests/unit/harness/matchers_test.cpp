@@ -169,6 +169,16 @@ TEST(Trial, TakesAMapAndARobotAsText) {
   EXPECT_THAT(robot.replay_command(), HasSubstr("map.map"));
 }
 
+TEST(Trial, TakesARobotWithABoardOfTheTarget) {
+  ROBOSIM_SKIP_WITHOUT("stm32");
+  Simulation robot({.sketch = "PidFollower",
+                    .map = "oval",
+                    .robot = "base = \"uno5\"\n[chassis]\nmass = \"500 g\"\n",
+                    .target = "stm32"});
+  robot.run_for(500_ms);
+  EXPECT_GT(robot.so_far().distance().mm, 50.0);
+}
+
 TEST(Resources, AreNotKnownOnTheHost) {
   Simulation robot(pid_on_oval());
   robot.run_for(100_ms);

@@ -5,15 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "hal/board/board_spec.h"
 #include "sim/base/file.h"
 #include "sim/robot/describe.h"
+#include "sim/robot/parts/reflectance.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string message_of(const std::string& text) {
@@ -218,6 +222,81 @@ TEST(Description, HashCoversTheBase) {
   const Description robot = parse_description("base = \"uno5\"\n", "mine.toml");
   EXPECT_EQ(robot.sha256, sha256("base = \"uno5\"\n" + read_file(find_robot("uno5"))));
   EXPECT_EQ(load_description("uno5").sha256, sha256(read_file(find_robot("uno5"))));
+}
+
+class AnotherBoard : public ::testing::Test {
+ protected:
+  std::string file(const std::string& text) const {
+    write_file(folder_.path() / "mine.toml", text);
+    return (folder_.path() / "mine.toml").string();
+  }
+  static std::string refusal(const std::string& robot) {
+    try {
+      load_description(robot);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  static const ReflectanceSpec& sensors_of(const Description& robot) {
+    for (const auto& part : robot.parts)
+      if (const auto* spec = dynamic_cast<const ReflectanceSpec*>(part.get())) return *spec;
+    throw std::logic_error("no sensors");
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(AnotherBoard, TakesThePlaceOfTheFilesOwn) {
+  const std::string mine = file("base = \"uno5\"\n[budget]\nflash = 20000\n");
+  const Description own = load_description(mine);
+  const Description robot = load_description(mine + "@bluepill");
+  EXPECT_EQ(own.board, find_board("uno"));
+  EXPECT_EQ(robot.board, find_board("bluepill"));
+  EXPECT_EQ(robot.name, "mine@bluepill");
+  EXPECT_NE(robot.sha256, own.sha256);
+  EXPECT_EQ(own.budget.flash_bytes, 20000);
+  EXPECT_EQ(robot.budget.flash_bytes, 0) << "another chip's programs have another size";
+  ASSERT_EQ(robot.parts.size(), own.parts.size());
+  for (std::size_t i = 0; i < own.parts.size(); ++i)
+    for (std::size_t k = 0; k < own.parts[i]->wires.size(); ++k)
+      EXPECT_EQ(robot.parts[i]->wires[k].pin, own.parts[i]->wires[k].pin) << own.parts[i]->name;
+}
+
+TEST_F(AnotherBoard, BringsItsSupplyToTheSensors) {
+  const ReflectanceSpec own = sensors_of(load_description("uno5"));
+  const ReflectanceSpec sensors = sensors_of(load_description("uno5@bluepill"));
+  const ReflectanceSpec stock = sensors_of(load_description("bluepill5"));
+  const ReflectanceSpec back = sensors_of(load_description("bluepill5@uno"));
+  EXPECT_DOUBLE_EQ(sensors.white_volts.value, own.white_volts.value / 5.0 * 3.3);
+  EXPECT_DOUBLE_EQ(sensors.black_volts.spread, own.black_volts.spread / 5.0 * 3.3);
+  EXPECT_DOUBLE_EQ(sensors.white_volts.value, stock.white_volts.value) << "bluepill5 is this robot";
+  EXPECT_DOUBLE_EQ(sensors.white_volts.spread, stock.white_volts.spread);
+  EXPECT_DOUBLE_EQ(sensors.black_volts.value, stock.black_volts.value);
+  EXPECT_DOUBLE_EQ(back.black_volts.value, own.black_volts.value);
+}
+
+TEST_F(AnotherBoard, OfTheSameNameChangesNothing) {
+  EXPECT_EQ(load_description("uno5@uno").sha256, load_description("uno5").sha256);
+  EXPECT_EQ(load_description("uno5@uno").name, "uno5");
+}
+
+TEST_F(AnotherBoard, ThatLacksAPinIsRefusedWithThePinsPlace) {
+  const std::string led = "base = \"bluepill5\"\n[[part]]\nname = \"x\"\ntype = \"led\"\npin = ";
+  const std::string mine = file(led + "\"PB10\"\n");
+  EXPECT_NO_THROW(load_description(mine));
+  EXPECT_THAT(refusal(mine + "@uno"),
+              AllOf(HasSubstr("mine.toml:5"), HasSubstr("pin is \"PB10\", which board uno does not have")));
+  const std::string eye = file(
+      "base = \"bluepill2\"\n[[part]]\nname = \"x\"\ntype = \"voltage\"\n"
+      "volts = \"1 V\"\npin = \"A7\"\n");
+  EXPECT_THAT(refusal(eye + "@uno"), HasSubstr("which board uno does not have"));
+}
+
+TEST_F(AnotherBoard, ThatThereIsNoneOfIsRefusedWithThoseThereAre) {
+  EXPECT_THAT(
+      refusal("uno5@mega"),
+      HasSubstr("uno5@mega: no board is called \"mega\"; there are uno, nano, bluepill or bluepill8"));
 }
 
 TEST(StockRobots, AllLoad) {
