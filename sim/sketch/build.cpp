@@ -5,11 +5,11 @@
 
 #include "sim/base/bundle.h"
 #include "sim/base/file.h"
+#include "sim/sketch/assembly.h"
 #include "sim/sketch/cache.h"
 #include "sim/sketch/compile.h"
 #include "sim/sketch/core.h"
 #include "sim/sketch/elf_file.h"
-#include "sim/sketch/endless.h"
 #include "sim/sketch/libraries.h"
 #include "sim/sketch/messages.h"
 #include "sim/sketch/prototypes.h"
@@ -221,7 +221,7 @@ class Build {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (outcomes[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
       const fs::path assembly = objects[i].string() + ".s";
-      write_file(assembly, call_in_endless_loops(read_file(assembly)));
+      write_file(assembly, with_places_of_asm(call_in_endless_loops(read_file(assembly))));
       compiled.push_back(i);
       commands.push_back(assemble_command(toolchain_, objects[i]));
     }

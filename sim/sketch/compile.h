@@ -33,8 +33,8 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
-/// Whether the unit is compiled to the assembly `object` + ".s", in which endless loops are marked
-/// (endless.h) before assemble_command; else it goes to `object` at once.
+/// Whether the unit is compiled to the assembly `object` + ".s", which is changed a little
+/// (assembly.h) before assemble_command; else it goes to `object` at once.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
 /// Whether the unit's lines are counted: gcov's notes on it are then in `object` + ".gcno", and its data has
 /// this name.

@@ -6,6 +6,7 @@ namespace robosim::sketch {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -67,9 +68,8 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   EXPECT_THAT(error_of("Boot"),
               StartsWith("Boot.ino:1:10: there is no header vector: Arduino boards with an AVR"));
   write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
-  EXPECT_EQ(
-      error_of("Boot"),
-      "Boot.ino:1: asm() holds assembler of the chip (no such instruction: `wdr'): it is for --target avr");
+  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
+                                      HasSubstr(" `wdr'"), EndsWith("): it is for --target avr")));
   write("Boot/Boot.cpp", "#include <avr/io.h>\n");
   write("Boot/port.c", "#include <avr/io.h>\nvoid f(void) { PORTB = 1; }\n");
   EXPECT_THAT(error_of("Boot"), HasSubstr("'robosim_registers_need_a_cpp_file' undeclared"));

@@ -1,4 +1,4 @@
-#include "sim/sketch/endless.h"
+#include "sim/sketch/assembly.h"
 
 #include <algorithm>
 #include <vector>
@@ -34,6 +34,24 @@ Jump jump_of(std::string_view line) {
   return {};
 }
 
+/// Takes the first line off, without its end.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+/// `// 7 "Boot.ino" 1` and `@ 7 "Boot.ino" 1` without the comment's sign; empty if it is no such line.
+std::string_view place_of_asm(std::string_view line) {
+  const std::size_t sign = line.substr(0, 3) == "// " ? 2 : line.substr(0, 2) == "@ " ? 1 : 0;
+  if (sign == 0 || line.size() < sign + 6) return {};
+  const std::string_view place = line.substr(sign);
+  const bool number = place[1] >= '0' && place[1] <= '9';
+  const std::string_view end = place.substr(place.size() - 3);
+  return number && (end == "\" 1" || end == "\" 2") ? place : std::string_view();
+}
+
 }  // namespace
 
 std::string call_in_endless_loops(std::string_view assembly) {
@@ -41,9 +59,7 @@ std::string call_in_endless_loops(std::string_view assembly) {
   result.reserve(assembly.size());
   std::vector<std::string_view> labels;  // that stand right before the next instruction
   while (!assembly.empty()) {
-    const std::size_t end = std::min(assembly.find('\n'), assembly.size());
-    const std::string_view whole = assembly.substr(0, end);
-    assembly.remove_prefix(std::min(end + 1, assembly.size()));
+    const std::string_view whole = take_line(assembly);
     const std::string_view line = trim(whole);
     const bool label = !whole.empty() && whole[0] != ' ' && whole[0] != '\t' && line.back() == ':';
     if (label) {
@@ -59,6 +75,21 @@ std::string call_in_endless_loops(std::string_view assembly) {
       }
     }
     result.append(whole).append("\n");
+  }
+  return result;
+}
+
+std::string with_places_of_asm(std::string_view assembly) {
+  std::string result;
+  result.reserve(assembly.size());
+  while (!assembly.empty()) {
+    const std::string_view line = take_line(assembly);
+    const std::string_view place = place_of_asm(line);
+    if (place.empty())
+      result.append(line);
+    else
+      result.append("#").append(place);
+    result.append("\n");
   }
   return result;
 }
