@@ -1,11 +1,12 @@
-// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides.
+// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides. The host gives a Blue Pill
+// those of the Nano, by the names that it has for them.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
 
 #include <avr/io.h>
 
-#ifdef ARDUINO_AVR_NANO
+#if defined(ARDUINO_AVR_NANO) || defined(ARDUINO_BLUEPILL_F103C8)
 #define NUM_DIGITAL_PINS 20
 #define NUM_ANALOG_INPUTS 8
 #define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
@@ -48,6 +49,10 @@ static const uint8_t SCK = PIN_SPI_SCK;
 #define PIN_WIRE_SCL (19)
 static const uint8_t SDA = PIN_WIRE_SDA;
 static const uint8_t SCL = PIN_WIRE_SCL;
+
+#ifdef ARDUINO_BLUEPILL_F103C8
+#include "bluepill.h"
+#endif
 
 #define SERIAL_PORT_MONITOR Serial
 #define SERIAL_PORT_HARDWARE Serial

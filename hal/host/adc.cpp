@@ -25,8 +25,6 @@ SimTime Adc::next_start() const {
 
 uint16_t Adc::sample() const {
   const BoardSpec& spec = board->spec();
-  const int reference_bits = multiplexer_ >> 6;
-  const double reference = reference_bits == 3 ? kBandgap : spec.supply_volts;
   const int channel = multiplexer_ & 0xF;
   double volts = 0.0;
   if (channel < 8) {
@@ -35,6 +33,11 @@ uint16_t Adc::sample() const {
   } else if (channel == 14) {
     volts = kBandgap;
   }
+  return code_of(volts);
+}
+
+uint16_t Adc::code_of(double volts) const {
+  const double reference = multiplexer_ >> 6 == 3 ? kBandgap : board->spec().supply_volts;
   const double code = volts / reference * 1024.0;
   return code <= 0.0 ? 0 : code >= 1023.0 ? 1023 : static_cast<uint16_t>(code);
 }

@@ -23,6 +23,8 @@ class Adc {
 
   /// Samples the selected channel now: for analogRead, which does its own waiting.
   uint16_t sample() const;
+  /// The code of a voltage at the selected reference.
+  uint16_t code_of(double volts) const;
   /// One ADC clock.
   SimTime clock() const;
   /// When a conversion begins that is asked for now: with the next ADC clock.

@@ -50,9 +50,26 @@ void start_pwm(const PinMap& pin, Address timer) {
   at(timer + kTimCcer) |= 1u << (4 * output);
 }
 
+constexpr int kAdcBits = 12, kPwmBits = 8;
+int read_bits = 10, write_bits = kPwmBits;  // Arduino's ranges
+
+bool has_range(int bits) { return bits >= 1 && bits <= 16; }
+
+uint32_t scaled(uint32_t value, int from_bits, int to_bits) {
+  return to_bits >= from_bits ? value << (to_bits - from_bits) : value >> (from_bits - to_bits);
+}
+
 }  // namespace
 
 extern "C" {
+
+void analogReadResolution(int bits) {
+  if (has_range(bits)) read_bits = bits;
+}
+
+void analogWriteResolution(int bits) {
+  if (has_range(bits)) write_bits = bits;
+}
 
 /// A Blue Pill's reference is its supply, 3.3 V: there is nothing to choose.
 void analogReference(uint8_t) {}
@@ -66,18 +83,19 @@ int analogRead(uint8_t number) {
   at(kAdcSqr3) = static_cast<uint32_t>(pin->channel);
   at(kAdcCr2) |= kSwStart;
   at(kAdcSr).await(kEoc, kEoc);
-  return static_cast<int>(load(kAdcDr) >> 2);  // 12 bits; Arduino's range has 10
+  return static_cast<int>(scaled(load(kAdcDr), kAdcBits, read_bits));
 }
 
-void analogWrite(uint8_t number, int value) {
+void analogWrite(uint8_t number, int given) {
   const PinMap* pin = pin_at(number);
   if (!pin) return;
+  const uint32_t value = given < 0 ? 0 : scaled(static_cast<uint32_t>(given), write_bits, kPwmBits);
   if (pin->timer == 0) {
     pinMode(number, OUTPUT);
     return digitalWrite(number, value < 128 ? LOW : HIGH);
   }
   const Address timer = timer_base(pin->timer);
-  const uint32_t compare = value < 0 ? 0 : value > 255 ? kPwmSteps : static_cast<uint32_t>(value);
+  const uint32_t compare = value > kPwmSteps ? kPwmSteps : value;
   const bool runs = configuration(*pin) == kAlternate;
   if (!runs) start_pwm(*pin, timer);  // first: without its clock the timer takes nothing
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;

@@ -28,6 +28,8 @@ void pinMode(uint8_t pin, uint8_t mode);
 void digitalWrite(uint8_t pin, uint8_t level);
 int digitalRead(uint8_t pin);
 int analogRead(uint8_t pin);
+void analogReadResolution(int bits);
+void analogWriteResolution(int bits);
 void analogWrite(uint8_t pin, int value);
 unsigned long millis();
 unsigned long micros();

@@ -237,6 +237,31 @@ TEST_F(HalTest, AnalogReadHasTenBitsOfTheSupplyOnEveryInput) {
   EXPECT_EQ(analogRead(2), 0) << "no analog input";
 }
 
+TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
+  Volts source;
+  source.value = 1.65;
+  board_.connect(14, source);
+  for (const auto& [bits, code] : {std::pair{12, 2048}, {16, 32768}, {8, 128}, {1, 1}, {10, 512}}) {
+    analogReadResolution(bits);
+    EXPECT_EQ(analogRead(14), code) << bits;
+  }
+  source.value = 1.651;
+  analogReadResolution(12);
+  EXPECT_EQ(analogRead(14), 2049) << "the converter has twelve bits";
+  for (const int bits : {0, 17, -3}) analogReadResolution(bits);
+  EXPECT_EQ(analogRead(14), 2049) << "what is no resolution changes nothing";
+  analogReadResolution(10);
+}
+
+TEST_F(HalTest, AnalogWriteTakesAnotherResolution) {
+  analogWriteResolution(12);
+  analogWrite(5, 51 << 4);
+  EXPECT_DOUBLE_EQ(board_.drive(5).duty, 0.2);
+  analogWrite(5, 4095);
+  EXPECT_DOUBLE_EQ(board_.drive(5).duty, 1.0);
+  analogWriteResolution(8);
+}
+
 TEST_F(HalTest, AnalogWriteIsADutyOnEveryPinThatHasPwmAndDigitalWriteEndsIt) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) {
     if (!board_.spec().pins[pin].pwm) continue;

@@ -34,7 +34,7 @@ class RunTest : public SketchTest {
 
   std::string run_code(const std::string& code, SimTime duration = 200 * kMillisecond) {
     write("Run/Run.ino", code);
-    return run_image(build_here("Run").image, duration);
+    return run_image(build({folder_ / "Run", board_}).image, duration);
   }
 
   std::string run_image(const fs::path& image, SimTime duration) {
@@ -49,7 +49,7 @@ class RunTest : public SketchTest {
     return serial_.text;
   }
 
-  const BoardSpec& board_ = *find_board("uno");
+  BoardSpec board_ = *find_board("uno");
   ConstantVolts volts_{2.5};
   SerialText serial_;
   std::unique_ptr<executors::HostExecutor> executor_;
@@ -70,6 +70,47 @@ TEST_F(RunTest, NumbersAreFormattedAsOnTheChip) {
             "    3.14\n-3.142  \n 1.235e+04\n"
             "0123a\nA3210\n"
             "194\n1\n");
+}
+
+TEST_F(RunTest, ABluePillsSketchFindsTheChipsPins) {
+  board_ = *find_board("bluepill");
+  volts_.value = 1.65;
+  ConstantVolts beside{3.3 / 4};
+  const std::string code =
+      "#include <avr/io.h>\n"
+      "void setup() {\n"
+      "  Serial.begin(9600);\n"
+      "  const int pins[] = {PA0, PB0, PA6, PA8, PB9, PB12, PC13, A7};\n"
+      "  for (int pin : pins) { Serial.print(pin); Serial.print(' '); }\n"
+      "  Serial.println(digitalPinToInterrupt(PB12));\n"
+      "  Serial.println(analogRead(PA1));\n"
+      "  analogReadResolution(12);\n"
+      "  Serial.println(analogRead(PA1));\n"
+      "  Serial.println(analogRead(PA7));\n"
+      "  analogWriteResolution(12);\n"
+      "  pinMode(PB6, OUTPUT);\n"
+      "  analogWrite(PB6, 51 << 4);\n"
+      "}\n"
+      "void loop() {}\n";
+  write("Run/Run.ino", code);
+  executor_ = std::make_unique<executors::HostExecutor>(board_, build({folder_ / "Run", board_}).image);
+  executor_->board().watch_serial(serial_);
+  executor_->board().connect(15, volts_);
+  executor_->board().connect(11, beside);
+  executor_->power_on(0);
+  executor_->run_until(100 * kMillisecond);
+  EXPECT_EQ(serial_.text, "14 20 12 3 10 2 13 21 0\n512\n2048\n1024\n");
+  EXPECT_DOUBLE_EQ(executor_->board().drive(5).duty, 52.0 / 256.0) << "a timer's step more than the value";
+}
+
+TEST_F(RunTest, ABluePillsPinThatTheHostHasNotIsToldSo) {
+  board_ = *find_board("bluepill");
+  write("Run/Run.ino", "void setup() { digitalWrite(PB10, HIGH); }\nvoid loop() {}\n");
+  EXPECT_THAT(
+      [&] {
+        build({folder_ / "Run", board_});
+      },
+      testing::ThrowsMessage<CompileError>(HasSubstr("PB10_is_there_on_the_target_stm32_only")));
 }
 
 TEST_F(RunTest, TablesInFlashAreRead) {

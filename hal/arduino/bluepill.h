@@ -1,0 +1,77 @@
+// What sketches for a Blue Pill may name beyond what an Uno has, on every target: the chip's pins, as
+// STM32duino writes them (PA13 and PA14 are the debugger's, PB2 is BOOT1), and the resolution of analog
+// values.
+#pragma once
+
+#include <stdint.h>
+
+// On the host <avr/io.h> has numbers of bits by these names.
+#undef PB0
+#undef PB1
+#undef PB2
+#undef PB3
+#undef PB4
+#undef PB5
+#undef PB6
+#undef PB7
+
+#define PA0 14
+#define PA1 15
+#define PA2 16
+#define PA3 17
+#define PA4 18
+#define PA5 19
+#define PA6 12
+#define PA7 11
+#define PA8 3
+#define PA9 1
+#define PA10 0
+#define PB0 20
+#define PB1 21
+#define PB6 5
+#define PB7 6
+#define PB8 9
+#define PB9 10
+#define PB12 2
+#define PB13 4
+#define PB14 7
+#define PB15 8
+#define PC13 13
+
+#ifndef ARDUINO_ARCH_HOST
+#define PA11 28
+#define PA12 29
+#define PA15 25
+#define PB3 26
+#define PB4 27
+#define PB5 22
+#define PB10 23
+#define PB11 24
+#define PC14 30
+#define PC15 31
+#else  // an Uno has no such pins, and the host has what an Uno has
+#define PA11 PA11_is_there_on_the_target_stm32_only
+#define PA12 PA12_is_there_on_the_target_stm32_only
+#define PA15 PA15_is_there_on_the_target_stm32_only
+#define PB3 PB3_is_there_on_the_target_stm32_only
+#define PB4 PB4_is_there_on_the_target_stm32_only
+#define PB5 PB5_is_there_on_the_target_stm32_only
+#define PB10 PB10_is_there_on_the_target_stm32_only
+#define PB11 PB11_is_there_on_the_target_stm32_only
+#define PC14 PC14_is_there_on_the_target_stm32_only
+#define PC15 PC15_is_there_on_the_target_stm32_only
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// From now on analogRead gives 0 to 2^bits - 1; 1 to 16 bits, at first 10. The converter of the STM32F103
+/// has 12, the host's 10: what is beyond them is zero.
+void analogReadResolution(int bits);
+/// From now on analogWrite takes 0 to 2^bits - 1; 1 to 16 bits, at first 8. PWM keeps its 256 steps.
+void analogWriteResolution(int bits);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif
