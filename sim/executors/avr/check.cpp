@@ -73,7 +73,7 @@ bool lacks_location(const Memory& memory, unsigned data) {
 }  // namespace
 
 std::optional<Undefined> failed_check(const Firmware& firmware, const Chip& chip, const Fault& fault) {
-  const Firmware::Symbol* const handler =
+  const Symbol* const handler =
       fault.kind == Fault::Kind::bad_opcode ? firmware.function_at(fault.pc) : nullptr;
   if (!handler || !handler->name.starts_with(kCheckPrefix)) return std::nullopt;
   std::string check = handler->name.substr(kCheckPrefix.size());

@@ -85,7 +85,7 @@ std::vector<SourceLine> Diagnosis::call_chain(std::uint32_t pc) const {
   std::vector<SourceLine> chain;
   const auto add = [&](std::uint32_t at) {
     std::vector<SourceLine> frames = debug_.frames(at);
-    const Firmware::Symbol* function = frames.empty() ? firmware_.function_at(at) : nullptr;
+    const Symbol* function = frames.empty() ? firmware_.function_at(at) : nullptr;
     if (function) frames.push_back({function->name, "", 0});
     for (const SourceLine& frame : frames)
       if (!frame.function.starts_with(kCheckPrefix) && chain.size() < kMostCalls &&

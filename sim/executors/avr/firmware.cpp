@@ -62,11 +62,10 @@ void load_symbols(const FileReader& in, const Elf32_Ehdr& header, Firmware& firm
       if (name == "__stack") stack = symbol.st_value;
       if (name.empty() || symbol.st_shndx == SHN_ABS) continue;
       checks |= name.starts_with(kCheckPrefix);
-      firmware.symbols.push_back({name, symbol.st_value, symbol.st_size, symbol.st_value < kDataSpace});
+      firmware.symbols.add({name, symbol.st_value, symbol.st_size, symbol.st_value < kDataSpace});
     }
   }
-  std::stable_sort(firmware.symbols.begin(), firmware.symbols.end(),
-                   [](const auto& a, const auto& b) { return a.address < b.address; });
+  firmware.symbols.sort();
   if (checks && stack > reg::kLastRam && stack <= 0xFFFF)
     firmware.last_ram = static_cast<std::uint16_t>(stack);
   firmware.ram_bytes = data_end - kDataSpace - reg::kFirstRam;
@@ -102,9 +101,8 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
 }
 
 std::optional<std::uint32_t> Firmware::find(const std::string& name) const {
-  for (const Symbol& symbol : symbols)
-    if (symbol.name == name) return symbol.address;
-  return std::nullopt;
+  const Symbol* const symbol = symbols.find(name);
+  return symbol ? std::optional(symbol->address) : std::nullopt;
 }
 
 std::optional<std::uint16_t> Firmware::find_variable(const std::string& name) const {
@@ -138,13 +136,8 @@ std::uint32_t Firmware::loop_head(std::uint32_t entry) const {
   return head < end ? head : entry;
 }
 
-const Firmware::Symbol* Firmware::function_at(std::uint32_t pc) const {
-  const Symbol* best = nullptr;
-  for (const Symbol& symbol : symbols) {
-    if (symbol.address > pc) break;
-    if (symbol.code && (symbol.size == 0 || pc < symbol.address + symbol.size)) best = &symbol;
-  }
-  return pc < code_end ? best : nullptr;
+const Symbol* Firmware::function_at(std::uint32_t pc) const {
+  return pc < code_end ? symbols.function_at(pc) : nullptr;
 }
 
 }  // namespace robosim::executors::avr

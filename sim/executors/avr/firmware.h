@@ -10,6 +10,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/executors/avr/registers.h"
+#include "sim/executors/chip/symbols.h"
 
 namespace robosim::executors::avr {
 
@@ -18,19 +19,13 @@ constexpr std::uint32_t kFlashBytes = 0x8000;  ///< of an ATmega328P, boot loade
 constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
 struct Firmware {
-  struct Symbol {
-    std::string name;
-    std::uint32_t address = 0;  ///< avr-gcc's: flash from 0, data memory from 0x800000
-    std::uint32_t size = 0;
-    bool code = false;
-  };
-
   std::string file;
   std::vector<std::uint8_t> flash;  ///< as it is flashed: code, constants, initial values of variables
   std::uint32_t code_end = 0;       ///< end of .text
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
   std::uint32_t ram_bytes = 0;      ///< variables
-  std::vector<Symbol> symbols;      ///< functions and variables, by address
+  Symbols
+      symbols;  ///< functions and variables; addresses are avr-gcc's: flash from 0, data memory from 0x800000
   /// Last address of RAM, where the stack begins. An image with the checks of --sanitize is far larger than
   /// the chip: it gets RAM up to where it has its stack begin, and 64 KB of flash.
   std::uint16_t last_ram = reg::kLastRam;

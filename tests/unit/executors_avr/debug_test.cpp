@@ -173,7 +173,7 @@ TEST_F(DebugTest, AStepGoesThroughHandlersToTheNextInstructionOfTheSketch) {
     const auto texts = replies(1 + kSteps);
     EXPECT_EQ(texts[0], "S02");
     for (std::size_t i = 2; i < texts.size(); i += 2) {
-      const avr::Firmware::Symbol* function = firmware.function_at(number(texts[i]));
+      const Symbol* function = firmware.function_at(number(texts[i]));
       ASSERT_TRUE(function);
       ASSERT_NE(function->name, "__vector_16");
     }
