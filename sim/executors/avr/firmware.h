@@ -24,8 +24,7 @@ struct Firmware {
   std::uint32_t code_end = 0;       ///< end of .text
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
   std::uint32_t ram_bytes = 0;      ///< variables
-  Symbols
-      symbols;  ///< functions and variables; addresses are avr-gcc's: flash from 0, data memory from 0x800000
+  Symbols symbols;                  ///< functions and variables: flash from 0, data memory from 0x800000
   /// Last address of RAM, where the stack begins. An image with the checks of --sanitize is far larger than
   /// the chip: it gets RAM up to where it has its stack begin, and 64 KB of flash.
   std::uint16_t last_ram = reg::kLastRam;
