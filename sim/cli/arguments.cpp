@@ -37,7 +37,8 @@ Command parse_run(const Words& words) {
   Options options("run", "Runs a sketch on a robot on a map, and judges it.");
   options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
-  options.text("--robot", run.robot, "ROBOT", "file, or name of a stock robot");
+  options.text("--robot", run.robot, "ROBOT",
+               "file, or name of a stock robot; with @BOARD behind it, on that board");
   options.text("--target", run.target, "TARGET", "host, avr or stm32");
   options.text("--start", run.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
   options.text("--goal", run.goal, "GOAL", "tour, laps:N, station:N, still or none");
