@@ -4,7 +4,8 @@ namespace robosim {
 
 RobotName parse_robot_name(const std::string& text) {
   const std::size_t at = text.rfind('@');
-  if (at == text.npos || text.find_first_of("/.", at) != text.npos) return {text, ""};
+  if (at == text.npos || at + 1 == text.size() || text.find_first_of("/.", at) != text.npos)
+    return {text, ""};
   return {text.substr(0, at), text.substr(at + 1)};
 }
 

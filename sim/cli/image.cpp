@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -17,6 +18,14 @@ const BoardSpec& board_of(const client::RobotInfo& robot) {
   if (!board)
     throw client::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
   return *board;
+}
+
+std::string chip_target_of(const BoardSpec& board) {
+  for (const std::string& target : sketch::targets()) {
+    const std::vector<std::string> boards = sketch::boards_of(target);
+    if (std::find(boards.begin(), boards.end(), board.name) != boards.end()) return target;
+  }
+  return "";
 }
 
 Carrier fit_to_target(const Choice& robot, const std::string& target,

@@ -15,6 +15,9 @@ namespace robosim::cli {
 /// The board a robot carries.
 const BoardSpec& board_of(const client::RobotInfo& robot);
 
+/// The target that is this board's chip.
+std::string chip_target_of(const BoardSpec& board);
+
 /// A robot that a sketch for this target can drive.
 struct Carrier {
   Choice robot;

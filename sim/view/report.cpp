@@ -165,10 +165,12 @@ void write_figures(Writer& out, const Report& report) {
   }
 }
 
-std::string chip_hint() {
+std::string chip_hint(const std::string& chip_target) {
+  if (chip_target == "stm32")
+    return "this ran on the target host, where memory is plenty. A Blue Pill's chip has 20 KB of it, and its "
+           "own timing: run it there with --target stm32.";
   return "this ran on the target host, where int has 32 bits and memory is plenty. An Uno's chip has a "
-         "16-bit "
-         "int, 2 KB of memory and its own timing: run it there with --target avr.";
+         "16-bit int, 2 KB of memory and its own timing: run it there with --target avr.";
 }
 
 }  // namespace
@@ -230,7 +232,7 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
   }
   out.line();
   if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
-  if (report.target == "host") out.labelled("chip:", chip_hint(), Ink::faint);
+  if (report.target == "host") out.labelled("chip:", chip_hint(report.chip_target), Ink::faint);
   return out.take();
 }
 

@@ -28,7 +28,6 @@ class Trail {
   std::size_t every_ = 1, seen_ = 0;
 };
 
-/// What a report is made of.
 /// A limit of the firmware's, and how far it might be raised.
 struct Room {
   std::string what;  ///< "nodes of a tree"
@@ -37,6 +36,7 @@ struct Room {
   std::uint64_t bytes_each = 0;
 };
 
+/// What a report is made of.
 struct Report {
   std::string sketch;  ///< as the user named it
   std::string map;
@@ -49,6 +49,7 @@ struct Report {
   /// On a chip: RAM that neither variables nor the deepest stack took.
   std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;
+  std::string chip_target;  ///< that the robot's board has a chip of
 };
 
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.

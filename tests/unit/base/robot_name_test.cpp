@@ -16,6 +16,7 @@ TEST(RobotName, NamesABoardBehindAnAt) {
   expect("uno5@bluepill", "uno5", "bluepill");
   expect("./my.toml@bluepill8", "./my.toml", "bluepill8");
   expect("", "", "");
+  expect("./my.toml@", "./my.toml@", "");
 }
 
 TEST(RobotName, LeavesAnAtInAPathAlone) {

@@ -62,6 +62,16 @@ TEST(EndScreen, SaysWhatHappenedAtFirstSight) {
   EXPECT_THAT(screen, Not(HasSubstr("wall time")));
 }
 
+TEST(EndScreen, NamesTheTargetOfTheRobotsChipWhereItRanOnTheHost) {
+  Report r = report();
+  r.chip_target = "avr";
+  EXPECT_THAT(end_screen(r, nullptr, 200, Look{}), HasSubstr("run it there with --target avr."));
+  r.chip_target = "stm32";
+  EXPECT_THAT(end_screen(r, nullptr, 200, Look{}), HasSubstr("run it there with --target stm32."));
+  r.target = "stm32";
+  EXPECT_THAT(end_screen(r, nullptr, 200, Look{}), Not(HasSubstr("run it there")));
+}
+
 TEST(EndScreen, WrapsLongSentencesUnderTheirLabel) {
   Report r = report();
   r.result.next = "look at pin 5: it stayed low for the whole run, so the left motor never turned";
