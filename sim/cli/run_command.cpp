@@ -256,10 +256,10 @@ int run_command(const RunArguments& given) {
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(map.path);
     const auto free = free_bytes(result, board_of(robot_info));
-    print(view::end_screen({sketch.name, map.name, robot.name, arguments.target, listeners.started(), result,
-                            listeners.trail(), wall_s, free, rooms(image, free),
-                            chip_target_of(board_of(robot_info))},
-                           drawn.get(), columns, view::look_from_environment(size.has_value())));
+    print(view::end_screen(
+        {sketch.name, map.name, robot.name, arguments.target, listeners.started(), result, listeners.trail(),
+         wall_s, free, rooms(image, free), chip_target_of(board_of(robot_info))},
+        drawn.get(), columns, view::look_from_environment(size.has_value())));
   }
   if (counters) {
     // The same run counts once: what went into it, and what came out.
