@@ -26,41 +26,27 @@
 #define PA8 3
 #define PA9 1
 #define PA10 0
+#define PA11 28
+#define PA12 29
+#define PA15 25
 #define PB0 20
 #define PB1 21
+#define PB3 26
+#define PB4 27
+#define PB5 22
 #define PB6 5
 #define PB7 6
 #define PB8 9
 #define PB9 10
+#define PB10 23
+#define PB11 24
 #define PB12 2
 #define PB13 4
 #define PB14 7
 #define PB15 8
 #define PC13 13
-
-#ifndef ARDUINO_ARCH_HOST
-#define PA11 28
-#define PA12 29
-#define PA15 25
-#define PB3 26
-#define PB4 27
-#define PB5 22
-#define PB10 23
-#define PB11 24
 #define PC14 30
 #define PC15 31
-#else  // an Uno has no such pins, and the host has what an Uno has
-#define PA11 PA11_is_there_on_the_target_stm32_only
-#define PA12 PA12_is_there_on_the_target_stm32_only
-#define PA15 PA15_is_there_on_the_target_stm32_only
-#define PB3 PB3_is_there_on_the_target_stm32_only
-#define PB4 PB4_is_there_on_the_target_stm32_only
-#define PB5 PB5_is_there_on_the_target_stm32_only
-#define PB10 PB10_is_there_on_the_target_stm32_only
-#define PB11 PB11_is_there_on_the_target_stm32_only
-#define PC14 PC14_is_there_on_the_target_stm32_only
-#define PC15 PC15_is_there_on_the_target_stm32_only
-#endif
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,12 +1,16 @@
-// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides. The host gives a Blue Pill
-// those of the Nano, by the names that it has for them.
+// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides. On the host they are the Blue
+// Pill's, too, which has more.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
 
 #include <avr/io.h>
 
-#if defined(ARDUINO_AVR_NANO) || defined(ARDUINO_BLUEPILL_F103C8)
+#ifdef ARDUINO_BLUEPILL_F103C8
+#define NUM_DIGITAL_PINS 32
+#define NUM_ANALOG_INPUTS 8
+#define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
+#elif defined(ARDUINO_AVR_NANO)
 #define NUM_DIGITAL_PINS 20
 #define NUM_ANALOG_INPUTS 8
 #define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
@@ -58,7 +62,12 @@ static const uint8_t SCL = PIN_WIRE_SCL;
 #define SERIAL_PORT_HARDWARE Serial
 
 #define digitalPinHasPWM(p) ((p) == 3 || (p) == 5 || (p) == 6 || (p) == 9 || (p) == 10 || (p) == 11)
+#ifdef ARDUINO_BLUEPILL_F103C8
+#define digitalPinToInterrupt(p) \
+  ((p) == 2 ? 0 : ((p) == 3 ? 1 : ((p) >= 4 && (p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)))
+#else
 #define digitalPinToInterrupt(p) ((p) == 2 ? 0 : ((p) == 3 ? 1 : NOT_AN_INTERRUPT))
+#endif
 
 // Ports are numbered as in the AVR core: B = 2, C = 3, D = 4. Pins 0..7 are port D, 8..13 B, 14..19 C.
 #define digitalPinToPort(p) ((p) < 8 ? 4 : ((p) < 14 ? 2 : ((p) < 20 ? 3 : NOT_A_PORT)))

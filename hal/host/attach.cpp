@@ -7,42 +7,76 @@
 namespace host = robosim::host;
 namespace cost = robosim::host::cost;
 using robosim::kNoPin;
+using robosim::Pin;
 
 namespace {
 
 void (*attached[2])();
+void (*attached_to_line[32])();
 
 void run_attached(int number) {
   host::spend(cost::kAttachedHandler);
   if (attached[number]) attached[number]();
 }
 
+Pin pin_of(uint8_t number) {
+  if (number < 2) return static_cast<Pin>(number + 2);
+  return host::has_line(number) ? number : kNoPin;
+}
+
+void attach_line(Pin pin, void (*handler)(), int mode) {
+  attached_to_line[pin] = handler;
+  host::lines.sense[pin] = static_cast<uint8_t>(mode);
+  host::lines.flags &= ~(1u << pin);
+  host::lines.enabled |= 1u << pin;
+}
+
+void detach_line(Pin pin) {
+  host::lines.enabled &= ~(1u << pin);
+  attached_to_line[pin] = nullptr;
+}
+
 }  // namespace
 
 extern "C" {
+
+void robosim_serve_line() {
+  const Pin pin = host::take_line();
+  host::spend(cost::kAttachedHandler);
+  if (pin != kNoPin && attached_to_line[pin]) attached_to_line[pin]();
+}
 
 __attribute__((weak)) void __vector_1() { run_attached(0); }
 __attribute__((weak)) void __vector_2() { run_attached(1); }
 
 void attachInterrupt(uint8_t number, void (*handler)(), int mode) {
-  host::note_call("attachInterrupt", number < 2 ? static_cast<robosim::Pin>(number + 2) : kNoPin, 2, number,
-                  mode);
+  const Pin pin = pin_of(number);
+  host::note_call("attachInterrupt", pin, 2, number, mode);
   host::spend(cost::kAttachInterrupt);
-  if (number >= 2) return;
-  attached[number] = handler;
-  const int shift = 2 * number;
-  host::external.sense = static_cast<uint8_t>((host::external.sense & ~(3 << shift)) | (mode & 3) << shift);
-  host::external.mask |= static_cast<uint8_t>(1 << number);
+  if (pin == kNoPin) return;
+  if (number >= 2) {
+    attach_line(pin, handler, mode);
+  } else {
+    attached[number] = handler;
+    const int shift = 2 * number;
+    host::external.sense = static_cast<uint8_t>((host::external.sense & ~(3 << shift)) | (mode & 3) << shift);
+    host::external.mask |= static_cast<uint8_t>(1 << number);
+  }
   host::refresh_external();
   host::refresh_deadline();
 }
 
 void detachInterrupt(uint8_t number) {
-  host::note_call("detachInterrupt", number < 2 ? static_cast<robosim::Pin>(number + 2) : kNoPin, 1, number);
+  const Pin pin = pin_of(number);
+  host::note_call("detachInterrupt", pin, 1, number);
   host::spend(cost::kAttachInterrupt);
-  if (number >= 2) return;
-  host::external.mask &= static_cast<uint8_t>(~(1 << number));
-  attached[number] = nullptr;
+  if (pin == kNoPin) return;
+  if (number >= 2) {
+    detach_line(pin);
+  } else {
+    host::external.mask &= static_cast<uint8_t>(~(1 << number));
+    attached[number] = nullptr;
+  }
   host::refresh_external();
   host::refresh_deadline();
 }

@@ -85,7 +85,7 @@ extern "C" {
 void pinMode(uint8_t pin, uint8_t mode) {
   host::note_call("pinMode", pin, 2, pin, mode);
   host::spend(cost::kPinMode);
-  if (pin >= host::kPortPins) return;
+  if (!host::is_digital(pin)) return;
   set_mode(pin, mode);
   host::refresh_pin(pin);
 }
@@ -93,14 +93,14 @@ void pinMode(uint8_t pin, uint8_t mode) {
 void digitalWrite(uint8_t pin, uint8_t value) {
   host::note_call("digitalWrite", pin, 2, pin, value);
   host::spend(cost::kDigitalWrite + timer_cost(pin));
-  if (pin < host::kPortPins) set_level(pin, value != LOW);
+  if (host::is_digital(pin)) set_level(pin, value != LOW);
 }
 
 int digitalRead(uint8_t pin) {
   host::note_call("digitalRead", pin, 1, pin);
   host::note_read(pin);
   host::spend(cost::kDigitalRead + timer_cost(pin));
-  return pin < host::kPortPins && get_level(pin) ? HIGH : LOW;
+  return host::is_digital(pin) && get_level(pin) ? HIGH : LOW;
 }
 
 void analogReference(uint8_t mode) {
@@ -140,7 +140,7 @@ void analogWrite(uint8_t pin, int value) {
   const host::TimerPin by = host::timer_of(pin);
   const bool digital = value == 0 || value == 255 || by.timer < 0;
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
-  if (pin >= host::kPortPins) return;
+  if (!host::is_digital(pin)) return;
   const bool was_input = set_mode(pin, OUTPUT);
   if (digital) {
     if (was_input) host::refresh_pin(pin);
@@ -159,7 +159,7 @@ void shiftOut(uint8_t data_pin, uint8_t clock_pin, uint8_t order, uint8_t value)
   for (int i = 0; i < 8; ++i) {
     const bool bit = value >> (order == LSBFIRST ? i : 7 - i) & 1;
     host::spend(cost::kShiftOutBit);
-    if (data_pin >= host::kPortPins || clock_pin >= host::kPortPins) continue;
+    if (!host::is_digital(data_pin) || !host::is_digital(clock_pin)) continue;
     set_level(data_pin, bit);
     set_level(clock_pin, true);
     host::spend(cost::kDigitalWrite);
@@ -172,7 +172,7 @@ uint8_t shiftIn(uint8_t data_pin, uint8_t clock_pin, uint8_t order) {
   uint8_t value = 0;
   for (int i = 0; i < 8; ++i) {
     host::spend(cost::kShiftInBit);
-    if (data_pin >= host::kPortPins || clock_pin >= host::kPortPins) continue;
+    if (!host::is_digital(data_pin) || !host::is_digital(clock_pin)) continue;
     set_level(clock_pin, true);
     host::spend(cost::kDigitalRead);
     if (get_level(data_pin)) value |= static_cast<uint8_t>(1 << (order == LSBFIRST ? i : 7 - i));

@@ -1,5 +1,5 @@
 // Interrupts by pins (datasheet, chapter 13): INT0 and INT1 on pins 2 and 3, and the three pin change
-// interrupts.
+// interrupts. A Blue Pill has one for each pin; those of 4 and up come by attachInterrupt alone.
 #pragma once
 
 #include <stdint.h>
@@ -19,12 +19,26 @@ struct ExternalRegisters {
 };
 extern ExternalRegisters external;
 
+enum Edge : uint8_t { kAnyEdge = 1, kFalling = 2, kRising = 3 };
+
+/// Pins of which any edge, or one kind, interrupts on a board that has this beyond INT0 and INT1.
+struct Lines {
+  uint32_t enabled = 0, flags = 0;  ///< one bit each pin
+  uint8_t sense[32] = {};           ///< Edge
+};
+extern Lines lines;
+
+/// Whether this pin of the board interrupts by `lines`.
+bool has_line(Pin pin);
+/// The lowest pin whose flag is raised and enabled, and clears the flag; kNoPin if there is none.
+Pin take_line();
+
 /// After a change of the registers: tells the executor which edges matter.
 void refresh_external();
 /// An edge has arrived.
 void external_edge(Pin pin, bool level);
-/// Vectors 1..5 that are raised and enabled, one bit each. A low level raises its flag for as long as it
-/// lasts.
+/// Vectors 1..5 that are raised and enabled, one bit each, and kLines. A low level raises its flag for as
+/// long as it lasts.
 uint32_t pending_external();
 /// The handler of vector `number` starts: edges clear their flag.
 void acknowledge_external(int number);

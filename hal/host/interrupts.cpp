@@ -28,6 +28,7 @@ ROBOSIM_VECTOR(18)
 ROBOSIM_VECTOR(19)
 ROBOSIM_VECTOR(20)
 ROBOSIM_VECTOR(21)
+void robosim_serve_line();  // attach.cpp
 }
 
 namespace robosim {
@@ -107,6 +108,8 @@ Handler handler_of(int vector) {
       return __vector_20;
     case 21:
       return __vector_21;
+    case kLines:
+      return robosim_serve_line;
     default:
       return nullptr;
   }

@@ -21,7 +21,8 @@ enum Vector : uint8_t {
   kUartEmpty = 19,
   kUartSent = 20,
   kAdcComplete = 21,
-  kVectors = 26,
+  kLines = 26,  // no vector of the chip: external.h
+  kVectors = 27,
 };
 
 extern uint8_t status_register;  ///< SREG; bit 7 is I

@@ -6,12 +6,12 @@
 namespace robosim {
 namespace host {
 
-PortRegisters ports[3];
+PortRegisters ports[kPorts];
 
 namespace {
 
-PinDrive driven[kPortPins];
-uint32_t tone_hz[kPortPins];
+PinDrive driven[kMostPins];
+uint32_t tone_hz[kMostPins];
 
 PinDrive drive_of(Pin pin) {
   const PortRegisters& port = ports[port_of(pin)];
@@ -36,8 +36,8 @@ PinDrive drive_of(Pin pin) {
 }
 
 void refresh_port(Port port, uint8_t changed) {
-  for (int bit = 0; bit < pins_of(port); ++bit)
-    if (changed >> bit & 1) refresh_pin(static_cast<Pin>(first_pin(port) + bit));
+  for (int bit = 0; bit < kPortBits[port].count; ++bit)
+    if (changed >> bit & 1) refresh_pin(static_cast<Pin>(kPortBits[port].first + bit));
 }
 
 }  // namespace
@@ -68,8 +68,8 @@ void set_output(Port port, uint8_t value) {
 
 uint8_t read_port(Port port) {
   uint8_t value = 0;
-  for (int bit = 0; bit < pins_of(port); ++bit)
-    if (board->read_level(static_cast<Pin>(first_pin(port) + bit), state.now))
+  for (int bit = 0; bit < kPortBits[port].count; ++bit)
+    if (board->read_level(static_cast<Pin>(kPortBits[port].first + bit), state.now))
       value |= static_cast<uint8_t>(1 << bit);
   return value;
 }
@@ -81,7 +81,7 @@ void set_tone(Pin pin, uint32_t hz) {
 
 void reset_ports() {
   for (PortRegisters& port : ports) port = PortRegisters();
-  for (Pin pin = 0; pin < kPortPins; ++pin) {
+  for (Pin pin = 0; pin < kMostPins; ++pin) {
     driven[pin] = PinDrive();
     tone_hz[pin] = 0;
   }

@@ -82,7 +82,7 @@ void delayMicroseconds(unsigned int us) {
 
 unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
   host::note_call("pulseIn", pin, 2, pin, value);
-  if (pin >= host::kPortPins) return 0;
+  if (!host::is_digital(pin)) return 0;
   const bool level = value != LOW;
   unsigned long loops = timeout;  // the core takes every turn for 16 cycles
   const auto poll_while = [&](bool same, int cost_of_turn) {
@@ -106,7 +106,7 @@ unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
 
 unsigned long pulseInLong(uint8_t pin, uint8_t value, unsigned long timeout) {
   host::note_call("pulseInLong", pin, 2, pin, value);
-  if (pin >= host::kPortPins) return 0;
+  if (!host::is_digital(pin)) return 0;
   const bool level = value != LOW;
   const bool outer = host::state.waiting;
   host::state.waiting = !host::in_handler();

@@ -49,7 +49,7 @@ void sync_tone() {
 void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
   host::note_call("tone", pin, 2, pin, static_cast<int32_t>(frequency));
   host::spend(cost::kTone);
-  if (pin >= host::kPortPins || frequency == 0) return;
+  if (!host::is_digital(pin) || frequency == 0) return;
   if (sounding != kNoPin && sounding != pin) return;  // the core has one timer for tones
   int clock = 0;
   int64_t top = 0;

@@ -103,14 +103,38 @@ TEST_F(RunTest, ABluePillsSketchFindsTheChipsPins) {
   EXPECT_DOUBLE_EQ(executor_->board().drive(5).duty, 52.0 / 256.0) << "a timer's step more than the value";
 }
 
-TEST_F(RunTest, ABluePillsPinThatTheHostHasNotIsToldSo) {
+TEST_F(RunTest, ABluePillsFurtherPinsReadWriteAndInterrupt) {
   board_ = *find_board("bluepill");
-  write("Run/Run.ino", "void setup() { digitalWrite(PB10, HIGH); }\nvoid loop() {}\n");
-  EXPECT_THAT(
-      [&] {
-        build({folder_ / "Run", board_});
-      },
-      testing::ThrowsMessage<CompileError>(HasSubstr("PB10_is_there_on_the_target_stm32_only")));
+  write("Run/Run.ino",
+        "volatile int rising, any;\n"
+        "void setup() {\n"
+        "  Serial.begin(115200);\n"
+        "  pinMode(PB10, OUTPUT);\n"
+        "  digitalWrite(PB10, HIGH);\n"
+        "  pinMode(PC15, INPUT_PULLUP);\n"
+        "  attachInterrupt(digitalPinToInterrupt(PB4), [] { rising++; }, RISING);\n"
+        "  attachInterrupt(digitalPinToInterrupt(PB13), [] { any++; }, CHANGE);\n"
+        "  Serial.println(digitalRead(PC15) * 10 + digitalRead(PB11));\n"
+        "  delay(10);\n"
+        "  detachInterrupt(digitalPinToInterrupt(PB13));\n"
+        "  delay(10);\n"
+        "  Serial.println(rising * 10 + any);\n"
+        "}\n"
+        "void loop() {}\n");
+  executor_ = std::make_unique<executors::HostExecutor>(board_, build({folder_ / "Run", board_}).image);
+  auto& pins = executor_->board();
+  pins.watch_serial(serial_);
+  ConstantVolts high{3.3};
+  pins.connect(24, high);  // PB11
+  executor_->power_on(0);
+  executor_->run_until(5 * kMillisecond);
+  for (const int ms : {6, 7, 15, 16})
+    for (const Pin pin : {Pin{27}, Pin{4}}) pins.schedule_edge(pin, ms % 2 == 0, ms * kMillisecond);
+  executor_->run_until(100 * kMillisecond);
+  EXPECT_EQ(serial_.text, "11\n22\n");
+  EXPECT_EQ(pins.drive(23).mode, PinMode::output);
+  EXPECT_TRUE(pins.drive(23).level);
+  EXPECT_EQ(pins.drive(31).mode, PinMode::input_pullup);
 }
 
 TEST_F(RunTest, TablesInFlashAreRead) {
