@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <signal.h>
 #include <ucontext.h>
+#include <unwind.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +26,7 @@ namespace {
 constexpr std::size_t kStackBytes = 256 * 1024;
 constexpr std::size_t kHeapBytes = 64 * 1024;
 constexpr std::size_t kNullPage = 4096;
+constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE};
 
 /// A fault of the firmware as the signal handler met it.
@@ -146,7 +148,7 @@ class HostExecutor::Instance final : public host::Host {
   /// Of the call that is going on, asked from within it.
   SourceLine source() {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
-    add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
+    add_callers(addresses);
     std::vector<const void*> key;
     for (const CodeAddress& address : addresses) key.push_back(address.pc);
     const auto [known, fresh] = sources_.try_emplace(std::move(key));
@@ -219,7 +221,7 @@ class HostExecutor::Instance final : public host::Host {
   /// A fault that the firmware has noticed itself, on the fiber.
   void report(const Undefined& fault, const void* where) {
     std::vector<CodeAddress> addresses = {{where, true}};
-    add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
+    add_callers(addresses);
     addresses.push_back({state_.place, true});
     Crash crash{fault.reason, image_.locate(addresses)};
     crash.check = fault.check;
@@ -246,7 +248,6 @@ class HostExecutor::Instance final : public host::Host {
   /// Return addresses on the stack, the innermost first. Old ones in unused slots may be among them.
   void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const {
     constexpr int kMostWords = 4096;
-    constexpr std::size_t kMostAddresses = 40;
     const auto misaligned = reinterpret_cast<std::uintptr_t>(from) % sizeof(void*);
     from -= misaligned;
     if (!stack_.contains(from)) return;
@@ -255,6 +256,31 @@ class HostExecutor::Instance final : public host::Host {
       const void* const word = word_at(from);
       if (image_.has_code(word)) addresses.push_back({word, true});
     }
+  }
+
+  struct Walk {
+    const LoadedImage& image;
+    std::vector<CodeAddress>& addresses;
+    bool inside = false, through = false;
+  };
+
+  static _Unwind_Reason_Code step(_Unwind_Context* frame, void* data) {
+    Walk& walk = *static_cast<Walk*>(data);
+    const auto* const pc = reinterpret_cast<const void*>(_Unwind_GetIP(frame));
+    const bool inside = walk.image.has_code(pc);
+    walk.through = walk.inside && !inside;
+    if (walk.through) return _URC_END_OF_STACK;
+    walk.inside = inside;
+    if (inside) walk.addresses.push_back({pc, true});
+    return walk.addresses.size() < kMostAddresses ? _URC_NO_REASON : _URC_END_OF_STACK;
+  }
+
+  /// The image's calls that are open, the innermost first: asked on the fiber, from within one of them. By
+  /// the unwind tables; where they do not lead through, also what looks like calls on the stack.
+  void add_callers(std::vector<CodeAddress>& addresses) const {
+    Walk walk{image_, addresses};
+    _Unwind_Backtrace(step, &walk);
+    if (!walk.through) add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
   }
 
   static void catch_faults();
