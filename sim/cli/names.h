@@ -33,7 +33,7 @@ std::filesystem::path stock_map_folder();
 /// A choice that was made for the user, and the sentence that says so (empty if the user made it).
 struct Choice {
   std::string name;  ///< for people and for `inputs`: not a path of this machine, unless the user typed it
-  std::filesystem::path path;  ///< what to open; for a stock robot its name
+  std::filesystem::path path;  ///< what to open; for a robot what a runner takes: a name, too, or with @BOARD
   std::string announcement;
 };
 
