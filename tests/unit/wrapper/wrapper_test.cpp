@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using robosim::read_file;
 using robosim::write_file;
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -162,6 +163,19 @@ TEST_F(Wrapper, BuildsTheOtherChipsRunnerWhereThatIsWanted) {
   EXPECT_EQ(calls(), "");
   run("../checkout/robosim run X --target avr");
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr robosim-stm32\n"));
+}
+
+TEST_F(Wrapper, BuildsTheRunnersOfAllTargetsThatACommandNames) {
+  run("../checkout/robosim sweep X --map oval --target host avr stm32 --seeds 1..3");
+  EXPECT_THAT(calls(),
+              AllOf(HasSubstr("robosim-avr"), HasSubstr("robosim-host robosim-avr robosim-stm32\n")));
+}
+
+TEST_F(Wrapper, BuildsTheRunnersThatACompareIsFor) {
+  run("../checkout/robosim compare X --target host,stm32");
+  EXPECT_THAT(calls(), AllOf(HasSubstr("robosim-stm32"), Not(HasSubstr("robosim-avr"))));
+  run("../checkout/robosim compare X --map avr");
+  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "where none are named it takes all";
 }
 
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
