@@ -8,17 +8,15 @@
 
 #ifdef ARDUINO_BLUEPILL_F103C8
 #define NUM_DIGITAL_PINS 32
-#define NUM_ANALOG_INPUTS 8
-#define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
-#elif defined(ARDUINO_AVR_NANO)
-#define NUM_DIGITAL_PINS 20
-#define NUM_ANALOG_INPUTS 8
-#define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
 #else
 #define NUM_DIGITAL_PINS 20
-#define NUM_ANALOG_INPUTS 6
-#define analogInputToDigitalPin(p) ((p) < 6 ? (p) + 14 : -1)
 #endif
+#if defined(ARDUINO_BLUEPILL_F103C8) || defined(ARDUINO_AVR_NANO)
+#define NUM_ANALOG_INPUTS 8
+#else
+#define NUM_ANALOG_INPUTS 6
+#endif
+#define analogInputToDigitalPin(p) ((p) < NUM_ANALOG_INPUTS ? (p) + 14 : -1)
 #define EXTERNAL_NUM_INTERRUPTS 2
 
 #define LED_BUILTIN 13

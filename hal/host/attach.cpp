@@ -12,7 +12,7 @@ using robosim::Pin;
 namespace {
 
 void (*attached[2])();
-void (*attached_to_line[32])();
+void (*attached_to_line[host::kMostPins])();
 
 void run_attached(int number) {
   host::spend(cost::kAttachedHandler);

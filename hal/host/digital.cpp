@@ -1,6 +1,7 @@
 // Digital and analog pins (wiring_digital.c, wiring_analog.c and wiring_shift.c of the Arduino AVR core).
 #include <Arduino.h>
 
+#include "hal/arduino/resolution.h"
 #include "hal/board/board_spec.h"
 #include "hal/host/adc.h"
 #include "hal/host/api.h"
@@ -15,14 +16,6 @@ namespace {
 uint8_t reference = DEFAULT;
 
 constexpr int kAdcBits = 10, kPwmBits = 8;
-int read_bits = kAdcBits, write_bits = kPwmBits;  // hal/arduino/bluepill.h
-
-bool has_range(int bits) { return bits >= 1 && bits <= 16; }
-
-int scaled(int value, int from_bits, int to_bits) {
-  if (to_bits > from_bits) return value << (to_bits - from_bits);
-  return value >> (from_bits - to_bits);
-}
 
 /// Where A0 is not the first analog pin: the Blue Pill's 11 and 12.
 bool reads_below_a0(uint8_t pin) {
@@ -108,14 +101,6 @@ void analogReference(uint8_t mode) {
   reference = mode;
 }
 
-void analogReadResolution(int bits) {
-  if (has_range(bits)) read_bits = bits;
-}
-
-void analogWriteResolution(int bits) {
-  if (has_range(bits)) write_bits = bits;
-}
-
 int analogRead(uint8_t pin) {
   const bool below = reads_below_a0(pin);
   const uint8_t number = pin;
@@ -131,12 +116,12 @@ int analogRead(uint8_t pin) {
       below ? host::adc.code_of(host::board->read_volts(number, host::state.now)) : host::adc.sample();
   host::wait_until(start + 13 * clock);
   host::adc.set_code(code);
-  return scaled(code, kAdcBits, read_bits);
+  return robosim_hal::with_bits(code, kAdcBits, robosim_hal::read_bits);
 }
 
 void analogWrite(uint8_t pin, int value) {
   host::note_call("analogWrite", pin, 2, pin, value);
-  value = scaled(value, write_bits, kPwmBits);
+  value = robosim_hal::with_bits(value, robosim_hal::write_bits, kPwmBits);
   const host::TimerPin by = host::timer_of(pin);
   const bool digital = value == 0 || value == 255 || by.timer < 0;
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);

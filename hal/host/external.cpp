@@ -15,6 +15,9 @@ namespace {
 constexpr Pin kFirstPin = 2;  // of INT0
 bool low[2];                  // the level of a pin whose low level interrupts
 
+/// Whether an edge to this level is one that `sense` asks for.
+bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
+
 int sense_of(int number) { return external.sense >> 2 * number & 3; }
 
 }  // namespace
@@ -51,13 +54,10 @@ void external_edge(Pin pin, bool level) {
   if (number == 0 || number == 1) {
     const int sense = sense_of(number);
     low[number] = sense == 0 && !level;
-    if (sense == 1 || (sense == 2 && !level) || (sense == 3 && level))
-      external.flags |= static_cast<uint8_t>(1 << number);
+    if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
-  if (pin < kMostPins && lines.enabled >> pin & 1) {
-    const uint8_t edge = lines.sense[pin];
-    if (edge == kAnyEdge || edge == (level ? kRising : kFalling)) lines.flags |= 1u << pin;
-  }
+  if (pin < kMostPins && lines.enabled >> pin & 1 && is_edge(lines.sense[pin], level))
+    lines.flags |= 1u << pin;
   if (pin < kPortPins && external.change_mask[port_of(pin)] & mask_of(pin))
     external.change_flags |= static_cast<uint8_t>(1 << port_of(pin));
 }

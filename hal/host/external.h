@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "hal/board/board.h"
+#include "hal/host/ports.h"
 
 namespace robosim {
 namespace host {
@@ -24,7 +25,7 @@ enum Edge : uint8_t { kAnyEdge = 1, kFalling = 2, kRising = 3 };
 /// Pins of which any edge, or one kind, interrupts on a board that has this beyond INT0 and INT1.
 struct Lines {
   uint32_t enabled = 0, flags = 0;  ///< one bit each pin
-  uint8_t sense[32] = {};           ///< Edge
+  uint8_t sense[kMostPins] = {};    ///< Edge
 };
 extern Lines lines;
 

@@ -1,6 +1,7 @@
 // analogRead by ADC1 (RM0008 11), analogWrite by timers 1, 3 and 4 (14.3.10, 15.3.9).
 #include <Arduino.h>
 
+#include "hal/arduino/resolution.h"
 #include "hal/stm32/clock.h"
 #include "hal/stm32/pins.h"
 
@@ -51,25 +52,10 @@ void start_pwm(const PinMap& pin, Address timer) {
 }
 
 constexpr int kAdcBits = 12, kPwmBits = 8;
-int read_bits = 10, write_bits = kPwmBits;  // Arduino's ranges
-
-bool has_range(int bits) { return bits >= 1 && bits <= 16; }
-
-uint32_t scaled(uint32_t value, int from_bits, int to_bits) {
-  return to_bits >= from_bits ? value << (to_bits - from_bits) : value >> (from_bits - to_bits);
-}
 
 }  // namespace
 
 extern "C" {
-
-void analogReadResolution(int bits) {
-  if (has_range(bits)) read_bits = bits;
-}
-
-void analogWriteResolution(int bits) {
-  if (has_range(bits)) write_bits = bits;
-}
 
 /// A Blue Pill's reference is its supply, 3.3 V: there is nothing to choose.
 void analogReference(uint8_t) {}
@@ -83,13 +69,14 @@ int analogRead(uint8_t number) {
   at(kAdcSqr3) = static_cast<uint32_t>(pin->channel);
   at(kAdcCr2) |= kSwStart;
   at(kAdcSr).await(kEoc, kEoc);
-  return static_cast<int>(scaled(load(kAdcDr), kAdcBits, read_bits));
+  return robosim_hal::with_bits(static_cast<int>(load(kAdcDr)), kAdcBits, robosim_hal::read_bits);
 }
 
 void analogWrite(uint8_t number, int given) {
   const PinMap* pin = pin_at(number);
   if (!pin) return;
-  const uint32_t value = given < 0 ? 0 : scaled(static_cast<uint32_t>(given), write_bits, kPwmBits);
+  const uint32_t value =
+      given < 0 ? 0 : static_cast<uint32_t>(robosim_hal::with_bits(given, robosim_hal::write_bits, kPwmBits));
   if (pin->timer == 0) {
     pinMode(number, OUTPUT);
     return digitalWrite(number, value < 128 ? LOW : HIGH);
