@@ -1,6 +1,6 @@
 # Arduino sketches for an ATmega328P, in a build by avr-atmega328p.cmake, for the boards uno and nano: .elf and .hex. The
 # core is the genuine one of the package arduino-core-avr; flags are those of its platform.txt, as in
-# sim/sketch/target.cpp.
+# sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(AVR_OBJCOPY avr-objcopy)
 find_program(AVR_SIZE avr-size)

@@ -1,6 +1,6 @@
 # Arduino sketches for an STM32F103C8, in a build by stm32f103.cmake, for the boards bluepill (72 MHz) and bluepill8 (8 MHz):
 # .elf and .bin. The core is hal/stm32 and hal/arduino with the portable sources of the package arduino-core-avr; flags
-# are as in sim/sketch/target.cpp.
+# are as in sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(STM32_OBJCOPY arm-none-eabi-objcopy)
 find_program(STM32_SIZE arm-none-eabi-size)
@@ -44,7 +44,7 @@ function(robosim_board board)
   target_link_options(arduino-${board}-flags INTERFACE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--build-id=none "SHELL:-T ${hal}/stm32/stm32f103c8.ld")
 
-  # The linker takes archives' members in their order: the same bytes as by `robosim build` (sim/sketch/toolchain.cpp).
+  # The linker takes archives' members in their order: the same bytes as by `robosim build` (sim/build/toolchain.cpp).
   set(sources)
   foreach(folder ${hal}/stm32 ${hal}/arduino ${ROBOSIM_STM32_STAGE})
     file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp)

@@ -113,7 +113,7 @@ void stop_for_ever(const char* how) {
 }  // namespace robosim
 
 /// gcc does not instrument empty blocks: `for (;;);` would be a jump to itself, in which no time passes.
-/// sim/sketch puts a call of this in place of such a jump.
+/// sim/build puts a call of this in place of such a jump.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

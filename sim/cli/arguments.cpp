@@ -6,13 +6,13 @@
 #include <charconv>
 
 #include "sim/base/error.h"
-#include "sim/cli/compare_arguments.h"
+#include "sim/cli/check/test_arguments.h"
+#include "sim/cli/compare/compare_arguments.h"
 #include "sim/cli/help_text.h"
-#include "sim/cli/names.h"
 #include "sim/cli/options.h"
-#include "sim/cli/sweep_arguments.h"
-#include "sim/cli/test_arguments.h"
+#include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
+#include "sim/launch/names.h"
 
 namespace robosim::cli {
 namespace {
@@ -113,7 +113,7 @@ std::optional<std::string> take_action(const std::string& command, Words& words,
   if (action == "--help" || action == "-h") return std::nullopt;
   if (std::find(actions.begin(), actions.end(), action) == actions.end()) {
     throw InputError(
-        fmt::format("robosim {} cannot “{}”; {}", command, action, guess_and_list(action, actions)));
+        fmt::format("robosim {} cannot “{}”; {}", command, action, launch::guess_and_list(action, actions)));
   }
   words.erase(words.begin());
   return action;
@@ -159,7 +159,7 @@ Command parse_map(Words words) {
   if (map.json && map.dot) throw InputError("robosim map graph prints either --json or --dot");
   if (map.map.empty()) {
     throw InputError("robosim map " + map.action + " needs a map: a file, or one of " +
-                     one_of(names_in(stock_map_folder(), ".map")));
+                     one_of(launch::names_in(launch::stock_map_folder(), ".map")));
   }
   return map;
 }
@@ -213,10 +213,10 @@ Command parse_classic(const Words& words) {
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (classic.map.empty()) {
     throw InputError("robosim classic needs a map: a file, or one of " +
-                     one_of(names_in(stock_map_folder(), ".map")));
+                     one_of(launch::names_in(launch::stock_map_folder(), ".map")));
   }
   if (classic.algorithm.empty()) classic.algorithm = "ai";
-  if (!is_path(classic.algorithm))
+  if (!launch::is_path(classic.algorithm))
     check_choice("--algorithm", classic.algorithm, {"left", "right", "ai", "a C++ file"});
   if (!speed.empty()) classic.speed = seconds_a_move(speed);
   if (!steps.empty()) classic.steps = whole_number("--steps", steps, 1, kMostSeed);
@@ -240,7 +240,7 @@ Command parse_robot(Words words) {
   robot.action = *action;
   if (robot.action != "list" && robot.robot.empty()) {
     throw InputError("robosim robot " + robot.action + " needs a robot: a file, or one of " +
-                     one_of(names_in(stock_robot_folder(), ".toml")));
+                     one_of(launch::names_in(launch::stock_robot_folder(), ".toml")));
   }
   return robot;
 }
@@ -275,8 +275,9 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);
-  if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
-  throw InputError(unknown_name("command", first, kCommands));
+  if (first.starts_with('-'))
+    throw InputError(launch::unknown_name("option", first, {"--help", "--version"}));
+  throw InputError(launch::unknown_name("command", first, kCommands));
 }
 
 }  // namespace robosim::cli

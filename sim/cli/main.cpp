@@ -4,21 +4,21 @@
 #include <exception>
 
 #include "sim/base/error.h"
+#include "sim/build/sketch.h"
 #include "sim/cli/arguments.h"
-#include "sim/cli/build_command.h"
-#include "sim/cli/classic_command.h"
-#include "sim/cli/compare_command.h"
-#include "sim/cli/flash_command.h"
-#include "sim/cli/interrupts.h"
-#include "sim/cli/map_command.h"
-#include "sim/cli/new_command.h"
+#include "sim/cli/check/test_command.h"
+#include "sim/cli/compare/compare_command.h"
+#include "sim/cli/files/build_command.h"
+#include "sim/cli/files/flash_command.h"
+#include "sim/cli/files/map_command.h"
+#include "sim/cli/files/new_command.h"
+#include "sim/cli/files/robot_command.h"
 #include "sim/cli/output.h"
-#include "sim/cli/play_command.h"
-#include "sim/cli/robot_command.h"
-#include "sim/cli/run_command.h"
-#include "sim/cli/sweep_command.h"
-#include "sim/cli/test_command.h"
-#include "sim/sketch/sketch.h"
+#include "sim/cli/run/classic_command.h"
+#include "sim/cli/run/play_command.h"
+#include "sim/cli/run/run_command.h"
+#include "sim/cli/sweep/sweep_command.h"
+#include "sim/launch/interrupts.h"
 
 namespace robosim::cli {
 namespace {
@@ -50,16 +50,16 @@ int fail(ExitStatus status, const char* prefix, const char* message) {
 int perform(int count, char** words) {
   try {
     return std::visit(Perform{}, parse_arguments({words + 1, words + count}));
-  } catch (const sketch::CompileError& error) {
+  } catch (const build::CompileError& error) {
     return fail(ExitStatus::bad_input, "", error.what());  // begins with the place, as editors look for it
   } catch (const InputError& error) {
     return fail(ExitStatus::bad_input, "robosim: ", error.what());
   } catch (const ToolMissing& error) {
     return fail(ExitStatus::tool_missing, "robosim: ", error.what());
-  } catch (const client::Unstoppable& error) {
+  } catch (const wire::Unstoppable& error) {
     return fail(ExitStatus::interrupted, "robosim: ", error.what());
   } catch (const std::exception& error) {
-    if (Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
+    if (launch::Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
     return fail(ExitStatus::internal, "robosim: internal error: ", error.what());
   }
 }

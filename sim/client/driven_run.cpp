@@ -5,7 +5,7 @@
 
 namespace robosim::client {
 
-DrivenRun::DrivenRun(Runner& runner, RunRequest request, OnEvent on_event)
+DrivenRun::DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event)
     : runner_(runner), on_event_(std::move(on_event)), script_(request.script) {
   if (!script_.empty() && script_.back() != '\n') script_ += '\n';
   request.interactive = true;
@@ -22,29 +22,29 @@ DrivenRun::~DrivenRun() {
   }
 }
 
-Line DrivenRun::ask(const std::string& line) {
+wire::Line DrivenRun::ask(const std::string& line) {
   runner_.process_->write(line);
   return *runner_.answer(true, on_event_);
 }
 
 // False once the run is over.
-bool DrivenRun::take(Line line) {
-  if (auto* paused = std::get_if<Paused>(&line.content)) {
+bool DrivenRun::take(wire::Line line) {
+  if (auto* paused = std::get_if<wire::Paused>(&line.content)) {
     state_ = std::move(*paused);
     return true;
   }
-  if (auto* result = std::get_if<RunResult>(&line.content)) {
+  if (auto* result = std::get_if<wire::RunResult>(&line.content)) {
     result_ = std::move(*result);
     return false;
   }
-  if (const auto* refused = std::get_if<Refused>(&line.content)) throw InputError(refused->message);
-  throw RunnerError("the runner answered something that was not asked");
+  if (const auto* refused = std::get_if<wire::Refused>(&line.content)) throw InputError(refused->message);
+  throw wire::RunnerError("the runner answered something that was not asked");
 }
 
 void DrivenRun::act(const std::string& lines) {
   if (over()) throw InputError("the run is over: nothing more can be done");
-  Line line = ask(act_line(id_, lines));
-  if (const auto* accepted = std::get_if<Accepted>(&line.content)) {
+  wire::Line line = ask(wire::act_line(id_, lines));
+  if (const auto* accepted = std::get_if<wire::Accepted>(&line.content)) {
     script_ += accepted->lines;
     return;
   }
@@ -53,24 +53,24 @@ void DrivenRun::act(const std::string& lines) {
 
 std::vector<std::uint8_t> DrivenRun::eeprom() {
   if (over()) throw InputError("the run is over: its memory is gone");
-  Line line = ask(eeprom_line(id_));
-  if (auto* memory = std::get_if<Eeprom>(&line.content)) return std::move(memory->bytes);
+  wire::Line line = ask(wire::eeprom_line(id_));
+  if (auto* memory = std::get_if<wire::Eeprom>(&line.content)) return std::move(memory->bytes);
   take(std::move(line));
   return {};
 }
 
-bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<Stop>& stops) {
+bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops) {
   if (over() || to_ns <= state_.t_ns) return !over();
   return take(ask(go_on_line(id_, to_ns, stops)));
 }
 
-const RunResult& DrivenRun::finish() {
-  while (!over()) take(ask(go_on_line(id_, -1, {})));
+const wire::RunResult& DrivenRun::finish() {
+  while (!over()) take(ask(wire::go_on_line(id_, -1, {})));
   return *result_;
 }
 
-const RunResult& DrivenRun::end() {
-  while (!over()) take(ask(end_line(id_)));
+const wire::RunResult& DrivenRun::end() {
+  while (!over()) take(ask(wire::end_line(id_)));
   return *result_;
 }
 

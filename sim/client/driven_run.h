@@ -22,14 +22,14 @@ class DrivenRun {
  public:
   /// Starts a run of its own on a runner, which serves nobody else until it is over. `on_event` is called
   /// while a call of ours lasts, and must not call us. Throws as Runner::run does.
-  DrivenRun(Runner& runner, RunRequest request, OnEvent on_event = {});
+  DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event = {});
   /// Ends the run if it is not over.
   ~DrivenRun();
   DrivenRun(const DrivenRun&) = delete;
   DrivenRun& operator=(const DrivenRun&) = delete;
 
   /// The state where it stands, or stood last.
-  const Paused& state() const { return state_; }
+  const wire::Paused& state() const { return state_; }
   /// Carries out deeds of the scenario language, one a line, without their times: `press start 100ms`. They
   /// happen as soon as the run goes on. Throws InputError, and does nothing, if one makes no sense.
   void act(const std::string& lines);
@@ -37,28 +37,28 @@ class DrivenRun {
   std::vector<std::uint8_t> eeprom();
   /// Runs until the simulated time `to_ns`, one of the stops or a verdict. False if that was a verdict: the
   /// run is then over. Throws InputError, and stays where it is, if a stop makes no sense.
-  bool go_on(std::int64_t to_ns, const std::vector<Stop>& stops = {});
+  bool go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops = {});
   /// Runs to the verdict.
-  const RunResult& finish();
+  const wire::RunResult& finish();
   /// Ends it where it stands, with the verdict `interrupted`, unless it is over.
-  const RunResult& end();
+  const wire::RunResult& end();
 
   bool over() const { return result_.has_value(); }
   /// Once it is over.
-  const RunResult& result() const { return *result_; }
+  const wire::RunResult& result() const { return *result_; }
   /// The request's script and all that was done since, with its times: a scenario.
   const std::string& script() const { return script_; }
 
  private:
-  Line ask(const std::string& line);
-  bool take(Line line);
+  wire::Line ask(const std::string& line);
+  bool take(wire::Line line);
 
   Runner& runner_;
-  OnEvent on_event_;
+  wire::OnEvent on_event_;
   long long id_ = 0;
   std::string script_;
-  Paused state_;
-  std::optional<RunResult> result_;
+  wire::Paused state_;
+  std::optional<wire::RunResult> result_;
 };
 
 }  // namespace robosim::client

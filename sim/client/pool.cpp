@@ -53,7 +53,7 @@ struct Pool::Worker {
   /// The answer, if it has come.
   std::optional<Answer> take() {
     try {
-      std::optional<RunResult> result = runner->take();
+      std::optional<wire::RunResult> result = runner->take();
       if (!result) return std::nullopt;
       busy = false;
       return std::move(*result);

@@ -17,15 +17,15 @@
 #include <variant>
 #include <vector>
 
-#include "sim/client/messages.h"
 #include "sim/client/runner.h"
+#include "sim/wire/messages.h"
 
 namespace robosim::client {
 
 /// A run and the target that executes it.
 struct Task {
   std::string target;
-  RunRequest request;
+  wire::RunRequest request;
 };
 
 /// Why there is no result.
@@ -39,7 +39,7 @@ struct Failure {
   std::string message;
 };
 
-using Answer = std::variant<RunResult, Failure>;
+using Answer = std::variant<wire::RunResult, Failure>;
 
 /// What a pool works through: runs 0 to count - 1.
 struct Batch {

@@ -53,18 +53,18 @@ Runner::Runner(const Program& program) : name_(fs::path(program.path).filename()
   try {
     process_ = std::make_unique<Process>(program.path);
   } catch (const std::system_error& error) {
-    throw RunnerError(error.what());
+    throw wire::RunnerError(error.what());
   }
   const auto text = process_->read_line(kHelloPatience_ms);
-  if (!text) throw RunnerError("the runner " + name_ + " did not say hello: it " + process_->finish());
-  const Line line = parse_line(*text);
-  if (!std::holds_alternative<Hello>(line.content))
-    throw RunnerError("the runner " + name_ + " did not say hello");
-  hello_ = std::get<Hello>(line.content);
+  if (!text) throw wire::RunnerError("the runner " + name_ + " did not say hello: it " + process_->finish());
+  const wire::Line line = wire::parse_line(*text);
+  if (!std::holds_alternative<wire::Hello>(line.content))
+    throw wire::RunnerError("the runner " + name_ + " did not say hello");
+  hello_ = std::get<wire::Hello>(line.content);
   if (hello_.protocol != kProtocol) {
-    throw RunnerError("the runner " + name_ + " speaks protocol " + std::to_string(hello_.protocol) +
-                      ", and this program speaks " + std::to_string(kProtocol) +
-                      ": they are of different versions of Robosim");
+    throw wire::RunnerError("the runner " + name_ + " speaks protocol " + std::to_string(hello_.protocol) +
+                            ", and this program speaks " + std::to_string(kProtocol) +
+                            ": they are of different versions of Robosim");
   }
 }
 
@@ -76,35 +76,35 @@ void Runner::fail_silent() {
   if (process_->interrupted()) {
     kill();
     process_->finish();
-    throw Unstoppable("the run did not stop when it was interrupted, and was killed");
+    throw wire::Unstoppable("the run did not stop when it was interrupted, and was killed");
   }
-  throw RunnerError("the runner " + name_ + " " + process_->finish() +
-                    " before it answered; this is a fault of Robosim, not of your sketch");
+  throw wire::RunnerError("the runner " + name_ + " " + process_->finish() +
+                          " before it answered; this is a fault of Robosim, not of your sketch");
 }
 
-std::optional<Line> Runner::answer(bool wait, const OnEvent& on_event) {
+std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_event) {
   bool answered = false;
   try {
     for (;;) {
       const auto text = process_->read_line(wait ? -1 : 0);
       if (!text && !wait && !process_->silent()) return std::nullopt;
       if (!text) fail_silent();
-      Line line = parse_line(*text);
+      wire::Line line = wire::parse_line(*text);
       if (line.id != last_id_) {
-        throw RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
-                          " instead of " + std::to_string(last_id_));
+        throw wire::RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
+                                " instead of " + std::to_string(last_id_));
       }
-      if (const auto* event = std::get_if<Event>(&line.content)) {
+      if (const auto* event = std::get_if<wire::Event>(&line.content)) {
         if (on_event) on_event(*event);
         continue;
       }
       answered = true;
       process_->forget_interrupt();
-      const auto* error = std::get_if<ErrorAnswer>(&line.content);
+      const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
       if (!error) return line;
       if (error->kind == "input") throw InputError(error->message);
       if (error->kind == "tool") throw ToolMissing(error->message);
-      throw RunnerError(error->message);
+      throw wire::RunnerError(error->message);
     }
   } catch (...) {
     if (!answered) kill();  // it may be in the middle of a run, with more to say than anyone will read
@@ -113,26 +113,28 @@ std::optional<Line> Runner::answer(bool wait, const OnEvent& on_event) {
 }
 
 template <typename Answer>
-std::optional<Answer> Runner::take(bool wait, const OnEvent& on_event) {
-  std::optional<Line> line = answer(wait, on_event);
+std::optional<Answer> Runner::take(bool wait, const wire::OnEvent& on_event) {
+  std::optional<wire::Line> line = answer(wait, on_event);
   if (!line) return std::nullopt;
   if (auto* wanted = std::get_if<Answer>(&line->content)) return std::move(*wanted);
-  throw RunnerError("the runner " + name_ + " answered something that was not asked");
+  throw wire::RunnerError("the runner " + name_ + " answered something that was not asked");
 }
 
-RobotInfo Runner::describe_robot(const std::string& robot) {
-  process_->write(describe_robot_line(++last_id_, robot));
-  return *take<RobotInfo>(true, {});
+wire::RobotInfo Runner::describe_robot(const std::string& robot) {
+  process_->write(wire::describe_robot_line(++last_id_, robot));
+  return *take<wire::RobotInfo>(true, {});
 }
 
-RunResult Runner::run(const RunRequest& request, const OnEvent& on_event) {
+wire::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent& on_event) {
   begin(request);
-  return *take<RunResult>(true, on_event);
+  return *take<wire::RunResult>(true, on_event);
 }
 
-void Runner::begin(const RunRequest& request) { process_->write(run_line(++last_id_, request)); }
+void Runner::begin(const wire::RunRequest& request) { process_->write(run_line(++last_id_, request)); }
 
-std::optional<RunResult> Runner::take(const OnEvent& on_event) { return take<RunResult>(false, on_event); }
+std::optional<wire::RunResult> Runner::take(const wire::OnEvent& on_event) {
+  return take<wire::RunResult>(false, on_event);
+}
 
 int Runner::descriptor() const noexcept { return process_->descriptor(); }
 

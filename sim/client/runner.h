@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/client/messages.h"
-#include "sim/client/protocol.h"
+#include "sim/wire/messages.h"
+#include "sim/wire/protocol.h"
 
 namespace robosim::client {
 
@@ -36,21 +36,21 @@ class Runner {
   Runner(Runner&&) noexcept;
   Runner& operator=(Runner&&) noexcept;
 
-  const Hello& hello() const { return hello_; }
+  const wire::Hello& hello() const { return hello_; }
 
   /// A stock robot's name, or a path. Throws InputError.
-  RobotInfo describe_robot(const std::string& robot);
+  wire::RobotInfo describe_robot(const std::string& robot);
 
   /// Runs to the verdict. Throws InputError for bad input, ToolMissing, and RunnerError when the runner dies
   /// without an answer, breaks the protocol or meets a fault of its own; after a RunnerError this runner is
   /// of no more use. What `on_event` throws ends the runner and passes through.
-  RunResult run(const RunRequest& request, const OnEvent& on_event = {});
+  wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
   /// run() in two parts, for those who wait for several runners at once: begin() asks, and take() has the
   /// result if it has come, without waiting for it; it throws as run() does. In between descriptor() is
   /// readable, as poll(2) has it, whenever take() has something to do.
-  void begin(const RunRequest& request);
-  std::optional<RunResult> take(const OnEvent& on_event = {});
+  void begin(const wire::RunRequest& request);
+  std::optional<wire::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
   /// From now on the runner gets ahead of `on_event` by a few kilobytes of events at most, for those who
@@ -72,13 +72,13 @@ class Runner {
   explicit Runner(const Program& program);
   [[noreturn]] void fail_silent();
   /// The answer to the last request, no event and no error; nothing if it has not come and `wait` is false.
-  std::optional<Line> answer(bool wait, const OnEvent& on_event);
+  std::optional<wire::Line> answer(bool wait, const wire::OnEvent& on_event);
   template <typename Answer>
-  std::optional<Answer> take(bool wait, const OnEvent& on_event);
+  std::optional<Answer> take(bool wait, const wire::OnEvent& on_event);
 
   std::string name_;
   std::unique_ptr<Process> process_;
-  Hello hello_;
+  wire::Hello hello_;
   long long last_id_ = 0;
 };
 

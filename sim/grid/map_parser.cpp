@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "sim/grid/utf8.h"
+#include "sim/base/utf8.h"
 
 namespace robosim::grid {
 namespace {

@@ -1,5 +1,5 @@
 #include "sim/robot/describe.h"
-#include "sim/robot/setting.h"
+#include "sim/robot/part_context.h"
 
 namespace robosim::robot {
 namespace {

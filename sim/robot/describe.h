@@ -15,7 +15,7 @@ namespace robosim::robot {
 struct PartSummary {
   std::string name;
   std::string type;
-  std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (wires.h)
+  std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (netlist.h)
 };
 
 struct Summary {

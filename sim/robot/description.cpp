@@ -8,10 +8,10 @@
 #include "sim/base/config.h"
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
+#include "sim/robot/netlist.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/shift_register.h"
 #include "sim/robot/robot.h"
-#include "sim/robot/wires.h"
 
 namespace robosim::robot {
 namespace fs = std::filesystem;

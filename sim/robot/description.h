@@ -17,7 +17,7 @@
 namespace robosim::robot {
 
 class Part;
-class Setting;
+class PartContext;
 
 /// Which wheel a motor turns and an encoder counts.
 using world::Side;
@@ -94,7 +94,7 @@ class PartSpec {
 
   virtual ~PartSpec() = default;
   /// The part of one robot.
-  virtual std::unique_ptr<Part> make(Setting&) const = 0;
+  virtual std::unique_ptr<Part> make(PartContext&) const = 0;
   /// The floor sensors it brings.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
   /// The wheel it sits on, if it is a motor: left or right; else -1.
@@ -119,7 +119,7 @@ struct Description {
   Chassis chassis;
   Motors motors;
   Driver driver;
-  std::vector<std::string> registers;  ///< names of the shift registers, as wires.h numbers them
+  std::vector<std::string> registers;  ///< names of the shift registers, as netlist.h numbers them
   std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
 };
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/robot/wires.h"
+#include "sim/robot/netlist.h"
 
 namespace robosim::robot {
 namespace {

@@ -8,11 +8,11 @@
 #include "sim/base/units.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/parts/button.h"
 #include "sim/robot/parts/motor.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
-#include "sim/robot/setting.h"
 #include "sim/world/world.h"
 
 namespace robosim::robot {
@@ -41,8 +41,8 @@ struct Robot::Inside {
         body(world.body(body_number)),
         individual(seed, profile, number),
         view{&world.floor(), &body, 0, 1.0},
-        wires(board, d.registers.size()),
-        setting(d, board, wires, view, individual) {}
+        netlist(board, d.registers.size()),
+        context(d, board, netlist, view, individual) {}
 
   ButtonPart& button(const std::string& name) const;
   RadioPart& radio(const std::string& name) const;
@@ -56,8 +56,8 @@ struct Robot::Inside {
   world::Body& body;
   Individual individual;
   View view;
-  Wires wires;
-  Setting setting;
+  Netlist netlist;
+  PartContext context;
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
   std::vector<ButtonPart*> bouncing;
@@ -137,7 +137,7 @@ Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_
 Robot::Robot(const Description& description, world::World& world, std::size_t body, Board& board,
              std::uint64_t seed, Profile profile, std::uint32_t number)
     : in_(std::make_unique<Inside>(description, world, body, board, seed, profile, number)) {
-  for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->setting));
+  for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->context));
   for (const auto& part : in_->parts) part->join(in_->roster);
 }
 
@@ -146,7 +146,7 @@ Robot::~Robot() = default;
 void Robot::begin_tick(SimTime t) {
   in_->view.tick_start = t;
   for (Part* part : in_->roster.ticking) part->begin_tick(t);
-  const bool edges = in_->setting.board.wants_any_edges();
+  const bool edges = in_->context.board.wants_any_edges();
   if (edges || in_->edges)
     for (Part* part : in_->roster.edge_makers) part->begin_tick(t);
   in_->edges = edges;

@@ -6,11 +6,11 @@
 #include <deque>
 
 #include "hal/board/board_spec.h"
+#include "sim/judge/explain.h"
+#include "sim/judge/judge.h"
 #include "sim/robot/describe.h"
-#include "sim/run/director.h"
-#include "sim/run/explain.h"
-#include "sim/run/judge.h"
-#include "sim/run/lookout.h"
+#include "sim/run/stop_conditions.h"
+#include "sim/scenario/scenario_player.h"
 #include "sim/trace/trace_hash.h"
 #include "sim/world/world.h"
 
@@ -22,7 +22,7 @@ constexpr int kLookEvery = 4;                      // ticks between two looks at
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 
-std::string exceeded_budget(const robot::Budget& budget, const std::optional<executors::Resources>& used) {
+std::string exceeded_budget(const robot::Budget& budget, const std::optional<exec::Resources>& used) {
   if (!used) return "";
   if (budget.stack_bytes > 0 && used->stack_bytes_max > budget.stack_bytes)
     return fmt::format("its stack took {} bytes; the robot file allows {}", used->stack_bytes_max,
@@ -37,7 +37,7 @@ std::string exceeded_budget(const robot::Budget& budget, const std::optional<exe
 class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
  public:
   Simulation(const Setup& setup, Listener& listener);
-  Outcome run();
+  judge::Outcome run();
 
  private:
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
@@ -51,17 +51,17 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
   std::vector<std::uint8_t> eeprom() const override {
     return {board_.eeprom(), board_.eeprom() + board_.spec().eeprom_bytes};
   }
-  void add(std::vector<Step> steps) override { director_.add(std::move(steps), progress_); }
-  void check(const Leg& leg) const override { lookout_.check(leg); }
+  void add(std::vector<scenario::Step> steps) override { player_.add(std::move(steps), progress_); }
+  void check(const Leg& leg) const override { stops_.check(leg); }
 
   bool stand_still(SimTime t);
-  std::optional<Verdict> tick(SimTime t);
+  std::optional<judge::Verdict> tick(SimTime t);
   void observe(SimTime end);
   void note(SimTime t);
   Sample sample_at(SimTime t) const;
-  Metrics metrics() const;
-  Outcome finish(Verdict verdict, SimTime t);
-  Evidence evidence(Verdict verdict, SimTime t);
+  judge::Metrics metrics() const;
+  judge::Outcome finish(judge::Verdict verdict, SimTime t);
+  judge::Evidence evidence(judge::Verdict verdict, SimTime t);
 
   const Setup& setup_;
   Listener& listener_;
@@ -69,14 +69,14 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
   grid::Start start_;
   grid::Network network_;
   grid::Stripes stripes_;
-  Goal goal_;
-  Progress progress_;
+  judge::Goal goal_;
+  judge::Progress progress_;
   world::World world_;
   world::Body& body_;
   Board& board_;
   robot::Robot robot_;
-  Director director_;
-  Judge judge_;
+  scenario::ScenarioPlayer player_;
+  judge::Judge judge_;
   std::string exceeded_;  ///< the budget that was, as a sentence
   trace::TraceHash hash_;
 
@@ -89,9 +89,9 @@ class Simulation final : PinWatcher, SerialWatcher, InputWatcher, Standstill {
   bool sees_line_ = true;
   int collisions_noted_ = 0;
   std::vector<std::string> notes_;
-  std::deque<Event> events_;
+  std::deque<judge::Event> events_;
   std::string serial_;
-  Lookout lookout_;
+  StopConditions stops_;
   State state_;
   Sample sample_;
   std::vector<bool> went_high_ = std::vector<bool>(kMaxPins);
@@ -107,18 +107,18 @@ Simulation::Simulation(const Setup& setup, Listener& listener)
       start_(setup.start ? *setup.start : grid::default_start(map_)),
       network_(grid::trace_network(map_, start_)),
       stripes_(stripes_of(map_)),
-      goal_(setup.goal ? *setup.goal : default_goal(map_, network_)),
+      goal_(setup.goal ? *setup.goal : judge::default_goal(map_, network_)),
       progress_(goal_, map_, stripes_, network_, start_),
       world_(map_),
       body_(world_.body(world_.add_body(robot::body_params(*setup.robot, setup.seed, setup.profile),
                                         {stripes_.point_of(start_.cell), grid::heading(start_.facing)}))),
       board_(setup.executor->board()),
       robot_(*setup.robot, world_, 0, board_, setup.seed, setup.profile),
-      director_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor, setup.seed},
-                progress_),
+      player_(setup.scenario, {map_, stripes_, robot_, world_, body_, *setup.executor, setup.seed},
+              progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),
-      lookout_({serial_, progress_, body_, robot_, board_}) {
+      stops_({serial_, progress_, body_, robot_, board_}) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
   if (listener_.wants_inputs()) board_.watch_inputs(*this);
@@ -130,14 +130,14 @@ void Simulation::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
     was_output_[pin] = true;
     if (drive.duty > 0.0) went_high_[pin] = true;
   }
-  if (setup_.pilot) lookout_.pin_changed(pin, drive);
+  if (setup_.controller) stops_.pin_changed(pin, drive);
   listener_.pin_changed(pin, drive, t);
 }
 
 void Simulation::byte_sent(std::uint8_t byte, SimTime t) {
   hash_.serial(byte, t);
-  if (serial_.size() < kSerialKept) serial_ += static_cast<char>(byte);
-  director_.hear(byte);
+  if (serial_.size() < judge::kSerialKept) serial_ += static_cast<char>(byte);
+  player_.hear(byte);
   listener_.byte_sent(byte, t);
 }
 
@@ -145,7 +145,7 @@ void Simulation::note(SimTime t) {
   for (std::string& text : notes_) {
     events_.push_back({t, std::move(text)});
     listener_.noted(events_.back());
-    if (setup_.pilot) lookout_.noted(events_.back().text);
+    if (setup_.controller) stops_.noted(events_.back().text);
     if (events_.size() > kEventsKept) events_.pop_front();
   }
   notes_.clear();
@@ -175,36 +175,36 @@ Sample Simulation::sample_at(SimTime t) const {
   Sample sample{t, body_.pose(), body_.speed(), cross_track_, robot_.left_command(), robot_.right_command(),
                 {}};
   for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
-  if (setup_.pilot) {
-    for (const Target& station : progress_.stations())
+  if (setup_.controller) {
+    for (const judge::Target& station : progress_.stations())
       if (body_.covers(station.centre)) sample.at_station = station.name;
   }
   return sample;
 }
 
-// The pilot's turn. False if the run is to end here.
+// The controller's turn. False if the run is to end here.
 bool Simulation::stand_still(SimTime t) {
   state_.t = t;
-  state_.stop = lookout_.met();
-  state_.powered = director_.powered();
+  state_.stop = stops_.met();
+  state_.powered = player_.powered();
   state_.driven = robot_.driven();
   state_.serial_bytes = serial_.size();
   state_.metrics = metrics();
   state_.resources = setup_.executor->resources();
   sample_ = sample_at(t);
-  const Leg leg = setup_.pilot->next(*this);
+  const Leg leg = setup_.controller->next(*this);
   if (leg.end) return false;
-  lookout_.begin(leg, t);
+  stops_.begin(leg, t);
   state_.worst_cross_track = 0.0;
   state_.worst_t = t;
   state_.worst_at = body_.pose().position;
   return true;
 }
 
-std::optional<Verdict> Simulation::tick(SimTime t) {
+std::optional<judge::Verdict> Simulation::tick(SimTime t) {
   const SimTime end = t + kTick;
-  executors::Executor& executor = *setup_.executor;
-  director_.act(t, progress_, notes_);
+  exec::Executor& executor = *setup_.executor;
+  player_.act(t, progress_, notes_);
   robot_.begin_tick(t);
   executor.run_until(end);
   robot_.end_tick(end);
@@ -216,24 +216,24 @@ std::optional<Verdict> Simulation::tick(SimTime t) {
   if (!notes_.empty()) note(end);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) listener_.sampled(sample_at(end));
 
-  if (progress_.reached()) return Verdict::reached;
-  if (executor.crash()) return Verdict::crashed;
+  if (progress_.reached()) return judge::Verdict::reached;
+  if (executor.crash()) return judge::Verdict::crashed;
   if (end % kBudgetEvery == 0) {
     exceeded_ = exceeded_budget(setup_.robot->budget, executor.resources());
-    if (!exceeded_.empty()) return Verdict::over_budget;
+    if (!exceeded_.empty()) return judge::Verdict::over_budget;
   }
-  Situation now{end,
-                &body_.pose(),
-                body_.wheel_travel(),
-                sees_line_,
-                robot_.driven(),
-                body_.lifted(),
-                director_.powered(),
-                director_.powered() ? executor.last_call() : end};
+  judge::Situation now{end,
+                       &body_.pose(),
+                       body_.wheel_travel(),
+                       sees_line_,
+                       robot_.driven(),
+                       body_.lifted(),
+                       player_.powered(),
+                       player_.powered() ? executor.last_call() : end};
   return judge_.look(now);
 }
 
-Outcome Simulation::run() {
+judge::Outcome Simulation::run() {
   Beginning beginning{start_, goal_, network_.stations, {}, map_.width, map_.height, map_.cell_m};
   for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
   listener_.began(beginning);
@@ -241,18 +241,19 @@ Outcome Simulation::run() {
   if (setup_.samples_every > 0) listener_.sampled(sample_at(0));
   bool leg_over = true;
   for (SimTime t = 0; t < setup_.limit; t += kTick) {
-    if (setup_.pilot && leg_over && !stand_still(t)) return finish(Verdict::interrupted, t);
+    if (setup_.controller && leg_over && !stand_still(t)) return finish(judge::Verdict::interrupted, t);
     if (setup_.reached) setup_.reached->store(t, std::memory_order_relaxed);
     if (const auto verdict = tick(t)) return finish(*verdict, t + kTick);
     if (setup_.interrupted && setup_.interrupted->load(std::memory_order_relaxed))
-      return finish(Verdict::interrupted, t + kTick);
-    leg_over = setup_.pilot && lookout_.look(t + kTick);
+      return finish(judge::Verdict::interrupted, t + kTick);
+    leg_over = setup_.controller && stops_.look(t + kTick);
   }
-  return finish(goal_.kind == Goal::Kind::none ? Verdict::reached : Verdict::timeout, setup_.limit);
+  return finish(goal_.kind == judge::Goal::Kind::none ? judge::Verdict::reached : judge::Verdict::timeout,
+                setup_.limit);
 }
 
-Evidence Simulation::evidence(Verdict verdict, SimTime t) {
-  Evidence e;
+judge::Evidence Simulation::evidence(judge::Verdict verdict, SimTime t) {
+  judge::Evidence e;
   e.verdict = verdict;
   e.t = t;
   e.limit = setup_.limit;
@@ -268,14 +269,14 @@ Evidence Simulation::evidence(Verdict verdict, SimTime t) {
   e.was_output = was_output_;
   e.in_contact = body_.in_contact();
   e.moved = body_.wheel_travel() > 0.0;
-  if (verdict != Verdict::reached) e.activity = setup_.executor->activity();
+  if (verdict != judge::Verdict::reached) e.activity = setup_.executor->activity();
   const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
   if (looked_at != kNoPin) e.pin_level = board_.read_level(looked_at, t);
   return e;
 }
 
-Metrics Simulation::metrics() const {
-  Metrics m;
+judge::Metrics Simulation::metrics() const {
+  judge::Metrics m;
   m.distance_m = body_.distance();
   m.laps_s = progress_.laps_s();
   if (cross_track_ticks_ > 0)
@@ -290,11 +291,11 @@ Metrics Simulation::metrics() const {
   return m;
 }
 
-Outcome Simulation::finish(Verdict verdict, SimTime t) {
-  const Evidence e = evidence(verdict, t);
-  if (setup_.pilot && setup_.samples_every > 0 && t % setup_.samples_every != 0)
+judge::Outcome Simulation::finish(judge::Verdict verdict, SimTime t) {
+  const judge::Evidence e = evidence(verdict, t);
+  if (setup_.controller && setup_.samples_every > 0 && t % setup_.samples_every != 0)
     listener_.sampled(sample_at(t));
-  Outcome outcome;
+  judge::Outcome outcome;
   outcome.verdict = verdict;
   outcome.why = explain(e);
   outcome.next = next_step(e);
@@ -305,7 +306,7 @@ Outcome Simulation::finish(Verdict verdict, SimTime t) {
   outcome.events.assign(events_.begin(), events_.end());
   outcome.serial = std::move(serial_);
   outcome.end = body_.pose();
-  outcome.eeprom_writes = director_.eeprom_writes();
+  outcome.eeprom_writes = player_.eeprom_writes();
   outcome.trace_hash = hash_.text();
 
   outcome.metrics = metrics();
@@ -314,6 +315,6 @@ Outcome Simulation::finish(Verdict verdict, SimTime t) {
 
 }  // namespace
 
-Outcome simulate(const Setup& setup, Listener& listener) { return Simulation(setup, listener).run(); }
+judge::Outcome simulate(const Setup& setup, Listener& listener) { return Simulation(setup, listener).run(); }
 
 }  // namespace robosim::run

@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/executors/executor.h"
+#include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
+#include "sim/judge/goal.h"
+#include "sim/judge/outcome.h"
 #include "sim/robot/robot.h"
-#include "sim/run/goal.h"
-#include "sim/run/outcome.h"
-#include "sim/run/pilot.h"
-#include "sim/run/scenario.h"
+#include "sim/run/step_controller.h"
+#include "sim/scenario/scenario.h"
 
 namespace robosim::run {
 
@@ -30,14 +30,14 @@ struct Setup {
   const grid::Map* map = nullptr;
   std::optional<grid::Start> start;  ///< else the map's
   const robot::Description* robot = nullptr;
-  executors::Executor* executor = nullptr;
-  std::optional<Goal> goal;       ///< else the map's
-  SimTime limit = kDefaultLimit;  ///< simulated
+  exec::Executor* executor = nullptr;
+  std::optional<judge::Goal> goal;  ///< else the map's
+  SimTime limit = kDefaultLimit;    ///< simulated
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
-  std::vector<Step> scenario;
+  std::vector<scenario::Step> scenario;
   SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
-  Pilot* pilot = nullptr;                          ///< drives the run step by step; may be null
+  StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
 };
@@ -45,7 +45,7 @@ struct Setup {
 /// What was settled before the first tick.
 struct Beginning {
   grid::Start start;
-  Goal goal;
+  judge::Goal goal;
   std::vector<grid::Station> stations;
   std::vector<std::string> readings;  ///< names, in the order of Sample::readings
   int width = 0, height = 0;          ///< of the map, in cells
@@ -61,7 +61,7 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
-  std::string at_station;  ///< whose centre the body covers; told to a pilot only, "" = none
+  std::string at_station;  ///< whose centre the body covers; told to a controller only, "" = none
 };
 
 /// Listens to a run. Hearing more never changes what happens.
@@ -78,10 +78,10 @@ class Listener {
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
-  virtual void noted(const Event&) {}
+  virtual void noted(const judge::Event&) {}
 };
 
 /// Runs to the verdict. Throws InputError if the set-up makes no sense (start off the line, unknown parts …).
-Outcome simulate(const Setup& setup, Listener& listener);
+judge::Outcome simulate(const Setup& setup, Listener& listener);
 
 }  // namespace robosim::run

@@ -1,6 +1,6 @@
 #include "sim/runner/answers.h"
 
-#include "sim/robot/wires.h"
+#include "sim/robot/netlist.h"
 
 namespace robosim::runner {
 namespace {
@@ -10,7 +10,7 @@ double millimetres(double metres) { return metres * 1e3; }
 
 Json point(Vec2 p) { return Json::array({millimetres(p.x), millimetres(p.y)}); }
 
-Json metrics(const run::Metrics& m) {
+Json metrics(const judge::Metrics& m) {
   return {{"distance_m", m.distance_m},
           {"laps_s", m.laps_s},
           {"cross_track_rms_mm", m.cross_track_rms_mm},
@@ -22,7 +22,7 @@ Json metrics(const run::Metrics& m) {
           {"junctions", m.junctions}};
 }
 
-Json resources(const executors::Resources& r) {
+Json resources(const exec::Resources& r) {
   Json json = {{"flash_bytes", r.flash_bytes},
                {"ram_bytes", r.ram_bytes},
                {"stack_bytes_max", r.stack_bytes_max},
@@ -44,7 +44,7 @@ Json to_json(const run::Beginning& beginning) {
     stations.push_back({{"id", s.id}, {"name", s.name}, {"x", s.cell.x}, {"y", s.cell.y}});
   const grid::Start& start = beginning.start;
   return {{"start", Json::array({start.cell.x, start.cell.y, std::string(1, grid::letter(start.facing))})},
-          {"goal", run::to_string(beginning.goal)},
+          {"goal", judge::to_string(beginning.goal)},
           {"stations", std::move(stations)},
           {"readings", beginning.readings},
           {"width", beginning.width},
@@ -81,15 +81,15 @@ Json to_json(const run::State& state, const run::Sample& sample) {
   return json;
 }
 
-Json to_json(const run::Outcome& outcome) {
-  Json json = {{"verdict", run::to_string(outcome.verdict)},
+Json to_json(const judge::Outcome& outcome) {
+  Json json = {{"verdict", judge::to_string(outcome.verdict)},
                {"why", outcome.why},
                {"next", outcome.next},
-               {"status", static_cast<int>(run::exit_status(outcome.verdict))},
+               {"status", static_cast<int>(judge::exit_status(outcome.verdict))},
                {"time_s", seconds(outcome.time)},
                {"metrics", metrics(outcome.metrics)}};
   if (outcome.crash) {
-    const executors::SourceLine& where = outcome.crash->where;
+    const exec::SourceLine& where = outcome.crash->where;
     json["crash"] = {{"reason", outcome.crash->reason},
                      {"function", where.function},
                      {"file", where.file},
@@ -97,7 +97,7 @@ Json to_json(const run::Outcome& outcome) {
     if (!outcome.crash->check.empty()) json["crash"]["check"] = outcome.crash->check;
     if (!outcome.crash->registers.empty()) {
       Json calls = Json::array();
-      for (const executors::SourceLine& call : outcome.crash->calls)
+      for (const exec::SourceLine& call : outcome.crash->calls)
         calls.push_back({{"function", call.function}, {"file", call.file}, {"line", call.line}});
       json["crash"]["calls"] = std::move(calls);
       json["crash"]["registers"] = outcome.crash->registers;
@@ -105,7 +105,7 @@ Json to_json(const run::Outcome& outcome) {
   }
   if (outcome.resources) json["resources"] = resources(*outcome.resources);
   Json events = Json::array();
-  for (const run::Event& event : outcome.events)
+  for (const judge::Event& event : outcome.events)
     events.push_back({{"t_s", seconds(event.t)}, {"text", event.text}});
   json["events"] = std::move(events);
   json["serial"] = outcome.serial;

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 Json to_json(const run::Beginning& beginning);
 Json to_json(const run::Sample& sample);
 Json to_json(const run::State& state, const run::Sample& sample);
-Json to_json(const run::Outcome& outcome);
+Json to_json(const judge::Outcome& outcome);
 Json to_json(const robot::Summary& robot);
 
 /// One line of text without its newline. Bytes that are no UTF-8 become U+FFFD.

@@ -16,12 +16,12 @@
 #include "sim/base/bundle.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/executors/gdb/server.h"
+#include "sim/exec/gdb/server.h"
 #include "sim/robot/description.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
-#include "sim/runner/remote_pilot.h"
+#include "sim/runner/remote_controller.h"
 #include "sim/runner/request.h"
 
 namespace robosim::runner {
@@ -59,8 +59,7 @@ void start_watchdog() {
 // Turns what a run tells into protocol events.
 class Narrator final : public run::Listener {
  public:
-  Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board,
-           executors::Executor& executor)
+  Narrator(nlohmann::json id, const RunRequest& request, const BoardSpec& board, exec::Executor& executor)
       : id_(std::move(id)), request_(request), board_(board), executor_(executor) {}
 
   void began(const run::Beginning& beginning) override {
@@ -68,7 +67,7 @@ class Narrator final : public run::Listener {
     if (request_.gdb_port > 0) send("debugger_awaited", {{"port", request_.gdb_port}});
   }
   void sampled(const run::Sample& s) override { send("sample", to_json(s)); }
-  void noted(const run::Event& event) override {
+  void noted(const judge::Event& event) override {
     if (request_.stream_notes) send("note", {{"t_ns", event.t}, {"text", event.text}});
   }
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
@@ -97,7 +96,7 @@ class Narrator final : public run::Listener {
     if (request_.stream_io) {
       const Json event{{"t_ns", t}, {"value", byte}, {"sent", true}};
       if (request_.source) {
-        const executors::SourceLine source = executor_.source_of(byte);
+        const exec::SourceLine source = executor_.source_of(byte);
         if (in_span(t)) send_with("byte", event, source);
       } else {
         send("byte", event);
@@ -120,7 +119,7 @@ class Narrator final : public run::Listener {
     else if (in_span(t))
       send_with(event, body, executor_.source());
   }
-  void send_with(const char* event, Json body, const executors::SourceLine& source) {
+  void send_with(const char* event, Json body, const exec::SourceLine& source) {
     if (!source.file.empty())
       body["source"] = {{"function", source.function}, {"file", source.file}, {"line", source.line}};
     send(event, body);
@@ -135,14 +134,14 @@ class Narrator final : public run::Listener {
   nlohmann::json id_;
   const RunRequest& request_;
   const BoardSpec& board_;
-  executors::Executor& executor_;
+  exec::Executor& executor_;
   std::string line_;
 };
 
 // The outcome, together with what it rests on.
-Json result_of(const run::Outcome& outcome, const RunRequest& request, const robot::Description& robot) {
+Json result_of(const judge::Outcome& outcome, const RunRequest& request, const robot::Description& robot) {
   Json result = to_json(outcome);
-  result["goal"] = run::to_string(outcome.goal);
+  result["goal"] = judge::to_string(outcome.goal);
   result["for_s"] = static_cast<double>(request.limit) * 1e-9;
   result["seed"] = request.seed;
   result["profile"] = request.profile == robot::Profile::ideal ? "ideal" : "typical";
@@ -155,11 +154,11 @@ Json result_of(const run::Outcome& outcome, const RunRequest& request, const rob
 void run_request(const Target& target, const RunRequest& request, const nlohmann::json& id, Json& answer) {
   const grid::Map map = grid::read_map(request.map);
   const robot::Description robot = robot::load_description(request.robot);
-  const std::unique_ptr<executors::Executor> executor = target.make_executor(*robot.board, request.image);
+  const std::unique_ptr<exec::Executor> executor = target.make_executor(*robot.board, request.image);
 
   if (request.clock_start > 0) executor->set_clock_start(request.clock_start);
 
-  std::optional<executors::gdb::Server> debugger;
+  std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
     executor->debug_with(*debugger);
@@ -170,11 +169,11 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
   setup.robot = &robot;
   setup.executor = executor.get();
   if (!request.start.empty()) setup.start = grid::parse_start(map, request.start);
-  if (!request.goal.empty()) setup.goal = run::parse_goal(request.goal);
+  if (!request.goal.empty()) setup.goal = judge::parse_goal(request.goal);
   setup.limit = request.limit;
   setup.seed = request.seed;
   setup.profile = request.profile;
-  setup.scenario = run::parse_scenario(request.script, request.script_file);
+  setup.scenario = scenario::parse_scenario(request.script, request.script_file);
   setup.samples_every = request.samples_every;
   setup.interrupted = &interrupted;
   setup.reached = &reached;
@@ -182,12 +181,13 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
 
   if (request.source) executor->trace_bytes(request.source->first, request.source->second);
   Narrator narrator(id, request, *robot.board, *executor);
-  RemotePilot pilot(id, request.script_file, interrupted, [&](SimTime t) { narrator.flush_serial(t); });
-  if (request.interactive) setup.pilot = &pilot;
-  const run::Outcome outcome = run::simulate(setup, narrator);
+  RemoteController controller(id, request.script_file, interrupted,
+                              [&](SimTime t) { narrator.flush_serial(t); });
+  if (request.interactive) setup.controller = &controller;
+  const judge::Outcome outcome = run::simulate(setup, narrator);
   narrator.flush_serial(outcome.time);
   if (!request.counters.empty()) write_file(request.counters, pack(executor->counters()));
-  if (debugger) debugger->ended(static_cast<int>(run::exit_status(outcome.verdict)));
+  if (debugger) debugger->ended(static_cast<int>(judge::exit_status(outcome.verdict)));
   answer["result"] = result_of(outcome, request, robot);
 }
 
@@ -221,12 +221,12 @@ std::string cause_of_death(int status) {
 
 // Firmware ended its process in a way that no handler could catch.
 void report_death(const nlohmann::json& json, const nlohmann::json& id, int status) {
-  run::Outcome outcome;
-  outcome.verdict = run::Verdict::crashed;
-  outcome.crash = executors::Crash{cause_of_death(status), {}};
+  judge::Outcome outcome;
+  outcome.verdict = judge::Verdict::crashed;
+  outcome.crash = exec::Crash{cause_of_death(status), {}};
   outcome.why = "The sketch crashed: " + outcome.crash->reason + ".";
   const RunRequest request = parse_run_request(json);
-  if (!request.goal.empty()) outcome.goal = run::parse_goal(request.goal);
+  if (!request.goal.empty()) outcome.goal = judge::parse_goal(request.goal);
   Json answer = with_id(id);
   answer["result"] = result_of(outcome, request, robot::load_description(request.robot));
   write_line(answer);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/executors/executor.h"
+#include "sim/exec/core/executor.h"
 
 namespace robosim {
 struct BoardSpec;
@@ -17,7 +17,7 @@ namespace robosim::runner {
 /// What makes one runner program different from another.
 struct Target {
   std::string name;  ///< "host"
-  std::function<std::unique_ptr<executors::Executor>(const BoardSpec&, const std::filesystem::path& image)>
+  std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)>
       make_executor;
 };
 

@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/executors/avr_executor.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/avr/avr_executor.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
-#include "sim/sketch/sketch.h"
 
 namespace robosim {
 namespace {
@@ -15,9 +15,9 @@ constexpr SimTime kSimulated = 10 * kSecond;
 const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
 
 std::filesystem::path image_of(const std::filesystem::path& sketch) {
-  sketch::Request request{sketch, *find_board("uno")};
+  build::Request request{sketch, *find_board("uno")};
   request.target = "avr";
-  return sketch::build(request).image;
+  return build::build(request).image;
 }
 
 void report(benchmark::State& state) {
@@ -31,16 +31,16 @@ void whole(benchmark::State& state, const std::filesystem::path& sketch) {
   const robot::Description robot = robot::load_description("uno5");
   const auto image = image_of(sketch);
   for (auto _ : state) {
-    executors::AvrExecutor executor(*robot.board, image);
+    exec::AvrExecutor executor(*robot.board, image);
     run::Setup setup;
     setup.map = &map;
     setup.robot = &robot;
     setup.executor = &executor;
-    setup.goal = run::parse_goal("none");
+    setup.goal = judge::parse_goal("none");
     setup.limit = kSimulated;
     run::Listener nobody;
-    const run::Outcome outcome = run::simulate(setup, nobody);
-    if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+    const judge::Outcome outcome = run::simulate(setup, nobody);
+    if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
   }
   report(state);
 }
@@ -50,7 +50,7 @@ void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   const auto image = image_of(sketch);
   const SimTime step = state.range(0) * kMillisecond;
   for (auto _ : state) {
-    executors::AvrExecutor executor(*find_board("uno"), image);
+    exec::AvrExecutor executor(*find_board("uno"), image);
     executor.power_on(0);
     for (SimTime t = step; t <= kSimulated; t += step) executor.run_until(t);
     if (executor.crash()) state.SkipWithError(executor.crash()->reason.c_str());
@@ -58,10 +58,10 @@ void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-BENCHMARK_CAPTURE(whole, follower, sketch::find_sketch("PidFollower"))
+BENCHMARK_CAPTURE(whole, follower, build::find_sketch("PidFollower"))
     ->Name("avr/PidFollower on oval")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(chip, follower, sketch::find_sketch("PidFollower"))
+BENCHMARK_CAPTURE(chip, follower, build::find_sketch("PidFollower"))
     ->Name("avr/PidFollower, chip alone")
     ->ArgName("step_ms")
     ->Arg(1)

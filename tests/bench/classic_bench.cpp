@@ -3,15 +3,15 @@
 // most 0.5 s after reading.
 #include <benchmark/benchmark.h>
 
-#include "sim/classic/survey.h"
-#include "sim/classic/walk.h"
+#include "sim/cells/survey.h"
+#include "sim/cells/walk.h"
 #include "sim/grid/generator.h"
 #include "tests/support/v1.h"
 
 namespace {
 
 using namespace robosim;
-using namespace robosim::classic;
+using namespace robosim::cells;
 
 constexpr int kMoves = 100'000;  // between two looks at the clock
 

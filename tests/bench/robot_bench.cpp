@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "hal/board/board_spec.h"
-#include "sim/executors/board_state.h"
+#include "sim/exec/core/board_state.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
 #include "sim/robot/robot.h"
@@ -20,7 +20,7 @@ void robot_tick(benchmark::State& state) {
   world::World world(map);
   const auto body =
       world.add_body(robot::body_params(description, 1, robot::Profile::typical), {{1.2, 0.6}, {1.0, 0.0}});
-  executors::BoardState board(*description.board);
+  exec::BoardState board(*description.board);
   robot::Robot robot(description, world, body, board, 1, robot::Profile::typical);
   for (const Pin pin : {7, 9}) board.set_drive(pin, {PinMode::output, true, false, 1.0, 0}, 0);
   for (const Pin pin : {8, 10}) board.set_drive(pin, {PinMode::output, false, false, 0.0, 0}, 0);

@@ -2,10 +2,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/executors/host_executor.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/host/host_executor.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
-#include "sim/sketch/sketch.h"
 #include "tests/support/built_in_driver.h"
 
 namespace robosim {
@@ -14,18 +14,18 @@ namespace {
 constexpr SimTime kSimulated = 20 * kSecond;
 
 // Runs for kSimulated, whatever happens, and reports simulated over wall time.
-void simulate(benchmark::State& state, executors::Executor& executor) {
+void simulate(benchmark::State& state, exec::Executor& executor) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   run::Setup setup;
   setup.map = &map;
   setup.robot = &robot;
   setup.executor = &executor;
-  setup.goal = run::parse_goal("none");
+  setup.goal = judge::parse_goal("none");
   setup.limit = kSimulated;
   run::Listener nobody;
-  const run::Outcome outcome = run::simulate(setup, nobody);
-  if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+  const judge::Outcome outcome = run::simulate(setup, nobody);
+  if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
 }
 
 void report(benchmark::State& state) {
@@ -37,9 +37,9 @@ void report(benchmark::State& state) {
 
 void run_sketch(benchmark::State& state, const std::filesystem::path& sketch) {
   const BoardSpec& board = *find_board("uno");
-  const sketch::Image image = sketch::build({sketch, board});
+  const build::Image image = build::build({sketch, board});
   for (auto _ : state) {
-    executors::HostExecutor executor(board, image.image);
+    exec::HostExecutor executor(board, image.image);
     simulate(state, executor);
   }
   report(state);
@@ -61,7 +61,7 @@ BENCHMARK(built_in)
     ->Arg(1)
     ->Arg(5)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run_sketch, follower, sketch::find_sketch("PidFollower"))
+BENCHMARK_CAPTURE(run_sketch, follower, build::find_sketch("PidFollower"))
     ->Name("run/PidFollower (delay)")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(run_sketch, reads, kSketches / "ReadsAndDrives")

@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/executors/stm32_executor.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/stm32/stm32_executor.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
-#include "sim/sketch/sketch.h"
 
 namespace robosim {
 namespace {
@@ -18,20 +18,20 @@ void whole(benchmark::State& state, const char* board) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::parse_description(
       std::string("base = \"bluepill5\"\nboard = \"") + board + "\"\n", "bench.toml");
-  sketch::Request request{sketch::find_sketch("PidFollower"), *robot.board};
+  build::Request request{build::find_sketch("PidFollower"), *robot.board};
   request.target = "stm32";
-  const auto image = sketch::build(request).image;
+  const auto image = build::build(request).image;
   for (auto _ : state) {
-    executors::Stm32Executor executor(*robot.board, image);
+    exec::Stm32Executor executor(*robot.board, image);
     run::Setup setup;
     setup.map = &map;
     setup.robot = &robot;
     setup.executor = &executor;
-    setup.goal = run::parse_goal("none");
+    setup.goal = judge::parse_goal("none");
     setup.limit = kSimulated;
     run::Listener nobody;
-    const run::Outcome outcome = run::simulate(setup, nobody);
-    if (outcome.verdict != run::Verdict::reached) state.SkipWithError(outcome.why.c_str());
+    const judge::Outcome outcome = run::simulate(setup, nobody);
+    if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
   }
   const double seconds = 1e-9 * static_cast<double>(kSimulated) * static_cast<double>(state.iterations());
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);

@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/sketch/process.h"
+#include "sim/build/process.h"
 
 namespace robosim::museum {
 namespace fs = std::filesystem;
@@ -19,16 +19,16 @@ constexpr const char* kLinked[] = {"hal", "maps", "sim"};
 constexpr const char* kMostSeconds = "600";
 
 std::string program(const std::string& name, const std::string& package) {
-  const fs::path found = sketch::find_program(name);
+  const fs::path found = build::find_program(name);
   if (found.empty()) throw ToolMissing(name + " is missing; the Debian package " + package + " brings it");
   return found.string();
 }
 
-sketch::Outcome patch(const fs::path& folder, const Bug& bug, bool dry) {
+build::Outcome patch(const fs::path& folder, const Bug& bug, bool dry) {
   std::vector<std::string> words = {
       program("patch", "patch"), "-p1", "--force", "--fuzz=0", "--no-backup-if-mismatch", "--reject-file=-"};
   if (dry) words.push_back("--dry-run");
-  return sketch::run(sketch::Command{words, folder, bug.patch});
+  return build::run(build::Command{words, folder, bug.patch});
 }
 
 /// GoogleTest's: of this target, and of the chosen suites.
@@ -89,19 +89,19 @@ void Stage::restore() {
 }
 
 std::string Stage::complaint(const Bug& bug) const {
-  const sketch::Outcome outcome = patch(data(), bug, true);
+  const build::Outcome outcome = patch(data(), bug, true);
   return outcome.status == 0 ? "" : outcome.output;
 }
 
 void Stage::spoil(const Bug& bug) {
-  const sketch::Outcome outcome = patch(data(), bug, false);
+  const build::Outcome outcome = patch(data(), bug, false);
   if (outcome.status != 0) throw InputError({bug.patch.string()}, "no longer applies:\n" + outcome.output);
 }
 
 TestRun Stage::test(const Choice& choice) const {
   const fs::path report = folder_ / "report.json";
   fs::remove(report);
-  const sketch::Outcome outcome = sketch::run(sketch::Command{
+  const build::Outcome outcome = build::run(build::Command{
       {program("timeout", "coreutils"), kMostSeconds, (folder_ / "bin/tests").string(), "--gtest_fail_fast",
        "--gtest_brief=1", "--gtest_filter=" + filter(choice), "--gtest_output=json:" + report.string()},
       folder_,

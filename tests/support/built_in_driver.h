@@ -3,13 +3,13 @@
 #pragma once
 
 #include "hal/board/board_spec.h"
-#include "sim/executors/board_state.h"
-#include "sim/executors/executor.h"
+#include "sim/exec/core/board_state.h"
+#include "sim/exec/core/executor.h"
 
 namespace robosim::test {
 
 /// Drives an uno5 (docs/robots.md has its pins): a proportional-derivative controller on five analog sensors.
-class BuiltInDriver final : public executors::Executor {
+class BuiltInDriver final : public exec::Executor {
  public:
   /// `period`: simulated time between two looks at all sensors.
   explicit BuiltInDriver(SimTime period = 5 * kMillisecond) : period_(period) {}
@@ -18,19 +18,19 @@ class BuiltInDriver final : public executors::Executor {
   void power_on(SimTime t) override;
   void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override;
-  const std::optional<executors::Crash>& crash() const override { return crash_; }
-  executors::Activity activity() override { return {}; }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
   SimTime last_call() const override { return next_; }
 
  private:
   void look_and_steer(SimTime t);
   void motor(const Pin* pins, double command, SimTime t);
 
-  executors::BoardState board_{*find_board("uno")};
+  exec::BoardState board_{*find_board("uno")};
   SimTime period_;
   SimTime next_ = 0;
   double last_error_ = 0.0;
-  std::optional<executors::Crash> crash_;
+  std::optional<exec::Crash> crash_;
 };
 
 }  // namespace robosim::test

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "sim/sketch/sketch.h"
+#include "sim/build/sketch.h"
 
 namespace robosim::test {
 
@@ -22,7 +22,7 @@ inline bool is_required(const std::string& target) {
 /// names the target. The tool's package is named either way.
 #define ROBOSIM_NEEDS_TARGET(target)                                                 \
   do {                                                                               \
-    const std::string missing = ::robosim::sketch::missing_tool(target);             \
+    const std::string missing = ::robosim::build::missing_tool(target);              \
     if (!missing.empty() && ::robosim::test::is_required(target)) FAIL() << missing; \
     if (!missing.empty()) GTEST_SKIP() << missing;                                   \
   } while (false)

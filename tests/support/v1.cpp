@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace robosim::classic::v1 {
+namespace robosim::cells::v1 {
 namespace {
 
 char right_of(char d) { return d == 'N' ? 'E' : d == 'E' ? 'S' : d == 'S' ? 'W' : 'N'; }
@@ -158,4 +158,4 @@ Scan scan(Robot& robot) {
   return result;
 }
 
-}  // namespace robosim::classic::v1
+}  // namespace robosim::cells::v1

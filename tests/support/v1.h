@@ -7,7 +7,7 @@
 
 #include "sim/grid/map.h"
 
-namespace robosim::classic::v1 {
+namespace robosim::cells::v1 {
 
 struct Robot {
   const grid::Map* map;
@@ -47,4 +47,4 @@ struct Scan {
 /// at least one.
 Scan scan(Robot& robot);
 
-}  // namespace robosim::classic::v1
+}  // namespace robosim::cells::v1

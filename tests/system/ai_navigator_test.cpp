@@ -40,15 +40,15 @@ Seen watch(const Run& of, const std::string& until, const std::string& start = "
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
   const grid::TrueGraph graph = graph_of(of.map, start);
-  client::RunRequest request = request_of(of);
+  wire::RunRequest request = request_of(of);
   request.start = start;
   request.serial = true;
   request.samples_every_ns = 10'000'000;
   Seen seen;
-  client::Sample last;
-  const client::RunResult result = runner.run(request, [&](const client::Event& event) {
-    if (const auto* sample = std::get_if<client::Sample>(&event)) last = *sample;
-    const auto* serial = std::get_if<client::SerialText>(&event);
+  wire::Sample last;
+  const wire::RunResult result = runner.run(request, [&](const wire::Event& event) {
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) last = *sample;
+    const auto* serial = std::get_if<wire::SerialText>(&event);
     if (!serial) return;
     const std::string line = serial->text.substr(0, serial->text.find_last_not_of("\r\n") + 1);
     seen.text += line + "\n";

@@ -10,10 +10,10 @@ namespace robosim::test {
 namespace {
 
 using client::DrivenRun;
-using client::Stop;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using wire::Stop;
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kS = 1000 * kMs;
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(DrivenRun, OnEachTarget, testing::Values("host", "avr")
 
 TEST_P(OnEachTarget, GivesTheTraceOfTheSameLinesAsAScript) {
   const test::Run setup{.sketch = "AiNavigator", .map = "b", .goal = "none", .target = GetParam()};
-  client::RunRequest request = request_of(setup);
+  wire::RunRequest request = request_of(setup);
   request.script = "at 10ms cover S5 20ms";
   DrivenRun run(runner(GetParam()), request);
   ASSERT_TRUE(run.go_on(5 * kS, {Stop::serial("press the button")}));
@@ -44,7 +44,7 @@ TEST_P(OnEachTarget, GivesTheTraceOfTheSameLinesAsAScript) {
   ASSERT_TRUE(run.go_on(run.state().t_ns + 700 * kMs));
   run.act("place 6,10 E");
   ASSERT_TRUE(run.go_on(run.state().t_ns + 300 * kMs));
-  const client::RunResult& driven = run.end();
+  const wire::RunResult& driven = run.end();
   EXPECT_EQ(driven.verdict, "interrupted");
 
   request.script = run.script();
@@ -53,7 +53,7 @@ TEST_P(OnEachTarget, GivesTheTraceOfTheSameLinesAsAScript) {
 }
 
 TEST(DrivenRunTest, GivesTheTraceOfARunInOneGoWhereverItStandsStill) {
-  const client::RunRequest request =
+  const wire::RunRequest request =
       request_of({.sketch = "PidFollower", .map = "oval", .goal = "none", .for_s = 2.0});
   DrivenRun run(runner(), request);
   for (std::int64_t t = 0; run.go_on(t); t += 7 * kMs) {
@@ -119,7 +119,7 @@ TEST(DrivenRunTest, GoesOnAfterWhatMakesNoSense) {
 }
 
 TEST(DrivenRunTest, EndsWithTheVerdictAndLeavesTheRunnerToOthers) {
-  client::RunRequest request = request_of({.sketch = "HangsDriving", .goal = "none"});
+  wire::RunRequest request = request_of({.sketch = "HangsDriving", .goal = "none"});
   DrivenRun run(runner(), request);
   EXPECT_FALSE(run.go_on(600 * kS));
   EXPECT_EQ(run.result().verdict, "hung");

@@ -33,7 +33,7 @@ class Faults : public testing::TestWithParam<const char*> {
     return text;
   }
 
-  client::RunResult result_;
+  wire::RunResult result_;
 };
 
 INSTANTIATE_TEST_SUITE_P(On, Faults, testing::Values("host", "avr"),

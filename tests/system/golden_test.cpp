@@ -23,10 +23,10 @@ class GoldenSketch : public testing::TestWithParam<Pinned> {};
 
 TEST_P(GoldenSketch, RunsBitForBitAsPinned) {
   const Pinned& pinned = GetParam();
-  const sketch::Image image = sketch::build({sketch_folder(pinned.sketch), *find_board("uno")});
+  const build::Image image = build::build({sketch_folder(pinned.sketch), *find_board("uno")});
   if (image.compiler != kCompiler)
     GTEST_SKIP() << "pinned for " << kCompiler << ", this is " << image.compiler;
-  const client::RunResult r =
+  const wire::RunResult r =
       run({.sketch = pinned.sketch, .map = pinned.map, .robot = pinned.robot, .for_s = 20.0});
   EXPECT_EQ(r.trace_hash, pinned.trace_hash) << r.why;
 }

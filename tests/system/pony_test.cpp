@@ -29,8 +29,8 @@ std::string tour_script(std::size_t stations) {
 
 // What a run's events tell.
 struct Watch {
-  client::Started started;
-  client::Sample last;
+  wire::Started started;
+  wire::Sample last;
   std::vector<int> arrivals;
   std::int64_t arrived_us = 0;
   std::string text;
@@ -42,7 +42,7 @@ struct Watch {
     return NAN;
   }
   int digits() const { return static_cast<int>(10 * std::max(0.0, reading("tens")) + reading("ones")); }
-  double distance_to(const client::Started::Station& station, const grid::Map& map) const {
+  double distance_to(const wire::Started::Station& station, const grid::Map& map) const {
     const Vec2 centre = map.centre({station.x, station.y}) * 1e3;
     return std::hypot(last.x_mm - centre.x, last.y_mm - centre.y);
   }
@@ -52,13 +52,13 @@ struct Watch {
 Watch watch(const Run& of) {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
-  client::RunRequest request = request_of(of);
+  wire::RunRequest request = request_of(of);
   request.serial = true;
   request.samples_every_ns = 50'000'000;
   Watch watch;
   std::int64_t silent_since_us = 0;
   int arrived = 0;
-  const auto look = [&](const client::Sample& sample) {
+  const auto look = [&](const wire::Sample& sample) {
     watch.last = sample;
     if (watch.reading("buzzer") == 0.0) silent_since_us = sample.t_us;
     const double beep_ms = static_cast<double>(sample.t_us - silent_since_us) * 1e-3;
@@ -77,10 +77,10 @@ Watch watch(const Run& of) {
     watch.arrived_us = watch.last.t_us;
     if (std::sscanf(line.c_str(), "at station %d", &arrived) == 1) watch.arrivals.push_back(arrived);
   };
-  runner.run(request, [&](const client::Event& event) {
-    if (const auto* started = std::get_if<client::Started>(&event)) watch.started = *started;
-    if (const auto* sample = std::get_if<client::Sample>(&event)) look(*sample);
-    if (const auto* serial = std::get_if<client::SerialText>(&event)) listen(serial->text);
+  runner.run(request, [&](const wire::Event& event) {
+    if (const auto* started = std::get_if<wire::Started>(&event)) watch.started = *started;
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) look(*sample);
+    if (const auto* serial = std::get_if<wire::SerialText>(&event)) listen(serial->text);
   });
   return watch;
 }

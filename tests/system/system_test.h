@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/client/fit_robot.h"
+#include "sim/build/sketch.h"
 #include "sim/client/runner.h"
 #include "sim/grid/map.h"
-#include "sim/sketch/sketch.h"
+#include "sim/launch/fit_robot.h"
 #include "tests/support/effort.h"
 #include "tests/support/require_target.h"
 
@@ -24,7 +24,7 @@ namespace robosim::test {
 /// The folder of a test's own sketch, or the path of one of ours.
 inline std::filesystem::path sketch_folder(const std::string& name) {
   const std::filesystem::path own = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name;
-  return std::filesystem::exists(own) ? own : sketch::find_sketch(name);
+  return std::filesystem::exists(own) ? own : build::find_sketch(name);
 }
 
 /// What a run needs; everything but the sketch has a default.
@@ -46,14 +46,14 @@ inline client::Runner& runner_of(const std::string& target) {
   return runners.try_emplace(target, target).first->second;
 }
 
-inline client::RunRequest request_of(const Run& run) {
-  const client::FittedRobot robot =
-      client::fit_robot(run.robot, sketch::boards_of(run.target),
+inline wire::RunRequest request_of(const Run& run) {
+  const launch::FittedRobot robot =
+      launch::fit_robot(run.robot, build::boards_of(run.target),
                         [](const std::string& name) { return runner_of("host").describe_robot(name); });
-  client::RunRequest request;
-  sketch::Request sketch{sketch_folder(run.sketch), *find_board(robot.info.board.name.c_str())};
+  wire::RunRequest request;
+  build::Request sketch{sketch_folder(run.sketch), *find_board(robot.info.board.name.c_str())};
   sketch.target = run.target;
-  request.image = sketch::build(sketch).image;
+  request.image = build::build(sketch).image;
   request.map = grid::find_map(run.map);
   request.robot = robot.robot;
   request.goal = run.goal;
@@ -64,11 +64,11 @@ inline client::RunRequest request_of(const Run& run) {
   return request;
 }
 
-inline client::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
+inline wire::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
 
 /// The sentence that says what this target lacks; empty if it runs.
 inline std::string what_is_missing(const std::string& target) {
-  const std::string tool = sketch::missing_tool(target);
+  const std::string tool = build::missing_tool(target);
   if (!tool.empty()) return tool;
   try {
     runner_of(target);

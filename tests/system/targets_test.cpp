@@ -22,12 +22,12 @@ INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr", "stm3
 TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
   const std::uint64_t usual = std::string(GetParam()) == "stm32" ? 1 : 3;
   for (std::uint64_t seed = 1; seed <= std::max(seeds_asked_for(), usual); ++seed) {
-    const client::RunResult r = run({.sketch = "PidFollower",
-                                     .robot = "uno5",
-                                     .goal = "laps:1",
-                                     .seed = seed,
-                                     .for_s = 60.0,
-                                     .target = GetParam()});
+    const wire::RunResult r = run({.sketch = "PidFollower",
+                                   .robot = "uno5",
+                                   .goal = "laps:1",
+                                   .seed = seed,
+                                   .for_s = 60.0,
+                                   .target = GetParam()});
     ASSERT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << "seed " << seed;
   }
@@ -41,7 +41,7 @@ TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsEachByItsOwnHand) {
   std::vector<std::string> left(right.rbegin(), right.rend());
   std::rotate(left.begin(), left.end() - 1, left.end());
   tour.sketch = "RightPath";
-  client::RunResult r = run(tour);
+  wire::RunResult r = run(tour);
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.metrics.stations, right);
   tour.sketch = "LeftPath";
@@ -61,7 +61,7 @@ TEST_P(Paths, LeftAndRightComeHomeFromEveryStation) {
   const auto [target, map] = GetParam();
   for (const char* sketch : {"LeftPath", "RightPath"}) {
     for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
-      const client::RunResult r = run(
+      const wire::RunResult r = run(
           {.sketch = sketch, .map = map, .robot = "uno3", .goal = "tour", .seed = seed, .target = target});
       EXPECT_EQ(r.verdict, "reached") << sketch << " on " << map << ", seed " << seed << ": " << r.why;
     }
@@ -82,19 +82,19 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
     once.seed = 7;
     once.for_s = 5.0;
     once.target = GetParam();
-    const client::RunResult first = run(once);
+    const wire::RunResult first = run(once);
     EXPECT_GT(first.metrics.distance_m, 0.05) << once.sketch;
     EXPECT_EQ(first.trace_hash, run(once).trace_hash) << once.sketch;
   }
 }
 
 TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
-  const client::RunResult r = run({.sketch = "WaitsForFlag",
-                                   .robot = (sketch_folder("WaitsForFlag") / "robot.toml").string(),
-                                   .goal = "none",
-                                   .script = "at 500ms press go",
-                                   .for_s = 1.0,
-                                   .target = GetParam()});
+  const wire::RunResult r = run({.sketch = "WaitsForFlag",
+                                 .robot = (sketch_folder("WaitsForFlag") / "robot.toml").string(),
+                                 .goal = "none",
+                                 .script = "at 500ms press go",
+                                 .for_s = 1.0,
+                                 .target = GetParam()});
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "went on\r\n");
 }
@@ -106,17 +106,17 @@ class OnTheChip : public testing::Test {
 
 TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
   EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0}).verdict, "reached");
-  const client::RunResult chip = run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"});
+  const wire::RunResult chip = run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"});
   EXPECT_EQ(chip.verdict, "lost");
   EXPECT_THAT(chip.next, AllOf(HasSubstr("--target host"), HasSubstr("int has 16 bits")));
 }
 
 TEST_F(OnTheChip, AFollowersRunIsPinned) {
-  sketch::Request request{sketch_folder("PidFollower"), *find_board("uno")};
+  build::Request request{sketch_folder("PidFollower"), *find_board("uno")};
   request.target = "avr";
-  const std::string compiler = sketch::build(request).compiler;
+  const std::string compiler = build::build(request).compiler;
   if (compiler != "gcc 5.4.0 avr") GTEST_SKIP() << "pinned for gcc 5.4.0 avr, this is " << compiler;
-  const client::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
+  const wire::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
   EXPECT_EQ(r.trace_hash, "1:6d18cecf76a602d6") << r.why;
 }
 
@@ -129,13 +129,13 @@ TEST_F(OnTheChip, MillisWrapsInATest) {
 }
 
 TEST_F(OnTheChip, AHangIsFoundThoughTimer0GoesOnInterrupting) {
-  const client::RunResult r = run({.sketch = "ChipHang", .target = "avr"});
+  const wire::RunResult r = run({.sketch = "ChipHang", .target = "avr"});
   EXPECT_EQ(r.verdict, "hung");
   EXPECT_THAT(r.why, AllOf(HasSubstr("wait"), HasSubstr("ChipHang.ino:5")));
 }
 
 TEST_F(OnTheChip, ACrashHasItsCallsAndRegisters) {
-  const client::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
+  const wire::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
   EXPECT_EQ(r.verdict, "crashed");
   ASSERT_TRUE(r.crash);
   EXPECT_EQ(r.crash->function, "call");
@@ -147,13 +147,13 @@ TEST_F(OnTheChip, ResourcesAreMeasuredAndABudgetEndsTheRun) {
   const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "tight.toml";
   write_file(robot, "base = \"uno5\"\n[budget]\nloop = \"5500 us\"\n");
   test::Run follower{.sketch = "PidFollower", .goal = "none", .for_s = 2.0, .target = "avr"};
-  const client::RunResult free = run(follower);
+  const wire::RunResult free = run(follower);
   ASSERT_TRUE(free.resources);
   EXPECT_GT(free.resources->stack_bytes_max, 20);
   EXPECT_GT(free.resources->loop_us_max, 5500.0) << "delay(5) and some arithmetic";
   EXPECT_GT(free.resources->interrupt_share, 0.001);
   follower.robot = robot.string();
-  const client::RunResult r = run(follower);
+  const wire::RunResult r = run(follower);
   EXPECT_EQ(r.verdict, "over_budget");
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.why, HasSubstr("the robot file allows 5.500 ms"));

@@ -9,7 +9,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
-  const client::RunResult r = run({.sketch = "SpinsOnPin", .robot = "uno3", .for_s = 60.0});
+  const wire::RunResult r = run({.sketch = "SpinsOnPin", .robot = "uno3", .for_s = 60.0});
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_EQ(r.status, 4);
   EXPECT_THAT(r.why, AllOf(HasSubstr("pin 2"), HasSubstr("digitalRead(2)"), HasSubstr("SpinsOnPin.ino:5"),
@@ -18,25 +18,25 @@ TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
 
 TEST(Verdicts, ABusyWaitForAFlagGoesOnWhenTheInterruptSetsIt) {
   const std::string robot = (sketch_folder("WaitsForFlag") / "robot.toml").string();
-  const client::RunResult pressed = run({.sketch = "WaitsForFlag",
-                                         .robot = robot,
-                                         .goal = "none",
-                                         .script = "at 500ms press go",
-                                         .for_s = 1.0});
+  const wire::RunResult pressed = run({.sketch = "WaitsForFlag",
+                                       .robot = robot,
+                                       .goal = "none",
+                                       .script = "at 500ms press go",
+                                       .for_s = 1.0});
   EXPECT_EQ(pressed.verdict, "reached") << pressed.why;
   EXPECT_EQ(pressed.serial, "went on\r\n");
-  const client::RunResult waits =
+  const wire::RunResult waits =
       run({.sketch = "WaitsForFlag", .robot = robot, .goal = "none", .for_s = 60.0});
   EXPECT_EQ(waits.verdict, "ended") << "without an interrupt it calls nothing for ever";
   EXPECT_THAT(waits.why, HasSubstr("WaitsForFlag.ino:10"));
 }
 
 TEST(Verdicts, AnEmptyEndlessLoopHangsWithMotorsOnAndEndsWithMotorsOff) {
-  const client::RunResult hung = run({.sketch = "HangsDriving"});
+  const wire::RunResult hung = run({.sketch = "HangsDriving"});
   EXPECT_EQ(hung.verdict, "hung");
   EXPECT_EQ(hung.status, 1);
   EXPECT_THAT(hung.why, HasSubstr("HangsDriving.ino:11"));
-  const client::RunResult ended = run({.sketch = "EndsParked"});
+  const wire::RunResult ended = run({.sketch = "EndsParked"});
   EXPECT_EQ(ended.verdict, "ended");
   EXPECT_THAT(ended.why, HasSubstr("EndsParked.ino:6"));
 }
@@ -52,7 +52,7 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
                         Case{"UsesNullPointer", "null pointer", "report", 6},
                         Case{"RecursesTooDeep", "stack overflow", "depth", 0},
                         Case{"OverrunsHeap", "", "setup", 4}, Case{"Aborts", "abort()", "giveUp", 1}}) {
-    const client::RunResult r = run({.sketch = c.sketch});
+    const wire::RunResult r = run({.sketch = c.sketch});
     EXPECT_EQ(r.verdict, "crashed") << c.sketch << ": " << r.why;
     ASSERT_TRUE(r.crash) << c.sketch;
     EXPECT_THAT(r.crash->reason, HasSubstr(c.reason));
@@ -66,29 +66,29 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
 }
 
 TEST(Verdicts, ASmallHeapOverrunHarmsNobodyElse) {
-  const client::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
+  const wire::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
   run({.sketch = "OverrunsHeapALittle", .goal = "none", .for_s = 1.0});
   run({.sketch = "OverrunsHeap"});
-  const client::RunResult after = run({.sketch = "PidFollower", .goal = "laps:1"});
+  const wire::RunResult after = run({.sketch = "PidFollower", .goal = "laps:1"});
   EXPECT_EQ(after.verdict, "reached");
   EXPECT_EQ(after.trace_hash, before.trace_hash);
 }
 
 TEST(Verdicts, ASketchThatExitsSaysSo) {
-  const client::RunResult r = run({.sketch = "Exits"});
+  const wire::RunResult r = run({.sketch = "Exits"});
   EXPECT_EQ(r.verdict, "ended");
   EXPECT_THAT(r.why, HasSubstr("exit(3)"));
 }
 
 TEST(Verdicts, ARobotThatIsNeverDrivenIsToldWhichPinsStayedLowAndWhatItWaitsFor) {
-  const client::RunResult r = run({.sketch = "NeverDrives", .for_s = 20.0});
+  const wire::RunResult r = run({.sketch = "NeverDrives", .for_s = 20.0});
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_THAT(r.next, AllOf(HasSubstr("never moved"), HasSubstr("motor pins 5, 7, 8, 6, 9 and 10 stayed LOW"),
                             HasSubstr("pin 4"), HasSubstr("press start")));
 }
 
 TEST(Verdicts, PressingTheButtonGetsItGoing) {
-  const client::RunResult r =
+  const wire::RunResult r =
       run({.sketch = "NeverDrives", .script = "at 1s press start 200ms", .for_s = 20.0});
   EXPECT_GT(r.metrics.distance_m, 0.1) << r.why;
 }
@@ -97,7 +97,7 @@ TEST(Verdicts, ASyntaxErrorNamesTheInoAndItsLine) {
   try {
     request_of({.sketch = "LacksSemicolon"});
     FAIL() << "it compiled";
-  } catch (const sketch::CompileError& error) {
+  } catch (const build::CompileError& error) {
     EXPECT_THAT(error.what(), HasSubstr("LacksSemicolon.ino:2"));
   }
 }

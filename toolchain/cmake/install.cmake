@@ -6,8 +6,8 @@ endif()
 
 install(TARGETS robosim DESTINATION bin COMPONENT host)
 install(TARGETS robosim-host DESTINATION libexec/robosim COMPONENT host)
-install(DIRECTORY sim/classic/include DESTINATION share/robosim/sim/classic COMPONENT host)
-install(DIRECTORY docs/examples sim/cli/new DESTINATION share/robosim COMPONENT host)
+install(DIRECTORY sim/cells/include DESTINATION share/robosim/sim/cells COMPONENT host)
+install(DIRECTORY docs/examples sim/cli/files/new DESTINATION share/robosim COMPONENT host)
 install(DIRECTORY hal firmware maps DESTINATION share/robosim COMPONENT host PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT host)
 install(FILES README.md DESTINATION share/doc/robosim COMPONENT host)
@@ -15,7 +15,7 @@ install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHI
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
-set(libraries client sketch view grid trace board base)
+set(libraries launch analysis record tui client wire build cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -33,9 +33,10 @@ add_custom_command(OUTPUT librobosim.a COMMAND ${CMAKE_COMMAND} -E rm -f librobo
   COMMAND sh -c "\"$1\" -M < librobosim.mri" sh ${CMAKE_AR} DEPENDS ${merged} VERBATIM)
 add_custom_target(librobosim ALL DEPENDS librobosim.a)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim COMPONENT host)
-install(DIRECTORY tests/harness DESTINATION share/robosim/source/tests COMPONENT host
+install(DIRECTORY sim/testing DESTINATION share/robosim/source/sim COMPONENT host
   FILES_MATCHING PATTERN *.h PATTERN *.cpp)
-foreach(folder sim/base sim/client sim/grid sim/sketch sim/trace sim/view hal/board)
+foreach(folder
+    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/trace sim/tui hal/board)
   install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
 endforeach()
 include(CMakePackageConfigHelpers)

@@ -6,8 +6,8 @@ std::shared_ptr<const PartSpec> read_bumper(PartReader& reader) {
   return read_button_keys(reader, std::make_shared<BumperSpec>());
 }
 
-std::unique_ptr<Part> BumperSpec::make(Setting& setting) const {
-  return std::make_unique<BumperPart>(*this, setting);
+std::unique_ptr<Part> BumperSpec::make(PartContext& context) const {
+  return std::make_unique<BumperPart>(*this, context);
 }
 
 void BumperPart::join(Roster& roster) {

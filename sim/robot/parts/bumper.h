@@ -11,12 +11,12 @@ std::shared_ptr<const PartSpec> read_bumper(PartReader&);
 
 class BumperSpec final : public ButtonSpec {
  public:
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 class BumperPart final : public ButtonPart {
  public:
-  BumperPart(const BumperSpec& spec, Setting& setting) : ButtonPart(spec, setting), view_(setting.view) {}
+  BumperPart(const BumperSpec& spec, PartContext& context) : ButtonPart(spec, context), view_(context.view) {}
 
   void join(Roster&) override;
   void hold(bool down, SimTime t) override;

@@ -27,20 +27,20 @@ std::shared_ptr<const PartSpec> read_button_keys(PartReader& reader, std::shared
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> ButtonSpec::make(Setting& setting) const {
-  return std::make_unique<ButtonPart>(*this, setting);
+std::unique_ptr<Part> ButtonSpec::make(PartContext& context) const {
+  return std::make_unique<ButtonPart>(*this, context);
 }
 
-ButtonPart::ButtonPart(const ButtonSpec& spec, Setting& setting)
+ButtonPart::ButtonPart(const ButtonSpec& spec, PartContext& context)
     : spec_(spec),
-      setting_(setting),
-      stream_(setting.individual.noise(spec.name, "bounce")),
-      bounce_(setting.individual.ideal() ? 0.0
-                                         : setting.individual.draw(spec.bounce, spec.name, "bounce time")),
-      supply_(setting.description.board->supply_volts) {}
+      context_(context),
+      stream_(context.individual.noise(spec.name, "bounce")),
+      bounce_(context.individual.ideal() ? 0.0
+                                         : context.individual.draw(spec.bounce, spec.name, "bounce time")),
+      supply_(context.description.board->supply_volts) {}
 
 void ButtonPart::join(Roster& roster) {
-  setting_.board.connect(spec_.pin, *this);
+  context_.board.connect(spec_.pin, *this);
   roster.buttons.push_back(this);
   roster.breakable.push_back(this);
 }
@@ -68,18 +68,18 @@ bool ButtonPart::closed(SimTime t) const {
 bool ButtonPart::level(SimTime t) {
   if (stuck_ == Stuck::no ? closed(t) : stuck_ == Stuck::pressed) return spec_.active_high;
   if (spec_.resistor) return !spec_.active_high;
-  if (setting_.board.drive(spec_.pin).mode == PinMode::input_pullup) return true;
-  if (setting_.individual.ideal()) return false;
-  return setting_.individual.noise(spec_.name, "floating")
+  if (context_.board.drive(spec_.pin).mode == PinMode::input_pullup) return true;
+  if (context_.individual.ideal()) return false;
+  return context_.individual.noise(spec_.name, "floating")
              .bits(static_cast<std::uint64_t>(t / kMillisecond)) &
          1;
 }
 
 void ButtonPart::begin_tick(SimTime t) {
-  const bool wanted = setting_.board.wants_edges(spec_.pin);
+  const bool wanted = context_.board.wants_edges(spec_.pin);
   for (; announced_ < flips_.size() && flips_[announced_] < t + kTick; ++announced_) {
     const SimTime at = std::max(flips_[announced_], t);
-    if (wanted) setting_.board.schedule_edge(spec_.pin, level(at), at);
+    if (wanted) context_.board.schedule_edge(spec_.pin, level(at), at);
   }
 }
 

@@ -9,8 +9,8 @@
 
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -23,7 +23,7 @@ class ButtonSpec : public PartSpec {
   bool resistor = false;
   Number bounce;  ///< s
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 /// What a button's table says, into a spec of its own or of a part that is one, too.
@@ -31,7 +31,7 @@ std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<Bu
 
 class ButtonPart : public Part, public PinSource, public Breakable {
  public:
-  ButtonPart(const ButtonSpec&, Setting&);
+  ButtonPart(const ButtonSpec&, PartContext&);
 
   /// Held down from `t` on, or let go. Until it is settled() it wants begin_tick.
   virtual void hold(bool down, SimTime t);
@@ -54,7 +54,7 @@ class ButtonPart : public Part, public PinSource, public Breakable {
   bool closed(SimTime t) const;
 
   const ButtonSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   NoiseStream stream_;
   std::uint64_t moves_ = 0;
   double bounce_;

@@ -26,29 +26,29 @@ std::shared_ptr<const PartSpec> read_encoder(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> EncoderSpec::make(Setting& setting) const {
-  return std::make_unique<EncoderPart>(*this, setting);
+std::unique_ptr<Part> EncoderSpec::make(PartContext& context) const {
+  return std::make_unique<EncoderPart>(*this, context);
 }
 
-EncoderPart::EncoderPart(const EncoderSpec& spec, Setting& setting)
+EncoderPart::EncoderPart(const EncoderSpec& spec, PartContext& context)
     : spec_(spec),
-      setting_(setting),
+      context_(context),
       a_(*this, 0),
       b_(*this, 3),
       quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)),
-      supply_(setting.description.board->supply_volts) {}
+      supply_(context.description.board->supply_volts) {}
 
 void EncoderPart::join(Roster& roster) {
-  setting_.board.connect(spec_.a, a_);
-  if (spec_.b != kNoPin) setting_.board.connect(spec_.b, b_);
+  context_.board.connect(spec_.a, a_);
+  if (spec_.b != kNoPin) context_.board.connect(spec_.b, b_);
   roster.edge_makers.push_back(this);
   roster.breakable.push_back(this);
 }
 
 std::int64_t EncoderPart::quarter(SimTime t) const {
-  const SimTime start = setting_.view.tick_start;
+  const SimTime start = context_.view.tick_start;
   if (looked_at_ != start && !dead_) {
-    const world::Body& body = *setting_.view.body;
+    const world::Body& body = *context_.view.body;
     looked_at_ = start;
     at_ = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
     per_ns_ = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
@@ -58,7 +58,7 @@ std::int64_t EncoderPart::quarter(SimTime t) const {
 
 void EncoderPart::begin_tick(SimTime t) {
   const bool wanted =
-      setting_.board.wants_edges(spec_.a) || (spec_.b != kNoPin && setting_.board.wants_edges(spec_.b));
+      context_.board.wants_edges(spec_.a) || (spec_.b != kNoPin && context_.board.wants_edges(spec_.b));
   if (wanted) {
     if (!followed_) last_ = quarter(t);
     const std::int64_t end = quarter(t + kTick - 1);
@@ -69,22 +69,22 @@ void EncoderPart::begin_tick(SimTime t) {
 }
 
 void EncoderPart::announce(std::int64_t from, std::int64_t to) {
-  const bool a = setting_.board.wants_edges(spec_.a);
-  const bool b = spec_.b != kNoPin && setting_.board.wants_edges(spec_.b);
+  const bool a = context_.board.wants_edges(spec_.a);
+  const bool b = spec_.b != kNoPin && context_.board.wants_edges(spec_.b);
   const bool forward = to > from;
   for (std::int64_t q = from; q != to;) {
     const std::int64_t next = forward ? q + 1 : q - 1;
     const SimTime at = time_of(next, forward);
     if (a && a_.level_of(next) != a_.level_of(q))
-      setting_.board.schedule_edge(spec_.a, a_.level_of(next), at);
+      context_.board.schedule_edge(spec_.a, a_.level_of(next), at);
     if (b && b_.level_of(next) != b_.level_of(q))
-      setting_.board.schedule_edge(spec_.b, b_.level_of(next), at);
+      context_.board.schedule_edge(spec_.b, b_.level_of(next), at);
     q = next;
   }
 }
 
 SimTime EncoderPart::time_of(std::int64_t edge, bool forward) const {
-  const SimTime start = setting_.view.tick_start;
+  const SimTime start = context_.view.tick_start;
   if (per_ns_ == 0.0) return start;
   const auto border = static_cast<double>(forward ? edge : edge + 1);
   const double ns = std::clamp((border - at_) / per_ns_, 0.0, static_cast<double>(kTick - 1));
@@ -96,13 +96,13 @@ SimTime EncoderPart::time_of(std::int64_t edge, bool forward) const {
 }
 
 void EncoderPart::read(std::vector<Reading>& readings) const {
-  readings.push_back({spec_.name, a_.level_of(quarter(setting_.view.tick_start)) ? 1.0 : 0.0});
+  readings.push_back({spec_.name, a_.level_of(quarter(context_.view.tick_start)) ? 1.0 : 0.0});
 }
 
 std::span<const FaultKind> EncoderPart::fault_kinds() const { return kFaults; }
 
 void EncoderPart::fail(const Fault& fault) {
-  const std::int64_t now = quarter(setting_.view.tick_start);
+  const std::int64_t now = quarter(context_.view.tick_start);
   dead_ = std::string_view(fault.kind.name) == "dead";
   if (dead_) at_ = static_cast<double>(now) + 0.5;
   if (dead_) per_ns_ = 0.0;

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -23,12 +23,12 @@ class EncoderSpec final : public PartSpec {
   Pin b = kNoPin;  ///< kNoPin = a single channel
   bool reversed = false;
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 class EncoderPart final : public Part, public Breakable {
  public:
-  EncoderPart(const EncoderSpec&, Setting&);
+  EncoderPart(const EncoderSpec&, PartContext&);
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
@@ -58,7 +58,7 @@ class EncoderPart final : public Part, public Breakable {
   void announce(std::int64_t from, std::int64_t to);
 
   const EncoderSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   Channel a_;
   Channel b_;
   double quarters_per_rad_;

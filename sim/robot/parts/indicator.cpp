@@ -18,12 +18,12 @@ std::shared_ptr<const PartSpec> read_buzzer(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> IndicatorSpec::make(Setting& setting) const {
-  return std::make_unique<IndicatorPart>(*this, setting);
+std::unique_ptr<Part> IndicatorSpec::make(PartContext& context) const {
+  return std::make_unique<IndicatorPart>(*this, context);
 }
 
 void IndicatorPart::read(std::vector<Reading>& readings) const {
-  const PinDrive& drive = setting_.wires.drive(spec_.pin);
+  const PinDrive& drive = context_.netlist.drive(spec_.pin);
   double value = 0.0;
   if (spec_.needs_tone) {
     const bool oscillates = drive.tone_hz || (drive.pwm && drive.duty > 0.0 && drive.duty < 1.0);

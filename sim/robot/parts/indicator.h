@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -16,20 +16,20 @@ class IndicatorSpec final : public PartSpec {
   bool active_high = true;
   bool needs_tone = false;  ///< a passive buzzer: silent on a constant level
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 /// Its reading is its brightness, or 1 while it sounds.
 class IndicatorPart final : public Part {
  public:
-  IndicatorPart(const IndicatorSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+  IndicatorPart(const IndicatorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
 
   void join(Roster&) override {}
   void read(std::vector<Reading>&) const override;
 
  private:
   const IndicatorSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
 };
 
 }  // namespace robosim::robot

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "sim/robot/setting.h"
+#include "sim/robot/part_context.h"
 
 namespace robosim::robot {
 namespace {
@@ -41,17 +41,17 @@ std::shared_ptr<const PartSpec> read_motor(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> MotorSpec::make(Setting& setting) const {
-  return std::make_unique<MotorPart>(*this, setting);
+std::unique_ptr<Part> MotorSpec::make(PartContext& context) const {
+  return std::make_unique<MotorPart>(*this, context);
 }
 
-MotorPart::MotorPart(const MotorSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+MotorPart::MotorPart(const MotorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
 
 void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
   roster.breakable.push_back(this);
-  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, setting_.description.driver.standby})
-    if (pin != kNoPin) setting_.wires.watch(pin, *this);
+  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, context_.description.driver.standby})
+    if (pin != kNoPin) context_.netlist.watch(pin, *this);
   update();
 }
 
@@ -62,9 +62,9 @@ void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) {
 
 void MotorPart::update() {
   const auto share = [this](Pin pin, double unwired) {
-    return pin == kNoPin ? unwired : high_share(setting_.wires.drive(pin));
+    return pin == kNoPin ? unwired : high_share(context_.netlist.drive(pin));
   };
-  const Driver& driver = setting_.description.driver;
+  const Driver& driver = context_.description.driver;
   now_ = {};
   const double awake = share(driver.standby, 1.0);
   if (awake > 0.0) {
@@ -79,7 +79,7 @@ void MotorPart::account(SimTime t) {
   if (!changed_) {
     changed_ = true;
     sum_ = {};
-    since_ = setting_.view.tick_start;
+    since_ = context_.view.tick_start;
   }
   const auto lasted = static_cast<double>(std::max<SimTime>(t - since_, 0));
   sum_.drive += now_.drive * lasted;

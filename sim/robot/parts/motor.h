@@ -18,14 +18,14 @@ class MotorSpec final : public PartSpec {
   Pin in1 = kNoPin;
   Pin in2 = kNoPin;
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
   int driven_wheel() const override { return wheel; }
 };
 
 /// The command of a tick is the time average of what the pins said during it.
 class MotorPart final : public Part, public PinWatcher, public Breakable {
  public:
-  MotorPart(const MotorSpec&, Setting&);
+  MotorPart(const MotorSpec&, PartContext&);
 
   void join(Roster&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
@@ -52,7 +52,7 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
   void spoil(world::WheelCommand&) const;
 
   const MotorSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   world::WheelCommand now_;  // since `since_`
   world::WheelCommand sum_;  // times nanoseconds, before
   SimTime since_ = 0;

@@ -25,20 +25,20 @@ std::shared_ptr<const PartSpec> read_radio(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> RadioSpec::make(Setting& setting) const {
-  return std::make_unique<RadioPart>(*this, setting);
+std::unique_ptr<Part> RadioSpec::make(PartContext& context) const {
+  return std::make_unique<RadioPart>(*this, context);
 }
 
-RadioPart::RadioPart(const RadioSpec& spec, Setting& setting)
+RadioPart::RadioPart(const RadioSpec& spec, PartContext& context)
     : spec_(spec),
-      setting_(setting),
+      context_(context),
       outputs_{{*this, data}, {*this, clock}, {*this, enable}},
-      stream_(setting.individual.noise(spec.name, "air")),
-      bit_(static_cast<SimTime>(setting.individual.draw(spec.bit, spec.name, "bit") * 1e9)),
-      supply_(setting.description.board->supply_volts) {}
+      stream_(context.individual.noise(spec.name, "air")),
+      bit_(static_cast<SimTime>(context.individual.draw(spec.bit, spec.name, "bit") * 1e9)),
+      supply_(context.description.board->supply_volts) {}
 
 void RadioPart::join(Roster& roster) {
-  for (const Line line : {data, clock, enable}) setting_.board.connect(pin_of(line), outputs_[line]);
+  for (const Line line : {data, clock, enable}) context_.board.connect(pin_of(line), outputs_[line]);
   roster.ticking.push_back(this);
   roster.breakable.push_back(this);
   roster.radios.push_back(this);
@@ -83,13 +83,13 @@ void RadioPart::begin_tick(SimTime t) {
   for (; announced_ < changes_.size() && changes_[announced_].at < t + kTick; ++announced_) {
     const Change& change = changes_[announced_];
     const Pin pin = pin_of(change.line);
-    if (setting_.board.wants_edges(pin))
-      setting_.board.schedule_edge(pin, change.level, std::max(change.at, t));
+    if (context_.board.wants_edges(pin))
+      context_.board.schedule_edge(pin, change.level, std::max(change.at, t));
   }
 }
 
 void RadioPart::read(std::vector<Reading>& readings) const {
-  readings.push_back({spec_.name, level(enable, setting_.view.tick_start) ? 1.0 : 0.0});
+  readings.push_back({spec_.name, level(enable, context_.view.tick_start) ? 1.0 : 0.0});
 }
 
 std::span<const FaultKind> RadioPart::fault_kinds() const { return kFaults; }

@@ -12,8 +12,8 @@
 
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -28,12 +28,12 @@ class RadioSpec final : public PartSpec {
   Pin enable = kNoPin;
   Number bit;  ///< s, the time of a bit
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 class RadioPart final : public Part, public Breakable {
  public:
-  RadioPart(const RadioSpec&, Setting&);
+  RadioPart(const RadioSpec&, PartContext&);
 
   /// The remote control sends these bits, from `t` on, which is not before the current tick.
   void send(const std::vector<bool>& bits, SimTime t);
@@ -69,7 +69,7 @@ class RadioPart final : public Part, public Breakable {
   Pin pin_of(Line line) const;
 
   const RadioSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   Output outputs_[3];
   NoiseStream stream_;
   std::uint64_t bits_sent_ = 0;

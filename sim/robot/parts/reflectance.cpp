@@ -66,7 +66,7 @@ PinUse use_of(const ReflectanceSpec& spec) {
 
 class ReflectancePart final : public Part {
  public:
-  ReflectancePart(const ReflectanceSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {
+  ReflectancePart(const ReflectanceSpec& spec, PartContext& context) : spec_(spec), context_(context) {
     for (const ReflectanceSpec::Element& element : spec.elements) {
       switch (spec.read) {
         case Read::analog:
@@ -86,11 +86,11 @@ class ReflectancePart final : public Part {
     if (spec_.read == Read::rc) roster.ticking.push_back(this);
     if (spec_.read == Read::digital) roster.edge_makers.push_back(this);
     if (spec_.emitter != kNoPin) {
-      setting_.wires.watch(spec_.emitter, emitter_);
-      emitter_.pin_changed(spec_.emitter, setting_.wires.drive(spec_.emitter), 0);
+      context_.netlist.watch(spec_.emitter, emitter_);
+      emitter_.pin_changed(spec_.emitter, context_.netlist.drive(spec_.emitter), 0);
     }
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
-      sensors_[i]->join(setting_.board, spec_.elements[i].pin);
+      sensors_[i]->join(context_.board, spec_.elements[i].pin);
       roster.sensors.push_back(sensors_[i].get());
       roster.breakable.push_back(sensors_[i].get());
     }
@@ -103,11 +103,11 @@ class ReflectancePart final : public Part {
  private:
   template <typename Kind>
   void add(const ReflectanceSpec::Element& element) {
-    sensors_.push_back(std::make_unique<Kind>(spec_, element, setting_, emitter_));
+    sensors_.push_back(std::make_unique<Kind>(spec_, element, context_, emitter_));
   }
 
   const ReflectanceSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   Emitter emitter_;
   std::vector<std::unique_ptr<Sensor>> sensors_;
 };
@@ -142,8 +142,8 @@ std::shared_ptr<const PartSpec> read_reflectance_array(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> ReflectanceSpec::make(Setting& setting) const {
-  return std::make_unique<ReflectancePart>(*this, setting);
+std::unique_ptr<Part> ReflectanceSpec::make(PartContext& context) const {
+  return std::make_unique<ReflectancePart>(*this, context);
 }
 
 std::vector<SensorPlace> ReflectanceSpec::sensors() const {
@@ -156,16 +156,16 @@ void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime) {
   brightness_ = drive.mode == PinMode::output ? high_share(drive) : 1.0;
 }
 
-Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element, const Setting& setting,
-               const Emitter& emitter)
-    : setting_(setting),
+Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
+               const PartContext& context, const Emitter& emitter)
+    : context_(context),
       name_(element.name),
       part_(spec.name),
       emitter_(emitter),
       home_(element.at),
       at_(element.at) {
   const auto draw = [&](const Number& figure, const char* key) {
-    return setting.individual.draw(figure, name_, key);
+    return context.individual.draw(figure, name_, key);
   };
   const double height = draw(spec.height, "height");
   const double footprint = draw(spec.footprint, "footprint");
@@ -173,8 +173,8 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
   const double far = kBestHeight / height;
   healthy_light_ = light_ = far < 1.0 ? far * far : 1.0;
   healthy_shift_ = shift_ = -draw(spec.ambient, "ambient");
-  healthy_noise_ = noise_ = setting.individual.ideal() ? 0.0 : draw(spec.noise, "noise");
-  stream_ = setting.individual.noise(name_, "reading");
+  healthy_noise_ = noise_ = context.individual.ideal() ? 0.0 : draw(spec.noise, "noise");
+  stream_ = context.individual.noise(name_, "reading");
 }
 
 double Sensor::shown() const {
@@ -210,11 +210,11 @@ void Sensor::fail(const Fault& fault) {
 }
 
 AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
-                           const Setting& setting, const Emitter& emitter)
-    : Sensor(spec, element, setting, emitter) {
-  const BoardSpec& board = *setting.description.board;
-  white_ = setting.individual.draw(spec.white_volts, name(), "white_volts");
-  span_ = setting.individual.draw(spec.black_volts, name(), "black_volts") - white_;
+                           const PartContext& context, const Emitter& emitter)
+    : Sensor(spec, element, context, emitter) {
+  const BoardSpec& board = *context.description.board;
+  white_ = context.individual.draw(spec.white_volts, name(), "white_volts");
+  span_ = context.individual.draw(spec.black_volts, name(), "black_volts") - white_;
   supply_ = board.supply_volts;
   step_volts_ = supply_ / board.adc_steps;
 }
@@ -222,12 +222,12 @@ AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::E
 void AnalogSensor::join(Board& board, Pin pin) { board.connect(pin, *this); }
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
-                             const Setting& setting, const Emitter& emitter)
-    : Sensor(spec, element, setting, emitter),
-      supply_(setting.description.board->supply_volts),
+                             const PartContext& context, const Emitter& emitter)
+    : Sensor(spec, element, context, emitter),
+      supply_(context.description.board->supply_volts),
       black_high_(spec.black_high) {
-  const double threshold = setting.individual.draw(spec.threshold, name(), "threshold");
-  const double half = 0.5 * setting.individual.draw(spec.hysteresis, name(), "hysteresis");
+  const double threshold = context.individual.draw(spec.threshold, name(), "threshold");
+  const double half = 0.5 * context.individual.draw(spec.hysteresis, name(), "hysteresis");
   rises_ = threshold + half;
   falls_ = threshold - half;
 }

@@ -15,8 +15,8 @@
 
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -47,7 +47,7 @@ class ReflectanceSpec final : public PartSpec {
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<SensorPlace> sensors() const override;
 };
 
@@ -65,7 +65,7 @@ class Emitter final : public PinWatcher {
 /// One element, without its output stage.
 class Sensor : public Breakable {
  public:
-  Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
   virtual ~Sensor() = default;
 
   const std::string& name() const override { return name_; }
@@ -75,8 +75,8 @@ class Sensor : public Breakable {
   void cover(bool covered) { covered_ = covered; }
   /// The share of the footprint on the line at the start of the tick.
   double coverage() const {
-    if (setting_.view.body->lifted()) return 0.0;
-    return setting_.view.floor->coverage(setting_.view.body->pose().to_world(at_), footprint_);
+    if (context_.view.body->lifted()) return 0.0;
+    return context_.view.floor->coverage(context_.view.body->pose().to_world(at_), footprint_);
   }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
@@ -89,8 +89,8 @@ class Sensor : public Breakable {
  protected:
   /// Takes a sample of noise.
   double blackness(SimTime t) {
-    const Pose pose = setting_.view.pose_at(t);
-    const double c = dark() ? 1.0 : setting_.view.floor->coverage(pose.to_world(at_), footprint_);
+    const Pose pose = context_.view.pose_at(t);
+    const double c = dark() ? 1.0 : context_.view.floor->coverage(pose.to_world(at_), footprint_);
     double b = 1.0 - light_ * emitter_.brightness() * (1.0 - c) + shift_;
     if (noise_ > 0.0) b += noise_ * stream_.gauss(samples_++);
     return b;
@@ -101,11 +101,11 @@ class Sensor : public Breakable {
   /// The blackness of which `stuck_at` is the output; for people.
   virtual double stuck_blackness() const = 0;
 
-  const Setting& setting_;
+  const PartContext& context_;
 
  private:
   /// Whether no light comes back: a finger is on it, or it is held up in the air.
-  bool dark() const { return covered_ || setting_.view.body->lifted(); }
+  bool dark() const { return covered_ || context_.view.body->lifted(); }
   void swap_with(Sensor*);
 
   const std::string& name_;
@@ -127,7 +127,7 @@ class Sensor : public Breakable {
 /// Reads with `read = "analog"`.
 class AnalogSensor final : public Sensor, public PinSource {
  public:
-  AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
   void join(Board&, Pin) override;
   double volts(SimTime t) override {
     if (stuck()) return (stuck_at() + 0.5) * step_volts_;
@@ -145,7 +145,7 @@ class AnalogSensor final : public Sensor, public PinSource {
 /// Reads with `read = "digital"`.
 class DigitalSensor final : public Sensor, public PinSource {
  public:
-  DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Setting&, const Emitter&);
+  DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
   void join(Board&, Pin) override;
   void begin_tick(SimTime) override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }

@@ -12,10 +12,10 @@ constexpr double kThreshold = 0.5;        // of the supply, at which an input fa
 }  // namespace
 
 RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
-                   const Setting& setting, const Emitter& emitter)
-    : Sensor(spec, element, setting, emitter), supply_(setting.description.board->supply_volts) {
-  white_rate_ = 1.0 / setting.individual.draw(spec.white_time, name(), "white_time");
-  black_rate_ = 1.0 / setting.individual.draw(spec.black_time, name(), "black_time");
+                   const PartContext& context, const Emitter& emitter)
+    : Sensor(spec, element, context, emitter), supply_(context.description.board->supply_volts) {
+  white_rate_ = 1.0 / context.individual.draw(spec.white_time, name(), "white_time");
+  black_rate_ = 1.0 / context.individual.draw(spec.black_time, name(), "black_time");
 }
 
 void RcSensor::join(Board& board, Pin pin) {
@@ -47,7 +47,7 @@ void RcSensor::pin_changed(Pin, const PinDrive& drive, SimTime t) {
   slope_ = -(1.0 - kThreshold) * rate * 1e-9;
   falls_at_ = t + static_cast<SimTime>(std::ceil(std::max(charge_ - kThreshold, 0.0) / -slope_));
   announced_ = falls_at_ <= t;
-  announce(t, setting_.view.tick_start + kTick);
+  announce(t, context_.view.tick_start + kTick);
 }
 
 void RcSensor::begin_tick(SimTime t) {

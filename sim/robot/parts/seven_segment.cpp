@@ -29,14 +29,14 @@ std::shared_ptr<const PartSpec> read_seven_segment(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> SevenSegmentSpec::make(Setting& setting) const {
-  return std::make_unique<SevenSegmentPart>(*this, setting);
+std::unique_ptr<Part> SevenSegmentSpec::make(PartContext& context) const {
+  return std::make_unique<SevenSegmentPart>(*this, context);
 }
 
 void SevenSegmentPart::read(std::vector<Reading>& readings) const {
   unsigned lit = 0;
   for (unsigned i = 0; i < kSegments; ++i) {
-    const PinDrive& drive = setting_.wires.drive(spec_.segments[i]);
+    const PinDrive& drive = context_.netlist.drive(spec_.segments[i]);
     if (drive.mode == PinMode::output && (high_share(drive) < 0.5) == spec_.low_lights) lit |= 1u << i;
   }
   double value = kNoFigure;

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -20,21 +20,21 @@ class SevenSegmentSpec final : public PartSpec {
   std::vector<Pin> segments;  ///< a to g, then dp if it is wired
   bool low_lights = true;     ///< common anode
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 /// Its reading: the figure 0 .. 9 that one reads, -1 if all is dark, -2 for any other pattern. The point does
 /// not matter.
 class SevenSegmentPart final : public Part {
  public:
-  SevenSegmentPart(const SevenSegmentSpec& spec, Setting& setting) : spec_(spec), setting_(setting) {}
+  SevenSegmentPart(const SevenSegmentSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
 
   void join(Roster&) override {}
   void read(std::vector<Reading>&) const override;
 
  private:
   const SevenSegmentSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
 };
 
 }  // namespace robosim::robot

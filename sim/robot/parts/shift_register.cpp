@@ -91,20 +91,21 @@ void check_chains(const Description& robot) {
   }
 }
 
-std::unique_ptr<Part> ShiftRegisterSpec::make(Setting& setting) const {
+std::unique_ptr<Part> ShiftRegisterSpec::make(PartContext& context) const {
   if (!after.empty()) return std::make_unique<ChainedRegister>();
-  const auto registers = registers_of(setting.description);
+  const auto registers = registers_of(context.description);
   std::vector<int> chain;
   for (const ShiftRegisterSpec* at = this; at; at = behind(registers, at->name)) chain.push_back(at->index);
-  return std::make_unique<ShiftRegisterPart>(*this, std::move(chain), setting);
+  return std::make_unique<ShiftRegisterPart>(*this, std::move(chain), context);
 }
 
-ShiftRegisterPart::ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, Setting& setting)
-    : spec_(head), setting_(setting), chain_(std::move(chain)) {}
+ShiftRegisterPart::ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain,
+                                     PartContext& context)
+    : spec_(head), context_(context), chain_(std::move(chain)) {}
 
 void ShiftRegisterPart::join(Roster& roster) {
   for (const Pin pin : {spec_.clock, spec_.latch, spec_.enable})
-    if (pin != kNoPin) setting_.wires.watch(pin, *this);
+    if (pin != kNoPin) context_.netlist.watch(pin, *this);
   roster.supplied.push_back(this);
   forget();
   show(0);
@@ -118,7 +119,7 @@ void ShiftRegisterPart::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   before = high;
   if (!rising || !on_) return;
   if (pin == spec_.clock) {
-    shifted_ = shifted_ << 1 | (is_high(setting_.wires.drive(spec_.data)) ? 1u : 0u);
+    shifted_ = shifted_ << 1 | (is_high(context_.netlist.drive(spec_.data)) ? 1u : 0u);
   } else {
     latched_ = shifted_;
     show(t);
@@ -133,14 +134,14 @@ void ShiftRegisterPart::power(bool on, SimTime t) {
 
 void ShiftRegisterPart::forget() {
   shifted_ = latched_ = 0;
-  if (setting_.individual.ideal()) return;
-  const NoiseStream stream = setting_.individual.noise(spec_.name, "power-on");
+  if (context_.individual.ideal()) return;
+  const NoiseStream stream = context_.individual.noise(spec_.name, "power-on");
   shifted_ = stream.bits(power_ons_++);
   latched_ = stream.bits(power_ons_++);
 }
 
 void ShiftRegisterPart::show(SimTime t) {
-  const bool driven = on_ && (spec_.enable == kNoPin || !is_high(setting_.wires.drive(spec_.enable)));
+  const bool driven = on_ && (spec_.enable == kNoPin || !is_high(context_.netlist.drive(spec_.enable)));
   for (std::size_t r = 0; r < chain_.size(); ++r) {
     for (int q = 0; q < kRegisterOutputs; ++q) {
       PinDrive drive;
@@ -148,7 +149,7 @@ void ShiftRegisterPart::show(SimTime t) {
         const bool high = (latched_ >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1) != 0;
         drive = {PinMode::output, high, false, high ? 1.0 : 0.0, 0};
       }
-      setting_.wires.drive_output(output_pin(chain_[r], q), drive, t);
+      context_.netlist.drive_output(output_pin(chain_[r], q), drive, t);
     }
   }
 }

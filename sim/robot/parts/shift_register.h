@@ -14,8 +14,8 @@
 #pragma once
 
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -36,13 +36,13 @@ class ShiftRegisterSpec final : public PartSpec {
   std::string after;    ///< the register before it; empty = the chain begins here, and has the pins
   Place after_place;
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 /// A whole chain: the part of the register at its beginning. Those behind it have nothing to do.
 class ShiftRegisterPart final : public Part, public PinWatcher {
  public:
-  ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, Setting&);
+  ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, PartContext&);
 
   void join(Roster&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
@@ -53,7 +53,7 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
   void show(SimTime);
 
   const ShiftRegisterSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   std::vector<int> chain_;       // indices of its registers, from the board outwards
   std::uint64_t shifted_ = 0;    // bit 8 r + q is Qq of register chain_[r]
   std::uint64_t latched_ = 0;    // the same, as the outputs show it

@@ -16,25 +16,25 @@ std::shared_ptr<const PartSpec> read_voltage(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::unique_ptr<Part> VoltageSpec::make(Setting& setting) const {
-  return std::make_unique<VoltagePart>(*this, setting);
+std::unique_ptr<Part> VoltageSpec::make(PartContext& context) const {
+  return std::make_unique<VoltagePart>(*this, context);
 }
 
-VoltagePart::VoltagePart(const VoltageSpec& spec, Setting& setting)
-    : spec_(spec), setting_(setting), stream_(setting.individual.noise(spec.name, "reading")) {
-  const Individual& individual = setting.individual;
-  supply_ = setting.description.board->supply_volts;
-  const double battery = individual.draw(setting.description.motors.supply, "motors", "supply");
+VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
+    : spec_(spec), context_(context), stream_(context.individual.noise(spec.name, "reading")) {
+  const Individual& individual = context.individual;
+  supply_ = context.description.board->supply_volts;
+  const double battery = individual.draw(context.description.motors.supply, "motors", "supply");
   volts_ = individual.draw(spec.volts, spec.name, "volts");
   battery_volts_ = individual.draw(spec.share, spec.name, "share") * battery;
   noise_ = individual.ideal() ? 0.0 : individual.draw(spec.noise, spec.name, "noise");
 }
 
-void VoltagePart::join(Roster&) { setting_.board.connect(spec_.pin, *this); }
+void VoltagePart::join(Roster&) { context_.board.connect(spec_.pin, *this); }
 
 double VoltagePart::volts(SimTime) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(samples_++) : 0.0;
-  return std::clamp(volts_ + battery_volts_ * setting_.view.battery + noise, 0.0, supply_);
+  return std::clamp(volts_ + battery_volts_ * context_.view.battery + noise, 0.0, supply_);
 }
 
 }  // namespace robosim::robot

@@ -5,8 +5,8 @@
 
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
-#include "sim/robot/setting.h"
 
 namespace robosim::robot {
 
@@ -19,12 +19,12 @@ class VoltageSpec final : public PartSpec {
   Number share;  ///< of the battery's voltage
   Number noise;  ///< V, standard deviation
 
-  std::unique_ptr<Part> make(Setting&) const override;
+  std::unique_ptr<Part> make(PartContext&) const override;
 };
 
 class VoltagePart final : public Part, public PinSource {
  public:
-  VoltagePart(const VoltageSpec&, Setting&);
+  VoltagePart(const VoltageSpec&, PartContext&);
 
   void join(Roster&) override;
   double volts(SimTime) override;
@@ -32,7 +32,7 @@ class VoltagePart final : public Part, public PinSource {
 
  private:
   const VoltageSpec& spec_;
-  Setting& setting_;
+  PartContext& context_;
   NoiseStream stream_;
   std::uint64_t samples_ = 0;
   double volts_, battery_volts_, noise_, supply_;

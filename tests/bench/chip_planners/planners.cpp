@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/executors/avr/simavr.h"
+#include "sim/exec/avr/simavr.h"
 
 namespace {
 

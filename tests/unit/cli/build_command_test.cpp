@@ -1,4 +1,4 @@
-#include "sim/cli/build_command.h"
+#include "sim/cli/files/build_command.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ class BuildReport : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  sketch::Image image_;
-  client::RobotInfo robot_;
+  build::Image image_;
+  wire::RobotInfo robot_;
 };
 
 TEST_F(BuildReport, SaysTheSizesForAChipAsArduinoDoes) {

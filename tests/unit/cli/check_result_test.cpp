@@ -1,9 +1,9 @@
-#include "sim/cli/check_result.h"
+#include "sim/cli/check/check_result.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/cli/test_report.h"
+#include "sim/cli/check/test_report.h"
 
 namespace robosim::cli {
 namespace {
@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::Optional;
 
-client::RunResult run(const std::string& verdict) {
-  client::RunResult result;
+wire::RunResult run(const std::string& verdict) {
+  wire::RunResult result;
   result.verdict = verdict;
   result.why = "That is why.";
   return result;
@@ -45,7 +45,7 @@ TEST(WhyFailed, AsksForTheVerdictFirst) {
 TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
   Check limited = check();
   limited.limits = {{figure("cross_track_rms_mm"), 1.0, 2.5}};
-  client::RunResult result = run("reached");
+  wire::RunResult result = run("reached");
   for (const double inside : {1.0, 2.5}) {
     result.metrics.cross_track_rms_mm = inside;
     EXPECT_EQ(why_failed(limited, result), std::nullopt);
@@ -61,7 +61,7 @@ TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
 TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
   Check limited = check();
   limited.limits = {{figure("laps_s"), std::nullopt, 9.0}};
-  client::RunResult result = run("reached");
+  wire::RunResult result = run("reached");
   EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s is not known")));
   result.metrics.laps_s = {8.0, 8.5};
   EXPECT_EQ(why_failed(limited, result), std::nullopt);
@@ -72,7 +72,7 @@ TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
 TEST(WhyFailed, SerialTextsFollowEachOther) {
   Check talks = check();
   talks.serial = {"ready", "go"};
-  client::RunResult result = run("reached");
+  wire::RunResult result = run("reached");
   result.serial = "ready\nset\ngo\n";
   EXPECT_EQ(why_failed(talks, result), std::nullopt);
   result.serial = "go\nready\n";
@@ -83,7 +83,7 @@ TEST(WhyFailed, SerialTextsFollowEachOther) {
 TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
   Check visits = check();
   visits.stations = {"2", "dock"};
-  client::RunResult result = run("reached");
+  wire::RunResult result = run("reached");
   result.metrics.stations = {"dock", "1", "2"};
   EXPECT_EQ(why_failed(visits, result), std::nullopt);
   result.metrics.stations = {"1", "2"};
@@ -91,7 +91,7 @@ TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
 }
 
 TEST(Figures, OfAChipAreKnownOnAChipOnly) {
-  client::RunResult result = run("reached");
+  wire::RunResult result = run("reached");
   for (const Figure& each : figures()) {
     if (each.chip_only) {
       EXPECT_THAT(each.values(result), ::testing::IsEmpty()) << each.name;

@@ -1,4 +1,4 @@
-#include "sim/cli/checks_file.h"
+#include "sim/cli/check/checks_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

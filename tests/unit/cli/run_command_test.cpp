@@ -1,4 +1,4 @@
-#include "sim/cli/run_command.h"
+#include "sim/cli/run/run_command.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

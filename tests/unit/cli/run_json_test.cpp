@@ -1,4 +1,4 @@
-#include "sim/cli/run_json.h"
+#include "sim/cli/run/run_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-client::RunResult result() {
-  client::RunResult r;
+wire::RunResult result() {
+  wire::RunResult r;
   r.verdict = "reached";
   r.why = "why";
   r.time_s = 31.4;
@@ -75,8 +75,8 @@ TEST(RunJson, HasTheKeysOfTheSchemaInItsOrder) {
 }
 
 TEST(RunJson, ACrashStandsBetweenMetricsAndSerial) {
-  client::RunResult r = result();
-  r.crash = client::Crash{"division by zero", "loop", "A.ino", 7};
+  wire::RunResult r = result();
+  r.crash = wire::Crash{"division by zero", "loop", "A.ino", 7};
   EXPECT_THAT(run_json(inputs(), r, std::nullopt), HasSubstr(R"(
   },
   "crash": {
@@ -94,7 +94,7 @@ TEST(RunJson, WallTimeIsThereOnlyWhenAskedFor) {
 }
 
 TEST(RunJson, BytesThatAreNotUtf8AreReplaced) {
-  client::RunResult r = result();
+  wire::RunResult r = result();
   r.serial = "a\xff";
   EXPECT_THAT(run_json(inputs(), r, std::nullopt), HasSubstr("a\xEF\xBF\xBD"));
 }

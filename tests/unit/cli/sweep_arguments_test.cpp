@@ -1,4 +1,4 @@
-#include "sim/cli/sweep_arguments.h"
+#include "sim/cli/sweep/sweep_arguments.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "sim/cli/sweep_table.h"
+#include "sim/cli/sweep/sweep_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/cli/sweep_report.h"
+#include "sim/cli/sweep/sweep_report.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
@@ -35,8 +35,8 @@ SweepPlan plan() {
   return plan;
 }
 
-client::RunResult result(std::uint64_t seed, const std::string& verdict) {
-  client::RunResult r;
+wire::RunResult result(std::uint64_t seed, const std::string& verdict) {
+  wire::RunResult r;
   r.verdict = verdict;
   r.why = "It said \"no\",\nand stopped.";
   r.time_s = 2.5;
@@ -66,8 +66,8 @@ TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
 }
 
 TEST(SweepTable, OnAChipARowHasItsResources) {
-  client::RunResult r = result(1, "reached");
-  r.resources = client::Resources{};
+  wire::RunResult r = result(1, "reached");
+  r.resources = wire::Resources{};
   r.resources->stack_bytes_max = 99;
   r.resources->loops = 3;
   r.resources->loop_us_max = 12.5;

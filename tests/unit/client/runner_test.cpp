@@ -54,7 +54,7 @@ class RunnerTest : public ::testing::Test {
     Runner r = runner(play);
     try {
       r.run({});
-    } catch (const RunnerError& error) {
+    } catch (const wire::RunnerError& error) {
       return error.what();
     }
     return "no RunnerError";
@@ -82,13 +82,13 @@ TEST_F(RunnerTest, OneRunnerServesManyRuns) {
 
 TEST_F(RunnerTest, EventsArriveInOrderAndTheRequestIsSent) {
   Runner r = runner(kHello + std::string("!wait\n!echo\n!flood 3\n") + result(1, "reached") + "\n");
-  RunRequest request;
+  wire::RunRequest request;
   request.image = "x.so";
   std::vector<std::int64_t> times;
   std::string note;
-  r.run(request, [&](const Event& event) {
-    if (const auto* sample = std::get_if<Sample>(&event)) times.push_back(sample->t_us);
-    if (const auto* text = std::get_if<Note>(&event)) note = text->text;
+  r.run(request, [&](const wire::Event& event) {
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) times.push_back(sample->t_us);
+    if (const auto* text = std::get_if<wire::Note>(&event)) note = text->text;
   });
   EXPECT_THAT(times, ::testing::ElementsAre(0, 10000, 20000));
   EXPECT_THAT(note, HasSubstr("'image':'x.so'"));
@@ -97,7 +97,7 @@ TEST_F(RunnerTest, EventsArriveInOrderAndTheRequestIsSent) {
 TEST_F(RunnerTest, MoreThanAPipeHoldsGoesThrough) {
   Runner r = runner(kHello + std::string("!wait\n!flood 20000\n") + result(1, "reached") + "\n");
   int samples = 0;
-  r.run({}, [&](const Event&) { ++samples; });
+  r.run({}, [&](const wire::Event&) { ++samples; });
   EXPECT_EQ(samples, 20000);
 }
 
@@ -122,12 +122,12 @@ TEST_F(RunnerTest, GarbageIsQuoted) {
 }
 
 TEST_F(RunnerTest, AProgramThatSaysNoHelloIsRefused) {
-  EXPECT_THROW(runner("!exit 3\n"), RunnerError);
-  EXPECT_THROW(runner("hi\n"), RunnerError);
+  EXPECT_THROW(runner("!exit 3\n"), wire::RunnerError);
+  EXPECT_THROW(runner("hi\n"), wire::RunnerError);
   EXPECT_THROW(runner(R"({"hello": "fake", "protocol": 2, "version": "9", "target": "host"})"
                       "\n"),
-               RunnerError);
-  EXPECT_THROW(Runner::from_program("/nonexistent/robosim-host"), RunnerError);
+               wire::RunnerError);
+  EXPECT_THROW(Runner::from_program("/nonexistent/robosim-host"), wire::RunnerError);
   expect_no_children();
 }
 
@@ -148,33 +148,33 @@ TEST_F(RunnerTest, ErrorAnswersKeepTheirKindAndTheRunnerGoesOn) {
       },
       InputError);
   EXPECT_THROW(r.run({}), ToolMissing);
-  EXPECT_THROW(r.run({}), RunnerError);
+  EXPECT_THROW(r.run({}), wire::RunnerError);
   EXPECT_EQ(r.run({}).verdict, "reached");
 }
 
 TEST_F(RunnerTest, AnInterruptReachesTheRunAndTheAnswerStillComes) {
   Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n") + result(1, "interrupted") + "\n");
-  EXPECT_EQ(r.run({}, [&](const Event&) { r.interrupt(); }).verdict, "interrupted");
+  EXPECT_EQ(r.run({}, [&](const wire::Event&) { r.interrupt(); }).verdict, "interrupted");
 }
 
 TEST_F(RunnerTest, ARunThatDoesNotHeedAnInterruptIsKilled) {
   {
     Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n!interrupt\n"));
-    EXPECT_THROW(r.run({}, [&](const Event&) { r.interrupt(); }), Unstoppable);
+    EXPECT_THROW(r.run({}, [&](const wire::Event&) { r.interrupt(); }), wire::Unstoppable);
   }
   expect_no_children();
 }
 
 TEST_F(RunnerTest, AKilledRunnerEndsTheRun) {
   Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n"));
-  EXPECT_THROW(r.run({}, [&](const Event&) { r.kill(); }), RunnerError);
+  EXPECT_THROW(r.run({}, [&](const wire::Event&) { r.kill(); }), wire::RunnerError);
 }
 
 TEST_F(RunnerTest, WhatTheCallbackThrowsPassesThroughAndEndsTheRunner) {
   {
     Runner r = runner(kHello + std::string("!wait\n!flood 1\n!interrupt\n"));
-    EXPECT_THROW(r.run({}, [](const Event&) { throw InputError("mine"); }), InputError);
-    EXPECT_THROW(r.run({}), RunnerError);
+    EXPECT_THROW(r.run({}, [](const wire::Event&) { throw InputError("mine"); }), InputError);
+    EXPECT_THROW(r.run({}), wire::RunnerError);
   }
   expect_no_children();
 }

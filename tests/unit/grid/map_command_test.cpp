@@ -1,4 +1,4 @@
-#include "sim/cli/map_command.h"
+#include "sim/cli/files/map_command.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "sim/base/file.h"
-#include "sim/cli/map_generate.h"
+#include "sim/cli/files/map_generate.h"
 #include "sim/grid/map.h"
 #include "tests/support/temporary_folder.h"
 

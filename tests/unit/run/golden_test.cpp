@@ -10,7 +10,8 @@
 namespace robosim::run {
 namespace {
 
-Outcome follow(const char* map_name, robot::Profile profile, std::uint64_t seed, SimTime samples_every = 0) {
+judge::Outcome follow(const char* map_name, robot::Profile profile, std::uint64_t seed,
+                      SimTime samples_every = 0) {
   const grid::Map map = grid::read_map(grid::find_map(map_name));
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
@@ -18,7 +19,7 @@ Outcome follow(const char* map_name, robot::Profile profile, std::uint64_t seed,
   setup.map = &map;
   setup.robot = &robot;
   setup.executor = &driver;
-  setup.goal = parse_goal("laps:2");
+  setup.goal = judge::parse_goal("laps:2");
   setup.limit = 60 * kSecond;
   setup.profile = profile;
   setup.seed = seed;
@@ -28,14 +29,14 @@ Outcome follow(const char* map_name, robot::Profile profile, std::uint64_t seed,
 }
 
 TEST(Golden, TheBuiltInDriverLapsTheOval) {
-  const Outcome outcome = follow("oval", robot::Profile::typical, 1);
-  EXPECT_EQ(outcome.verdict, Verdict::reached) << outcome.why;
+  const judge::Outcome outcome = follow("oval", robot::Profile::typical, 1);
+  EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
   EXPECT_EQ(outcome.trace_hash, "1:44da347299e4cf48");
 }
 
 TEST(Golden, TheProfileIdealIsFrozen) {
-  const Outcome outcome = follow("oval", robot::Profile::ideal, 1);
-  EXPECT_EQ(outcome.verdict, Verdict::reached) << outcome.why;
+  const judge::Outcome outcome = follow("oval", robot::Profile::ideal, 1);
+  EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
   EXPECT_EQ(outcome.trace_hash, "1:945f5f47cca2c19e");
   EXPECT_EQ(outcome.trace_hash, follow("oval", robot::Profile::ideal, 2).trace_hash)
       << "no seed matters without noise";

@@ -1,0 +1,452 @@
+#include "sim/analysis/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim/analysis/line_text.h"
+
+namespace robosim::analysis {
+namespace {
+
+constexpr std::size_t kStream = 20;  // a text that comes more often is a stream
+constexpr std::int64_t kSecond_ns = 1'000'000'000, kNear_ns = kSecond_ns;
+constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // manoeuvres
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
+constexpr double kSpeed = 0.25;                    // of the full command
+constexpr std::size_t kLongestName = 60;
+
+/// A mark, and its number among all lines.
+struct Said {
+  std::int64_t t_ns = 0;
+  std::string text;
+  LineText parts;
+  std::size_t number = 0;
+};
+
+std::string quoted(const std::string& text) {
+  return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
+}
+
+std::string came_to(const Mark& place) {
+  return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
+}
+
+std::string seconds(std::int64_t ns) {
+  const std::int64_t ms = (ns + 500'000) / 1'000'000;
+  std::string text = std::to_string(ms / 1000) + ".";
+  const std::string rest = std::to_string(ms % 1000);
+  return text + std::string(3 - rest.size(), '0') + rest + " s";
+}
+
+/// What there was before both had lost the line.
+History up_to(std::int64_t until, History history) {
+  const auto later = [&](const Mark& mark) { return mark.t_ns > until; };
+  std::erase_if(history.places, later);
+  std::erase_if(history.lines, later);
+  std::erase_if(history.stretches, [&](const Stretch& stretch) { return stretch.from_ns > until; });
+  for (Stretch& stretch : history.stretches) stretch.to_ns = std::min(stretch.to_ns, until);
+  history.lost_ns = until;
+  return history;
+}
+
+/// How a run ends that has lost the line, one way or the other.
+bool is_astray(const History& history) {
+  return history.lost_ns &&
+         (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
+}
+
+/// From one side's time to the other's: common events, and between them evenly.
+class Clocks {
+ public:
+  void add(std::int64_t a, std::int64_t b) { pairs_.emplace_back(a, b); }
+  void finish() {
+    pairs_.emplace_back(0, 0);
+    std::sort(pairs_.begin(), pairs_.end());
+    std::vector<std::pair<std::int64_t, std::int64_t>> rising;
+    for (const auto& pair : pairs_)
+      if (rising.empty() || (pair.first > rising.back().first && pair.second > rising.back().second))
+        rising.push_back(pair);
+    pairs_ = std::move(rising);
+  }
+  std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }
+  std::int64_t to_a(std::int64_t t) const { return map(t, &Pair::second, &Pair::first); }
+  const std::vector<std::pair<std::int64_t, std::int64_t>>& pairs() const { return pairs_; }
+
+ private:
+  using Pair = std::pair<std::int64_t, std::int64_t>;
+
+  std::int64_t map(std::int64_t t, std::int64_t Pair::*from, std::int64_t Pair::*to) const {
+    std::size_t i = 0;
+    while (i + 1 < pairs_.size() && pairs_[i + 1].*from <= t) ++i;
+    const Pair& last = pairs_[i];
+    if (i + 1 == pairs_.size()) return last.*to + (t - last.*from);
+    const Pair& next = pairs_[i + 1];
+    const double share = static_cast<double>(t - last.*from) / static_cast<double>(next.*from - last.*from);
+    return last.*to + static_cast<std::int64_t>(share * static_cast<double>(next.*to - last.*to));
+  }
+
+  std::vector<Pair> pairs_;
+};
+
+class Comparer {
+ public:
+  Comparer(const History& a, const History& b, const Tolerance& tolerance)
+      : sides_{&a, &b}, tolerance_(tolerance) {}
+
+  Comparison compare() {
+    split_lines();
+    compare_places();
+    compare_lines();
+    clocks_.finish();
+    compare_streams();
+    compare_motors(0);
+    compare_motors(1);
+    compare_speeds();
+    compare_verdicts();
+    return std::move(result_);
+  }
+
+ private:
+  void report(Difference difference) {
+    if (!result_.first || difference.t_ns[0] < result_.first->t_ns[0]) result_.first = std::move(difference);
+  }
+  void know(KnownDifference known) {
+    if (std::find(result_.known.begin(), result_.known.end(), known) == result_.known.end())
+      result_.known.push_back(std::move(known));
+  }
+  /// Until when what a side does counts.
+  std::int64_t seen_ns(std::size_t side) const {
+    return sides_[side]->lost_ns.value_or(sides_[side]->end_ns);
+  }
+  std::int64_t allowed(std::int64_t duration_ns) const {
+    return tolerance_.time_ns + static_cast<std::int64_t>(tolerance_.time * static_cast<double>(duration_ns));
+  }
+
+  void split_lines() {
+    std::array<std::vector<Said>, 2> all;
+    std::map<std::string, std::array<std::size_t, 2>> count;
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const Mark& mark : sides_[side]->lines) {
+        all[side].push_back({mark.t_ns, mark.text, take_apart(mark.text), all[side].size()});
+        ++count[all[side].back().parts.form][side];
+      }
+    for (std::size_t side = 0; side < 2; ++side)
+      for (Said& said : all[side]) {
+        const auto& n = count[said.parts.form];
+        if (std::max(n[0], n[1]) > kStream)
+          streams_[said.parts.form][side].push_back(std::move(said));
+        else
+          said_[side].push_back(std::move(said));
+      }
+  }
+
+  /// Whether `other` would have come to what happened `after_ns` after the last common event, at `since_ns`.
+  bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
+    return seen_ns(other) >= since_ns + after_ns + allowed(after_ns);
+  }
+
+  /// What one side has and the other lacks, at the end of a lane.
+  template <typename Marks, typename Make>
+  void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
+    if (a.size() == b.size()) return;
+    const std::size_t more = a.size() > b.size() ? 0 : 1, other = 1 - more;
+    const Marks& longer = more == 0 ? a : b;
+    const Marks& shorter = more == 0 ? b : a;
+    const std::int64_t since = common > 0 ? longer[common - 1].t_ns : 0;
+    const std::int64_t since_other = common > 0 ? shorter[common - 1].t_ns : 0;
+    const std::int64_t after = longer[common].t_ns - since;
+    if (!had_time(other, since_other, after)) return;
+    Difference d = make(common);
+    d.t_ns[more] = longer[common].t_ns;
+    d.t_ns[other] = since_other + after;
+    report(std::move(d));
+  }
+
+  /// False, and reported, if the time since the mark before differs too much.
+  bool same_time(const std::array<std::int64_t, 2>& t, const std::array<std::int64_t, 2>& before,
+                 const std::string& what, std::array<std::optional<std::size_t>, 2> line) {
+    const std::int64_t a = t[0] - before[0], b = t[1] - before[1];
+    if (std::abs(a - b) <= allowed(std::max(a, b))) return true;
+    Difference d{
+        Difference::Kind::time,
+        what,
+        t,
+        {"comes " + seconds(a) + " after the one before", "comes " + seconds(b) + " after the one before"},
+        "",
+        line};
+    report(std::move(d));
+    return false;
+  }
+
+  void compare_places() {
+    const auto& a = sides_[0]->places;
+    const auto& b = sides_[1]->places;
+    std::array<std::int64_t, 2> before{};
+    std::size_t i = 0;
+    for (; i < a.size() && i < b.size(); ++i) {
+      const std::array<std::int64_t, 2> t{a[i].t_ns, b[i].t_ns};
+      const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the beginning of the way";
+      if (a[i].text != b[i].text)
+        return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}});
+      if (i > 0 && !same_time(t, before, a[i].text + ", " + from, {})) return;
+      clocks_.add(t[0], t[1]);
+      before = t;
+    }
+    compare_rest(a, b, i, [&](std::size_t at) {
+      const bool first = a.size() > b.size();
+      const auto& longer = first ? a : b;
+      Difference d{Difference::Kind::place,
+                   "the way after " + (at > 0 ? longer[at - 1].text : "the start"),
+                   {},
+                   {},
+                   "",
+                   {}};
+      d.sides[first ? 0 : 1] = came_to(longer[at]);
+      d.sides[first ? 1 : 0] = "comes to no other place";
+      return d;
+    });
+  }
+
+  void compare_lines() {
+    const auto& a = said_[0];
+    const auto& b = said_[1];
+    std::array<std::int64_t, 2> before{};
+    std::size_t i = 0;
+    for (; i < a.size() && i < b.size(); ++i) {
+      const std::array<std::int64_t, 2> t{a[i].t_ns, b[i].t_ns};
+      const std::array<std::optional<std::size_t>, 2> line{a[i].number, b[i].number};
+      const std::string what = "line " + std::to_string(a[i].number + 1) + " of the serial port";
+      if (a[i].parts.form != b[i].parts.form)
+        return report({Difference::Kind::line,
+                       what,
+                       t,
+                       {"says " + quoted(a[i].text), "says " + quoted(b[i].text)},
+                       "",
+                       line});
+      if (!same_numbers(a[i], b[i], what, line)) return;
+      if (!same_time(t, before, what + ", " + quoted(a[i].text), line)) return;
+      clocks_.add(t[0], t[1]);
+      before = t;
+    }
+    compare_rest(a, b, i, [&](std::size_t at) {
+      const bool first = a.size() > b.size();
+      const Said& said = (first ? a : b)[at];
+      Difference d{Difference::Kind::line,
+                   "line " + std::to_string(said.number + 1) + " of the serial port",
+                   {},
+                   {},
+                   "",
+                   {}};
+      d.sides[first ? 0 : 1] = "says " + quoted(said.text);
+      d.sides[first ? 1 : 0] = "says nothing";
+      d.line[first ? 0 : 1] = said.number;
+      return d;
+    });
+  }
+
+  bool same_numbers(const Said& a, const Said& b, const std::string& what,
+                    const std::array<std::optional<std::size_t>, 2>& line) {
+    for (std::size_t n = 0; n < a.parts.numbers.size(); ++n) {
+      const Number& x = a.parts.numbers[n];
+      const Number& y = b.parts.numbers[n];
+      const Likeness alike = likeness(x, y, tolerance_.number);
+      if (alike == Likeness::known) know({known_cause(x, y), {a.text, b.text}});
+      if (alike != Likeness::different) continue;
+      report({Difference::Kind::number,
+              what,
+              {a.t_ns, b.t_ns},
+              {"says " + quoted(a.text), "says " + quoted(b.text)},
+              width_cause(x, y),
+              line});
+      return false;
+    }
+    return true;
+  }
+
+  void compare_streams() {
+    for (const auto& [form, lanes] : streams_) {
+      if (lanes[0].empty() || lanes[1].empty()) {
+        const std::size_t has = lanes[0].empty() ? 1 : 0;
+        const Said& said = lanes[has].front();
+        Difference d{Difference::Kind::line,
+                     "line " + std::to_string(said.number + 1) + " of the serial port",
+                     {},
+                     {},
+                     "",
+                     {}};
+        d.t_ns[has] = said.t_ns;
+        d.t_ns[1 - has] = has == 0 ? clocks_.to_b(said.t_ns) : clocks_.to_a(said.t_ns);
+        d.sides[has] = "says " + quoted(said.text) + ", and often";
+        d.sides[1 - has] = "says nothing like it";
+        d.line[has] = said.number;
+        report(std::move(d));
+        continue;
+      }
+      compare_rates(lanes);
+      if (compare_stream(lanes, 0)) compare_stream(lanes, 1);
+    }
+  }
+
+  void compare_rates(const std::array<std::vector<Said>, 2>& lanes) {
+    std::array<double, 2> rate{};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double s = 1e-9 * static_cast<double>(lanes[side].back().t_ns - lanes[side].front().t_ns);
+      if (lanes[side].size() < kStream / 2 || s <= 0.0) return;
+      rate[side] = static_cast<double>(lanes[side].size() - 1) / s;
+    }
+    if (std::fabs(rate[0] - rate[1]) <= tolerance_.time * std::max(rate[0], rate[1])) return;
+    const auto text = [&](std::size_t side) {
+      const auto tenths = static_cast<long long>(10.0 * rate[side] + 0.5);
+      return "comes " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " times a second";
+    };
+    report({Difference::Kind::time,
+            "the line " + quoted(lanes[0].front().text),
+            {lanes[0].front().t_ns, lanes[1].front().t_ns},
+            {text(0), text(1)},
+            "",
+            {lanes[0].front().number, lanes[1].front().number}});
+  }
+
+  /// Each number of `side`'s lines against those that the other has said at about that time.
+  bool compare_stream(const std::array<std::vector<Said>, 2>& lanes, std::size_t side) {
+    const auto& own = lanes[side];
+    const auto& others = lanes[1 - side];
+    for (const Said& said : own) {
+      const std::int64_t t = side == 0 ? clocks_.to_b(said.t_ns) : clocks_.to_a(said.t_ns);
+      const auto from = std::lower_bound(others.begin(), others.end(), t - kNear_ns,
+                                         [](const Said& s, std::int64_t at) { return s.t_ns < at; });
+      auto to = from;
+      while (to != others.end() && to->t_ns <= t + kNear_ns) ++to;
+      if (from == to) continue;
+      for (std::size_t n = 0; n < said.parts.numbers.size(); ++n) {
+        const Number& x = said.parts.numbers[n];
+        double low = from->parts.numbers[n].value, high = low;
+        bool found = false;
+        for (auto it = from; it != to && !found; ++it) {
+          const Number& y = it->parts.numbers[n];
+          found = likeness(x, y, tolerance_.number) != Likeness::different;
+          low = std::min(low, y.value);
+          high = std::max(high, y.value);
+        }
+        const double slack = (high - low) / 2;
+        if (found || (x.value >= low - slack && x.value <= high + slack)) continue;
+        const Said& near = *from;
+        Difference d{Difference::Kind::number, "the line " + quoted(near.parts.form), {}, {}, "", {}};
+        d.t_ns[side] = said.t_ns;
+        d.t_ns[1 - side] = t;
+        d.sides[side] = "says " + quoted(said.text);
+        d.sides[1 - side] = "says " + quoted(near.text) + ", and nothing like it within a second";
+        d.cause = width_cause(x, near.parts.numbers[n]);
+        d.line[side] = said.number;
+        d.line[1 - side] = near.number;
+        report(std::move(d));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Manoeuvres of `side` that the other does not make.
+  void compare_motors(std::size_t side) {
+    const std::size_t other = 1 - side;
+    const auto map = [&](std::int64_t t) { return side == 0 ? clocks_.to_b(t) : clocks_.to_a(t); };
+    for (const Stretch& stretch : sides_[side]->stretches) {
+      if (stretch.duration_ns() < kLong_ns) continue;
+      const std::int64_t from = map(stretch.from_ns), to = map(stretch.to_ns);
+      if (to > seen_ns(other)) break;
+      std::int64_t found = 0;
+      const Stretch* there = nullptr;
+      for (const Stretch& s : sides_[other]->stretches) {
+        if (s.from_ns <= from && s.to_ns > from) there = &s;
+        if (s.manoeuvre != stretch.manoeuvre) continue;
+        const std::int64_t overlap = std::min(s.to_ns, to + kNear_ns) - std::max(s.from_ns, from - kNear_ns);
+        found += std::max<std::int64_t>(overlap, 0);
+      }
+      if (found >= kShort_ns) continue;
+      Difference d{Difference::Kind::motors, "the motors", {}, {}, "", {}};
+      d.t_ns[side] = stretch.from_ns;
+      d.t_ns[other] = from;
+      d.sides[side] = std::string(name_of(stretch.manoeuvre)) + " for " + seconds(stretch.duration_ns());
+      d.sides[other] = there ? name_of(there->manoeuvre) : "does not";
+      return report(std::move(d));
+    }
+  }
+
+  double mean_command(std::size_t side, std::int64_t from, std::int64_t to) const {
+    double sum = 0.0;
+    for (const Stretch& s : sides_[side]->stretches) {
+      const std::int64_t overlap = std::min(s.to_ns, to) - std::max(s.from_ns, from);
+      if (overlap > 0) sum += static_cast<double>(overlap) * (s.left + s.right) / 2;
+    }
+    return sum / static_cast<double>(to - from);
+  }
+
+  void compare_speeds() {
+    auto pairs = clocks_.pairs();
+    const std::int64_t rest = std::min(seen_ns(0) - pairs.back().first, seen_ns(1) - pairs.back().second);
+    if (rest > 0) pairs.emplace_back(pairs.back().first + rest, pairs.back().second + rest);
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+      const std::array<std::int64_t, 2> from{pairs[i - 1].first, pairs[i - 1].second},
+          to{pairs[i].first, pairs[i].second};
+      if (std::min(to[0] - from[0], to[1] - from[1]) < kSecond_ns) continue;
+      const double a = mean_command(0, from[0], to[0]), b = mean_command(1, from[1], to[1]);
+      if (std::fabs(a - b) <= kSpeed) continue;
+      const auto text = [](double share) {
+        return "drives at " + std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % on average";
+      };
+      return report(
+          {Difference::Kind::speed, "the motors until " + seconds(to[0]), from, {text(a), text(b)}, "", {}});
+    }
+  }
+
+  void compare_verdicts() {
+    const History& a = *sides_[0];
+    const History& b = *sides_[1];
+    if (a.verdict == b.verdict || (is_astray(a) && is_astray(b))) return;
+    const auto text = [](const History& h) { return h.verdict + ": " + h.why; };
+    const bool first = a.end_ns <= b.end_ns;
+    const std::array<std::int64_t, 2> t{first ? a.end_ns : clocks_.to_a(b.end_ns),
+                                        first ? clocks_.to_b(a.end_ns) : b.end_ns};
+    report({Difference::Kind::verdict, "how it ends", t, {text(a), text(b)}, "", {}});
+  }
+
+  std::array<const History*, 2> sides_;
+  Tolerance tolerance_;
+  std::array<std::vector<Said>, 2> said_;
+  std::map<std::string, std::array<std::vector<Said>, 2>> streams_;
+  Clocks clocks_;
+  Comparison result_;
+};
+
+}  // namespace
+
+Comparison compare(const History& a, const History& b, const Tolerance& tolerance) {
+  if (!a.lost_ns || !b.lost_ns) return Comparer(a, b, tolerance).compare();
+  const std::int64_t until = std::min(*a.lost_ns, *b.lost_ns) - kSlipping_ns;
+  const History first = up_to(until, a), second = up_to(until, b);
+  return Comparer(first, second, tolerance).compare();
+}
+
+const char* name_of(Difference::Kind kind) {
+  switch (kind) {
+    case Difference::Kind::place:
+      return "place";
+    case Difference::Kind::line:
+      return "line";
+    case Difference::Kind::number:
+      return "number";
+    case Difference::Kind::time:
+      return "time";
+    case Difference::Kind::motors:
+      return "motors";
+    case Difference::Kind::speed:
+      return "speed";
+    case Difference::Kind::verdict:
+      return "verdict";
+  }
+  return "";
+}
+
+}  // namespace robosim::analysis

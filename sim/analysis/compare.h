@@ -1,0 +1,59 @@
+// Do two targets do the same? Two histories, aligned by what happened, not by the clock: instructions cost
+// something else on each target, so the same robot turns a little later, and a little elsewhere.
+//
+// What counts as a difference, and what does not, stands in docs/formats.md; in short:
+//
+//   places    their names and order
+//   lines     their text and order, numbers aside; a text that comes more than 20 times is a stream, of which
+//             only the rate counts
+//   numbers   those of a line: within 10 % of each other; of a stream: within what the other said in the
+//             second before and after
+//   times     from one place or line to the next: within 0.5 s and 25 %
+//   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second;
+//             the mean command between two common events: within 0.25
+//   the end   the verdict
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/analysis/history.h"
+
+namespace robosim::analysis {
+
+struct Tolerance {
+  double time = 0.25;                  ///< share of a time that it may differ by …
+  std::int64_t time_ns = 500'000'000;  ///< … and so much more
+  double number = 0.10;                ///< share of the larger number
+};
+
+struct Difference {
+  enum class Kind { place, line, number, time, motors, speed, verdict };
+  Kind kind = Kind::verdict;
+  std::string what;                                ///< "line 3", "the way after junction 2"
+  std::array<std::int64_t, 2> t_ns{};              ///< when, on either side
+  std::array<std::string, 2> sides;                ///< what each did: "\"sum 40000\""
+  std::string cause;                               ///< "integer width: …"; empty if it has no name
+  std::array<std::optional<std::size_t>, 2> line;  ///< which of History::lines it is about, if any
+};
+
+/// A difference that is known and means nothing: the same value, printed otherwise.
+struct KnownDifference {
+  std::string what;
+  std::array<std::string, 2> sides;
+  bool operator==(const KnownDifference&) const = default;
+};
+
+struct Comparison {
+  std::optional<Difference> first;  ///< the earliest; nothing if they do the same
+  std::vector<KnownDifference> known;
+};
+
+Comparison compare(const History& a, const History& b, const Tolerance& tolerance = {});
+
+/// "place", "line" …
+const char* name_of(Difference::Kind kind);
+
+}  // namespace robosim::analysis

@@ -1,0 +1,79 @@
+// What a run has shown to those who watch it, in a form that can be held against another run: the places the
+// robot came to, the lines it said, what its motors did, and how it ended.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/wire/messages.h"
+
+namespace robosim::analysis {
+
+/// A moment, and what happened then: a place's name, a line.
+struct Mark {
+  std::int64_t t_ns = 0;
+  std::string text;
+};
+
+/// What both motors together do. `ahead` and `back`: the mean of the commands is at least half of half their
+/// difference; else the robot turns on the spot.
+enum class Manoeuvre : std::uint8_t { stands, ahead, back, turns_left, turns_right };
+
+/// A stretch of one manoeuvre.
+struct Stretch {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+  Manoeuvre manoeuvre = Manoeuvre::stands;
+  double left = 0.0;  ///< mean command, -1..1
+  double right = 0.0;
+
+  std::int64_t duration_ns() const { return to_ns - from_ns; }
+};
+
+struct History {
+  std::string target;
+  std::vector<Mark> places;        ///< in the order of the robot's way; none twice in a row
+  std::vector<Mark> lines;         ///< of its serial port, without their ends; the last may be unfinished
+  std::vector<Stretch> stretches;  ///< one behind the other
+  std::string verdict;
+  std::string why;
+  std::int64_t end_ns = 0;
+  /// From here on the robot was off the line, and what it did was chance: nothing of it is kept.
+  std::optional<std::int64_t> lost_ns;
+};
+
+/// A place that is none.
+inline constexpr const char* kOffTheLine = "off the line";
+
+/// The place a robot is at; "" = between two, kOffTheLine = nowhere.
+using PlaceFinder = std::function<std::string(const wire::Sample&)>;
+
+/// Listens to a run with samples every 10 ms, serial text and notes.
+class HistoryRecorder {
+ public:
+  HistoryRecorder(std::string target, PlaceFinder place);
+
+  void add(const wire::Event& event);
+  History finish(const wire::RunResult& result);
+
+  static constexpr std::int64_t kSampleEvery_ns = 10'000'000;
+
+ private:
+  void add(const wire::Sample& sample);
+  void add(const wire::SerialText& serial);
+  void visit(std::int64_t t_ns, std::string place);
+
+  History history_;
+  PlaceFinder place_;
+  bool line_open_ = false;
+  std::int64_t last_ns_ = 0;
+};
+
+/// "stands", "drives ahead", "turns left on the spot" …
+const char* name_of(Manoeuvre manoeuvre);
+Manoeuvre manoeuvre_of(double left, double right);
+
+}  // namespace robosim::analysis

@@ -1,0 +1,36 @@
+// A line that firmware has printed, as words and numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace robosim::analysis {
+
+struct Number {
+  std::string text;
+  double value = 0.0;
+  enum class Form { whole, fraction, hexadecimal, binary } form = Form::whole;
+};
+
+struct LineText {
+  std::string form;  ///< the text with "#" for each number
+  std::vector<Number> numbers;
+};
+
+LineText take_apart(const std::string& line);
+
+/// How two numbers that different targets have printed stand to each other.
+enum class Likeness {
+  same,   ///< the same text, or within the tolerance
+  known,  ///< the same value, printed otherwise: the last digits of a float, the width of a negative HEX
+  different,
+};
+Likeness likeness(const Number& a, const Number& b, double tolerance);
+
+/// "float formatting" or "width of long": of numbers whose likeness is `known`.
+std::string known_cause(const Number& a, const Number& b);
+/// If they differ by what integers of 16 or 32 bits lose: a clause. Else empty.
+std::string width_cause(const Number& a, const Number& b);
+
+}  // namespace robosim::analysis

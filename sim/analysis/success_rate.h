@@ -1,0 +1,69 @@
+// Chance made testable: the share of runs that succeeded, where the true rate may lie, and when enough is
+// known.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace robosim::analysis {
+
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/// Where the true rate lies, at 95 % confidence, after `successes` of `runs`: Wilson's score interval,
+///
+///   (p + z²/2n ± z √(p(1-p)/n + z²/4n²)) / (1 + z²/n)      p = successes / runs, n = runs, z = 1.960
+///
+/// It stays within 0..1 and means something when all runs succeed, where p ± z √(p(1-p)/n) claims certainty.
+/// E. B. Wilson, "Probable inference, the law of succession, and statistical inference", Journal of the
+/// American Statistical Association 22 (1927) 209-212. Without any runs: 0..1.
+Interval wilson(std::int64_t successes, std::int64_t runs);
+
+/// What is demanded of a number of runs that is fixed beforehand.
+struct Demand {
+  double rate = 1.0;  ///< 0..1
+  /// False: `rate` is the share of exactly these runs that must succeed.
+  /// True: these runs must show that the rate of all possible ones is not less; the interval's lower end
+  /// counts.
+  bool sure = false;
+};
+
+/// The least number of successes of `runs` that meets the demand; nothing if not even `runs` would.
+std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
+
+/// The least number of runs that meets the demand if all of them succeed; nothing if none would (a sure 1).
+std::optional<std::int64_t> needed_runs(const Demand& demand);
+
+/// Counts runs, in a fixed order. It is decided as soon as the runs that are left can no longer change
+/// whether the demand is met: to stop then saves runs and never changes the answer, however often one looks.
+/// (To look at the interval after each run, and to stop when it pleases, would decide wrongly more often than
+/// it says.)
+class Tally {
+ public:
+  Tally(std::int64_t planned, std::optional<Demand> demand);
+
+  void add(bool success);
+
+  std::int64_t runs() const { return runs_; }
+  std::int64_t successes() const { return successes_; }
+  std::int64_t planned() const { return planned_; }
+  double rate() const;
+  Interval interval() const { return wilson(successes_, runs_); }
+
+  /// Enough have succeeded, whatever the others do. Without a demand: never.
+  bool met() const;
+  /// Too many have failed, whatever the others do. Without a demand: never.
+  bool missed() const;
+  bool decided() const { return met() || missed(); }
+
+ private:
+  std::int64_t planned_;
+  bool demanding_;
+  std::int64_t needed_;  ///< more than planned_: cannot be met
+  std::int64_t runs_ = 0;
+  std::int64_t successes_ = 0;
+};
+
+}  // namespace robosim::analysis

@@ -1,0 +1,22 @@
+// Compiles a navigation algorithm of the user's own, one C++ file, for the robot on cells
+// (docs/algorithms.md).
+#pragma once
+
+#include <filesystem>
+
+#include "sim/build/cache.h"
+
+namespace robosim::build {
+
+/// A shared object that is there as long as this is.
+class Algorithm {
+ public:
+  /// Throws InputError (no such file), CompileError with the compiler's words, or ToolMissing.
+  explicit Algorithm(const std::filesystem::path& source);
+  std::filesystem::path shared_object() const { return folder_.path() / "algorithm.so"; }
+
+ private:
+  WorkFolder folder_;
+};
+
+}  // namespace robosim::build

@@ -1,0 +1,225 @@
+#include "sim/build/cache.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kHeader = "robosim cache 1";
+constexpr const char* kAbsent = "-";
+constexpr auto kKept = std::chrono::hours(24 * 30);
+
+std::string hash_text(std::string_view text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+std::string hash_file(const fs::path& path) {
+  try {
+    return hash_text(read_file(path));
+  } catch (const InputError&) {
+    return kAbsent;
+  }
+}
+
+std::string hash_folder(const fs::path& path) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  if (error) return kAbsent;
+  std::sort(names.begin(), names.end());
+  std::string all;
+  for (const std::string& name : names) all += name + '\n';
+  return hash_text(all);
+}
+
+std::string escape(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\\\";
+    else if (c == '\n')
+      result += "\\n";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string unescape(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size())
+      result += text[++i] == 'n' ? '\n' : text[i];
+    else
+      result += text[i];
+  }
+  return result;
+}
+
+std::string_view word(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find(' '), rest.size());
+  const std::string_view first = rest.substr(0, end);
+  rest.remove_prefix(std::min(end + 1, rest.size()));
+  return first;
+}
+
+bool changed_after(const Inputs& inputs, fs::file_time_type since) {
+  return std::any_of(inputs.files.begin(), inputs.files.end(), [&](const fs::path& file) {
+    std::error_code error;
+    const fs::file_time_type time = fs::last_write_time(file, error);
+    return error || time > since;
+  });
+}
+
+bool usable(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
+}
+
+void remove_old(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_time_type limit = fs::file_time_type::clock::now() - kKept;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code one;
+    if (fs::last_write_time(entry->path(), one) < limit && !one) fs::remove_all(entry->path(), one);
+  }
+}
+
+}  // namespace
+
+fs::path cache_folder() {
+  const char* xdg = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if (xdg && *xdg == '/' && usable(fs::path(xdg) / "robosim")) return fs::path(xdg) / "robosim";
+  if (home && *home == '/' && usable(fs::path(home) / ".cache/robosim"))
+    return fs::path(home) / ".cache/robosim";
+  const fs::path fallback = fs::temp_directory_path() / fmt::format("robosim-{}", ::getuid());
+  struct stat info {};
+  if (!usable(fallback) || ::lstat(fallback.c_str(), &info) != 0 || info.st_uid != ::getuid())
+    throw InputError({fallback.string()},
+                     "no folder for compiled sketches can be written; set XDG_CACHE_HOME");
+  fs::permissions(fallback, fs::perms::owner_all);
+  return fallback;
+}
+
+Cache::Cache(fs::path folder) : folder_(std::move(folder)) {
+  fs::create_directories(folder_ / "entries");
+  fs::create_directories(folder_ / "results");
+  fs::create_directories(folder_ / "work");
+}
+
+std::optional<Entry> Cache::find(const std::string& key) const {
+  std::string text;
+  const fs::path file = folder_ / "entries" / hash_text(key);
+  try {
+    text = read_file(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  Entry entry;
+  std::string_view rest = text;
+  bool complete = false;
+  for (bool first = true; !rest.empty(); first = false) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (first) {
+      if (line != kHeader) return std::nullopt;
+      continue;
+    }
+    const std::string_view kind = word(line);
+    const std::string_view value = word(line);
+    if (kind == "file" && hash_file(line) != value) return std::nullopt;
+    if (kind == "folder" && hash_folder(line) != value) return std::nullopt;
+    if (kind == "fact") entry.facts[std::string(value)] = unescape(line);
+    if (kind == "result") {
+      entry.result = folder_ / "results" / line;
+      if (hash_file(entry.result) != value) return std::nullopt;
+    }
+    if (kind == "end") complete = true;
+  }
+  if (!complete || entry.result.empty()) return std::nullopt;
+  // In use: keep both from being removed as old.
+  std::error_code none;
+  const auto now = fs::file_time_type::clock::now();
+  fs::last_write_time(file, now, none);
+  fs::last_write_time(entry.result, now, none);
+  return entry;
+}
+
+Entry Cache::store(const std::string& key, const Inputs& inputs, const fs::path& result,
+                   const std::string& name, std::map<std::string, std::string> facts,
+                   fs::file_time_type since) const {
+  const std::string hash = hash_file(result);
+  const fs::path base = name;
+  const std::string stored =
+      fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 16), base.extension().string());
+  const Entry entry{folder_ / "results" / stored, std::move(facts)};
+  fs::rename(result, entry.result);
+
+  std::string text = fmt::format("{}\nresult {} {}\n", kHeader, hash, stored);
+  for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));
+  bool sound = !changed_after(inputs, since);
+  for (const auto& [kind, paths] : {std::pair{"file", &inputs.files}, {"folder", &inputs.folders}}) {
+    std::vector<fs::path> sorted = *paths;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    for (const fs::path& path : sorted) {
+      if (path.string().find('\n') != std::string::npos) sound = false;
+      text += fmt::format("{} {} {}\n", kind, kind[1] == 'i' ? hash_file(path) : hash_folder(path),
+                          path.string());
+    }
+  }
+  text += "end\n";
+  if (sound) write_file(folder_ / "entries" / hash_text(key), text);
+  return entry;
+}
+
+fs::path Cache::work_folder() const {
+  remove_old(folder_ / "work");
+  remove_old(folder_ / "entries");
+  remove_old(folder_ / "results");
+  static std::atomic<int> count{0};
+  const fs::path path = folder_ / "work" / fmt::format("{}-{}", ::getpid(), count++);
+  fs::remove_all(path);
+  fs::create_directories(path);
+  return path;
+}
+
+CacheLock::CacheLock(const Cache& cache)
+    : descriptor_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+  // Without a lock the work may be done twice, no more.
+  while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+CacheLock::~CacheLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code none;
+  fs::remove_all(path_, none);
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,77 @@
+// Results kept by content. An entry remembers every file that was read for it, by content, and every folder
+// whose list of names mattered; it holds as long as they are the same. Whether a file is newer does not
+// matter.
+//
+// Safe for processes that run side by side: files appear by rename, and a result's name contains its
+// content's hash.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::build {
+
+struct Inputs {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> folders;  ///< may be absent: their absence is remembered
+};
+
+struct Entry {
+  std::filesystem::path result;
+  std::map<std::string, std::string> facts;  ///< whatever the caller wants to know again
+};
+
+class Cache {
+ public:
+  explicit Cache(std::filesystem::path folder);
+
+  /// The entry for `key`, if all its inputs and its result are as they were.
+  std::optional<Entry> find(const std::string& key) const;
+
+  /// Moves `result` into the cache. The entry itself is left out if an input changed after `since`: it may be
+  /// newer than what was compiled. `name` is the result's readable name, "PidFollower.so".
+  Entry store(const std::string& key, const Inputs& inputs, const std::filesystem::path& result,
+              const std::string& name, std::map<std::string, std::string> facts,
+              std::filesystem::file_time_type since) const;
+
+  /// A new, empty folder for work, on the same file system.
+  std::filesystem::path work_folder() const;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Held by one process at a time, so that what takes seconds is made once. Released at the end of its scope,
+/// and by a process that dies.
+class CacheLock {
+ public:
+  explicit CacheLock(const Cache& cache);
+  ~CacheLock();
+  CacheLock(const CacheLock&) = delete;
+  CacheLock& operator=(const CacheLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+/// A folder that is removed with all that is in it.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const Cache& cache) : path_(cache.work_folder()) {}
+  ~WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace robosim::build

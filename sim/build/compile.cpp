@@ -1,0 +1,272 @@
+#include "sim/build/compile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "sim/base/file.h"
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+void add(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+enum class Language { cxx, c, assembler };
+
+Language language(const Unit& unit) {
+  const fs::path extension = fs::path(unit.source).extension();
+  if (extension == ".S" || extension == ".s") return Language::assembler;
+  return extension == ".c" ? Language::c : Language::cxx;
+}
+
+std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& unit) {
+  if (unit.kind == Unit::Kind::core) return {"-w"};
+  switch (toolchain.warnings) {
+    case Warnings::none:
+      return {"-w"};
+    case Warnings::standard:
+      return {};
+    case Warnings::more:
+      return {"-Wall"};
+    case Warnings::all:
+      return {"-Wall", "-Wextra"};
+  }
+  return {};
+}
+
+std::vector<std::string> definitions(const Toolchain& toolchain) {
+  std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
+                                    fmt::format("-D{}", toolchain.board.macro)};
+  add(words, toolchain.target.definitions);
+  return words;
+}
+
+/// Adds options that take names of this machine out. The last map that fits wins.
+void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain, const Core::Names& places) {
+  const auto map = [&](const fs::path& from, const std::string& to) {
+    words.push_back(fmt::format("{}={}={}", toolchain.target.prefix_map, from.string(), to));
+  };
+  map(toolchain.facts.include_folder, "robosim/gcc");
+  for (const auto& [folder, name] : toolchain.core.places) map(folder, name);
+  for (const auto& [folder, name] : places) map(folder, name);
+}
+
+Core::Names places_of(const Unit& unit) {
+  Core::Names places;
+  for (const fs::path& folder : unit.includes)
+    if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
+      places.emplace_back(folder, "libraries/" + folder.filename().string());
+  places.emplace_back(unit.folder, unit.place);
+  if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
+  return places;
+}
+
+void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
+  const Sanitizer& sanitizer = toolchain.target.sanitizer;
+  if (unit.kind != Unit::Kind::core) {
+    add(words, sanitizer.undefined);
+    add(words, sanitizer.addresses);
+  } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
+    add(words, sanitizer.definitions);
+  } else {
+    add(words, sanitizer.addresses);
+  }
+}
+
+void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
+  const Counting& counting = toolchain.target.coverage;
+  if (unit.kind == Unit::Kind::sketch) add(words, counting.own);
+  if (unit.kind == Unit::Kind::core) add(words, counting.definitions);
+}
+
+std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
+  const Target& target = toolchain.target;
+  const bool core = unit.kind == Unit::Kind::core;
+  const Language written_in = language(unit);
+  const auto& compiler = written_in == Language::cxx ? toolchain.compiler.cxx : toolchain.compiler.cc;
+  std::vector<std::string> words = {compiler.string()};
+  words.push_back(core ? target.core_level : target.own_level);
+  add(words, target.code);
+  if (written_in == Language::cxx) add(words, target.cxx_code);
+  if (written_in == Language::c) add(words, target.c_code);
+  add(words, core ? target.core : target.own);
+  if (toolchain.sanitize) add_checks(words, toolchain, unit);
+  if (toolchain.coverage) add_counting(words, toolchain, unit);
+  add(words, warning_flags(toolchain, unit));
+  add(words, toolchain.core.machine);
+  add(words, definitions(toolchain));
+  for (const auto* folders : {&toolchain.core.includes, &unit.includes})
+    for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
+  for (const fs::path& folder : toolchain.core.system_includes) add(words, {"-isystem", folder.string()});
+  if (target.hal) add(words, {"-isystem", toolchain.facts.include_folder.string()});
+  add_prefix_maps(words, toolchain, places_of(unit));
+  return words;
+}
+
+void add_source(std::vector<std::string>& words, const Unit& unit) {
+  if (language(unit) == Language::assembler) add(words, {"-x", "assembler-with-cpp"});
+  if (unit.input.empty())
+    words.push_back(unit.source);
+  else
+    add(words, {"-x", "c++", "-"});
+}
+
+}  // namespace
+
+std::string join_paths(const std::vector<fs::path>& paths) {
+  std::string text;
+  for (const fs::path& path : paths) text += path.string() + '\n';
+  return text;
+}
+
+std::vector<fs::path> split_paths(const std::string& text) {
+  std::vector<fs::path> paths;
+  for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
+    paths.emplace_back(text.substr(at, end - at));
+  return paths;
+}
+
+bool through_assembly(const Toolchain& toolchain, const Unit& unit) {
+  return !toolchain.target.chip && unit.kind != Unit::Kind::core;
+}
+
+bool is_counted(const Toolchain& toolchain, const Unit& unit) {
+  return toolchain.coverage && unit.kind == Unit::Kind::sketch;
+}
+
+std::string notes_name(const Unit& unit) {
+  std::string name = unit.input.empty() ? unit.source : "ino";
+  std::replace(name.begin(), name.end(), '/', '#');
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
+  std::vector<std::string> words = base_words(toolchain, unit);
+  add(words, {"-MD", "-MF", object.string() + ".d"});
+  if (is_counted(toolchain, unit))
+    add(words, {"-fprofile-note=" + object.string() + ".gcno", "-dumpbase", notes_name(unit)});
+  if (through_assembly(toolchain, unit))
+    add(words, {"-S", "-o", object.string() + ".s"});
+  else
+    add(words, {"-c", "-o", object.string()});
+  add_source(words, unit);
+  return {std::move(words), unit.folder, unit.input};
+}
+
+Command assemble_command(const Toolchain& toolchain, const fs::path& object) {
+  return {{toolchain.compiler.cc.string(), "-c", "-o", object.string(), object.string() + ".s"},
+          object.parent_path(),
+          {}};
+}
+
+Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const fs::path& output) {
+  std::vector<std::string> words = base_words(toolchain, unit);
+  add(words, {"-w", "-E", "-o", output.string()});
+  add_source(words, unit);
+  return {std::move(words), unit.folder, unit.input};
+}
+
+Command merge_command(const Toolchain& toolchain, const std::vector<fs::path>& objects,
+                      const fs::path& object) {
+  std::vector<std::string> words = {
+      toolchain.compiler.cc.string(), "-r", "-nostdlib", "-fuse-ld=bfd", "-o", object.string()};
+  for (const fs::path& one : objects) words.push_back(one.string());
+  return {std::move(words), object.parent_path(), {}};
+}
+
+Command archive_command(const Toolchain& toolchain, const std::vector<fs::path>& objects,
+                        const fs::path& archive) {
+  std::vector<std::string> words = {find_tool(toolchain.target, toolchain.target.archiver).string(), "rcsD",
+                                    archive.string()};
+  for (const fs::path& one : objects) words.push_back(one.string());
+  return {std::move(words), archive.parent_path(), {}};
+}
+
+Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& objects, const fs::path& image,
+                     const fs::path& work, const Core::Names& places) {
+  for (const auto& [name, text] : toolchain.target.link_files) write_file(work / name, text);
+  std::vector<std::string> words = {toolchain.compiler.cc.string()};
+  add(words, toolchain.target.link);
+  if (toolchain.sanitize) add(words, toolchain.target.sanitizer.link);
+  add(words, toolchain.core.machine);
+  if (toolchain.target.chip)
+    add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
+  else
+    add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
+  add(words, toolchain.core.link);
+  add(words, {"-o", image.string()});
+  for (const fs::path& object : objects) words.push_back(object.string());
+  words.push_back("-lm");
+  if (toolchain.coverage) add(words, toolchain.target.coverage.link);
+  return {std::move(words), work, {}};
+}
+
+Command product_command(const Target& target, const Product& product, const fs::path& image,
+                        const fs::path& file) {
+  std::vector<std::string> words = {find_tool(target, product.program).string()};
+  add(words, product.arguments);
+  add(words, {image.string(), file.string()});
+  return {std::move(words), file.parent_path(), {}};
+}
+
+std::string recipe(const Toolchain& toolchain) {
+  const Target& target = toolchain.target;
+  std::string text = fmt::format("robosim {} {} {} {}\n", ROBOSIM_VERSION, toolchain.compiler.identity,
+                                 toolchain.core.root.string(), static_cast<int>(toolchain.warnings));
+  for (const auto& words :
+       {target.code, target.cxx_code, target.c_code, target.own, target.link, definitions(toolchain)})
+    text += fmt::format("{}\n", fmt::join(words, " "));
+  for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
+    if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
+  const auto add_text = [&](std::initializer_list<const std::vector<std::string>*> all) {
+    for (const auto* words : all) text += fmt::format("{}\n", fmt::join(*words, " "));
+  };
+  const Sanitizer& checks = target.sanitizer;
+  if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
+  const Counting& counting = target.coverage;
+  if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
+  text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
+  for (const auto& [name, content] : target.link_files) text += content;
+  return text;
+}
+
+std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& folder) {
+  const std::string text = read_file(list);
+  std::vector<fs::path> files;
+  std::string name;
+  const auto finish = [&] {
+    if (!name.empty() && name.back() != ':' && name != "-" && name != "<stdin>") {
+      fs::path path = (folder / name).lexically_normal();
+      files.push_back(std::move(path));
+    }
+    name.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+    if (c == '\\' && next == '\n') {
+      finish();
+      ++i;
+    } else if (c == '\\' && (next == ' ' || next == '#' || next == '\\')) {
+      name += next;
+      ++i;
+    } else if (c == '$' && next == '$') {
+      name += '$';
+      ++i;
+    } else if (c == ' ' || c == '\n') {
+      finish();
+    } else {
+      name += c;
+    }
+  }
+  finish();
+  return files;
+}
+
+}  // namespace robosim::build

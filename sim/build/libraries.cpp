@@ -1,0 +1,166 @@
+#include "sim/build/libraries.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_file(const fs::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(path, none);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code none;
+  return fs::is_directory(path, none);
+}
+
+std::vector<fs::path> children(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code none;
+  for (fs::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
+    if (entry->path().filename().string()[0] != '.') paths.push_back(entry->path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+bool is_header(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".hpp"; }
+
+bool is_source(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
+}
+
+void take_sources(Library& library, const fs::path& folder, bool deep) {
+  library.listed.push_back(folder);
+  for (const fs::path& child : children(folder)) {
+    if (deep && is_folder(child)) take_sources(library, child, deep);
+    if (!is_file(child)) continue;
+    const std::string name = child.lexically_relative(library.folder).string();
+    if (is_source(child)) library.sources.push_back(name);
+    if (child.extension() == ".S") library.assembler.push_back(name);
+  }
+}
+
+bool is_library(const fs::path& folder) {
+  if (is_file(folder / "library.properties")) return true;
+  const std::vector<fs::path> files = children(folder);
+  return std::any_of(files.begin(), files.end(), [](const fs::path& file) { return is_header(file); });
+}
+
+/// The value of a key in library.properties; empty if there is none.
+std::string property(const fs::path& folder, const std::string& key) {
+  if (!is_file(folder / "library.properties")) return {};
+  std::istringstream lines(read_file(folder / "library.properties"));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.rfind(key + "=", 0) == 0) return line.substr(key.size() + 1);
+  }
+  return {};
+}
+
+Library read_library(const fs::path& folder) {
+  Library library;
+  library.name = property(folder, "name");
+  if (library.name.empty()) library.name = folder.filename().string();
+  library.archive = property(folder, "dot_a_linkage") == "true";
+  library.folder = folder;
+  if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
+    library.includes = {folder / "src"};
+    library.listed = {folder};
+    take_sources(library, folder / "src", true);
+  } else {
+    library.includes = {folder};
+    take_sources(library, folder, false);
+    if (is_folder(folder / "utility")) {
+      library.includes.push_back(folder / "utility");
+      take_sources(library, folder / "utility", false);
+    }
+  }
+  std::sort(library.sources.begin(), library.sources.end());
+  std::sort(library.assembler.begin(), library.assembler.end());
+  return library;
+}
+
+// How well a library's name fits a header: 0 best.
+int rank(const Library& library, const std::string& header) {
+  const std::string wanted = fs::path(header).stem().string();
+  const std::string folder = library.folder.filename().string();
+  if (folder == wanted) return 0;
+  return folder.rfind(wanted, 0) == 0 ? 1 : 2;
+}
+
+}  // namespace
+
+std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<fs::path>& chosen,
+                                      const std::vector<fs::path>& core) {
+  std::vector<fs::path> folders = {sketch / "libraries"};
+  std::vector<fs::path> inner;
+  for (const auto& entry : fs::directory_iterator(sketch)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name[0] != '.' && name != "src" && name != "libraries" &&
+        (fs::exists(entry.path() / "library.properties") || fs::exists(entry.path() / (name + ".h"))))
+      inner.push_back(entry.path());
+  }
+  std::sort(inner.begin(), inner.end());
+  folders.insert(folders.end(), inner.begin(), inner.end());
+  for (const fs::path& folder : chosen) {
+    std::error_code error;
+    const fs::path absolute = fs::canonical(folder, error);
+    if (error || !fs::is_directory(absolute))
+      throw InputError({folder.string()},
+                       "is no folder; --libraries takes a folder of libraries, or one library");
+    folders.push_back(absolute);
+  }
+  folders.push_back(data_folder() / "firmware");
+  if (const char* home = std::getenv("HOME"); home && *home == '/')
+    folders.push_back(fs::path(home) / "Arduino/libraries");
+  folders.insert(folders.end(), core.begin(), core.end());
+  return folders;
+}
+
+LibraryFinder::LibraryFinder(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+  for (const fs::path& folder : folders_) {
+    std::vector<Library> found;
+    if (is_library(folder)) {
+      found.push_back(read_library(folder));
+    } else {
+      for (const fs::path& child : children(folder))
+        if (is_folder(child) && is_library(child)) found.push_back(read_library(child));
+    }
+    libraries_.push_back(std::move(found));
+  }
+}
+
+const Library* LibraryFinder::find(const std::string& header) const {
+  for (const std::vector<Library>& group : libraries_) {
+    const Library* best = nullptr;
+    for (const Library& library : group)
+      if (is_file(library.includes[0] / header) && (!best || rank(library, header) < rank(*best, header)))
+        best = &library;
+    if (best) return best;
+  }
+  return nullptr;
+}
+
+std::vector<fs::path> LibraryFinder::listed() const {
+  std::vector<fs::path> all = folders_;
+  for (const std::vector<Library>& group : libraries_)
+    for (const Library& library : group) {
+      all.push_back(library.folder);
+      all.push_back(library.includes[0]);
+    }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace robosim::build

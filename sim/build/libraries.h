@@ -1,0 +1,48 @@
+// Arduino libraries, found by the headers that a sketch includes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace robosim::build {
+
+/// A library in one of Arduino's two layouts: with `src/` (library.properties names it; sources at any
+/// depth), or flat (sources in its root and in `utility/`).
+struct Library {
+  std::string name;  ///< as library.properties says, else its folder's name
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> includes;  ///< folders for -I
+  std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
+  std::vector<std::string> assembler;           ///< .S, likewise, for a chip only
+  std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
+  bool archive =
+      false;  ///< library.properties has dot_a_linkage=true: on a chip only what is needed is linked
+};
+
+/// Where the libraries of a sketch are: in its own folder, in the folders that the user has `chosen`, in
+/// Robosim, in ~/Arduino/libraries, and the `core`'s. Throws InputError for a chosen one that is no folder.
+std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
+                                                   const std::vector<std::filesystem::path>& chosen,
+                                                   const std::vector<std::filesystem::path>& core);
+
+/// Where libraries are looked for, in this order. A folder may hold libraries, or be one.
+class LibraryFinder {
+ public:
+  explicit LibraryFinder(std::vector<std::filesystem::path> folders);
+
+  /// The library that has `header` in its include folder. Within one folder of libraries a library of the
+  /// header's own name wins, then one whose name begins with it ("Servo-master"), then the first by name.
+  /// Null if there is none.
+  const Library* find(const std::string& header) const;
+
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  /// All folders whose list of names the answers depend on.
+  std::vector<std::filesystem::path> listed() const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  std::vector<std::vector<Library>> libraries_;  ///< for each of `folders_`
+};
+
+}  // namespace robosim::build

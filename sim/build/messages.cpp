@@ -1,0 +1,134 @@
+#include "sim/build/messages.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+// avr-gcc puts data memory at 0x800000; an ATmega328P's RAM begins after its 256 registers.
+constexpr unsigned long kAvrRam = 0x800100;
+
+bool replace_all(std::string& text, const std::string& from, const std::string& to) {
+  bool found = false;
+  for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos;
+       at += to.size()) {
+    text.replace(at, from.size(), to);
+    found = true;
+  }
+  return found;
+}
+
+// Only the linker knows them, and names neither a file nor a line.
+void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
+  static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");
+  static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
+  static const std::regex flash(R"(region `text' overflowed by (\d+) bytes)");
+  const BoardSpec& board = toolchain.board;
+  std::smatch match;
+  if (std::regex_search(messages, match, ram))
+    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
+                                   sketch.name, std::stoul(match[1], nullptr, 16) - kAvrRam, board.name,
+                                   board.ram_bytes));
+  if (std::regex_search(messages, match, more_ram))
+    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
+                                   sketch.name, board.ram_bytes + std::stoul(match[1]), board.name,
+                                   board.ram_bytes));
+  if (std::regex_search(messages, match, flash))
+    throw CompileError(
+        fmt::format("{} does not fit: it takes {} bytes more than the chip's flash, and the {} has {} bytes "
+                    "of it for a sketch",
+                    sketch.name, match[1].str(), board.name, board.flash_bytes));
+}
+
+}  // namespace
+
+std::string missing_header(const std::string& output, Place* place) {
+  static const std::regex pattern(
+      R"(([^\n]*):(\d+):(\d+): fatal error: ([^\n]*): No such file or directory)");
+  std::smatch match;
+  if (!std::regex_search(output, match, pattern)) return {};
+  *place = {match[1], std::stoi(match[2]), std::stoi(match[3])};
+  return match[4];
+}
+
+std::string no_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
+                       const std::string& header) {
+  const bool chip = toolchain.target.chip;
+  const LibraryFinder chip_finder({core.libraries});
+  const Library* library = chip_finder.find(header);
+  if (library && !chip)
+    return fmt::format(
+        "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr", header,
+        library->name);
+  if (!chip && fs::exists(core.avr_libc.parent_path() / header))
+    return fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is for --target avr",
+                       header);
+  if (header.find('.') == std::string::npos)
+    return fmt::format("there is no header {}: Arduino boards with an AVR chip have no C++ standard library",
+                       header);
+  std::vector<std::string> folders;
+  for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
+  return fmt::format(
+      "there is no header {}: neither in the sketch nor in a library below {}; --libraries DIR adds "
+      "a folder of libraries",
+      header, fmt::join(folders, ", "));
+}
+
+std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {
+  replace_all(output, sketch.string() + "/", "");
+  for (const auto& [folder, name] : toolchain.core.readable) replace_all(output, folder.string() + "/", name);
+  // The linker's lines: only those that name a place in a source are of use.
+  static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
+  output = std::regex_replace(output, linker, "$1");
+  static const std::regex noise(
+      R"((^|\n)(collect2: error:|[^\n]*\.o: in function |compilation terminated)[^\n]*(?=\n|$))");
+  output = std::regex_replace(output, noise, "");
+  static const std::regex object(R"((^|[\n ])[^\n ]*\.o:(?=[^\n]))");
+  output = std::regex_replace(output, object, "$1");
+  static const std::regex here(R"((^|[\n ])(\./)+)");
+  output = std::regex_replace(output, here, "$1");
+  while (!output.empty() && (output.back() == '\n' || output.back() == ' ')) output.pop_back();
+  while (!output.empty() && output.front() == '\n') output.erase(0, 1);
+  return output;
+}
+
+void fail(const Target& target, const std::string& messages) {
+  static const std::regex error(
+      R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
+  std::smatch match;
+  if (!std::regex_search(messages, match, error)) {
+    static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
+    if (!target.chip && std::regex_search(messages, match, assembler))
+      throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
+                                                              match[3].str() + "): it is for --target avr");
+    static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
+    if (std::regex_search(messages, match, unplaced))
+      throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());
+    throw CompileError(messages);
+  }
+  const Place place{match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
+  throw CompileError(place, messages.substr(static_cast<std::size_t>(match.position(6))));
+}
+
+void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,
+               std::string output) {
+  if (toolchain.target.chip) check_room(toolchain, sketch, output);
+  for (const Object& object : objects)
+    replace_all(output, object.path.string() + " (symbol from plugin)", object.name);
+  // Without the function in which, which has no line.
+  static const std::regex in_function(R"((: In function [^\n]*\n\(|:\()[.]text[^)]*\): )");
+  output = std::regex_replace(output, in_function, ": ");
+  const std::string messages = readable(toolchain, sketch.folder, output);
+  for (const char* function : {"setup", "loop"})
+    if (messages.find(fmt::format("undefined reference to `{}'", function)) != std::string::npos)
+      throw CompileError(
+          {sketch.inos.empty() ? sketch.name : sketch.inos[0]},
+          fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()", function));
+  fail(toolchain.target, messages);
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,33 @@
+// What compilers and linkers say, as users read it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/build/compile.h"
+#include "sim/build/libraries.h"
+#include "sim/build/source.h"
+#include "sim/build/toolchain.h"
+
+namespace robosim::build {
+
+/// The header that a failed compilation did not find; empty if it failed otherwise.
+std::string missing_header(const std::string& output, Place* place);
+
+/// The sentence for a header that no library below the finder's folders has.
+std::string no_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
+                       const std::string& header);
+
+/// The compiler's messages with places as the user knows them.
+std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);
+
+/// Throws CompileError for a failed compilation.
+[[noreturn]] void fail(const Target& target, const std::string& messages);
+
+/// Throws CompileError for a failed link: a function that nobody or everybody defines, a chip too small.
+[[noreturn]] void fail_link(const Toolchain& toolchain, const Sketch& sketch,
+                            const std::vector<Object>& objects, std::string output);
+
+}  // namespace robosim::build

@@ -1,0 +1,152 @@
+#include "sim/build/process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+extern char** environ;
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> clean_environment() {
+  static constexpr const char* kDropped[] = {"LC_",
+                                             "LANG=",
+                                             "LANGUAGE=",
+                                             "CPATH=",
+                                             "C_INCLUDE_PATH=",
+                                             "CPLUS_INCLUDE_PATH=",
+                                             "OBJC_INCLUDE_PATH=",
+                                             "LIBRARY_PATH=",
+                                             "COMPILER_PATH=",
+                                             "GCC_",
+                                             "SOURCE_DATE_EPOCH=",
+                                             "DEPENDENCIES_OUTPUT=",
+                                             "SUNPRO_DEPENDENCIES=",
+                                             "LD_PRELOAD="};
+  std::vector<std::string> kept;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view text = *variable;
+    if (std::none_of(std::begin(kDropped), std::end(kDropped),
+                     [&](const char* name) { return text.substr(0, std::strlen(name)) == name; }))
+      kept.emplace_back(text);
+  }
+  kept.emplace_back("LC_ALL=C");
+  kept.emplace_back("SOURCE_DATE_EPOCH=0");
+  return kept;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (std::string& text : texts) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+struct Running {
+  std::size_t index = 0;
+  pid_t pid = 0;
+  int output = -1;
+};
+
+Running start(const Command& command, std::size_t index, std::vector<char*>& environment) {
+  int pipe_ends[2];
+  if (::pipe2(pipe_ends, O_CLOEXEC) != 0)
+    throw std::runtime_error("no pipe: " + std::string(std::strerror(errno)));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO,
+                                   command.input.empty() ? "/dev/null" : command.input.c_str(), O_RDONLY, 0);
+  if (!command.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
+  std::vector<std::string> words = command.words;
+  std::vector<char*> arguments = pointers(words);
+  Running running{index, 0, pipe_ends[0]};
+  const int error =
+      ::posix_spawn(&running.pid, words[0].c_str(), &actions, nullptr, arguments.data(), environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(pipe_ends[1]);
+  if (error) {
+    ::close(pipe_ends[0]);
+    throw std::runtime_error(words[0] + " cannot be started: " + std::strerror(error));
+  }
+  return running;
+}
+
+int wait_for(pid_t pid) {
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// False at the end of the output.
+bool read_some(int descriptor, std::string& output) {
+  char buffer[16384];
+  const ssize_t n = ::read(descriptor, buffer, sizeof buffer);
+  if (n > 0) output.append(buffer, static_cast<std::size_t>(n));
+  return n > 0 || (n < 0 && errno == EINTR);
+}
+
+}  // namespace
+
+std::vector<Outcome> run(const std::vector<Command>& commands) {
+  std::vector<std::string> variables = clean_environment();
+  std::vector<char*> environment = pointers(variables);
+  // Each compiler takes some 100 MB: no more than four, so that 1 GB of memory is enough.
+  const std::size_t at_once = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
+  std::vector<Outcome> outcomes(commands.size());
+  std::vector<Running> running;
+  std::size_t next = 0;
+  while (next < commands.size() || !running.empty()) {
+    while (next < commands.size() && running.size() < at_once) {
+      running.push_back(start(commands[next], next, environment));
+      ++next;
+    }
+    std::vector<pollfd> waiting;
+    for (const Running& one : running) waiting.push_back({one.output, POLLIN, 0});
+    if (::poll(waiting.data(), waiting.size(), -1) < 0) continue;
+    for (std::size_t i = running.size(); i-- > 0;) {
+      if (!waiting[i].revents) continue;
+      Outcome& outcome = outcomes[running[i].index];
+      if (read_some(running[i].output, outcome.output)) continue;
+      ::close(running[i].output);
+      outcome.status = wait_for(running[i].pid);
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status == 128 + SIGINT || outcome.status == 128 + SIGTERM)
+      throw std::runtime_error("interrupted");
+  return outcomes;
+}
+
+Outcome run(const Command& command) { return std::move(run(std::vector<Command>{command})[0]); }
+
+fs::path find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
+  while (!rest.empty()) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    const fs::path candidate = fs::path(rest.substr(0, colon)) / name;
+    if (candidate.is_absolute() && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+    rest.remove_prefix(std::min(colon + 1, rest.size()));
+  }
+  return {};
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,155 @@
+#include "sim/build/source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::build {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_ino(const fs::path& path) { return path.extension() == ".ino" || path.extension() == ".pde"; }
+
+bool is_source(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
+}
+
+bool is_header(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".h" || extension == ".hpp" || extension == ".hh" || extension == ".ipp" ||
+         extension == ".tpp" || extension == ".inc";
+}
+
+bool hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
+
+void take(Sketch& sketch, const fs::path& file) {
+  const std::string name = file.lexically_relative(sketch.folder).string();
+  if (is_source(file)) sketch.sources.push_back(name);
+  if (is_header(file)) sketch.headers.push_back(name);
+  if (file.extension() == ".S" || file.extension() == ".s") sketch.assembler.push_back(name);
+}
+
+// The folder itself and, below it, src/.
+void take_folder(Sketch& sketch) {
+  for (const auto& entry : fs::directory_iterator(sketch.folder))
+    if (entry.is_regular_file() && !hidden(entry.path())) take(sketch, entry.path());
+  std::error_code none;
+  for (fs::recursive_directory_iterator entry(sketch.folder / "src", none), end; entry != end; ++entry)
+    if (entry->is_regular_file() && !hidden(entry->path())) take(sketch, entry->path());
+  std::sort(sketch.sources.begin(), sketch.sources.end());
+  std::sort(sketch.assembler.begin(), sketch.assembler.end());
+  std::sort(sketch.headers.begin(), sketch.headers.end());
+}
+
+std::vector<std::string> inos_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && !hidden(entry.path()) && is_ino(entry.path()))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// The folder's own name first; where there is only one .ino, its name does not matter.
+bool put_main_first(std::vector<std::string>& inos, const std::string& folder_name) {
+  const auto own = std::find_if(inos.begin(), inos.end(), [&](const std::string& name) {
+    return fs::path(name).stem().string() == folder_name;
+  });
+  if (own == inos.end()) return inos.size() == 1;
+  std::rotate(inos.begin(), own, own + 1);
+  return true;
+}
+
+std::string unix_text(std::string text) {
+  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r') {
+      result += text[i];
+    } else if (i + 1 == text.size() || text[i + 1] != '\n') {
+      result += '\n';
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Sketch read_sketch(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::canonical(path, error);
+  if (error) throw InputError({path.string()}, "there is no such sketch");
+
+  Sketch sketch;
+  if (fs::is_regular_file(absolute)) {
+    if (!is_ino(absolute) && !is_source(absolute))
+      throw InputError({path.string()}, "is no sketch: a folder, an .ino or a .cpp file is");
+    sketch.folder = absolute.parent_path();
+    sketch.name = absolute.stem().string();
+    const std::string own = absolute.filename().string();
+    if (is_source(absolute)) {
+      sketch.sources = {own};
+      return sketch;
+    }
+    sketch.inos = inos_in(sketch.folder);
+    if (put_main_first(sketch.inos, sketch.folder.filename().string())) {
+      sketch.name = fs::path(sketch.inos[0]).stem().string();
+      take_folder(sketch);
+    } else {
+      sketch.inos = {own};  // one of several sketches that lie side by side
+    }
+    return sketch;
+  }
+
+  sketch.folder = absolute;
+  sketch.name = absolute.filename().string();
+  sketch.inos = inos_in(absolute);
+  take_folder(sketch);
+  if (sketch.inos.empty() && sketch.sources.empty())
+    throw InputError({path.string()}, "holds no sketch: it has no .ino file");
+  if (!sketch.inos.empty() && !put_main_first(sketch.inos, sketch.name))
+    throw InputError({path.string()},
+                     fmt::format("holds several .ino files and none is called {}.ino; name one of {}",
+                                 sketch.name, one_of(sketch.inos)));
+  if (!sketch.inos.empty()) sketch.name = fs::path(sketch.inos[0]).stem().string();
+  return sketch;
+}
+
+std::string content_sha256(const Sketch& sketch) {
+  std::string all;
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
+    for (const std::string& name : *names) {
+      const std::string content = read_file(sketch.folder / name);
+      all += fmt::format("{}\n{}\n", name, content.size());
+      all += content;
+    }
+  return sha256(all);
+}
+
+std::string c_literal(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
+
+std::string join_inos(const Sketch& sketch) {
+  std::string joined = fmt::format("#line 1 {}\n#include <Arduino.h>\n", c_literal(sketch.inos.at(0)));
+  for (const std::string& name : sketch.inos) {
+    joined += fmt::format("#line 1 {}\n", c_literal(name));
+    joined += unix_text(read_file(sketch.folder / name));
+    if (joined.back() != '\n') joined += '\n';
+  }
+  return joined;
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,31 @@
+// What belongs to a sketch, and its .ino files as one C++ source.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace robosim::build {
+
+struct Sketch {
+  std::string name;               ///< "PidFollower"
+  std::filesystem::path folder;   ///< absolute; all names below are relative to it
+  std::vector<std::string> inos;  ///< in the order in which Arduino joins them; empty for a plain .cpp sketch
+  std::vector<std::string> sources;    ///< .cpp and .c files compiled beside them, sorted
+  std::vector<std::string> assembler;  ///< .S files, for a chip only, sorted
+  std::vector<std::string> headers;    ///< further files that count as the sketch's own, sorted
+};
+
+/// Reads the folder by Arduino's rules. Throws InputError.
+Sketch read_sketch(const std::filesystem::path& path);
+
+/// SHA-256 over names and contents of all files of the sketch.
+std::string content_sha256(const Sketch& sketch);
+
+/// The .ino files joined, with `#include <Arduino.h>` on top and #line directives; line ends are LF.
+std::string join_inos(const Sketch& sketch);
+
+/// `name` as a C string literal.
+std::string c_literal(const std::string& name);
+
+}  // namespace robosim::build

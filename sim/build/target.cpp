@@ -1,0 +1,191 @@
+#include "sim/build/target.h"
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/build/sketch.h"
+
+namespace robosim::build {
+namespace {
+
+constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
+// Ahead of the default script, so that constructors are taken out of .init_array, in the order of their
+// priority. Destructors are kept apart and never run: a microcontroller has no end.
+constexpr const char* kSections = R"(SECTIONS
+{
+  robosim_init_array : ALIGN(8)
+  {
+    PROVIDE_HIDDEN(__start_robosim_init_array = .);
+    KEEP(*(SORT_BY_INIT_PRIORITY(.init_array.*) SORT_BY_INIT_PRIORITY(.ctors.*)))
+    KEEP(*(.init_array .ctors))
+    PROVIDE_HIDDEN(__stop_robosim_init_array = .);
+  }
+  robosim_fini_array : { *(.fini_array.* .dtors.* .fini_array .dtors) }
+}
+INSERT BEFORE .data;
+)";
+
+/// The linker hands callers of these to `__wrap_NAME` (hal/host/addresses.cpp).
+std::vector<std::string> wrapped(std::vector<std::string> functions) {
+  for (std::string& function : functions) function.insert(0, "-Wl,--wrap=");
+  return functions;
+}
+
+// A shared object for a runner. Fixed: the same code on the same compiler must give the same trace.
+const Target kHost = {
+    .name = "host",
+    .image_ending = ".so",
+    .cxx = {"g++", "g++"},
+    .cc = {"gcc", "gcc"},
+    .archiver = {},
+    .native = true,
+    .chip = false,
+    .hal = "host",
+    .boards = {},
+    .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
+             "-ffp-contract=off",
+             // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer
+             // stays, and is met.
+             "-fno-delete-null-pointer-checks",
+             // As Arduino's AVR core compiles:
+             "-ffunction-sections", "-fdata-sections",
+             // What a private copy of an image needs: no symbol shared between copies, nothing from the C++
+             // library, no names of this machine inside, no defaults that distributions differ in.
+             "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches",
+             "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-pipe", "-nostdinc"},
+    .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                 "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
+    .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
+    .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero"},
+    // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
+    // its table says.
+    .own_level = "-O1",
+    .sanitizer =
+        {// gcc defines what << does with negative numbers and with bits that fall out at the top: only the
+         // distance is checked. What is never set shows: gcc fills it with bytes FE.
+         .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern",
+                       "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
+                       "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
+                       "signed-integer-overflow,unreachable,vla-bound"},
+         // Each check is a call, which hal/host answers.
+         .addresses = {"-fsanitize=address", "--param=asan-instrumentation-with-call-threshold=0",
+                       "--param=asan-use-after-return=0"},
+         .definitions = {"-DROBOSIM_SANITIZE"},
+         .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
+                          "strncat", "strcmp", "strncmp", "strchr", "strstr"})},
+    // Not optimised: a line keeps its code, and a counter is in memory whenever the firmware is left. The
+    // data's name must not depend on folders, and gcov checks that notes and data are of the same build.
+    .coverage = {.own = {"-O0", "-fprofile-arcs", "-ftest-coverage", "-fprofile-info-section=robosim_gcov",
+                         "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
+                 .definitions = {"-DROBOSIM_COVERAGE"},
+                 .link = {"-lgcov"}},
+    .core = {},
+    .core_level = "-O2",
+    .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},
+    .prefix_map = "-ffile-prefix-map",
+    // The loader shall find nothing to run: start files bring constructors of their own.
+    .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
+             "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
+             // Handlers that a sketch does not define are null, whatever the process has.
+             "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack"},
+    .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
+    .products = {},
+};
+
+// What Arduino's platform.txt of the core 1.8.7 says, except that debug information is DWARF (avr-gcc's own
+// is stabs) and has no names of this machine: the code is the same, byte for byte. Without DECIMAL_DIG the
+// core's WString.cpp does not compile against avr-libc 2.0.
+const Target kAvr = {
+    .name = "avr",
+    .image_ending = ".elf",
+    .cxx = {"avr-g++", "gcc-avr"},
+    .cc = {"avr-gcc", "gcc-avr"},
+    .archiver = {"avr-gcc-ar", "gcc-avr"},
+    .native = false,
+    .chip = true,
+    .hal = nullptr,
+    .boards = {{"uno", "atmega328p", "standard"}, {"nano", "atmega328p", "eightanaloginputs"}},
+    .code = {"-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections", "-fdata-sections", "-flto",
+             "-fno-fat-lto-objects", "-fdiagnostics-color=never"},
+    .cxx_code = {"-std=gnu++11", "-fpermissive", "-fno-exceptions", "-fno-threadsafe-statics",
+                 "-Wno-error=narrowing"},
+    .c_code = {"-std=gnu11"},
+    .own = {},
+    .own_level = "-Os",
+    // Link-time optimisation of avr-gcc 5.4 does not survive code with checks. That is larger than the chip
+    // by far: the executor gives an image whose handlers are there (hal/avr/undefined.c) a chip with 64 KB of
+    // flash and RAM up to where its stack begins.
+    .sanitizer = {.undefined = {"-fno-lto",
+                                "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
+                                "shift,signed-integer-overflow"},
+                  .addresses = {},
+                  .definitions = {},
+                  .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
+                           "-Wl,--defsym=__DATA_REGION_LENGTH__=0xF000",
+                           "-Wl,--defsym=__TEXT_REGION_LENGTH__=0x10000"}},
+    .core = {"-DDECIMAL_DIG=__DECIMAL_DIG__"},
+    .core_level = "-Os",
+    .definitions = {"-DARDUINO_ARCH_AVR"},
+    .prefix_map = "-fdebug-prefix-map",
+    .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
+             "-Wl,--gc-sections"},
+    .link_files = {},
+    .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
+};
+
+// Our own core, and of newlib (its small variant) what sketches call; headers are the host's, so that a
+// sketch sees the same names. As on every ARM, `char` is unsigned.
+const Target kStm32 = {
+    .name = "stm32",
+    .image_ending = ".elf",
+    .cxx = {"arm-none-eabi-g++", "gcc-arm-none-eabi"},
+    .cc = {"arm-none-eabi-gcc", "gcc-arm-none-eabi"},
+    .archiver = {"arm-none-eabi-ar", "binutils-arm-none-eabi"},
+    .native = false,
+    .chip = true,
+    .hal = "stm32",
+    .boards = {{"bluepill", "stm32f103c8", ""}, {"bluepill8", "stm32f103c8", ""}},
+    .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
+             "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc",
+             // Else a write through a null pointer is left out, with all that follows it.
+             "-fno-delete-null-pointer-checks"},
+    .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                 "-fno-use-cxa-atexit", "-nostdinc++", "-Wno-error=narrowing",
+                 "-Wno-builtin-declaration-mismatch"},
+    .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
+    .own = {},
+    .own_level = "-Os",
+    .core = {},
+    .core_level = "-Os",
+    .definitions = {"-DARDUINO_ARCH_STM32", "-DSTM32F103xB"},
+    .prefix_map = "-ffile-prefix-map",
+    .link = {"-mcpu=cortex-m3", "-mthumb", "-nostartfiles", "--specs=nano.specs", "-Wl,--gc-sections",
+             "-Wl,--build-id=none"},
+    .link_files = {},
+    .products = {{".bin", {"arm-none-eabi-objcopy", "binutils-arm-none-eabi"}, {"-O", "binary"}}},
+};
+
+const Target* const kTargets[] = {&kHost, &kAvr, &kStm32};
+
+}  // namespace
+
+const Target& find_target(const std::string& name) {
+  for (const Target* target : kTargets)
+    if (name == target->name) return *target;
+  throw InputError(
+      fmt::format("there is no target {}; sketches are compiled for {}", name, one_of(targets())));
+}
+
+std::vector<std::string> targets() {
+  std::vector<std::string> names;
+  for (const Target* target : kTargets) names.emplace_back(target->name);
+  return names;
+}
+
+std::vector<std::string> boards_of(const std::string& target) {
+  std::vector<std::string> names;
+  for (const Chip& chip : find_target(target).boards) names.emplace_back(chip.board);
+  return names;
+}
+
+}  // namespace robosim::build

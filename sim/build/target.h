@@ -1,0 +1,81 @@
+// What distinguishes the targets that sketches are compiled for, as data: programs, flags, and what becomes
+// of the objects. The way from a sketch to its image (build.cpp) is the same for all.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace robosim::build {
+
+/// A program, and the Debian package that brings it.
+struct Program {
+  const char* name;
+  const char* package;
+};
+
+/// A further file made of the linked image: `program arguments IMAGE FILE`.
+struct Product {
+  const char* ending;
+  Program program;
+  std::vector<std::string> arguments;
+};
+
+/// A board's chip: as the compiler or the linker script calls it, and its folder of pins in the genuine core.
+struct Chip {
+  const char* board;
+  const char* mcu;
+  const char* variant;
+};
+
+/// What is added with --sanitize; empty = the target has none.
+struct Sanitizer {
+  std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
+  std::vector<std::string> addresses;    ///< the same, and for the core, but for what serves the checks
+  std::vector<std::string> definitions;  ///< for what serves the checks
+  std::vector<std::string> link;
+};
+
+/// What is added to count the lines that ran; empty = the target cannot.
+struct Counting {
+  std::vector<std::string> own;          ///< for the sketch's own sources
+  std::vector<std::string> definitions;  ///< for the core
+  std::vector<std::string> link;
+};
+
+struct Target {
+  const char* name;
+  const char* image_ending;
+  Program cxx;
+  Program cc;
+  Program archiver;  ///< null = the core is one object file
+  bool native;       ///< compiles for the machine that Robosim itself runs on
+  bool chip;         ///< the image is for the board's chip, else for a runner
+  /// The folder below hal that completes hal/arduino to a core; null = the genuine core, all of it, and its
+  /// libraries.
+  const char* hal;
+  std::vector<Chip> boards;
+
+  // Words for the compiler. `own` is for the sketch and its libraries, `core` for the Arduino core.
+  std::vector<std::string> code;
+  std::vector<std::string> cxx_code;
+  std::vector<std::string> c_code;
+  std::vector<std::string> own;
+  const char* own_level;
+  Sanitizer sanitizer;
+  Counting coverage;
+  std::vector<std::string> core;
+  const char* core_level;
+  std::vector<std::string> definitions;
+  const char* prefix_map;  ///< the option that takes names of this machine out: `OPTION=FROM=TO`
+
+  std::vector<std::string> link;
+  /// Name and text of files that `link` names.
+  std::vector<std::pair<const char*, const char*>> link_files;
+  std::vector<Product> products;
+};
+
+/// Throws InputError, naming those there are.
+const Target& find_target(const std::string& name);
+
+}  // namespace robosim::build

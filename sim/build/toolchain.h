@@ -1,0 +1,85 @@
+// A target's compiler and the genuine Arduino core, as they are installed on this machine.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/build/sketch.h"
+#include "sim/build/target.h"
+
+namespace robosim::build {
+
+/// gcc, whatever Robosim itself was built by: one compiler, one instrumentation, one trace.
+struct Compiler {
+  std::filesystem::path cxx;
+  std::filesystem::path cc;
+  std::string identity;  ///< path, size and time of both programs: changes with every upgrade
+};
+
+/// Throws ToolMissing, naming the package.
+Compiler find_compiler(const Target& target);
+
+/// What the compiler says of itself.
+struct CompilerFacts {
+  std::string name;                      ///< "gcc 12.2.0 x86_64-linux-gnu"
+  std::filesystem::path include_folder;  ///< its own headers: stddef.h, stdarg.h, float.h
+};
+/// Starts the compiler unless `cache` knows the answer.
+CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
+
+/// Where the genuine core's sources and avr-libc's headers are. Throws ToolMissing.
+struct GenuineCore {
+  std::filesystem::path sources;    ///< cores/arduino
+  std::filesystem::path variants;   ///< the boards' pins
+  std::filesystem::path libraries;  ///< the core's libraries: EEPROM, SPI, ...
+  std::filesystem::path avr_libc;   ///< include/avr
+};
+GenuineCore find_core();
+
+/// The core as a target compiles it.
+struct Core {
+  using Names = std::vector<std::pair<std::filesystem::path, std::string>>;
+  std::filesystem::path root;                   ///< folder that the compiler works in
+  std::string place;                            ///< what `root` is called in debug information
+  std::vector<std::filesystem::path> sources;   ///< folders, in the order in which they are linked
+  std::filesystem::path serving;                ///< the one of them that checks call, and do not check
+  std::vector<std::filesystem::path> includes;  ///< for -I
+  std::vector<std::filesystem::path> system_includes;
+  std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it
+  std::vector<std::filesystem::path> linked;     ///< files that the linker adds by itself
+  std::vector<std::string> machine;              ///< words that name the chip
+  std::vector<std::string> link;                 ///< words for the linker
+  Names places;                                  ///< folders in debug information; the last that fits wins
+  Names readable;                                ///< how messages begin, and what users read instead
+};
+
+/// What all compilations of one build share.
+struct Toolchain {
+  const Target& target;
+  Compiler compiler;
+  CompilerFacts facts;
+  Core core;
+  const BoardSpec& board;
+  Warnings warnings = Warnings::standard;
+  bool sanitize = false;
+  bool coverage = false;
+};
+
+/// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine
+/// core's portable sources, to avr-libc's list of registers, and to our hal; nothing is copied.
+///
+///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim
+///
+/// An Uno's is the genuine one where it is. Throws InputError for a board that the target has not.
+Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
+              const std::filesystem::path& cache);
+
+/// The program of that target. Throws ToolMissing.
+std::filesystem::path find_tool(const Target& target, const Program& program);
+/// The program that lists a source's functions. Throws ToolMissing.
+std::filesystem::path find_ctags();
+
+}  // namespace robosim::build

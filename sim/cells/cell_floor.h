@@ -1,0 +1,108 @@
+// A map as the robot on cells senses it: one byte a cell, packed so that what it senses is one look into a
+// table of 128 entries.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/grid/map.h"
+
+namespace robosim::cells {
+
+/// What the robot senses: v1's table, by how many of its front, right, left and own cell are line.
+enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junction };
+/// "no_path", "straight", …
+const char* name_of(Sense sense);
+
+class CellFloor {
+ public:
+  /// The map must outlive this. Takes about 1 ns a cell.
+  explicit CellFloor(const grid::Map& map);
+
+  const grid::Map& map() const { return map_; }
+
+  /// Cells are numbered row by row, with a border of one cell around the map.
+  std::size_t index_of(grid::CellAt c) const {
+    return static_cast<std::size_t>(c.y + 1) * columns_ + static_cast<std::size_t>(c.x + 1);
+  }
+  grid::CellAt cell_at(std::size_t index) const {
+    const auto i = static_cast<std::uint32_t>(index);  // maps have at most 10^9 cells
+    return {static_cast<int>(i % columns_) - 1, static_cast<int>(i / columns_) - 1};
+  }
+  /// What to add to a cell's number to get the next one in a direction.
+  std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
+
+  /// Line without an obstacle on it.
+  bool is_open(std::size_t index) const { return (cells_[index] & kOpen) != 0; }
+  /// Off the map, or an obstacle stands there.
+  bool is_shut(std::size_t index) const { return (cells_[index] & kShut) != 0; }
+  bool is_wall(std::size_t index) const { return (cells_[index] & kWall) != 0; }
+  /// The directions in which open line is beside a cell: bit 1 << Direction.
+  unsigned open_neighbours(std::size_t index) const { return cells_[index] & kNeighbours; }
+  /// Whether an obstacle stands on a cell beside this one.
+  bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
+
+  Sense sense(std::size_t index, grid::Direction d) const {
+    const Table::Entry entry =
+        kTable.of[(cells_[index] & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
+    return entry != Table::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
+  }
+  /// The same if line is not seen on one of the four cells: 0 front, 1 right, 2 the own, 3 left.
+  Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
+
+ private:
+  // Bits of a cell: whether the next one east, south, west, north is open line, and what it is itself.
+  static constexpr std::uint8_t kNeighbours = 0x0F;
+  static constexpr std::uint8_t kOpen = 0x10;
+  static constexpr std::uint8_t kNearObstacle = 0x20;
+  static constexpr std::uint8_t kShut = 0x40;
+  static constexpr std::uint8_t kWall = 0x80;
+
+  struct Table {
+    using Entry = std::uint8_t;
+    static constexpr Entry kAlone = 255;  // one of the four cells is line: what lies ahead decides
+    std::array<Entry, 128> of{};
+    constexpr Table();
+  };
+  static const Table kTable;
+
+  void pack_own(int y);
+  void pack_neighbours(int y, std::uint8_t* bits);
+  Sense sense_alone(std::size_t index, grid::Direction d) const;
+
+  const grid::Map& map_;
+  std::uint32_t columns_;
+  std::array<std::ptrdiff_t, 4> step_;
+  std::vector<std::uint8_t> cells_;
+};
+
+constexpr CellFloor::Table::Table() {
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const unsigned bits = static_cast<unsigned>(i / 4);
+    const auto d = static_cast<grid::Direction>(i % 4);
+    const bool own = (bits & kOpen) != 0;
+    const bool front = grid::has(bits, d);
+    const bool right = grid::has(bits, grid::turned_right(d));
+    const bool left = grid::has(bits, grid::turned_left(d));
+    const int lines = own + front + right + left;
+    Sense sense = Sense::straight;
+    if (lines >= 3) {
+      sense = Sense::junction;
+    } else if (lines == 0) {
+      sense = Sense::no_path;
+    } else if (right && left) {  // the own cell is no line
+      const bool vertical = d == grid::Direction::north || d == grid::Direction::west;
+      sense = vertical ? Sense::right_turn : Sense::left_turn;
+    } else if (lines == 2 && right) {
+      sense = Sense::right_turn;
+    } else if (lines == 2 && left) {
+      sense = Sense::left_turn;
+    }
+    of[i] = lines == 1 ? kAlone : static_cast<Entry>(sense);
+  }
+}
+inline constexpr CellFloor::Table CellFloor::kTable{};
+
+}  // namespace robosim::cells

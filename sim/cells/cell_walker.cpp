@@ -1,0 +1,203 @@
+#include "sim/cells/cell_walker.h"
+
+#include <bit>
+
+namespace robosim::cells {
+
+using grid::CellAt;
+using grid::Direction;
+using nav::Landmark;
+using nav::LandmarkKind;
+
+namespace {
+
+// Where line leaves the robot's cell, also under obstacles.
+unsigned lines_at(const CellRobot& robot) {
+  const CellFloor& floor = robot.floor();
+  if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
+  return grid::line_neighbours(floor.map(), robot.pose().cell);
+}
+
+nav::Heading heading_of(Direction d) { return static_cast<nav::Heading>(d); }
+
+}  // namespace
+
+Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading) {
+  on_junction_ = kind == LandmarkKind::junction;
+  heading_ = heading;
+  cell_ = cell;
+  cost_ = static_cast<std::uint32_t>(robot_.moves() - counted_);
+  counted_ = robot_.moves();
+  const unsigned arms =
+      kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading)) : lines_at(robot_);
+  return {kind, static_cast<std::uint8_t>(arms), heading_of(heading), {cell.x, cell.y}, cost_};
+}
+
+Landmark CellWalker::begin() {
+  const grid::Map& map = robot_.floor().map();
+  const CellPose pose = robot_.pose();
+  counted_ = robot_.moves();
+  pending_ = Pending::nothing;
+  if (!robot_.floor().is_open(robot_.at())) return landmark(LandmarkKind::lost, pose.cell, pose.facing);
+  const unsigned lines = lines_at(robot_);
+  if (std::popcount(lines) >= 3) return landmark(LandmarkKind::junction, pose.cell, pose.facing);
+  if (!grid::is_dead_end(map, pose.cell)) {
+    pending_ = Pending::first;
+    return landmark(LandmarkKind::line, pose.cell, pose.facing);
+  }
+  Landmark at = landmark(LandmarkKind::end, pose.cell, pose.facing);
+  at.arms = static_cast<std::uint8_t>(lines);
+  if (lines == 0) return at;
+  const auto along = static_cast<Direction>(std::countr_zero(lines));
+  if (pose.facing == reversed(along)) turn_around();
+  at.heading = heading_of(along);
+  return at;
+}
+
+bool CellWalker::faces_obstacle() const {
+  return grid::blocks_line(robot_.floor().map(), robot_.pose().cell, robot_.facing());
+}
+
+bool CellWalker::is_junction() const {
+  return robot_.floor().is_near_obstacle(robot_.at()) && std::popcount(lines_at(robot_)) >= 3;
+}
+
+// It has sensed no_path: a line's end, a wall into which it has stepped there, or an obstacle.
+Landmark CellWalker::end_of_line() {
+  const CellFloor& floor = robot_.floor();
+  const CellPose pose = robot_.pose();
+  if (!floor.is_open(robot_.at())) {
+    const CellAt end = ahead(pose.cell, reversed(pose.facing));
+    const bool stepped_off = floor.is_open(floor.index_of(end));
+    return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
+  }
+  // Only an obstacle makes it something else, and that may be a wall.
+  const bool may_be_blocked = floor.is_near_obstacle(robot_.at()) ||
+                              floor.is_wall(robot_.at() + static_cast<std::size_t>(floor.step(pose.facing)));
+  const bool ends = !may_be_blocked || grid::is_dead_end(floor.map(), pose.cell);
+  return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
+}
+
+// One move along the line. False if there is none to make.
+inline bool CellWalker::goes_on() {
+  if (is_junction()) return false;
+  switch (robot_.sense()) {
+    case Sense::straight:
+      robot_.step_forward();
+      return true;
+    case Sense::right_turn:
+      robot_.turn_right();
+      return true;
+    case Sense::left_turn:
+      robot_.turn_left();
+      return true;
+    default:
+      return false;
+  }
+}
+
+// What stopped it.
+Landmark CellWalker::met() {
+  const bool junction = is_junction() || robot_.sense() == Sense::junction;
+  return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
+}
+
+// Onto the line in the middle of which it stands, whichever way it faces.
+Landmark CellWalker::first_follow() {
+  pending_ = Pending::nothing;
+  const unsigned lines = lines_at(robot_);
+  const auto is_open = [&](Direction d) {
+    return robot_.floor().is_open(robot_.at() + static_cast<std::size_t>(robot_.floor().step(d)));
+  };
+  const Direction facing = robot_.facing();
+  if (has(lines, facing)) {
+    if (!is_open(facing)) return landmark(LandmarkKind::blocked, robot_.pose().cell, facing);
+    robot_.step_forward();
+  } else if (is_open(turned_right(facing))) {
+    robot_.turn_right();
+  } else if (is_open(turned_left(facing))) {
+    robot_.turn_left();
+  } else if (is_open(reversed(facing))) {
+    if (faces_obstacle()) return landmark(LandmarkKind::blocked, robot_.pose().cell, facing);
+    turn_around();
+    robot_.step_forward();
+  } else {
+    return landmark(LandmarkKind::blocked, robot_.pose().cell, facing);
+  }
+  const CellPose begun = robot_.pose();
+  do {
+    if (!goes_on()) return met();
+  } while (robot_.pose() != begun);
+  return landmark(LandmarkKind::loop, robot_.pose().cell, robot_.facing());
+}
+
+Landmark CellWalker::follow() {
+  switch (pending_) {
+    case Pending::first:
+      return first_follow();
+    case Pending::blocked:
+      return landmark(LandmarkKind::blocked, robot_.pose().cell, arm_);
+    case Pending::back:
+      pending_ = Pending::nothing;
+      return landmark(LandmarkKind::junction, robot_.pose().cell, reversed(arm_));
+    case Pending::nothing:
+      break;
+  }
+  while (goes_on()) {
+  }
+  return met();
+}
+
+void CellWalker::reset() {
+  pending_ = Pending::nothing;
+  on_junction_ = false;
+  counted_ = robot_.moves();
+}
+
+// Not a part of the line's length.
+void CellWalker::turn_around() {
+  robot_.turn_around();
+  counted_ = robot_.moves();
+}
+
+CellAt CellWalker::obstacle() const {
+  if (pending_ == Pending::blocked) return ahead(cell_, arm_);
+  // Where the line would go on: ahead, or to a side in a bend.
+  const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
+  const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
+  return ahead(cell_, to);
+}
+
+void CellWalker::leave(nav::Turn turn) {
+  if (pending_ == Pending::blocked) {
+    pending_ = Pending::back;
+    return;
+  }
+  if (!on_junction_) {
+    turn_around();
+    return;
+  }
+  const auto is_open = [&](Direction d) {
+    return robot_.floor().is_open(robot_.at() + static_cast<std::size_t>(robot_.floor().step(d)));
+  };
+  const auto out = static_cast<Direction>(turned(heading_of(heading_), turn));
+  if (!is_open(out)) {
+    pending_ = Pending::blocked;
+    arm_ = out;
+    return;
+  }
+  const Direction facing = robot_.facing();
+  const Direction right = turned_right(facing), left = turned_left(facing);
+  if (out == reversed(facing)) {
+    turn_around();
+    robot_.step_forward();
+  } else if (out == right || (out == facing && !is_open(right))) {
+    robot_.choose_right();
+  } else if (out == left || (out == facing && !is_open(left))) {
+    robot_.choose_left();
+  } else {
+    robot_.step_forward();
+  }
+}
+
+}  // namespace robosim::cells

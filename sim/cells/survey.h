@@ -1,0 +1,126 @@
+// The third algorithm: scan a floor into a graph, then drive from station to station by it.
+//
+// The scan is the navigator's (firmware/src/nav/Explorer.h) on the robot of cells. It ends where v1's does:
+// at the start, turned to the line. If the start is not the end of a line, the robot goes on from where the
+// scan ends to station 1, by a shortest way, if there is a station.
+//
+// Stations are numbered from 1 as they are met, station 1 being the start if a line ends there. Junctions are
+// numbered from 1 as they are met.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "firmware/src/nav/Explorer.h"
+#include "sim/cells/cell_walker.h"
+#include "sim/cells/growing_network.h"
+#include "sim/grid/true_graph.h"
+
+namespace robosim::cells {
+
+/// How a scan or a drive ended.
+enum class Ending {
+  complete,      ///< everything that can be reached was found, the destination was reached
+  lost,          ///< by noise: what the robot met cannot be there
+  out_of_moves,  ///< the limit was reached
+  no_way,        ///< an obstacle is between here and there
+  refused        ///< the planner cannot do this graph: `why`
+};
+
+struct Scan {
+  Ending ending = Ending::complete;
+  std::uint64_t moves = 0;
+  double time = 0.0;  ///< of the clock, seconds
+  CellPose end;
+  grid::TrueGraph graph;  ///< as found; `unreachable` is what the map holds beyond it
+};
+
+struct Route {
+  Ending ending = Ending::complete;
+  std::string why;             ///< if refused
+  int from = 0, to = 0;        ///< stations
+  std::vector<int> junctions;  ///< on the way
+  /// A letter for each junction: R is the first way out to the right of the one the robot comes by and L the
+  /// last; at four ways S is between them.
+  std::string turns;
+  double time = 0.0;  ///< of this drive, seconds: its last move is the turn at the destination
+  CellPose end;
+  double ratio_to_shortest = 1.0;  ///< its moves over those of a shortest way, which is measured on the map
+};
+
+class Survey {
+ public:
+  /// The robot must stand on the line.
+  explicit Survey(CellRobot& robot) : robot_(robot), start_(robot.pose()), walker_(robot) {}
+
+  /// Once, before all else.
+  const Scan& scan();
+  /// Puts the robot onto a station, facing the line, as it stands there after a drive.
+  void place_at(int station);
+  /// Drives from the station where the robot stands to another. Both must exist.
+  Route drive(int to, const std::string& planner);
+
+  int stations() const { return static_cast<int>(scan_.graph.stations.size()); }
+  /// The station at which the robot stands; 0 = none.
+  int here() const { return here_; }
+  /// The planner used where none is asked for.
+  std::string default_planner() const;
+
+ private:
+  // Notes where stations and obstacles are, for whoever holds the graph against the map.
+  struct Network : GrowingNetwork {
+    struct Obstacle {
+      grid::CellAt cell;
+      std::uint32_t moves;  ///< until the robot stands before it
+    };
+    const CellWalker* walker = nullptr;
+    std::vector<grid::CellAt> stations;  ///< in the order of their nodes
+    std::map<std::pair<Id, std::uint8_t>, Obstacle> obstacles;
+
+    Id addStation(Id from, std::uint8_t slot, std::uint8_t arms, nav::Heading entry, std::uint32_t cost) {
+      stations.push_back(walker->cell());
+      return GrowingNetwork::addStation(from, slot, arms, entry, cost);
+    }
+    bool block(Id node, std::uint8_t slot) {
+      obstacles[{node, slot}] = {walker->obstacle(), walker->cost()};
+      return GrowingNetwork::block(node, slot);
+    }
+  };
+  using Id = GrowingNetwork::Id;
+  struct NamedPlanner;
+
+  // The map's own graph, for the lengths of shortest ways.
+  struct Truth {
+    grid::TrueGraph graph;
+    std::unordered_map<std::size_t, int> station_at;  ///< its number, by cell
+    int from = 0;                                     ///< for which of them `distances` holds
+    std::vector<int> distances;
+  };
+
+  void explore();
+  void read_graph();
+  void find_unreachable();
+  grid::Arm arm(Id node, std::uint8_t slot) const;
+  Ending navigate(Id from, nav::Heading heading, Id to, const std::string& planner);
+  void go_to_first_station(nav::Heading heading, Id node);
+  void describe(const std::vector<Id>& way, Route& route) const;
+  std::uint64_t fewest_moves(int from, int to);
+  CellPose pose_at(int station) const;
+  bool stands_in_wall(int station) const;
+
+  CellRobot& robot_;
+  CellPose start_;
+  CellWalker walker_;
+  Network network_;
+  Scan scan_;
+  int here_ = 0;
+  std::vector<Id> station_nodes_;  ///< by number, from 1
+  std::vector<int> numbers_;       ///< of each node among the stations or the junctions
+  std::optional<Truth> truth_;
+};
+
+}  // namespace robosim::cells

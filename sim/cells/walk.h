@@ -1,0 +1,61 @@
+// The first two algorithms: the walk that keeps to the left, and the one that keeps to the right. On a tree
+// either visits everything and comes home.
+#pragma once
+
+#include <unordered_set>
+#include <vector>
+
+#include "sim/cells/cell_robot.h"
+
+namespace robosim::cells {
+
+enum class Side { left, right };
+
+/// One move of the walk.
+inline void walk_on(CellRobot& robot, Side side) {
+  switch (robot.sense()) {
+    case Sense::straight:
+      return robot.step_forward();
+    case Sense::right_turn:
+      return robot.turn_right();
+    case Sense::left_turn:
+      return robot.turn_left();
+    case Sense::no_path:
+      return robot.turn_around();
+    case Sense::junction:
+      return side == Side::left ? robot.choose_left() : robot.choose_right();
+  }
+}
+
+struct Walk {
+  enum class Ending {
+    closed,        ///< the same round would begin again
+    out_of_moves,  ///< those allowed are used up
+    returned       ///< an algorithm of the user's own has ended
+  };
+  Ending ending = Ending::out_of_moves;
+  std::uint64_t moves = 0;
+  double time = 0.0;  ///< of the clock, seconds
+  CellPose end;
+  std::vector<grid::CellAt> dead_ends;  ///< in the order of the first visit
+};
+
+/// The ends of lines on which a robot has stood, in the order of the first visit.
+class DeadEnds {
+ public:
+  /// After every move.
+  void look(const CellRobot& robot);
+  const std::vector<grid::CellAt>& cells() const { return cells_; }
+
+ private:
+  std::size_t at_ = 0;  // the cell of the last look; 0 is off the map
+  std::unordered_set<std::size_t> seen_;
+  std::vector<grid::CellAt> cells_;
+};
+
+/// The original walks for ever. This ends when the robot stands again as it did at the start, or as it did
+/// after some 2^k moves (it may begin beside the round that it then walks); at the latest when its moves are
+/// used up.
+Walk walk(CellRobot& robot, Side side);
+
+}  // namespace robosim::cells

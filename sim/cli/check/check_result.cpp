@@ -1,0 +1,83 @@
+#include "sim/cli/check/check_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace robosim::cli {
+namespace {
+
+/// "17.23", with as many digits as it takes to differ from the limit it is beyond.
+std::string beyond(double value, double limit) {
+  const std::string text = figure_text(value);
+  return text == figure_text(limit) ? fmt::format("{}", value) : text;
+}
+
+std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunResult& result) {
+  const std::vector<double> values = limit.figure->values(result);
+  if (values.empty()) return fmt::format("{} is not known of this run", limit.figure->name);
+  for (const double value : values) {
+    if (limit.max && !(value <= *limit.max)) {
+      return fmt::format("{} was {}, and {} at most is allowed", limit.figure->name,
+                         beyond(value, *limit.max), figure_text(*limit.max));
+    }
+    if (limit.min && !(value >= *limit.min)) {
+      return fmt::format("{} was {}, and it must be {} at least", limit.figure->name,
+                         beyond(value, *limit.min), figure_text(*limit.min));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result) {
+  if (std::find(check.expect.begin(), check.expect.end(), result.verdict) == check.expect.end()) {
+    const std::string wanted = check.expect == std::vector<std::string>{"reached"}
+                                   ? ""
+                                   : " (expected: " + one_of(check.expect) + ")";
+    return fmt::format("{}{}: {}", result.verdict, wanted, result.why);
+  }
+  std::size_t at = 0;
+  std::string after;
+  for (const std::string& text : check.serial) {
+    const std::size_t found = result.serial.find(text, at);
+    if (found == std::string::npos)
+      return fmt::format("the sketch did not send “{}” by its serial port{}", text, after);
+    at = found + text.size();
+    after = fmt::format(" after “{}”", text);
+  }
+  for (const std::string& station : check.stations) {
+    const auto& visited = result.metrics.stations;
+    if (std::find(visited.begin(), visited.end(), station) == visited.end())
+      return fmt::format("the robot did not visit station {}", station);
+  }
+  for (const FigureLimit& limit : check.limits) {
+    if (const auto why = why_beyond(limit, result)) return why;
+  }
+  return std::nullopt;
+}
+
+ExitStatus worse(ExitStatus a, ExitStatus b) {
+  constexpr std::array kWorstFirst = {ExitStatus::interrupted, ExitStatus::internal, ExitStatus::tool_missing,
+                                      ExitStatus::bad_input,   ExitStatus::failed,   ExitStatus::timeout};
+  for (const ExitStatus status : kWorstFirst) {
+    if (a == status || b == status) return status;
+  }
+  return ExitStatus::ok;
+}
+
+std::size_t SketchResult::passed() const {
+  return static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(), [](const CheckResult& result) { return result.ok(); }));
+}
+
+ExitStatus SketchResult::status() const {
+  if (problem) return problem->status;
+  ExitStatus status = ExitStatus::ok;
+  for (const CheckResult& result : results) status = worse(status, result.status);
+  return status;
+}
+
+}  // namespace robosim::cli

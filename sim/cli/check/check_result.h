@@ -1,0 +1,54 @@
+// What came of the checks of a sketch, for reports to tell.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/cli/check/checks_file.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::cli {
+
+struct CheckResult {
+  std::string name;
+  Place place;
+  std::string where;  ///< "oval · uno5 · seeds 1..20"
+  ExitStatus status = ExitStatus::interrupted;
+  std::string why;     ///< one sentence, of a failure
+  std::string replay;  ///< the command that makes the first failed run again; empty = there is none
+  std::string serial;  ///< what the sketch sent in that run
+  std::size_t runs = 0;
+  std::size_t passed = 0;
+  double time_s = 0.0;                  ///< simulated, of all runs
+  std::optional<wire::RunResult> only;  ///< of a check of one run
+
+  bool ok() const { return status == ExitStatus::ok; }
+};
+
+struct SketchResult {
+  std::string name;    ///< for people: as the user named it, or that of the current folder
+  std::string checks;  ///< the file
+  std::vector<CheckResult> results;
+  /// Why there are none: a bad file, a sketch that does not compile.
+  struct Problem {
+    ExitStatus status = ExitStatus::bad_input;
+    Place place;
+    std::string line;  ///< one line
+    std::string text;  ///< all of it
+  };
+  std::optional<Problem> problem;
+
+  std::size_t passed() const;
+  ExitStatus status() const;
+};
+
+/// The status that tells most: a fault of Robosim's own, a missing tool, bad input, a failure, time was up.
+ExitStatus worse(ExitStatus a, ExitStatus b);
+
+/// Why a run does not hold what the check asks for, in one sentence; nothing if it does.
+std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result);
+
+}  // namespace robosim::cli

@@ -1,0 +1,220 @@
+#include "sim/cli/check/check_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "sim/build/sketch.h"
+#include "sim/build/source.h"
+#include "sim/launch/names.h"
+#include "sim/wire/protocol.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of a compiler's messages the first error.
+std::string first_error(const std::string& text) {
+  const std::size_t error = std::min(text.find("error: "), text.size());
+  const std::size_t begin = error == text.size() ? 0 : text.rfind('\n', error) + 1;
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// The place with which a compiler's message begins. It names the sketch's files from the sketch's folder.
+Place place_in(const std::string& line, const fs::path& folder) {
+  const std::size_t colon = line.find(':');
+  if (colon == std::string::npos) return {};
+  const int number = std::atoi(line.c_str() + colon + 1);
+  if (number <= 0) return {};
+  const fs::path file = line.substr(0, colon);
+  std::error_code error;
+  return {(fs::exists(folder / file, error) ? folder / file : file).string(), number, 0};
+}
+
+/// "pupils/anna/" is called pupils/anna.
+std::string name_of(const std::string& sketch) {
+  if (sketch.empty()) return fs::current_path().filename().string();
+  const std::size_t last = sketch.find_last_not_of('/');
+  return last == std::string::npos ? sketch : sketch.substr(0, last + 1);
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string where_text(const SweepPlan& plan) {
+  std::vector<std::string> maps, robots, targets;
+  for (const Combination& combination : plan.combinations) {
+    add_once(maps, combination.inputs.map);
+    add_once(robots, combination.inputs.robot);
+    add_once(targets, combination.inputs.target);
+  }
+  std::string text = joined(maps) + " · " + joined(robots);
+  if (targets != std::vector<std::string>{"host"}) text += " · " + joined(targets);
+  if (plan.seeds > 1)
+    text += fmt::format(" · seeds {}..{}", plan.first_seed, plan.first_seed + plan.seeds - 1);
+  return text;
+}
+
+/// Which of a check's runs it was, as far as they differ.
+std::string run_text(const SweepPlan& plan, std::size_t run) {
+  std::string text = plan.seeds > 1 ? fmt::format("seed {}", plan.seed_of(run)) : "";
+  if (plan.combinations.size() == 1) return text;
+  const RunInputs& in = plan.combination_of(run).inputs;
+  return fmt::format("{}{} with {}, target {}", text.empty() ? "" : text + " on ", in.map, in.robot,
+                     in.target);
+}
+
+analysis::Demand demand_of(const Check& check) {
+  return {check.sweep.min_rate.value_or(1.0), check.sweep.sure};
+}
+
+}  // namespace
+
+void CheckSession::add(const std::string& sketch, const std::string& file) {
+  SketchResult& result = sketches_.emplace_back();
+  result.name = name_of(sketch);
+  const std::size_t runs_before = runs_.size();
+  fs::path folder;
+  try {
+    const launch::SketchChoice choice = launch::choose_sketch(sketch);
+    folder = choice.folder;
+    if (choice.elf_target.empty()) build::read_sketch(choice.path);
+    const fs::path beside =
+        choice.folder == fs::current_path() ? "checks.toml" : choice.folder / "checks.toml";
+    result.checks = file.empty() ? beside.string() : file;
+    std::error_code error;
+    if (!fs::exists(result.checks, error)) {
+      throw InputError({result.checks, 0, 0},
+                       "there is no such file; robosim new makes a project with one, and --checks FILE takes "
+                       "one for all sketches");
+    }
+    for (Check check : read_checks(result.checks)) {
+      if (!sketch.empty()) check.sweep.sketches = {sketch};
+      CheckResult& planned = result.results.emplace_back();
+      planned.name = check.name;
+      planned.place = check.place;
+      plan(check);
+    }
+  } catch (const build::CompileError& error) {
+    const std::string line = first_error(error.what());
+    result.problem = {ExitStatus::bad_input, place_in(line, folder), line, error.what()};
+  } catch (const InputError& error) {
+    result.problem = {ExitStatus::bad_input, error.place(), error.what(),
+                      fmt::format("robosim: {}", error.what())};
+  }
+  if (!result.problem) return;
+  runs_.resize(runs_before);
+  std::erase_if(planned_, [&](const Planned& planned) { return planned.sketch == sketches_.size() - 1; });
+}
+
+void CheckSession::plan(const Check& check) {
+  SketchResult& sketch = sketches_.back();
+  CheckResult& result = sketch.results.back();
+  try {
+    Planned planned{
+        sketches_.size() - 1, sketch.results.size() - 1, check, planner_.plan(check.sweep), {}, true, {}, {}};
+    result.where = where_text(planned.plan);
+    const auto seeds = static_cast<std::int64_t>(planned.plan.seeds);
+    planned.tallies.assign(planned.plan.combinations.size(), analysis::Tally(seeds, demand_of(check)));
+    for (std::size_t run = 0; run < planned.plan.runs(); ++run) runs_.push_back({planned_.size(), run});
+    planned_.push_back(std::move(planned));
+  } catch (const build::CompileError&) {
+    throw;
+  } catch (const InputError& error) {
+    result.status = ExitStatus::bad_input;
+    const bool placed = !error.place().file.empty();
+    result.why = InputError(placed ? error.place() : check.place, error.message()).what();
+  } catch (const ToolMissing& error) {
+    result.status = ExitStatus::tool_missing;
+    result.why = error.what();
+  }
+}
+
+client::Batch CheckSession::batch() {
+  return {runs_.size(),
+          [this](std::size_t i) { return planned_[runs_[i].planned].plan.task_of(runs_[i].number); },
+          [this](std::size_t i, client::Answer answer) { answered(runs_[i], std::move(answer)); },
+          [this](std::size_t i) {
+            Planned& planned = planned_[runs_[i].planned];
+            if (result_of(planned).status != ExitStatus::interrupted) return false;  // it cannot be made
+            return !planned.check.sweep.stop_early ||
+                   !planned.tallies[runs_[i].number / planned.plan.seeds].decided();
+          }};
+}
+
+void CheckSession::answered(const Run& run, client::Answer answer) {
+  ++ended_;
+  Planned& planned = planned_[run.planned];
+  if (const auto* failure = std::get_if<client::Failure>(&answer)) {
+    CheckResult& result = result_of(planned);
+    result.status = failure->kind == client::Failure::Kind::input  ? ExitStatus::bad_input
+                    : failure->kind == client::Failure::Kind::tool ? ExitStatus::tool_missing
+                                                                   : ExitStatus::internal;
+    result.why = failure->message;
+    return;
+  }
+  judge(planned, run.number, std::get<wire::RunResult>(answer));
+}
+
+void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResult& run_result) {
+  CheckResult& result = result_of(planned);
+  const auto why = why_failed(planned.check, run_result);
+  planned.tallies[run / planned.plan.seeds].add(!why);
+  ++result.runs;
+  result.time_s += run_result.time_s;
+  if (planned.plan.runs() == 1) result.only = run_result;
+  if (!why) {
+    ++result.passed;
+    return;
+  }
+  if (run_result.verdict != "timeout") planned.late_only = false;
+  if (!planned.first_failure.empty()) return;
+  planned.first_failure = *why;
+  planned.first_name = run_text(planned.plan, run);
+  result.serial = run_result.serial;
+  result.replay = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
+}
+
+void CheckSession::finish(Planned& planned) {
+  CheckResult& result = result_of(planned);
+  if (result.status != ExitStatus::interrupted) return;
+  const auto& tallies = planned.tallies;
+  if (std::all_of(tallies.begin(), tallies.end(), [](const analysis::Tally& t) { return t.met(); })) {
+    result.status = ExitStatus::ok;
+    return;
+  }
+  if (!std::all_of(tallies.begin(), tallies.end(), [](const analysis::Tally& t) { return t.decided(); })) {
+    result.why = "interrupted";
+    return;
+  }
+  result.status = planned.late_only ? ExitStatus::timeout : ExitStatus::failed;
+  result.why = planned.first_failure;
+  if (planned.plan.runs() == 1) return;
+  std::string needed;
+  if (planned.check.sweep.min_rate) {
+    needed = fmt::format("; min-rate = {}{} needs {} of {}", *planned.check.sweep.min_rate,
+                         planned.check.sweep.sure ? ", sure," : "",
+                         *analysis::needed_successes(demand_of(planned.check), tallies[0].planned()),
+                         tallies[0].planned());
+  }
+  result.why = fmt::format("{} of {} runs failed{}; {}: {}", result.runs - result.passed, result.runs, needed,
+                           planned.first_name, planned.first_failure);
+}
+
+std::vector<SketchResult> CheckSession::results() {
+  for (Planned& planned : planned_) finish(planned);
+  return sketches_;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,243 @@
+#include "sim/cli/check/checks_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <utility>
+
+#include "sim/base/config.h"
+#include "sim/base/file.h"
+#include "sim/cli/options.h"
+#include "sim/cli/sweep/sweep_arguments.h"
+#include "sim/launch/names.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Flags of `run` and `sweep`: their keys are the flags' names without the hyphens.
+enum class Kind { value, list, yes_or_no };
+enum class Text { plain, name_or_path, path, sent };
+struct Flag {
+  const char* key;
+  Kind kind;
+  Text text;
+};
+constexpr Flag kFlags[] = {
+    {"map", Kind::list, Text::name_or_path},    {"robot", Kind::list, Text::name_or_path},
+    {"target", Kind::list, Text::plain},        {"start", Kind::value, Text::plain},
+    {"goal", Kind::value, Text::plain},         {"for", Kind::value, Text::plain},
+    {"clock", Kind::value, Text::plain},        {"seeds", Kind::value, Text::plain},
+    {"profile", Kind::value, Text::plain},      {"script", Kind::value, Text::path},
+    {"send", Kind::list, Text::sent},           {"libraries", Kind::list, Text::path},
+    {"sanitize", Kind::yes_or_no, Text::plain}, {"min-rate", Kind::value, Text::plain},
+    {"sure", Kind::yes_or_no, Text::plain},     {"stop-early", Kind::yes_or_no, Text::plain},
+};
+
+const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "hung",
+                                         "ended",   "crashed", "over_budget", "timeout"};
+
+/// A value as one would type it after its flag.
+std::string word_of(const ConfigValue& value, const char* key) {
+  if (value.kind == ConfigValue::Kind::integer) return std::to_string(value.integer);
+  if (value.kind == ConfigValue::Kind::number) return fmt::format("{}", value.number);
+  const std::string& word = as_string(value, key);
+  if (word.empty()) throw InputError(value.place, fmt::format("{} is empty; leave the key out", key));
+  return word;
+}
+
+/// A string or an array of them.
+std::vector<std::string> words_of(const ConfigValue& value, const char* key) {
+  if (value.kind != ConfigValue::Kind::array) return {word_of(value, key)};
+  std::vector<std::string> words;
+  for (const ConfigValue& item : value.items) words.push_back(word_of(item, key));
+  return words;
+}
+
+std::vector<std::string> words_at(TableReader& reader, const char* key) {
+  const ConfigValue* value = reader.find(key);
+  return value ? words_of(*value, key) : std::vector<std::string>{};
+}
+
+/// As a scenario, and so --send, writes it between its double quotes.
+std::string escaped(const std::string& text) {
+  std::string word;
+  for (const char c : text) {
+    switch (c) {
+      case '\n':
+        word += "\\n";
+        break;
+      case '\r':
+        word += "\\r";
+        break;
+      case '\t':
+        word += "\\t";
+        break;
+      case '"':
+      case '\\':
+        word += '\\';
+        [[fallthrough]];
+      default:
+        word += c;
+    }
+  }
+  return word;
+}
+
+/// "--min-rate" in a message becomes "min-rate".
+std::string without_hyphens(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool flag = text.compare(i, 2, "--") == 0 && i + 2 < text.size() &&
+                      std::islower(static_cast<unsigned char>(text[i + 2]));
+    if (flag) ++i;
+    if (!flag) plain += text[i];
+  }
+  return plain;
+}
+
+class CheckReader {
+ public:
+  CheckReader(const ConfigValue& table, fs::path folder)
+      : reader_(table, "[[check]]"), folder_(std::move(folder)) {}
+
+  Check check() {
+    Check check;
+    check.place = reader_.table().place;
+    check.name = as_string(reader_.require("name"), "name");
+    if (check.name.empty()) throw InputError(check.place, "name is empty; say what is checked");
+    check.sweep = sweep();
+    check.expect = words_at(reader_, "expect");
+    for (const std::string& verdict : check.expect) {
+      if (std::find(kVerdicts.begin(), kVerdicts.end(), verdict) == kVerdicts.end()) {
+        throw InputError(reader_.table().find("expect")->place,
+                         fmt::format("expect is “{}”; it must be {}", verdict, one_of(kVerdicts)));
+      }
+    }
+    if (check.expect.empty()) check.expect = {"reached"};
+    for (const Figure& figure : figures()) add_limit(figure, check);
+    check.serial = words_at(reader_, "serial");
+    check.stations = words_at(reader_, "stations");
+    reader_.finish();
+    return check;
+  }
+
+ private:
+  /// As it is given to the flag: paths begin at the file's folder.
+  std::string flag_word(const std::string& word, Text text) const {
+    if (text == Text::sent) return escaped(word);
+    if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
+    if (folder_.empty() || fs::path(word).is_absolute()) return word;
+    return (folder_ / word).lexically_normal().string();
+  }
+
+  SweepArguments sweep() {
+    std::vector<std::string> words;
+    for (const Flag& flag : kFlags) {
+      const ConfigValue* value = reader_.find(flag.key);
+      if (!value) continue;
+      if (flag.kind == Kind::yes_or_no) {
+        if (as_boolean(*value, flag.key)) words.push_back(fmt::format("--{}", flag.key));
+        continue;
+      }
+      for (const std::string& word :
+           flag.kind == Kind::list ? words_of(*value, flag.key) : std::vector{word_of(*value, flag.key)})
+        words.push_back(fmt::format("--{}={}", flag.key, flag_word(word, flag.text)));
+    }
+    if (const auto seed = only_seed()) words.push_back("--seeds=" + *seed);
+    try {
+      return std::get<SweepArguments>(parse_sweep(words));
+    } catch (const InputError& error) {
+      throw InputError(place_of(error.message()), without_hyphens(error.message()));
+    }
+  }
+
+  /// `seed`, or 1 if there are no `seeds` either.
+  std::optional<std::string> only_seed() {
+    const ConfigValue* seed = reader_.find("seed");
+    const ConfigValue* seeds = reader_.table().find("seeds");
+    if (seed && seeds)
+      throw InputError(seed->place, "seed is one, and seeds are several; give one of the keys");
+    if (!seed) return seeds ? std::nullopt : std::optional<std::string>("1");
+    const std::string word = word_of(*seed, "seed");
+    try {
+      whole_number("seed", word, 0, kMostSeed);
+    } catch (const InputError& error) {
+      throw InputError(seed->place, error.message());
+    }
+    return word;
+  }
+
+  /// Of the flag with which a message begins.
+  Place place_of(const std::string& message) const {
+    for (const Flag& flag : kFlags) {
+      const std::string name = fmt::format("--{}", flag.key);
+      if (!message.starts_with(name) || message.substr(name.size()).find_first_of(": ") != 0) continue;
+      if (const ConfigValue* value = reader_.table().find(flag.key)) return value->place;
+    }
+    return reader_.table().place;
+  }
+
+  void add_limit(const Figure& figure, Check& check) {
+    const ConfigValue* value = reader_.find(figure.name);
+    if (!value) return;
+    if (value->kind != ConfigValue::Kind::table) {
+      throw InputError(value->place, fmt::format("{} is {}; it must be a table with min, max or both, as in "
+                                                 "{{ max = 10 }}",
+                                                 figure.name, to_string(value->kind)));
+    }
+    TableReader limits(*value, figure.name);
+    FigureLimit limit{&figure, {}, {}};
+    for (const auto& [key, end] : {std::pair{"min", &limit.min}, {"max", &limit.max}}) {
+      const ConfigValue* number = limits.find(key);
+      if (!number) continue;
+      if (number->kind != ConfigValue::Kind::integer && number->kind != ConfigValue::Kind::number) {
+        throw InputError(number->place,
+                         fmt::format("{} of {} is {}; it must be a number, in the unit of the figure's name",
+                                     key, figure.name, to_string(number->kind)));
+      }
+      *end = number->number;
+    }
+    limits.finish();
+    if (!limit.min && !limit.max)
+      throw InputError(value->place,
+                       fmt::format("{} needs min, max or both, as in {{ max = 10 }}", figure.name));
+    const std::vector<std::string>& targets = check.sweep.targets;
+    const bool on_host =
+        targets.empty() || std::find(targets.begin(), targets.end(), "host") != targets.end();
+    if (figure.chip_only && on_host) {
+      throw InputError(value->place,
+                       fmt::format("{} is known on a chip only, and this check runs on the host; "
+                                   "add target = \"avr\"",
+                                   figure.name));
+    }
+    check.limits.push_back(limit);
+  }
+
+  TableReader reader_;
+  fs::path folder_;
+};
+
+}  // namespace
+
+std::vector<Check> read_checks(const fs::path& file) {
+  const ConfigValue root = parse_toml(read_file(file), file.string());
+  TableReader reader(root, file.filename().string());
+  const ConfigValue* tables = reader.find("check");
+  reader.finish();
+  if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
+    throw InputError({file.string(), 0, 0}, "holds no check; each begins with a line [[check]]");
+  std::vector<Check> checks;
+  std::set<std::string> names;
+  for (const ConfigValue& table : tables->items) {
+    checks.push_back(CheckReader(table, file.parent_path()).check());
+    if (!names.insert(checks.back().name).second)
+      throw InputError(checks.back().place, fmt::format("there are two checks “{}”", checks.back().name));
+  }
+  return checks;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,37 @@
+// checks.toml: what `robosim test` is to check. docs/checks.md teaches it, docs/formats.md lists the keys.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/sweep/figures.h"
+
+namespace robosim::cli {
+
+/// What a figure may be; both ends belong to it.
+struct FigureLimit {
+  const Figure* figure;
+  std::optional<double> min;
+  std::optional<double> max;
+};
+
+/// One `[[check]]`.
+struct Check {
+  std::string name;
+  Place place;
+  SweepArguments sweep;             ///< its runs; sketches are still to be filled in
+  std::vector<std::string> expect;  ///< verdicts of which a run must end with one
+  std::vector<FigureLimit> limits;
+  std::vector<std::string> serial;    ///< texts that the sketch must send, one after the other
+  std::vector<std::string> stations;  ///< that must be visited, in any order
+};
+
+/// All checks of a file, in its order. Values of flags are judged by the command line's own parser, so that a
+/// flag means the same in both. Paths are relative to the file's folder. Throws InputError.
+std::vector<Check> read_checks(const std::filesystem::path& file);
+
+}  // namespace robosim::cli

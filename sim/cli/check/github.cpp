@@ -1,0 +1,101 @@
+#include "sim/cli/check/github.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// As GitHub wants data of its commands; in properties ':' and ',' too.
+std::string escaped(const std::string& text, const char* special) {
+  std::string data;
+  for (const char c : text) {
+    const bool plain = std::string_view("%\r\n").find(c) == std::string_view::npos &&
+                       std::string_view(special).find(c) == std::string_view::npos;
+    data += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return data;
+}
+
+/// GitHub knows files by their place in the repository.
+std::string in_the_repository(const std::string& file) {
+  const std::string workspace = environment("GITHUB_WORKSPACE");
+  if (workspace.empty()) return file;
+  std::error_code error;
+  const fs::path path =
+      fs::weakly_canonical(file, error).lexically_relative(fs::weakly_canonical(workspace, error));
+  return path.empty() || *path.begin() == ".." ? file : path.string();
+}
+
+std::string note(const Place& place, const std::string& title, const std::string& text) {
+  std::string properties;
+  if (!place.file.empty()) properties += "file=" + escaped(in_the_repository(place.file), ":,") + ",";
+  if (place.line > 0) properties += fmt::format("line={},", place.line);
+  return fmt::format("::error {}title={}::{}\n", properties, escaped(title, ":,"), escaped(text, ""));
+}
+
+/// In a cell of a table.
+std::string cell(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    if (c == '\n') {
+      plain += ' ';
+    } else {
+      if (std::string_view("|\\`*_<>[]").find(c) != std::string_view::npos) plain += '\\';
+      plain += c;
+    }
+  }
+  return plain;
+}
+
+}  // namespace
+
+bool on_github() { return environment("GITHUB_ACTIONS") == "true"; }
+
+std::string github_notes(const std::vector<SketchResult>& sketches) {
+  std::string text;
+  for (const SketchResult& sketch : sketches) {
+    if (sketch.problem) text += note(sketch.problem->place, sketch.name, sketch.problem->text);
+    for (const CheckResult& result : sketch.results) {
+      if (result.ok() || sketch.problem) continue;
+      text += note(result.place, sketch.name + ": " + result.name,
+                   result.replay.empty() ? result.why : result.why + "\n" + result.replay);
+    }
+  }
+  return text;
+}
+
+std::string github_summary(const std::vector<SketchResult>& sketches) {
+  std::string text = "| sketch | check | where | result | why |\n|---|---|---|---|---|\n";
+  for (const SketchResult& sketch : sketches) {
+    if (sketch.problem) {
+      text += fmt::format("| {} | | | ❌ error | {} |\n", cell(sketch.name), cell(sketch.problem->line));
+      continue;
+    }
+    for (const CheckResult& result : sketch.results) {
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(sketch.name), cell(result.name),
+                          cell(result.where), result.ok() ? "✅ passed" : "❌ failed", cell(result.why));
+    }
+  }
+  return text + "\n";
+}
+
+void add_github_summary(const std::vector<SketchResult>& sketches) {
+  const std::string file = environment("GITHUB_STEP_SUMMARY");
+  if (file.empty()) return;
+  std::ofstream out(file, std::ios::binary | std::ios::app);
+  out << github_summary(sketches) << std::flush;
+  if (!out) throw InputError({file, 0, 0}, "GITHUB_STEP_SUMMARY: the summary cannot be written there");
+}
+
+}  // namespace robosim::cli

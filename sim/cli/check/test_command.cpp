@@ -1,0 +1,64 @@
+#include "sim/cli/check/test_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "sim/base/file.h"
+#include "sim/cli/check/check_session.h"
+#include "sim/cli/check/github.h"
+#include "sim/cli/check/junit.h"
+#include "sim/cli/check/test_report.h"
+#include "sim/cli/output.h"
+#include "sim/launch/interrupts.h"
+#include "sim/launch/progress.h"
+
+namespace robosim::cli {
+namespace {
+
+/// True if all runs ended.
+bool make_runs(CheckSession& session, std::size_t jobs, launch::Progress& progress) {
+  if (session.runs() == 0) return true;
+  client::Pool pool(std::min(jobs, session.runs()));
+  const launch::Interrupts interrupts(pool);
+  client::Batch batch = session.batch();
+  batch.answered = [&, count = std::move(batch.answered)](std::size_t run, client::Answer answer) {
+    count(run, std::move(answer));
+    progress.update(fmt::format("{} of {} runs", session.runs_ended(), session.runs()));
+  };
+  return pool.run(batch);
+}
+
+}  // namespace
+
+int test_command(const TestArguments& arguments) {
+  std::vector<std::string> sketches = arguments.sketches;
+  if (sketches.empty()) sketches.emplace_back();
+  const bool several = sketches.size() > 1;
+  launch::Progress progress(true);
+  SweepPlanner planner(progress, {false, !several});
+  CheckSession session(planner);
+  for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
+  const bool complete = make_runs(session, arguments.jobs, progress);
+  progress.clear();
+
+  const std::vector<SketchResult> results = session.results();
+  if (several) {
+    print(class_report(results));
+  } else {
+    if (results[0].problem) fmt::print(stderr, "{}\n", results[0].problem->text);
+    print(sketch_report(results[0]));
+  }
+  if (!arguments.junit.empty()) write_file(arguments.junit, junit_xml(results));
+  if (on_github()) {
+    print(github_notes(results));
+    add_github_summary(results);
+  }
+  ExitStatus status = complete ? ExitStatus::ok : ExitStatus::interrupted;
+  for (const SketchResult& result : results) status = worse(status, result.status());
+  return static_cast<int>(status);
+}
+
+}  // namespace robosim::cli

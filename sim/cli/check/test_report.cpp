@@ -1,0 +1,87 @@
+#include "sim/cli/check/test_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/tui/text.h"
+
+namespace robosim::cli {
+namespace {
+
+std::string padded(const std::string& text, int width) {
+  return text + std::string(static_cast<std::size_t>(std::max(0, width - tui::width_of(text))), ' ');
+}
+
+/// The most characters of what `text_of` gives.
+template <typename Items, typename TextOf>
+int widest(const Items& items, const TextOf& text_of) {
+  int width = 0;
+  for (const auto& item : items) width = std::max(width, tui::width_of(text_of(item)));
+  return width;
+}
+
+std::string mark(const CheckResult& result) {
+  switch (result.status) {
+    case ExitStatus::ok:
+      return "passed";
+    case ExitStatus::failed:
+    case ExitStatus::timeout:
+      return "FAILED";
+    default:
+      return "ERROR";  // it could not be made
+  }
+}
+
+std::string outcome(const CheckResult& result) {
+  if (result.only)
+    return fmt::format("{} after {}", result.only->verdict, tui::time_text(result.only->time_s));
+  if (result.runs > 0) return fmt::format("{} of {} runs passed", result.passed, result.runs);
+  return "";
+}
+
+}  // namespace
+
+std::string sketch_report(const SketchResult& sketch) {
+  if (sketch.problem) return "";
+  const auto& results = sketch.results;
+  const int names = widest(results, [](const CheckResult& r) { return r.name; });
+  const int places = widest(results, [](const CheckResult& r) { return r.where; });
+  std::string text;
+  for (const CheckResult& result : results) {
+    std::string line = fmt::format("{}  {}  {}  {}", padded(mark(result), 6), padded(result.name, names),
+                                   padded(result.where, places), outcome(result));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+    if (!result.why.empty()) text += fmt::format("        why: {}\n", result.why);
+    if (!result.ok() && !result.replay.empty())
+      text += fmt::format("        see: {} --view\n", result.replay);
+  }
+  return text + fmt::format("{} of {} check{} passed\n", sketch.passed(), results.size(),
+                            results.size() == 1 ? "" : "s");
+}
+
+std::string class_report(const std::vector<SketchResult>& sketches) {
+  const auto name_of = [](const SketchResult& sketch) { return sketch.name; };
+  const int names = widest(sketches, name_of);
+  std::size_t passed = 0;
+  std::string text;
+  for (const SketchResult& sketch : sketches) {
+    std::string line = padded(sketch.name, names);
+    if (sketch.problem) {
+      line += "  ERROR   " + sketch.problem->line;
+    } else {
+      const bool all = sketch.passed() == sketch.results.size();
+      line +=
+          fmt::format("  {}  {} of {}", all ? "passed" : "FAILED", sketch.passed(), sketch.results.size());
+      const auto failed = std::find_if(sketch.results.begin(), sketch.results.end(),
+                                       [](const CheckResult& r) { return !r.ok(); });
+      if (failed != sketch.results.end()) line += fmt::format("  {}: {}", failed->name, failed->why);
+      passed += all ? 1 : 0;
+    }
+    text += line + "\n";
+  }
+  return text + fmt::format("{} of {} sketches passed all checks\n", passed, sketches.size());
+}
+
+}  // namespace robosim::cli

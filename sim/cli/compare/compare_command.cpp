@@ -1,0 +1,243 @@
+#include "sim/cli/compare/compare_command.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/build/sketch.h"
+#include "sim/cli/compare/compare_report.h"
+#include "sim/cli/output.h"
+#include "sim/cli/sweep/sweep_plan.h"
+#include "sim/client/runner.h"
+#include "sim/grid/places.h"
+#include "sim/launch/image.h"
+#include "sim/launch/names.h"
+#include "sim/launch/progress.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // round a difference
+constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
+// The robot's axle is so far from the square line, and the middle of its sensors from the line with its
+// bends.
+constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
+constexpr std::size_t kSaid = 3;  // lines before the one that differs
+
+/// One target: what it runs, and who runs it.
+struct Lane {
+  Combination combination;
+  client::Runner runner;
+};
+
+/// Runs one request on each lane, all at a time.
+std::vector<wire::RunResult> run_all(std::vector<Lane*> lanes, const std::vector<wire::RunRequest>& requests,
+                                     const std::vector<wire::OnEvent>& listeners) {
+  std::vector<std::optional<wire::RunResult>> results(lanes.size());
+  for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i]->runner.begin(requests[i]);
+  for (;;) {
+    std::vector<pollfd> waiting;
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+      if (!results[i] && !(results[i] = lanes[i]->runner.take(listeners[i])))
+        waiting.push_back({lanes[i]->runner.descriptor(), POLLIN, 0});
+    if (waiting.empty()) break;
+    ::poll(waiting.data(), waiting.size(), -1);
+  }
+  std::vector<wire::RunResult> all;
+  for (auto& result : results) all.push_back(std::move(*result));
+  return all;
+}
+
+class CompareCommand {
+ public:
+  CompareCommand(const CompareArguments& arguments, launch::Progress& progress)
+      : arguments_(arguments), progress_(progress), sketch_(launch::choose_sketch(arguments.sketch)) {
+    if (!sketch_.elf_target.empty())
+      throw InputError({sketch_.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
+    SweepPlanner planner(progress, {true, false});
+    for (const std::string& target : arguments.targets) {
+      SweepArguments one;
+      one.sketches = {arguments.sketch};
+      if (!arguments.map.empty()) one.maps = {arguments.map};
+      if (!arguments.robot.empty()) one.robots = {arguments.robot};
+      one.targets = {target};
+      one.each = arguments.each;
+      if (target == "host") one.each.clock_ns = 0;
+      lanes_.push_back({planner.plan(one).combinations.at(0), client::Runner(target)});
+    }
+    map_.emplace(grid::read_map(lanes_[0].combination.task.request.map));
+    const std::string& start = arguments.each.start;
+    places_.emplace(*map_, start.empty() ? grid::default_start(*map_) : grid::parse_start(*map_, start));
+  }
+
+  Compared compare(std::uint64_t seed) {
+    progress_.say(fmt::format("{} targets, seed {} …", lanes_.size(), seed));
+    Compared compared;
+    compared.seed = seed;
+    const std::vector<analysis::History> histories = run_lanes(seed, compared);
+    std::size_t other = 0;
+    for (std::size_t i = 1; i < lanes_.size(); ++i) {
+      analysis::Comparison comparison = analysis::compare(histories[0], histories[i]);
+      for (analysis::KnownDifference& known : comparison.known) {
+        compared.known.push_back(std::move(known));
+        compared.known_targets.push_back({arguments_.targets[0], arguments_.targets[i]});
+      }
+      auto& first = comparison.first;
+      if (!first || (compared.difference && compared.difference->t_ns[0] <= first->t_ns[0])) continue;
+      compared.difference = std::move(first);
+      other = i;
+    }
+    if (compared.difference) {
+      const std::array<std::size_t, 2> lanes{0, other};
+      look_closer(compared, lanes, {&histories[0], &histories[other]});
+    }
+    progress_.clear();
+    return compared;
+  }
+
+ private:
+  std::string place_of(const wire::Sample& sample) const {
+    const Vec2 axle{1e-3 * sample.x_mm, 1e-3 * sample.y_mm};
+    const bool off = places_->cells_off(axle) > kOff_cells && sample.cross_track_mm > kOff_mm;
+    return off ? analysis::kOffTheLine : places_->at(axle);
+  }
+
+  std::vector<analysis::History> run_lanes(std::uint64_t seed, Compared& compared) {
+    std::vector<analysis::HistoryRecorder> recorders;
+    std::vector<wire::RunRequest> requests;
+    std::vector<wire::OnEvent> listeners;
+    std::vector<Lane*> lanes;
+    recorders.reserve(lanes_.size());
+    for (Lane& lane : lanes_) {
+      recorders.emplace_back(lane.combination.task.target,
+                             [this](const wire::Sample& sample) { return place_of(sample); });
+      wire::RunRequest request = lane.combination.task.request;
+      request.seed = seed;
+      request.samples_every_ns = analysis::HistoryRecorder::kSampleEvery_ns;
+      request.serial = request.notes = true;
+      requests.push_back(std::move(request));
+      listeners.emplace_back(
+          [&recorder = recorders.back()](const wire::Event& event) { recorder.add(event); });
+      lanes.push_back(&lane);
+    }
+    const std::vector<wire::RunResult> results = run_all(lanes, requests, listeners);
+    std::vector<analysis::History> histories;
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      histories.push_back(recorders[i].finish(results[i]));
+      compared.runs.push_back({lanes_[i].combination.inputs, results[i]});
+    }
+    return histories;
+  }
+
+  /// Once more, to the difference only, with the sources of all that happens near it.
+  void look_closer(Compared& compared, const std::array<std::size_t, 2>& lanes,
+                   const std::array<const analysis::History*, 2>& histories) {
+    const analysis::Difference& d = *compared.difference;
+    std::vector<analysis::Evidence> evidence;
+    std::vector<wire::RunRequest> requests;
+    std::vector<wire::OnEvent> listeners;
+    std::vector<Lane*> both;
+    evidence.reserve(2);
+    for (std::size_t side = 0; side < 2; ++side) {
+      Lane& lane = lanes_[lanes[side]];
+      evidence.emplace_back(d.t_ns[side]);
+      wire::RunRequest request = lane.combination.task.request;
+      request.seed = compared.seed;
+      const std::int64_t end = d.t_ns[side] + kBehind_ns;
+      request.for_ns = std::min(request.for_ns, (end / 1'000'000 + 1) * 1'000'000);
+      request.pins = request.io = true;
+      request.source_ns.emplace(std::max<std::int64_t>(0, d.t_ns[side] - kBefore_ns), end);
+      requests.push_back(std::move(request));
+      listeners.emplace_back([&seen = evidence.back()](const wire::Event& event) { seen.add(event); });
+      both.push_back(&lane);
+    }
+    run_all(both, requests, listeners);
+    for (std::size_t side = 0; side < 2; ++side)
+      compared.sides[side] = describe(compared, side, lanes[side], *histories[side], evidence[side]);
+  }
+
+  ComparedSide describe(const Compared& compared, std::size_t side, std::size_t lane,
+                        const analysis::History& history, const analysis::Evidence& evidence) {
+    const analysis::Difference& d = *compared.difference;
+    ComparedSide result;
+    result.target = arguments_.targets[lane];
+    result.t_ns = d.t_ns[side];
+    result.text = d.sides[side];
+    result.reads = evidence.reads();
+    result.writes = evidence.writes();
+    const std::size_t line = d.line[side].value_or(0);
+    for (std::size_t i = 0; i < history.lines.size(); ++i) {
+      const analysis::Mark& said = history.lines[i];
+      const bool near = d.line[side]
+                            ? i + kSaid >= line && i <= line
+                            : said.t_ns <= d.t_ns[side] && said.t_ns > d.t_ns[side] - kLongestPart_ns;
+      if (near)
+        result.said.push_back(fmt::format("{:.4f} s  {}", 1e-9 * static_cast<double>(said.t_ns), said.text));
+    }
+    const wire::RunResult& run = compared.runs[lane].result;
+    if (d.line[side]) {
+      const std::string& text = history.lines[line].text;
+      result.source = evidence.source_of(text, first_difference(compared, side, text));
+    } else if (d.kind == analysis::Difference::Kind::verdict && run.crash) {
+      result.source = {run.crash->function, run.crash->file, run.crash->line};
+    } else if (d.kind == analysis::Difference::Kind::motors || d.kind == analysis::Difference::Kind::speed) {
+      if (const auto use = evidence.last_write()) result.source = use->source;
+    }
+    result.finding = look_with_checks(compared, side, lane);
+    return result;
+  }
+
+  /// Where the text of this side begins to differ from that of the other.
+  static std::size_t first_difference(const Compared& compared, std::size_t side, const std::string& text) {
+    const std::string& own = compared.difference->sides[side];
+    const std::string& other = compared.difference->sides[1 - side];
+    const std::size_t begin = own.find('"');
+    if (begin == own.npos) return 0;
+    const auto apart = std::mismatch(own.begin(), own.end(), other.begin(), other.end());
+    const auto at = static_cast<std::size_t>(apart.first - own.begin());
+    return at > begin ? std::min(at - begin - 1, text.size()) : 0;
+  }
+
+  std::optional<Finding> look_with_checks(const Compared& compared, std::size_t side, std::size_t lane) {
+    const std::string& target = arguments_.targets[lane];
+    if (target == "stm32") return std::nullopt;
+    const wire::RunResult& run = compared.runs[lane].result;
+    Lane& with = lanes_[lane];
+    wire::RunRequest request = with.combination.task.request;
+    request.seed = compared.seed;
+    request.for_ns = std::min(request.for_ns, compared.difference->t_ns[side] + kLongestPart_ns);
+    const wire::RobotInfo robot = with.runner.describe_robot(request.robot);
+    build::Request wanted{sketch_.path, launch::board_of(robot), target};
+    for (const std::string& folder : arguments_.each.libraries) wanted.libraries.emplace_back(folder);
+    progress_.say("running it again on " + target + ", with checks …");
+    return look_again(with.runner, request, wanted, run);
+  }
+
+  const CompareArguments& arguments_;
+  launch::Progress& progress_;
+  launch::SketchChoice sketch_;
+  std::vector<Lane> lanes_;
+  std::optional<grid::Map> map_;
+  std::optional<grid::Places> places_;
+};
+
+}  // namespace
+
+int compare_command(const CompareArguments& arguments) {
+  for (const std::string& target : arguments.targets) launch::check_target(target);
+  launch::Progress progress(true);
+  CompareCommand command(arguments, progress);
+  for (std::uint64_t seed = arguments.first_seed;; ++seed) {
+    const Compared compared = command.compare(seed);
+    print(arguments.json ? compare_json(compared) : compare_text(compared));
+    if (compared.difference) return static_cast<int>(ExitStatus::failed);
+    if (seed == arguments.last_seed) return static_cast<int>(ExitStatus::ok);
+  }
+}
+
+}  // namespace robosim::cli

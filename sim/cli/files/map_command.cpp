@@ -1,0 +1,182 @@
+#include "sim/cli/files/map_command.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <ostream>
+#include <sstream>
+
+#include "sim/cli/files/graph_text.h"
+#include "sim/cli/files/map_generate.h"
+#include "sim/cli/output.h"
+#include "sim/grid/map.h"
+#include "sim/grid/network.h"
+#include "sim/grid/stripes.h"
+#include "sim/grid/true_graph.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr std::size_t kListed = 20;  // stations, bends: more are only counted
+
+struct Survey {
+  grid::Map map;
+  grid::Start start;
+  grid::Network network;
+};
+
+Survey survey(const std::string& name, const std::string& start) {
+  Survey s{grid::read_map(grid::find_map(name)), {}, {}};
+  s.start = start.empty() ? grid::default_start(s.map) : grid::parse_start(s.map, start);
+  s.network = grid::trace_network(s.map, s.start);
+  return s;
+}
+
+std::string counted(std::size_t n, const char* noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+// The texts of the first few, and how many more there are.
+template <typename Items, typename Text>
+std::string list(const Items& items, Text text) {
+  std::string line;
+  for (std::size_t i = 0; i < std::min(items.size(), kListed); ++i) line += (i ? "; " : "") + text(items[i]);
+  if (items.size() > kListed) line += fmt::format("; and {} more", items.size() - kListed);
+  return line;
+}
+
+std::string at(grid::CellAt cell) { return fmt::format("{},{}", cell.x, cell.y); }
+
+double mm(double m) { return m * 1e3; }
+
+std::string describe_goal(const Survey& s) {
+  if (!s.map.goal.empty()) return s.map.goal;
+  return s.network.loop.empty() ? "tour (the map names none)"
+                                : "laps:1 (the map names none, and its line is one loop)";
+}
+
+void check_goal(const Survey& s) {
+  const std::string& goal = s.map.goal;
+  if (goal.starts_with("laps:") && s.network.loop.empty())
+    throw InputError(s.map.goal_place, fmt::format("goal is {}, but from {} the line is not one single loop",
+                                                   goal, at(s.start.cell)));
+  if (!goal.starts_with("station:")) return;
+  const std::string wanted = goal.substr(goal.find(':') + 1);
+  std::vector<std::string> names;
+  for (const grid::Station& station : s.network.stations) {
+    if (station.name == wanted || std::to_string(station.id) == wanted) return;
+    names.push_back(station.name);
+  }
+  throw InputError(
+      s.map.goal_place,
+      fmt::format("goal is {}, but there is no such station to be reached from {}; {}", goal,
+                  at(s.start.cell), names.empty() ? "there are none" : "there are " + one_of(names)));
+}
+
+std::string line_cells(const grid::Map& map) {
+  const auto n = std::count_if(map.cells.begin(), map.cells.end(), grid::is_line);
+  return counted(static_cast<std::size_t>(n), "line cell");
+}
+
+std::string station_text(const grid::Station& station) {
+  const std::string id = std::to_string(station.id);
+  return (station.name == id ? id : fmt::format("{} \"{}\"", id, station.name)) + " at " + at(station.cell);
+}
+
+void describe(const Survey& s, std::ostream& out) {
+  const auto& [map, start, network] = s;
+  const std::string corners =
+      map.corner_m > 0.0 ? fmt::format("bends of {:.10g} mm", mm(map.corner_m)) : "square bends";
+  out << fmt::format("{}: the map is fine\n", map.file);
+  out << fmt::format("  size      {} x {} cells of {:.10g} mm: {:.10g} x {:.10g} mm\n", map.width, map.height,
+                     mm(map.cell_m), mm(map.cell_m) * map.width, mm(map.cell_m) * map.height);
+  out << fmt::format("  line      {}, {:.10g} mm wide, {}{}\n", line_cells(map), mm(map.line_m), corners,
+                     map.raster ? "; floor painted in whole cells" : "");
+  out << fmt::format("  start     {},{}\n", at(start.cell), grid::letter(start.facing));
+  out << fmt::format("  goal      {}\n", describe_goal(s));
+  out << fmt::format(
+      "  network   {}, {}, {}\n", counted(network.stations.size(), "station"),
+      counted(network.junctions.size(), "junction"),
+      network.loop.empty() ? "not a single loop" : fmt::format("one loop of {} steps", network.loop.size()));
+  if (!network.stations.empty()) out << fmt::format("  stations  {}\n", list(network.stations, station_text));
+  if (!network.unreachable.empty())
+    out << fmt::format("  note: {} cannot be reached from the start: {}\n",
+                       counted(network.unreachable.size(), "station"), list(network.unreachable, at));
+  const std::vector<grid::TightBend> tight = grid::tight_bends(map);
+  if (!tight.empty())
+    out << fmt::format("  note: {} too short in the legs for {:.10g} mm: {}\n",
+                       tight.size() == 1 ? "1 bend is" : fmt::format("{} bends are", tight.size()),
+                       mm(map.corner_m), list(tight, [](const grid::TightBend& bend) {
+                         return fmt::format("{} gets {:.10g} mm", at(bend.cell), mm(bend.radius_m));
+                       }));
+}
+
+// The terminal's size, less a line for the prompt; generous where there is no terminal.
+grid::PictureOptions screen() {
+  grid::PictureOptions options;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    options.columns = size.ws_col;
+    options.rows = size.ws_row - 1;
+  }
+  return options;
+}
+
+}  // namespace
+
+ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
+                      std::ostream& errors) {
+  ExitStatus status = ExitStatus::ok;
+  for (const std::string& name : maps) {
+    try {
+      const Survey s = survey(name, start);
+      check_goal(s);
+      describe(s, out);
+    } catch (const InputError& error) {
+      errors << "robosim: " << error.what() << '\n';
+      status = ExitStatus::bad_input;
+    }
+  }
+  return status;
+}
+
+ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
+                    std::ostream& out) {
+  const Survey s = survey(map, start);
+  out << grid::draw(s.map, s.network, s.start, options);
+  return ExitStatus::ok;
+}
+
+std::string graph_of_map(const MapArguments& arguments) {
+  const grid::Map map = grid::read_map(grid::find_map(arguments.map));
+  const grid::Start start =
+      arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
+  const grid::TrueGraph graph = grid::true_graph(map, start);
+  if (arguments.json) return graph_json(start, graph);
+  return arguments.dot ? graph_dot(map, graph) : graph_text(map, start, graph);
+}
+
+int map_command(const MapArguments& arguments) {
+  if (arguments.action == "graph") {
+    print(graph_of_map(arguments));
+    return static_cast<int>(ExitStatus::ok);
+  }
+  std::ostringstream text;
+  const ExitStatus status = arguments.action == "show"
+                                ? show_map(arguments.map, arguments.start, screen(), text)
+                                : check_maps({arguments.map}, arguments.start, text, std::cerr);
+  print(text.str());
+  return static_cast<int>(status);
+}
+
+int generate_command(const GenerateArguments& arguments) {
+  std::ostringstream text;
+  const ExitStatus status = generate_maps(arguments, text);
+  print(text.str());
+  return static_cast<int>(status);
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,12 @@
+// `robosim new NAME`: a project that works at once, to be changed.
+#pragma once
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// Makes the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). In their
+/// names and texts NAME stands for the project's name. Nothing is overwritten. Throws InputError.
+int new_command(const NewArguments& arguments);
+
+}  // namespace robosim::cli

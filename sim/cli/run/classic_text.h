@@ -1,0 +1,35 @@
+// What `robosim classic` found, for people and for programs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/cells/survey.h"
+#include "sim/cells/walk.h"
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+struct TapedMove {
+  cells::CellPose pose;  ///< and sense: before the move
+  cells::Sense sense;
+  cells::Move move;
+  double clock;  ///< after it
+};
+
+struct ClassicReport {
+  const grid::Map& map;
+  grid::Start start;
+  const ClassicArguments& arguments;
+  std::optional<cells::Scan> scan;
+  std::optional<cells::Walk> walk;
+  std::vector<cells::Route> routes;
+  const std::vector<TapedMove>& trace;
+};
+
+std::string classic_text(const ClassicReport& report);
+/// Schema robosim.classic/1, see docs/formats.md.
+std::string classic_json(const ClassicReport& report);
+
+}  // namespace robosim::cli

@@ -1,0 +1,36 @@
+// `run --coverage DIR`: from what a run has counted to the page in DIR.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/build/sketch.h"
+
+namespace robosim::cli {
+
+/// The folder of --coverage, else the environment's $ROBOSIM_COVERAGE, else empty. The environment is for
+/// whole test suites: runs that cannot be counted (on a chip) go by it.
+std::string coverage_folder(const std::string& option, const std::string& target);
+
+/// A file in the folder for a run's counters, until the end of the scope. Throws InputError if it cannot be.
+class CounterFile {
+ public:
+  explicit CounterFile(const std::filesystem::path& folder);
+  ~CounterFile();
+  CounterFile(const CounterFile&) = delete;
+  CounterFile& operator=(const CounterFile&) = delete;
+
+  /// Adds the run to the folder and gives what there is to say: the lines that never ran, over all runs
+  /// there.
+  std::string keep(const build::Request& request, const build::Image& image,
+                   const std::string& description) const;
+  /// Makes the page of all runs there, if its tool is installed, and says where it is.
+  std::string make_page() const;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path path_;
+};
+
+}  // namespace robosim::cli

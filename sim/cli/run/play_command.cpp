@@ -1,0 +1,128 @@
+#include "sim/cli/run/play_command.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/grid/network.h"
+#include "sim/launch/names.h"
+#include "sim/play/play_cells.h"
+#include "sim/play/play_robot.h"
+#include "sim/play/session.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The list of maps looks into small ones only.
+constexpr std::uintmax_t kLargestListed_bytes = 256'000;
+
+volatile sig_atomic_t the_signal = 0;
+extern "C" void on_signal(int number) { the_signal = number; }
+
+/// SIGINT, SIGTERM and SIGHUP are noted, so that the terminal is given back before the program ends.
+class NotedSignals {
+ public:
+  NotedSignals() {
+    the_signal = 0;
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    ::sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &action, &before_[i]);
+  }
+  ~NotedSignals() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+  }
+  NotedSignals(const NotedSignals&) = delete;
+  NotedSignals& operator=(const NotedSignals&) = delete;
+
+ private:
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
+
+std::string describe(const fs::path& file, const std::string& where) {
+  std::error_code error;
+  const auto bytes = fs::file_size(file, error);
+  if (error) return where;
+  if (bytes > kLargestListed_bytes)
+    return fmt::format("{:.1f} MB{}", static_cast<double>(bytes) * 1e-6, where);
+  try {
+    const grid::Map map = grid::read_map(file);
+    const grid::Network network = grid::trace_network(map, grid::default_start(map));
+    return fmt::format("{:>3} x {:<3} {:>3} stations {:>3} junctions{}", map.width, map.height,
+                       network.stations.size(), network.junctions.size(), where);
+  } catch (const InputError& problem) {
+    return fmt::format("not a map: {}", problem.message());
+  }
+}
+
+class Host final : public play::SessionHost {
+ public:
+  std::vector<play::MapEntry> maps() override {
+    std::vector<play::MapEntry> entries;
+    std::error_code error;
+    // In a folder of maps that is the samples' own they would stand there twice.
+    if (!fs::equivalent(fs::current_path(), launch::stock_map_folder(), error)) {
+      for (const char* ending : {".map", ".dat"}) {
+        for (const std::string& name : launch::names_in(".", ending)) {
+          const std::string file = "./" + name + ending;
+          entries.push_back({file, describe(file, "  in this folder")});
+        }
+      }
+    }
+    for (const std::string& name : launch::names_in(launch::stock_map_folder(), ".map"))
+      entries.push_back({name, describe(launch::stock_map_folder() / (name + ".map"), "")});
+    return entries;
+  }
+  grid::Map open_map(const std::string& name) override {
+    const auto quoted_path = launch::is_path(name) ? fs::path(name) : grid::find_map(name);
+    grid::Map map = grid::read_map(quoted_path);
+    grid::default_start(map);  // throws if there is no line
+    return map;
+  }
+  std::unique_ptr<play::CellDriver> cells(const grid::Map& map, const grid::Start& start,
+                                          double seconds_per_move) override {
+    return play::drive_cells(map, start, seconds_per_move);
+  }
+  std::string drive_robot(const grid::Map& map, const grid::Start& start, play::Algorithm algorithm,
+                          tui::Console& console, const play::AskPerson& ask) override {
+    return play_robot(map, start, algorithm, console, ask);
+  }
+};
+
+bool can_address_cursor() {
+  const char* kind = std::getenv("TERM");
+  return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0 && kind && *kind &&
+         std::string_view(kind) != "dumb";
+}
+
+}  // namespace
+
+int play_command(const PlayArguments& arguments) {
+  Host host;
+  const play::Session::Options options{arguments.map, arguments.start};
+  if (!can_address_cursor()) {
+    tui::LineConsole console(STDIN_FILENO, STDOUT_FILENO, tui::look_from_environment(false));
+    play::Session(host, console, options).run();
+    return static_cast<int>(ExitStatus::ok);
+  }
+  bool complete = true;
+  {
+    const NotedSignals signals;
+    tui::ScreenConsole console(tui::look_from_environment(true), [] { return the_signal != 0; });
+    complete = play::Session(host, console, options).run();
+  }
+  if (the_signal == SIGTERM || the_signal == SIGHUP) ::raise(the_signal);
+  return static_cast<int>(complete ? ExitStatus::ok : ExitStatus::interrupted);
+}
+
+}  // namespace robosim::cli

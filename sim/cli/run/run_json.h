@@ -1,0 +1,31 @@
+// `robosim run --json`, schema robosim.run/1: docs/formats.md describes every key.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/cli/run/second_look.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::cli {
+
+/// What the result came from. Nothing in here may depend on the machine: equal inputs give equal bytes.
+struct RunInputs {
+  std::string robosim;  ///< version
+  std::string target;
+  std::string sketch;  ///< these three as the user named them
+  std::string map;
+  std::string robot;
+  std::string sketch_sha256;
+  std::string compiler;
+  bool sanitize = false;
+};
+
+/// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
+std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
+                     const std::optional<Finding>& finding = {});
+
+/// The same object in one line, for JSON Lines.
+std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result);
+
+}  // namespace robosim::cli

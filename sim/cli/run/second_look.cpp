@@ -1,0 +1,67 @@
+#include "sim/cli/run/second_look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/launch/interrupts.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr double kLongest_s = 60.0;
+// With its checks a sketch takes longer for the same.
+constexpr double kMargin_s = 1.0;
+
+std::string place_of(const wire::Crash& fault) {
+  if (fault.file.empty()) return "";
+  const std::string place = fmt::format("{}:{}", fault.file, fault.line);
+  return fault.function.empty() ? " at " + place : fmt::format(" in {}, {}", fault.function, place);
+}
+
+}  // namespace
+
+bool deserves_second_look(const wire::RunResult& first) {
+  return first.verdict != "reached" && first.verdict != "interrupted" && first.verdict != "over_budget" &&
+         !(first.crash && !first.crash->check.empty());
+}
+
+std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
+                                  const build::Request& sketch, const wire::RunResult& first) {
+  build::Request checked = sketch;
+  checked.sanitize = true;
+  checked.warnings = build::Warnings::none;
+  const double limit_s =
+      first.verdict == "timeout" ? kLongest_s : std::max(kLongest_s, first.time_s + kMargin_s);
+  request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s * 1e9));
+  request.samples_every_ns = 0;
+  request.gdb_port = 0;
+  request.pins = request.serial = request.notes = request.io = false;
+  try {
+    request.image = build::build(checked).image.string();
+    const launch::Interrupts interrupts(runner);
+    const wire::RunResult second = runner.run(request);
+    if (!second.crash || second.crash->check.empty()) return std::nullopt;
+    return Finding{*second.crash, second.time_s, second.next};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding) {
+  if (finding)
+    return fmt::format(
+        "{}{}, {:.2f} s after the start: that is what a second run, with checks (--sanitize), has met "
+        "first.{}{}",
+        finding->fault.reason, place_of(finding->fault), finding->time_s, finding->advice.empty() ? "" : " ",
+        finding->advice);
+  if (first.verdict != "lost" && first.verdict != "stuck") return first.next;
+  return fmt::format(
+      "{}{}A second run, with checks (--sanitize), has met no signed number that went too high, no bad index "
+      "and "
+      "no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
+      "millis().",
+      first.next, first.next.empty() ? "" : ". ");
+}
+
+}  // namespace robosim::cli

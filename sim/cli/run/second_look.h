@@ -1,0 +1,31 @@
+// A second run of a sketch that has failed on a chip, now built with the checks of --sanitize: they may name
+// the line that is at fault, such as a product that no 16-bit int holds.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/build/sketch.h"
+#include "sim/client/runner.h"
+
+namespace robosim::cli {
+
+/// What the first check to fail has found.
+struct Finding {
+  wire::Crash fault;
+  double time_s = 0.0;  ///< simulated, when it was found
+  std::string advice;   ///< may be empty
+};
+
+/// Whether it makes sense: the sketch has failed, and had no checks.
+bool deserves_second_look(const wire::RunResult& first);
+
+/// Runs until shortly after the first run's end, of a timeout only the first minute. Nothing if no check
+/// failed, if the sketch with checks does not compile, or if the user interrupts it.
+std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
+                                  const build::Request& sketch, const wire::RunResult& first);
+
+/// What the first run's `next` becomes.
+std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding);
+
+}  // namespace robosim::cli

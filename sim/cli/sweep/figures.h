@@ -1,0 +1,23 @@
+// The figures of a run that a check can limit, under the names that `run --json` gives them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/wire/messages.h"
+
+namespace robosim::cli {
+
+struct Figure {
+  const char* name;
+  bool chip_only;  ///< known of a chip's emulator only
+  /// One value, one for each lap, or none if it is not known.
+  std::vector<double> (*values)(const wire::RunResult& result);
+};
+
+const std::vector<Figure>& figures();
+
+/// For people: four digits are enough.
+std::string figure_text(double value);
+
+}  // namespace robosim::cli

@@ -1,0 +1,164 @@
+#include "sim/cli/sweep/sweep_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "sim/analysis/success_rate.h"
+#include "sim/base/error.h"
+#include "sim/cli/output.h"
+#include "sim/cli/sweep/sweep_plan.h"
+#include "sim/cli/sweep/sweep_report.h"
+#include "sim/cli/sweep/sweep_table.h"
+#include "sim/client/pool.h"
+#include "sim/launch/interrupts.h"
+#include "sim/launch/progress.h"
+
+namespace robosim::cli {
+namespace {
+
+/// A run that Robosim failed to make, in the shape of all others.
+wire::RunResult error_result(const Combination& c, const wire::RunRequest& request,
+                             const std::string& message) {
+  wire::RunResult result;
+  result.verdict = kErrorVerdict;
+  result.why = message;
+  result.status = static_cast<int>(ExitStatus::internal);
+  result.goal = request.goal;
+  result.for_s = static_cast<double>(request.for_ns) * 1e-9;
+  result.seed = request.seed;
+  result.profile = request.profile;
+  result.image_sha256 = c.image_sha256;
+  result.map_sha256 = c.map_sha256;
+  result.robot_sha256 = c.robot_sha256;
+  return result;
+}
+
+/// A file that changes in the middle of a sweep would make a table of two different things.
+void check_unchanged(const Combination& c, const wire::RunResult& result) {
+  const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
+    if (then != now)
+      throw InputError({file, 0, 0},
+                       "was changed while the sweep went on; begin again, with another --csv file");
+  };
+  check(c.task.request.image, c.image_sha256, result.image_sha256);
+  check(c.task.request.map, c.map_sha256, result.map_sha256);
+  check(c.task.request.robot, c.robot_sha256, result.robot_sha256);
+}
+
+class Sweep {
+ public:
+  Sweep(const SweepArguments& arguments, const SweepPlan& plan, launch::Progress& progress)
+      : arguments_(arguments), plan_(plan), progress_(progress), outcomes_(plan.runs()) {
+    if (!arguments.csv.empty()) table_.emplace(arguments.csv, arguments.resume, plan, outcomes_);
+    for (std::size_t i = 0; i < plan.combinations.size(); ++i) counters_.push_back(counter());
+    made_ = static_cast<std::size_t>(
+        std::count_if(outcomes_.begin(), outcomes_.end(), [](const SweepOutcome& o) { return o.made(); }));
+    count();
+  }
+
+  client::Batch batch() {
+    return {plan_.runs(), [this](std::size_t run) { return plan_.task_of(run); },
+            [this](std::size_t run, client::Answer&& answer) { answered(run, std::move(answer)); },
+            [this](std::size_t run) { return wanted(run); }};
+  }
+
+  void finish(bool complete) {
+    if (table_ && complete) table_->finish();
+  }
+
+  const std::vector<SweepOutcome>& outcomes() const { return outcomes_; }
+  bool failed_itself() const { return failed_itself_; }
+
+ private:
+  analysis::Tally counter() const {
+    std::optional<analysis::Demand> demand;
+    if (arguments_.stop_early) demand = analysis::Demand{*arguments_.min_rate, arguments_.sure};
+    return {static_cast<std::int64_t>(plan_.seeds), demand};
+  }
+
+  bool wanted(std::size_t run) const {
+    return !outcomes_[run].made() && !counters_[run / plan_.seeds].decided();
+  }
+
+  /// In the order of the runs, those of the table gone on with included.
+  void count() {
+    for (; counted_ < plan_.runs(); ++counted_) {
+      analysis::Tally& counter = counters_[counted_ / plan_.seeds];
+      if (counter.decided()) continue;
+      if (!outcomes_[counted_].made()) return;
+      counter.add(outcomes_[counted_].reached());
+    }
+  }
+
+  void answered(std::size_t run, client::Answer&& answer) {
+    const Combination& combination = plan_.combination_of(run);
+    if (const auto* failure = std::get_if<client::Failure>(&answer)) {
+      if (failure->kind == client::Failure::Kind::input) throw InputError(failure->message);
+      if (failure->kind == client::Failure::Kind::tool) throw ToolMissing(failure->message);
+      failed_itself_ = true;
+      answer = error_result(combination, plan_.task_of(run).request, failure->message);
+    }
+    const auto& result = std::get<wire::RunResult>(answer);
+    check_unchanged(combination, result);
+    if (table_) table_->add(run, sweep_row(combination, result));
+    if (arguments_.json) print(run_json_line(combination.inputs, result));
+    outcomes_[run] = {result.verdict, result.time_s, result.why};
+    count();
+    ++made_;
+    progress_.update(fmt::format("{} of {} runs, seed {}, {}", made_, plan_.runs(), plan_.seed_of(run),
+                                 combination.text()));
+  }
+
+  const SweepArguments& arguments_;
+  const SweepPlan& plan_;
+  launch::Progress& progress_;
+  std::vector<SweepOutcome> outcomes_;
+  std::optional<SweepTable> table_;
+  std::vector<analysis::Tally> counters_;  ///< without a demand unless runs may be left out
+  std::size_t counted_ = 0;
+  std::size_t made_ = 0;
+  bool failed_itself_ = false;
+};
+
+}  // namespace
+
+int sweep_command(const SweepArguments& arguments) {
+  launch::Progress progress(true);
+  const SweepPlan plan = SweepPlanner(progress, {}).plan(arguments);
+  Sweep sweep(arguments, plan, progress);
+  bool complete = false;
+  {
+    client::Pool pool(std::min(arguments.jobs, plan.runs()));
+    const launch::Interrupts interrupts(pool);
+    progress.say(fmt::format("{} runs …", plan.runs()));
+    complete = pool.run(sweep.batch());
+  }
+  progress.clear();
+  sweep.finish(complete);
+
+  const std::string report = sweep_report(arguments, plan, sweep.outcomes());
+  if (arguments.json) {
+    fmt::print(stderr, "{}", report);
+  } else {
+    print(report);
+  }
+  if (!complete) {
+    fmt::print(stderr, "robosim: interrupted; {}\n",
+               arguments.csv.empty() ? "the table is of what was finished"
+                                     : "the same command with --resume goes on");
+    if (launch::Interrupts::signal() == SIGTERM || launch::Interrupts::signal() == SIGHUP)
+      ::raise(launch::Interrupts::signal());
+    return static_cast<int>(ExitStatus::interrupted);
+  }
+  if (sweep.failed_itself()) return static_cast<int>(ExitStatus::internal);
+  const auto tallies = count_runs(arguments, plan, sweep.outcomes());
+  const bool met =
+      std::all_of(tallies.begin(), tallies.end(), [](const analysis::Tally& t) { return t.met(); });
+  return static_cast<int>(!arguments.min_rate || met ? ExitStatus::ok : ExitStatus::failed);
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,75 @@
+// What a sweep is made of: every sketch on every map with every robot on every target, each with all seeds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/run/run_json.h"
+#include "sim/client/pool.h"
+#include "sim/launch/progress.h"
+
+namespace robosim::cli {
+
+/// A fingerprint of everything that a run came from but its seed, in parts, so that it can be told what has
+/// changed: 8 hexadecimal digits each, the beginning of a SHA-256.
+struct Fingerprint {
+  /// Image, map, robot; and everything else: Robosim's version and the options that all runs share.
+  std::array<std::string, 4> parts;
+  /// "0123abcd-…"
+  std::string text() const;
+};
+
+/// One sketch on one map with one robot on one target.
+struct Combination {
+  RunInputs inputs;   ///< as `--json` tells them
+  client::Task task;  ///< without its seed
+  std::string image_sha256;
+  std::string map_sha256;
+  std::string robot_sha256;
+  Fingerprint fingerprint;
+  std::string replay;  ///< the command that makes one of its runs, without --seed
+  /// "PidFollower on oval with uno5, target host"
+  std::string text() const;
+};
+
+/// Runs are numbered from 0: first all seeds of the first combination, then those of the second …
+struct SweepPlan {
+  std::vector<Combination> combinations;
+  std::uint64_t first_seed = 1;
+  std::size_t seeds = 0;
+
+  std::size_t runs() const { return combinations.size() * seeds; }
+  const Combination& combination_of(std::size_t run) const { return combinations[run / seeds]; }
+  std::uint64_t seed_of(std::size_t run) const { return first_seed + run % seeds; }
+  client::Task task_of(std::size_t run) const;
+};
+
+class SweepSupplies;
+
+/// Finds the files, compiles the sketches. What several sweeps share is compiled, read and said once.
+class SweepPlanner {
+ public:
+  /// What it says on standard error.
+  struct Says {
+    bool choices = true;   ///< made for the user
+    bool warnings = true;  ///< of the compiler
+  };
+  SweepPlanner(launch::Progress& progress, Says says);
+  ~SweepPlanner();
+
+  /// Throws InputError, ToolMissing and client::RunnerError.
+  SweepPlan plan(const SweepArguments& arguments);
+
+ private:
+  std::unique_ptr<SweepSupplies> supplies_;
+};
+
+/// The command that makes one run again.
+std::string replay_command(const Combination& combination, std::uint64_t seed);
+
+}  // namespace robosim::cli

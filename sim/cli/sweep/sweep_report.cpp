@@ -1,0 +1,169 @@
+#include "sim/cli/sweep/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "sim/tui/text.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr std::size_t kFailuresShown = 3;
+
+std::optional<analysis::Demand> demand_of(const SweepArguments& arguments) {
+  if (!arguments.min_rate) return std::nullopt;
+  return analysis::Demand{*arguments.min_rate, arguments.sure};
+}
+
+// To four digits, never up to a 1 that it is not, nor down to such a 0.
+std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
+std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
+
+/// The runs of one combination that count, by index.
+template <typename Visit>
+analysis::Tally count(const SweepArguments& arguments, const SweepPlan& plan, std::size_t combination,
+                      const std::vector<SweepOutcome>& outcomes, const Visit& visit) {
+  analysis::Tally tally(static_cast<std::int64_t>(plan.seeds), demand_of(arguments));
+  for (std::size_t i = 0; i < plan.seeds; ++i) {
+    const std::size_t run = combination * plan.seeds + i;
+    if (arguments.stop_early && tally.decided()) break;
+    if (!outcomes[run].made()) continue;
+    tally.add(outcomes[run].reached());
+    visit(run);
+  }
+  return tally;
+}
+
+using Lines = std::vector<std::vector<std::string>>;
+
+/// Columns as wide as they must be; the first `left` of them to the left, the others to the right.
+std::string aligned(const Lines& lines, std::size_t left) {
+  std::vector<int> widths(lines[0].size());
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], tui::width_of(line[i]));
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const std::string space(static_cast<std::size_t>(widths[i] - tui::width_of(line[i])), ' ');
+      row += (i == 0 ? "" : "  ") + (i < left ? line[i] + space : space + line[i]);
+    }
+    text += row + "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> line_of(const Combination& c, const analysis::Tally& tally, double reached_time_s) {
+  std::vector<std::string> line{c.inputs.sketch, c.inputs.map, c.inputs.robot, c.inputs.target};
+  line.push_back(std::to_string(tally.runs()));
+  line.push_back(std::to_string(tally.successes()));
+  if (tally.runs() == 0) {
+    line.insert(line.end(), {"-", "-", "-"});
+    return line;
+  }
+  const analysis::Interval interval = tally.interval();
+  line.push_back(share_down(tally.rate()));
+  line.push_back(share_down(interval.low) + " .. " + share_up(interval.high));
+  line.push_back(tally.successes() == 0
+                     ? "-"
+                     : fmt::format("{:.2f} s", reached_time_s / static_cast<double>(tally.successes())));
+  return line;
+}
+
+/// What did not reach its goal, with a command for each of the first.
+std::string failures_text(const SweepPlan& plan, std::size_t combination, const analysis::Tally& tally,
+                          const std::vector<std::size_t>& failures,
+                          const std::vector<SweepOutcome>& outcomes) {
+  if (failures.empty()) return "";
+  const Combination& c = plan.combinations[combination];
+  std::map<std::string, int> verdicts;
+  for (const std::size_t run : failures) ++verdicts[outcomes[run].verdict];
+  std::string kinds;
+  for (const auto& [verdict, times] : verdicts)
+    kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", times, verdict);
+  std::string text = fmt::format("\n{}: {} of {} did not reach the goal ({})\n", c.text(), failures.size(),
+                                 tally.runs(), kinds);
+  for (std::size_t i = 0; i < std::min(failures.size(), kFailuresShown); ++i) {
+    const SweepOutcome& outcome = outcomes[failures[i]];
+    const std::uint64_t seed = plan.seed_of(failures[i]);
+    text += fmt::format("  seed {}: {}. {}\n    {}\n", seed, outcome.verdict, outcome.why,
+                        replay_command(c, seed));
+  }
+  if (failures.size() > kFailuresShown)
+    text += fmt::format("  and {} more\n", failures.size() - kFailuresShown);
+  return text;
+}
+
+/// Whether the demand is met, where that is known, and how sure it is.
+std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
+                        const std::vector<analysis::Tally>& tallies) {
+  const analysis::Demand demand = *demand_of(arguments);
+  std::string text;
+  bool doubtful = false;
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    const analysis::Tally& tally = tallies[i];
+    const std::string name = plan.combinations[i].text();
+    if (!tally.decided()) continue;
+    if (tally.missed()) {
+      text +=
+          fmt::format("--min-rate {}: not met by {}: {} of {} reached the goal, and {} of {} are needed\n",
+                      demand.rate, name, tally.successes(), tally.runs(),
+                      *analysis::needed_successes(demand, tally.planned()), tally.planned());
+    }
+    if (arguments.stop_early && tally.runs() < tally.planned()) {
+      text += fmt::format("{}: stopped after {} of {} runs; the others could not change that it is {}\n",
+                          name, tally.runs(), tally.planned(), tally.met() ? "met" : "not met");
+    }
+    doubtful = doubtful || (tally.met() && tally.interval().low < demand.rate);
+  }
+  if (!std::all_of(tallies.begin(), tallies.end(), [](const analysis::Tally& t) { return t.met(); }))
+    return text.empty() ? "" : "\n" + text;
+  text += fmt::format("--min-rate {}: met\n", demand.rate);
+  if (doubtful && !demand.sure) {
+    const auto needed = analysis::needed_runs({demand.rate, true});
+    text += fmt::format(
+        "These runs have that rate; that it is so in general they do not show, as the interval begins below "
+        "it.{}\n",
+        needed ? fmt::format(" {} seeds without a failure would (--sure asks for that).", *needed) : "");
+  }
+  return "\n" + text;
+}
+
+}  // namespace
+
+std::vector<analysis::Tally> count_runs(const SweepArguments& arguments, const SweepPlan& plan,
+                                        const std::vector<SweepOutcome>& outcomes) {
+  std::vector<analysis::Tally> tallies;
+  for (std::size_t i = 0; i < plan.combinations.size(); ++i)
+    tallies.push_back(count(arguments, plan, i, outcomes, [](std::size_t) {}));
+  return tallies;
+}
+
+std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
+                         const std::vector<SweepOutcome>& outcomes) {
+  Lines lines{{"sketch", "map", "robot", "target", "runs", "reached", "rate", "95 % interval", "mean time"}};
+  std::vector<analysis::Tally> tallies;
+  std::string failed;
+  for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+    std::vector<std::size_t> failures;
+    double reached_time_s = 0.0;
+    tallies.push_back(count(arguments, plan, i, outcomes, [&](std::size_t run) {
+      if (outcomes[run].reached()) {
+        reached_time_s += outcomes[run].time_s;
+      } else {
+        failures.push_back(run);
+      }
+    }));
+    lines.push_back(line_of(plan.combinations[i], tallies.back(), reached_time_s));
+    failed += failures_text(plan, i, tallies.back(), failures, outcomes);
+  }
+  constexpr std::size_t kNames = 4;
+  return aligned(lines, kNames) + failed + (arguments.min_rate ? demand_text(arguments, plan, tallies) : "");
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,256 @@
+#include "sim/cli/sweep/sweep_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <system_error>
+#include <tuple>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+enum Column : std::size_t {
+  kSketch,
+  kMap,
+  kRobot,
+  kTarget,
+  kSeed,
+  kVerdict,
+  kTime,
+  kInputs = 20,
+  kWhy,
+  kColumns,
+};
+
+constexpr std::array<const char*, kColumns> kNames = {"sketch",
+                                                      "map",
+                                                      "robot",
+                                                      "target",
+                                                      "seed",
+                                                      "verdict",
+                                                      "time_s",
+                                                      "distance_m",
+                                                      "cross_track_rms_mm",
+                                                      "cross_track_max_mm",
+                                                      "off_line_s",
+                                                      "collisions",
+                                                      "energy_j",
+                                                      "laps",
+                                                      "lap_best_s",
+                                                      "lap_mean_s",
+                                                      "stations",
+                                                      "stack_bytes_max",
+                                                      "loop_us_max",
+                                                      "trace_hash",
+                                                      "inputs",
+                                                      "why"};
+
+constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
+                                               "an option, or the version of Robosim,"};
+
+/// As RFC 4180 has it, in one line.
+std::string field(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// Nothing if the quotes do not match.
+std::optional<std::vector<std::string>> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  if (quoted) return std::nullopt;
+  return fields;
+}
+
+template <typename Number>
+std::optional<Number> number(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Finds the run that a row is of.
+class Reader {
+ public:
+  Reader(const std::string& file, const SweepPlan& plan) : file_(file), plan_(plan), seen_(plan.runs()) {
+    for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+      const RunInputs& in = plan.combinations[i].inputs;
+      places_.emplace(std::make_tuple(in.sketch, in.map, in.robot, in.target), i);
+    }
+  }
+
+  SweepRow row(const std::string& line, int number_of_line) {
+    line_ = number_of_line;
+    const auto fields = fields_of(line);
+    if (!fields || fields->size() != kColumns) fail("this is no row of a sweep");
+    const auto& f = *fields;
+    const auto seed = number<std::uint64_t>(f[kSeed]);
+    const auto time = number<double>(f[kTime]);
+    if (!seed || !time || f[kVerdict].empty()) fail("this is no row of a sweep");
+    const auto place = places_.find(std::make_tuple(f[kSketch], f[kMap], f[kRobot], f[kTarget]));
+    if (place == places_.end() || *seed < plan_.first_seed || *seed - plan_.first_seed >= plan_.seeds) {
+      fail(
+          fmt::format("this run ({} on {} with {}, target {}, seed {}) is not part of this sweep; go on with "
+                      "the options that the file was begun with, or name another file",
+                      f[kSketch], f[kMap], f[kRobot], f[kTarget], *seed));
+    }
+    check_inputs(plan_.combinations[place->second], f[kInputs]);
+    const std::size_t run = place->second * plan_.seeds + (*seed - plan_.first_seed);
+    if (seen_[run]) fail("this run has a row already");
+    seen_[run] = true;
+    return {run, {f[kVerdict], *time, f[kWhy]}, line + "\n"};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const { throw InputError({file_, line_, 0}, message); }
+
+  void check_inputs(const Combination& combination, const std::string& inputs) const {
+    if (inputs == combination.fingerprint.text()) return;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < kParts.size(); ++i) {
+      const std::string& part = combination.fingerprint.parts[i];
+      if (inputs.compare(at, part.size(), part) == 0) {
+        at += part.size() + 1;
+        continue;
+      }
+      fail(fmt::format("{} has changed since this run was made; name another file, or undo the change",
+                       kParts[i]));
+    }
+    fail("this is no row of a sweep");
+  }
+
+  std::string file_;
+  const SweepPlan& plan_;
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t> places_;
+  std::vector<bool> seen_;
+  int line_ = 0;
+};
+
+std::string content_of(const std::vector<SweepRow>& rows) {
+  std::string text = sweep_header();
+  for (const SweepRow& row : rows) text += row.line;
+  return text;
+}
+
+}  // namespace
+
+std::string sweep_header() { return fmt::format("{}\n", fmt::join(kNames, ",")); }
+
+std::string sweep_row(const Combination& c, const wire::RunResult& r) {
+  const wire::Metrics& m = r.metrics;
+  std::string best, mean, stack, loop;
+  if (!m.laps_s.empty()) {
+    best = fmt::format("{}", *std::min_element(m.laps_s.begin(), m.laps_s.end()));
+    mean = fmt::format(
+        "{}", std::accumulate(m.laps_s.begin(), m.laps_s.end(), 0.0) / static_cast<double>(m.laps_s.size()));
+  }
+  if (r.resources) {
+    stack = std::to_string(r.resources->stack_bytes_max);
+    if (r.resources->loops > 0) loop = fmt::format("{}", r.resources->loop_us_max);
+  }
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     field(c.inputs.sketch), field(c.inputs.map), field(c.inputs.robot), c.inputs.target,
+                     r.seed, r.verdict, r.time_s, m.distance_m, m.cross_track_rms_mm, m.cross_track_max_mm,
+                     m.off_line_s, m.collisions, m.energy_j, m.laps_s.size(), best, mean, m.stations.size(),
+                     stack, loop, r.trace_hash, c.fingerprint.text(), field(r.why));
+}
+
+std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
+                                      const SweepPlan& plan) {
+  std::vector<SweepRow> rows;
+  Reader reader(file, plan);
+  int line = 0;
+  for (std::size_t at = 0;;) {
+    const std::size_t end = text.find('\n', at);
+    if (++line == 1 && !sweep_header().starts_with(text.substr(0, end == std::string::npos ? end : end + 1)))
+      throw InputError({file, 1, 0}, "this is not the header of a sweep's table; name another file");
+    if (end == std::string::npos) return rows;
+    const std::string content = text.substr(at, end - at);
+    at = end + 1;
+    if (line == 1) continue;
+    rows.push_back(reader.row(content, line));
+  }
+}
+
+SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::vector<SweepOutcome>& outcomes)
+    : path_(std::move(file)), plan_(plan) {
+  std::error_code error;
+  const bool there =
+      fs::exists(path_, error) && fs::file_size(path_, error) > 0 && read_file(path_) != sweep_header();
+  if (there && !resume)
+    throw InputError({path_.string(), 0, 0},
+                     "is there already; --resume goes on with it, or name another file");
+  if (!there) {
+    open("w");
+    put(sweep_header());
+    return;
+  }
+  const std::string text = read_file(path_);
+  std::vector<SweepRow> rows = read_sweep_rows(text, path_.string(), plan);
+  std::erase_if(rows, [](const SweepRow& row) { return row.outcome.verdict == kErrorVerdict; });
+  for (const SweepRow& row : rows) {
+    outcomes[row.run] = row.outcome;
+    ordered_ = ordered_ && row.run >= next_;
+    next_ = std::max(next_, row.run + 1);
+  }
+  const std::string whole = content_of(rows);
+  if (whole != text) write_file(path_, whole);  // without a row that was cut off, and without errors
+  open("a");
+}
+
+void SweepTable::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
+  if (!file_)
+    throw InputError({path_.string(), 0, 0}, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+void SweepTable::put(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0)
+    return;
+  throw InputError({path_.string(), 0, 0}, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+void SweepTable::add(std::size_t run, const std::string& row) {
+  put(row);
+  ordered_ = ordered_ && run >= next_;
+  next_ = std::max(next_, run + 1);
+}
+
+void SweepTable::finish() {
+  if (ordered_) return;
+  std::vector<SweepRow> rows = read_sweep_rows(read_file(path_), path_.string(), plan_);
+  std::sort(rows.begin(), rows.end(), [](const SweepRow& a, const SweepRow& b) { return a.run < b.run; });
+  write_file(path_, content_of(rows));
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,71 @@
+// The table of a sweep (--csv): docs/formats.md has its columns. It is written while the sweep goes on, so
+// that whatever ends it leaves whole rows, and can be gone on with.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/cli/sweep/sweep_plan.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::cli {
+
+/// The verdict of a run that Robosim failed to make; `why` then says what happened.
+inline constexpr const char* kErrorVerdict = "error";
+
+/// What a sweep keeps of each run.
+struct SweepOutcome {
+  std::string verdict;  ///< empty = not made
+  double time_s = 0.0;
+  std::string why;
+
+  bool made() const { return !verdict.empty(); }
+  bool reached() const { return verdict == "reached"; }
+};
+
+/// Each with its line feed.
+std::string sweep_header();
+std::string sweep_row(const Combination& combination, const wire::RunResult& result);
+
+/// The rows of `text`, the content of a table: which run each is of, and its outcome. A last row without line
+/// feed was cut off and is left out. Throws InputError (with `file` and line) if a row is not of this plan,
+/// or what it came from has changed since.
+struct SweepRow {
+  std::size_t run = 0;
+  SweepOutcome outcome;
+  std::string line;  ///< with its line feed
+};
+std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
+                                      const SweepPlan& plan);
+
+class SweepTable {
+ public:
+  /// Begins a file. With `resume` an existing one is gone on with: its outcomes are put into `outcomes`,
+  /// which has one for each run; a row that was cut off, and those with the verdict `error`, go. Without, an
+  /// existing one is refused. Throws InputError.
+  SweepTable(std::filesystem::path file, bool resume, const SweepPlan& plan,
+             std::vector<SweepOutcome>& outcomes);
+
+  /// Appends a row. Throws InputError if that fails.
+  void add(std::size_t run, const std::string& row);
+  /// The rows are all there: puts them into the order of the runs, if they are not.
+  void finish();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void put(const std::string& text);
+  void open(const char* mode);
+
+  std::filesystem::path path_;
+  const SweepPlan& plan_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::size_t next_ = 0;  ///< all rows so far are of runs before this one
+  bool ordered_ = true;
+};
+
+}  // namespace robosim::cli

@@ -1,0 +1,98 @@
+#include "sim/exec/avr/check.h"
+
+#include <array>
+#include <cstring>
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr reg::Address kWord = 2, kLocation = 3 * kWord;
+constexpr reg::Address kData = 24, kValue = 22, kOther = 20;  // registers that hand them over (avr-gcc's ABI)
+
+/// The chip's memory, as gcc's data lies in it.
+class Memory {
+ public:
+  explicit Memory(const Chip& chip) : chip_(chip) {}
+
+  std::uint16_t word(unsigned at) const { return static_cast<std::uint16_t>(bytes(at, kWord)); }
+  std::uint64_t bytes(unsigned at, unsigned count) const {
+    std::uint64_t value = 0;
+    for (unsigned i = 0; i < count; ++i)
+      value |= std::uint64_t{chip_.data(static_cast<reg::Address>(at + i))} << (8 * i);
+    return value;
+  }
+  std::string text(unsigned at) const {
+    std::string text;
+    for (; text.size() < kLongest; ++at) {
+      const char c = static_cast<char>(chip_.data(static_cast<reg::Address>(at)));
+      if (c == '\0') break;
+      text += c;
+    }
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t kLongest = 4096;  // of a path
+  const Chip& chip_;
+};
+
+/// A type's description, as it would lie in this program's memory.
+class Type {
+ public:
+  Type(const Memory& memory, unsigned at) {
+    const std::uint16_t head[] = {memory.word(at), memory.word(at + kWord)};
+    std::memcpy(storage_.data(), head, sizeof head);
+    const std::string name = memory.text(at + 2 * kWord).substr(0, storage_.size() - sizeof head - 1);
+    std::memcpy(storage_.data() + sizeof head, name.c_str(), name.size() + 1);
+    bits_ = head[0] == ubsan::Type::integer ? 1u << (head[1] >> 1 & 7) : head[1];
+  }
+  const ubsan::Type* get() const { return reinterpret_cast<const ubsan::Type*>(storage_.data()); }
+  unsigned bits() const { return bits_; }
+
+  /// A value of this type; what is wider than a pointer was handed over by its address.
+  std::uint64_t value(const Memory& memory, std::uint16_t handle) const {
+    return bits_ <= 8 * kWord ? handle : memory.bytes(handle, bits_ <= 64 ? bits_ / 8 : 8);
+  }
+
+ private:
+  alignas(ubsan::Type) std::array<char, 128> storage_{};
+  unsigned bits_ = 0;
+};
+
+/// As this program's gcc hands over a value of so many bits.
+std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
+  return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
+                                            : reinterpret_cast<std::uintptr_t>(&value);
+}
+
+/// avr-gcc 5 tells no place for a float that does not fit: its data begins with the float's type.
+bool lacks_location(const Memory& memory, unsigned data) {
+  return memory.word(memory.word(data)) == ubsan::Type::floating;
+}
+
+}  // namespace
+
+std::optional<Undefined> failed_check(const Firmware& firmware, const Chip& chip, const Fault& fault) {
+  const Symbol* const handler =
+      fault.kind == Fault::Kind::bad_opcode ? firmware.function_at(fault.pc) : nullptr;
+  if (!handler || !handler->name.starts_with(kCheckPrefix)) return std::nullopt;
+  std::string check = handler->name.substr(kCheckPrefix.size());
+  if (const auto end = check.find("_abort"); end != check.npos) check.erase(end);
+
+  const Memory memory(chip);
+  const unsigned data = memory.word(kData);
+  const bool placed = check != "float_cast_overflow" || !lacks_location(memory, data);
+  const unsigned types = data + (placed ? kLocation : 0);
+  const Type first(memory, memory.word(types)), second(memory, memory.word(types + kWord));
+  const Type& of_value = check == "out_of_bounds" ? second : first;
+  const Type& of_other = check == "shift_out_of_bounds" ? second : first;
+  const std::uint64_t value = of_value.value(memory, memory.word(kValue));
+  const std::uint64_t other = of_other.value(memory, memory.word(kOther));
+
+  const std::string file = placed ? memory.text(memory.word(data)) : "";
+  const std::uint32_t line = placed ? memory.word(data + kWord) : 0;
+  const ubsan::TwoTypes two{{placed ? file.c_str() : nullptr, line, 0}, first.get(), second.get()};
+  return explain_undefined(check, &two, handle(value, of_value.bits()), handle(other, of_other.bits()));
+}
+
+}  // namespace robosim::exec::avr

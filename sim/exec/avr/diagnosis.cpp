@@ -1,0 +1,185 @@
+#include "sim/exec/avr/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "sim/exec/avr/check.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr std::size_t kMostCalls = 10;
+
+bool is_jump(const Fault& fault) {
+  return fault.kind == Fault::Kind::bad_jump || fault.kind == Fault::Kind::restart;
+}
+
+bool same_place(const SourceLine& a, const SourceLine& b) {
+  return a.function == b.function && a.file == b.file && a.line == b.line;
+}
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+}  // namespace
+
+SourceLine Diagnosis::place(std::uint32_t pc) const {
+  for (const SourceLine& frame : debug_.frames(pc))
+    if (!is_core_file(frame.file)) return frame;
+  return {};
+}
+
+SourceLine Diagnosis::place_of_calls(const std::vector<Stack::Call>& calls) const {
+  for (const Stack::Call& call : calls) {
+    const SourceLine where = place(call.pc);
+    if (!where.file.empty()) return where;
+  }
+  return {};
+}
+
+SourceLine Diagnosis::where_now() const {
+  const Chip& chip = machine_.chip();
+  SourceLine where = place(chip.pc());
+  if (where.file.empty() && chip.in_handler()) where = place(chip.interrupted_pc());
+  return where.file.empty() ? place_of_calls(machine_.stack().open_calls()) : where;
+}
+
+std::string Diagnosis::jump_text(const Fault& fault) const {
+  const std::string target =
+      fault.kind == Fault::Kind::restart
+          ? "address 0, where a reset begins: the sketch would start again"
+          : fmt::format("address 0x{:04X}, {}", fault.pc,
+                        fault.pc < kFlashBytes ? "where there is no code" : "behind the flash");
+  const auto calls = machine_.stack().open_calls();
+  if (!calls.empty() && calls[0].by_pointer) return "call through a wrong function pointer to " + target;
+  if (machine_.stack().last_return() == fault.pc)
+    return "return to " + target + " (the return address on the stack was overwritten)";
+  return "jump to " + target;
+}
+
+std::string Diagnosis::reason(const Fault& fault) const {
+  if (fault.kind == Fault::Kind::stack ||
+      (fault.kind != Fault::Kind::watchdog && machine_.stack().has_overflown()))
+    return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
+                       machine_.stack().room_bytes());
+  switch (fault.kind) {
+    case Fault::Kind::bad_read:
+      return fmt::format("read of address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",
+                         fault.address, firmware_.last_ram);
+    case Fault::Kind::bad_write:
+      return fmt::format("write to address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",
+                         fault.address, firmware_.last_ram);
+    case Fault::Kind::bad_opcode:
+      return fmt::format("illegal instruction 0x{:04X} at flash address 0x{:04X}", fault.address, fault.pc);
+    case Fault::Kind::flash_write:
+      return fmt::format("write to the sketch's own flash at 0x{:04X} (instruction spm)", fault.address);
+    case Fault::Kind::watchdog:
+      return fmt::format("the watchdog has reset the chip {} times, each time within 10 s of the one before",
+                         machine_.chip().watchdog_resets());
+    default:
+      return jump_text(fault);
+  }
+}
+
+std::vector<SourceLine> Diagnosis::call_chain(std::uint32_t pc) const {
+  std::vector<SourceLine> chain;
+  const auto add = [&](std::uint32_t at) {
+    std::vector<SourceLine> frames = debug_.frames(at);
+    const Symbol* function = frames.empty() ? firmware_.function_at(at) : nullptr;
+    if (function) frames.push_back({function->name, "", 0});
+    for (const SourceLine& frame : frames)
+      if (!frame.function.starts_with(kCheckPrefix) && chain.size() < kMostCalls &&
+          (chain.empty() || !same_place(chain.back(), frame)))
+        chain.push_back(frame);
+  };
+  add(pc);
+  for (const Stack::Call& call : machine_.stack().open_calls()) add(call.pc);
+  return chain;
+}
+
+std::string Diagnosis::registers() const {
+  const Chip& chip = machine_.chip();
+  const std::uint8_t* flags = const_cast<Chip&>(chip).simavr()->sreg;
+  std::string sreg;
+  for (int bit = 7; bit >= 0; --bit) sreg += flags[bit] ? "CZNVSHTI"[bit] : '-';
+  std::string text = fmt::format("PC 0x{:04X}  SP 0x{:04X}  SREG {}", chip.pc(), chip.sp(), sreg);
+  for (reg::Address r = 0; r < 32; ++r)
+    text += fmt::format("{}r{} {:02X}", r % 16 == 0 ? "\n" : "  ", r, chip.data(r));
+  return text;
+}
+
+SourceLine Diagnosis::place_of_check(const Undefined& found) const {
+  const auto calls = machine_.stack().open_calls();
+  SourceLine best;
+  for (const Stack::Call& call : calls) {
+    for (SourceLine frame : debug_.frames(call.pc)) {
+      if (is_core_file(frame.file) || frame.function.starts_with(kCheckPrefix)) continue;
+      if (found.file.empty()) return frame;
+      // The compiler's optimiser may have moved the call; the check knows its own line.
+      if (best.file.empty()) best = {frame.function, file_name(found.file), found.line};
+      if (file_name(frame.file) != file_name(found.file)) continue;
+      frame.line = found.line;
+      return frame;
+    }
+    if (!best.file.empty()) return best;
+  }
+  return {"", file_name(found.file), found.line};
+}
+
+Crash Diagnosis::crash(const Fault& fault) const {
+  Crash crash;
+  crash.calls = call_chain(fault.pc);
+  crash.registers = registers();
+  if (const auto found = failed_check(firmware_, machine_.chip(), fault)) {
+    crash.check = found->check;
+    crash.reason = found->reason;
+    crash.where = place_of_check(*found);
+    std::erase_if(crash.calls, [](const SourceLine& call) { return call.file.starts_with("robosim/"); });
+    return crash;
+  }
+  crash.reason = reason(fault);
+  const Stack& stack = machine_.stack();
+  if (!is_jump(fault)) crash.where = place(fault.pc);
+  // Of a jump into the void: the call or return that led there.
+  if (is_jump(fault))
+    for (const std::uint32_t pc : machine_.chip().last_jumps())
+      if (crash.where.file.empty()) crash.where = place(pc);
+  if (crash.where.file.empty() && machine_.chip().in_handler())
+    crash.where = place(machine_.chip().interrupted_pc());
+  if (crash.where.file.empty()) crash.where = place_of_calls(stack.open_calls());
+  return crash;
+}
+
+std::string Diagnosis::api_call(std::uint32_t pc) const {
+  const std::vector<SourceLine> frames = debug_.frames(pc);
+  std::string name;
+  for (const SourceLine& frame : frames) {
+    if (!is_core_file(frame.file)) break;
+    name = frame.function;
+  }
+  return name.empty() || name == "main" || name.starts_with("__") ? "" : name + "()";
+}
+
+std::string Diagnosis::stopped_by() const {
+  const Chip& chip = machine_.chip();
+  if (chip.is_off()) return "sleeping with interrupts off";
+  const auto stop = firmware_.find("__stop_program");
+  return stop && chip.pc() == *stop ? "exit()" : "";
+}
+
+Activity Diagnosis::activity() const {
+  const Chip& chip = machine_.chip();
+  Activity activity;
+  activity.last_call = machine_.link().time_of(chip.last_io());
+  activity.call = api_call(chip.last_io_pc());
+  if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
+    activity.pin = machine_.ports().last_read();
+  const Cycle second = 16'000'000;
+  if (machine_.ports().last_read() != kNoPin && chip.cycle() - machine_.ports().last_read_at() <= second)
+    activity.polled = machine_.ports().last_read();
+  activity.where = where_now();
+  activity.stopped_by = stopped_by();
+  return activity;
+}
+
+}  // namespace robosim::exec::avr

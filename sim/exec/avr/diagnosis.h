@@ -1,0 +1,36 @@
+// What can be said about firmware from its chip's state and its debug information.
+#pragma once
+
+#include "sim/exec/avr/machine.h"
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/host/undefined.h"
+
+namespace robosim::exec::avr {
+
+class Diagnosis {
+ public:
+  Diagnosis(const Firmware& firmware, const DebugInfo& debug, const Machine& machine)
+      : firmware_(firmware), debug_(debug), machine_(machine) {}
+
+  Crash crash(const Fault& fault) const;
+  Activity activity() const;
+  SourceLine where_now() const;
+  /// The first of these calls that is the user's.
+  SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
+
+ private:
+  SourceLine place(std::uint32_t pc) const;
+  SourceLine place_of_check(const Undefined& found) const;
+  std::string jump_text(const Fault& fault) const;
+  std::string reason(const Fault& fault) const;
+  std::string api_call(std::uint32_t pc) const;
+  std::string stopped_by() const;
+  std::vector<SourceLine> call_chain(std::uint32_t pc) const;
+  std::string registers() const;
+
+  const Firmware& firmware_;
+  const DebugInfo& debug_;
+  const Machine& machine_;
+};
+
+}  // namespace robosim::exec::avr

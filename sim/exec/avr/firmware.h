@@ -1,0 +1,52 @@
+// A finished AVR ELF file: what goes into the chip's flash, and where its names are.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/exec/avr/registers.h"
+#include "sim/exec/elf/symbols.h"
+
+namespace robosim::exec::avr {
+
+constexpr std::uint32_t kFlashBytes = 0x8000;  ///< of an ATmega328P, boot loader included
+/// What functions are called that gcc has checks call when they fail, before the check's name.
+constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
+
+struct Firmware {
+  std::string file;
+  std::vector<std::uint8_t> flash;  ///< as it is flashed: code, constants, initial values of variables
+  std::uint32_t code_end = 0;       ///< end of .text
+  std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
+  std::uint32_t ram_bytes = 0;      ///< variables
+  Symbols symbols;                  ///< functions and variables: flash from 0, data memory from 0x800000
+  /// Last address of RAM, where the stack begins. An image with the checks of --sanitize is far larger than
+  /// the chip: it gets RAM up to where it has its stack begin, and 64 KB of flash.
+  std::uint16_t last_ram = reg::kLastRam;
+  bool needs_larger_chip() const { return last_ram != reg::kLastRam; }
+
+  /// The instruction word at an even flash address.
+  int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
+
+  /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for an
+  /// ATmega328P.
+  static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
+
+  /// Address of a symbol, if the image has it.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+  /// Data address of a variable.
+  std::optional<std::uint16_t> find_variable(const std::string& name) const;
+  /// Where a new round begins of the endless loop that runs the code at `entry` again and again: `entry`
+  /// itself, or, if the compiler has moved something out of the loop to its front, the first instruction that
+  /// is repeated.
+  std::uint32_t loop_head(std::uint32_t entry) const;
+  /// The function that holds a flash address; null if none does.
+  const Symbol* function_at(std::uint32_t pc) const;
+};
+
+}  // namespace robosim::exec::avr

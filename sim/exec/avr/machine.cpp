@@ -1,0 +1,235 @@
+#include "sim/exec/avr/machine.h"
+
+#include "sim/exec/avr/debug_port.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr std::uint8_t kEempe = 0x04, kEepe = 0x02, kEere = 0x01;
+constexpr Cycle kEepromWrite = kEepromWriteTime * 2 / 125;
+
+/// The timer whose PWM a write to this register changes; -1 = none. Of 16-bit registers the low byte counts.
+int timer_of(reg::Address address) {
+  if (address >= reg::kTccr0a && address <= reg::kOcr0b && address != reg::kTcnt0) return 0;
+  switch (address) {
+    case reg::kTccr1a:
+    case reg::kTccr1b:
+    case reg::kIcr1L:
+    case reg::kOcr1aL:
+    case reg::kOcr1bL:
+      return 1;
+    case reg::kTccr2a:
+    case reg::kTccr2b:
+    case reg::kOcr2a:
+    case reg::kOcr2b:
+      return 2;
+    default:
+      return -1;
+  }
+}
+
+bool selects_interrupts(reg::Address address) {
+  return address == reg::kEimsk || address == reg::kEicra || address == reg::kPcicr ||
+         (address >= reg::kPcmsk0 && address < reg::kPcmsk0 + 3) || address == reg::kTimsk1 ||
+         address == reg::kTccr0b || address == reg::kTccr1b;
+}
+
+}  // namespace
+
+Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
+                 const FirmwareClock& clock, SimTime t)
+    : firmware_(firmware),
+      board_(board),
+      chip_(firmware, board.spec(), *this),
+      link_{chip_, board, clock, clock.to_firmware(t)},
+      stack_(chip_, firmware),
+      ports_(link_),
+      adc_(link_),
+      uart_(link_) {
+  avr_eeprom_desc_t content{board.eeprom(), 0, board.spec().eeprom_bytes};
+  avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &content);
+  if (loop) chip_.set_trap(Chip::kLoopTrap, *loop);
+}
+
+Machine::~Machine() = default;
+
+void Machine::io_write(reg::Address address, std::uint8_t value) {
+  if (Ports::owns(address)) {
+    ports_.write(address, value);
+  } else if (Uart::owns(address)) {
+    uart_.write(address, value);
+  } else if (address == reg::kEecr) {
+    write_eeprom_control(value);
+  } else {
+    chip_.write_through(address, value);
+    timer_written(address);
+    if (selects_interrupts(address)) ports_.interrupts_changed();
+  }
+  if (board_.next_input() != kNever) chip_.stop_at(link_.cycle_at(board_.next_input()));
+}
+
+std::uint8_t Machine::io_read(reg::Address address) {
+  if (Ports::owns(address)) return ports_.read(address);
+  if (Uart::owns(address)) return uart_.read(address);
+  if (address == reg::kAdcL || address == reg::kAdcH) return adc_.read(address);
+  return chip_.read_through(address);
+}
+
+void Machine::timer_written(reg::Address address) {
+  const int timer = timer_of(address);
+  if (timer < 0) return;
+  if (address == reg::kIcr1L) {
+    // libsimavr overlooks a new top; stopping and starting the timer makes it look.
+    const std::uint8_t control = chip_.data(reg::kTccr1b);
+    if (control & 0x10 && control & 7) {
+      chip_.write_through(reg::kTccr1b, static_cast<std::uint8_t>(control & ~7));
+      chip_.write_through(reg::kTccr1b, control);
+    }
+  }
+  ports_.timer_changed(timer);
+}
+
+avr_cycle_count_t Machine::on_eeprom_written(avr_t* avr, avr_cycle_count_t, void* self) {
+  static_cast<Machine*>(self)->eeprom_busy_ = false;
+  avr->data[reg::kEecr] &= static_cast<std::uint8_t>(~kEepe);
+  return 0;
+}
+
+void Machine::write_eeprom_control(std::uint8_t value) {
+  if (eeprom_busy_) return;  // the chip ignores it while it writes
+  const bool writes = value & kEepe && chip_.data(reg::kEecr) & kEempe;
+  const auto address = static_cast<std::uint16_t>((chip_.data(reg::kEearL) | chip_.data(reg::kEearH) << 8) %
+                                                  board_.spec().eeprom_bytes);
+  if (value & kEere) {  // libsimavr has a copy; the board's is the one that counts
+    avr_eeprom_desc_t byte{board_.eeprom() + address, address, 1};
+    avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &byte);
+  }
+  chip_.write_through(reg::kEecr, value);
+  if (!writes) return;
+  std::uint8_t written = 0;
+  avr_eeprom_desc_t byte{&written, address, 1};
+  avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_GET, &byte);
+  board_.write_eeprom(address, written, link_.now());
+  // libsimavr is done at once; the chip takes its time.
+  eeprom_busy_ = true;
+  chip_.memory()[reg::kEecr] |= kEepe;
+  avr_cycle_timer_register(chip_.simavr(), kEepromWrite, &Machine::on_eeprom_written, this);
+}
+
+void Machine::was_reset() {
+  eeprom_busy_ = false;
+  looped_ = false;
+  ports_.was_reset();
+  adc_.was_reset();
+  uart_.was_reset();
+}
+
+void Machine::take_inputs() {
+  BoardInput input;
+  while (board_.take_input(link_.time_of(chip_.cycle()), input)) {
+    if (input.kind == BoardInput::Kind::edge) {
+      ports_.deliver(input);
+    } else {
+      uart_.receive(input.value);
+    }
+  }
+}
+
+void Machine::loop_began() {
+  const Cycle now = chip_.cycle();
+  if (looped_) {
+    const Cycle took = now - loop_began_;
+    ++loop_times_.count;
+    loop_times_.total += took;
+    if (took > loop_times_.longest) loop_times_.longest = took;
+  }
+  looped_ = true;
+  loop_began_ = now;
+}
+
+void Machine::set_debug_port(DebugPort* port) {
+  debug_port_ = port;
+  if (port) port->plug_into(*this);
+}
+
+std::uint8_t Machine::peek(reg::Address address) {
+  if (address == reg::kSreg) return chip_.status();
+  const bool counter = address == reg::kTcnt0 || address == reg::kTcnt1L || address == reg::kTcnt1L + 1 ||
+                       address == reg::kTcnt2;
+  if (counter) chip_.read_through(address);
+  return chip_.data(address);
+}
+
+void Machine::poke(reg::Address address, std::uint8_t value) {
+  if (address == reg::kSreg) {
+    chip_.set_status(value);
+  } else if (address == reg::kSpL || address == reg::kSpH || address < reg::kFirstIo ||
+             address >= reg::kFirstRam) {
+    chip_.memory()[address] = value;
+  } else {
+    io_write(address, value);
+  }
+}
+
+void Machine::trace_bytes(WrittenBytes& bytes) {
+  written_ = &bytes;
+  if (const auto write = firmware_.find(WrittenBytes::kFunction)) chip_.set_trap(Chip::kWriteTrap, *write);
+}
+
+void Machine::write_called() {
+  constexpr reg::Address kByte = 22;  // where avr-gcc passes it, `this` being in 24 and 25
+  written_->wrote(chip_.data(kByte), link_.time_of(chip_.cycle()));
+}
+
+void Machine::set_clock(SimTime start) {
+  clock_start_ = start;
+  if (const auto main = firmware_.find("main")) chip_.set_trap(Chip::kMainTrap, *main);
+}
+
+void Machine::start_clock() {
+  chip_.clear_trap(Chip::kMainTrap, chip_.pc());
+  // The core's (wiring.c): milliseconds, and overflows of timer 0, each of 1024 us.
+  const auto set = [&](const char* variable, std::uint64_t value) {
+    const auto address = firmware_.find_variable(variable);
+    for (int i = 0; address && i < 4; ++i)
+      chip_.memory()[*address + i] = static_cast<std::uint8_t>(value >> (8 * i));
+  };
+  set("timer0_millis", static_cast<std::uint64_t>(clock_start_ / kMillisecond));
+  set("timer0_overflow_count", static_cast<std::uint64_t>(clock_start_ / (1024 * kMicrosecond)));
+}
+
+Resources Machine::resources() const {
+  constexpr double kCycle_us = 1.0 / 16.0;
+  Resources r;
+  r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
+  r.ram_bytes = firmware_.ram_bytes;
+  r.stack_bytes_max = stack_.most_bytes();
+  r.loops = loop_times_.count;
+  const Cycle present = looped_ ? chip_.cycle() - loop_began_ : 0;
+  r.loop_us_max = static_cast<double>(std::max(loop_times_.longest, present)) * kCycle_us;
+  if (r.loops > 0)
+    r.loop_us_mean = static_cast<double>(loop_times_.total) * kCycle_us / static_cast<double>(r.loops);
+  const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));
+  r.interrupt_share = static_cast<double>(chip_.handler_cycles()) / all;
+  r.cpu_load = 1.0 - static_cast<double>(chip_.sleep_cycles()) / all;
+  return r;
+}
+
+void Machine::run_until(SimTime t) {
+  link_.limit = t;
+  const Cycle end = link_.cycle_at(t);
+  if (debug_port_) debug_port_->begin_tick();
+  while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
+    take_inputs();
+    const SimTime next = board_.next_input();
+    const Cycle stop = next < t ? std::max(link_.cycle_at(next), chip_.cycle() + 1) : end;
+    chip_.run_to(std::min(stop, end));
+    const unsigned traps = chip_.take_traps();
+    if (traps & Chip::kLoopTrap) loop_began();
+    if (traps & Chip::kMainTrap) start_clock();
+    if (traps & Chip::kWriteTrap) write_called();
+    if (debug_port_) debug_port_->ran(traps & Chip::kBreakpoint);
+  }
+}
+
+}  // namespace robosim::exec::avr

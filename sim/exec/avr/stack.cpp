@@ -1,0 +1,62 @@
+#include "sim/exec/avr/stack.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr std::size_t kMostCalls = 12;
+
+}  // namespace
+
+Stack::Stack(Chip& chip, const Firmware& firmware)
+    : chip_(chip),
+      firmware_(firmware),
+      heap_pointer_(firmware.find_variable("__brkval").value_or(0)),
+      heap_end_(firmware.globals_end) {
+  chip_.set_stack_limit(heap_end_);
+}
+
+void Stack::look() {
+  if (!heap_pointer_) return;
+  const int end = chip_.data(heap_pointer_) | chip_.data(static_cast<reg::Address>(heap_pointer_ + 1)) << 8;
+  if (end <= heap_end_ || end > firmware_.last_ram) return;
+  heap_end_ = static_cast<std::uint16_t>(end);
+  chip_.set_stack_limit(heap_end_);
+}
+
+std::uint32_t Stack::return_address(std::uint32_t at) const {
+  return 2u * static_cast<std::uint32_t>(chip_.data(static_cast<reg::Address>(at)) << 8 |
+                                         chip_.data(static_cast<reg::Address>(at + 1)));
+}
+
+bool Stack::find_call(std::uint32_t pc, Call& call) const {
+  if (pc < 4 || pc > firmware_.code_end) return false;
+  const auto word = [&](std::uint32_t at) { return firmware_.word(at); };
+  if ((word(pc - 4) & 0xFE0E) == 0x940E) {
+    call = {pc - 4, false};
+    return true;
+  }
+  const int last = word(pc - 2);
+  if (last == 0x9509 || (last & 0xF000) == 0xD000) {
+    call = {pc - 2, last == 0x9509};
+    return true;
+  }
+  return false;
+}
+
+std::vector<Stack::Call> Stack::open_calls() const {
+  std::vector<Call> calls;
+  Call call;
+  for (std::uint32_t at = chip_.sp() + 1u; at < firmware_.last_ram && calls.size() < kMostCalls; ++at) {
+    if (at < reg::kFirstRam || !find_call(return_address(at), call)) continue;
+    calls.push_back(call);
+    ++at;
+  }
+  return calls;
+}
+
+std::uint32_t Stack::last_return() const {
+  const std::uint32_t sp = chip_.sp();
+  return sp > reg::kFirstRam && sp <= firmware_.last_ram ? return_address(sp - 1) : 0;
+}
+
+}  // namespace robosim::exec::avr

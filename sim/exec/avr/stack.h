@@ -1,0 +1,52 @@
+// The stack: how deep it has been, whether it has met the variables, and who called whom.
+//
+//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF (Firmware::last_ram)
+//
+// The chip follows the stack pointer at every change, so that neither a short deep call nor a large array
+// that is never written to is missed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/exec/avr/chip.h"
+
+namespace robosim::exec::avr {
+
+class Stack {
+ public:
+  Stack(Chip& chip, const Firmware& firmware);
+
+  /// Looks how far the heap has grown: the stack must not cross it.
+  void look();
+  /// The most bytes that were in use.
+  std::uint32_t most_bytes() const {
+    return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
+  }
+  /// What variables and heap leave.
+  std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - heap_end_; }
+  /// Whether the stack has reached the variables or the heap.
+  bool has_overflown() const { return chip_.lowest_sp() < heap_end_; }
+
+  /// An instruction in the code that called something.
+  struct Call {
+    std::uint32_t pc = 0;     ///< of the call instruction
+    bool by_pointer = false;  ///< icall
+  };
+  /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
+  /// Saved registers may look like one by chance.
+  std::vector<Call> open_calls() const;
+  /// The word that the last `ret` has taken, as a flash address.
+  std::uint32_t last_return() const;
+
+ private:
+  std::uint32_t return_address(std::uint32_t at) const;
+  bool find_call(std::uint32_t return_pc, Call& call) const;
+
+  Chip& chip_;
+  const Firmware& firmware_;
+  std::uint16_t heap_pointer_ = 0;  ///< where malloc keeps the heap's end; 0 = there is no heap
+  std::uint16_t heap_end_;          ///< the highest it has been
+};
+
+}  // namespace robosim::exec::avr

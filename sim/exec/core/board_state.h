@@ -1,0 +1,94 @@
+// The Board that every executor shares: how pins are driven, who watches, what is on its way to the chip.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "hal/board/board_spec.h"
+
+namespace robosim::exec {
+
+/// An edge on a pin or a byte at the UART, on its way to the chip.
+struct BoardInput {
+  enum class Kind : std::uint8_t { edge, byte };
+  Kind kind = Kind::edge;
+  Pin pin = kNoPin;        ///< of an edge
+  std::uint8_t value = 0;  ///< level after the edge, or the byte
+  SimTime at = 0;          ///< when the chip has it
+};
+
+class BoardState final : public Board {
+ public:
+  explicit BoardState(const BoardSpec& spec);
+
+  const BoardSpec& spec() const override { return spec_; }
+  void set_drive(Pin pin, const PinDrive& drive, SimTime t) override;
+  bool read_level(Pin pin, SimTime t) override;
+  double read_volts(Pin pin, SimTime t) override;
+  void send_byte(std::uint8_t byte, SimTime t) override;
+  std::uint8_t* eeprom() override { return eeprom_.data(); }
+  void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
+
+  const PinDrive& drive(Pin pin) const override { return pins_[pin % kMaxPins].drive; }
+  void connect(Pin pin, PinSource& source) override;
+  void watch(Pin pin, PinWatcher& watcher) override;
+  void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
+  void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
+  void schedule_edge(Pin pin, bool level, SimTime at) override;
+  bool wants_edges(Pin pin) const override { return pins_[pin % kMaxPins].wants_edges; }
+  bool wants_any_edges() const override { return wanted_pins_ > 0; }
+  void receive_byte(std::uint8_t byte, SimTime at) override;
+  void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
+
+  // --- for executors
+  // ----------------------------------------------------------------------------------------
+  /// A reset: all pins become inputs, nobody wants edges, the receiver is off; what was on its way is lost.
+  void reset(SimTime t);
+  void set_wants_edges(Pin pin, bool wanted);
+  /// The receiver listens from `now` on, a byte taking `byte_time`; 0 = it does not. Bytes sent before are
+  /// lost.
+  void listen(SimTime byte_time, SimTime now);
+
+  /// When the next wanted edge or byte arrives; kNever if none is on its way.
+  SimTime next_input() const { return next_input_; }
+  /// Takes it if it arrives at or before `until`.
+  bool take_input(SimTime until, BoardInput& input);
+  /// Forgets edges before `t` that nobody wanted.
+  void forget_edges(SimTime t);
+
+ private:
+  struct PinState {
+    PinDrive drive;
+    PinSource* source = nullptr;
+    std::vector<PinWatcher*> watchers;
+    bool wants_edges = false;
+  };
+  struct Byte {
+    std::uint8_t value;
+    SimTime sent;
+  };
+
+  const Byte* next_byte() const;
+  SimTime arrival(const Byte& byte) const;
+  std::size_t next_edge() const;
+  void refresh_next();
+
+  bool level_on(Pin pin, SimTime t);
+
+  const BoardSpec& spec_;
+  InputWatcher* input_watcher_ = nullptr;
+  EepromWatcher* eeprom_watcher_ = nullptr;
+  std::array<PinState, kMaxPins> pins_;
+  int wanted_pins_ = 0;  ///< of which edges are wanted
+  std::vector<SerialWatcher*> serial_watchers_;
+  std::vector<std::uint8_t> eeprom_;
+  std::vector<BoardInput> edges_;  ///< by time, and as scheduled where times are equal
+  std::vector<Byte> bytes_;        ///< by time
+  SimTime byte_time_ = 0;          ///< 0 = the receiver is off
+  SimTime last_arrival_ = 0;
+  SimTime next_input_ = kNever;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,113 @@
+// Who executes the firmware. An executor knows pins and time; it knows no robot and no world.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/base/bundle.h"
+#include "sim/base/error.h"
+
+namespace robosim::exec {
+
+namespace gdb {
+class Server;
+}
+
+/// A place in the user's sketch; empty and 0 where not known.
+struct SourceLine {
+  std::string function;
+  std::string file;  ///< as the user named it ("Blink.ino")
+  int line = 0;
+};
+
+/// Why firmware can run no further.
+struct Crash {
+  std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
+  SourceLine where;
+  std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
+  std::string registers;          ///< of a chip's processor, for people; else empty
+  std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
+};
+
+/// What the firmware did last: lets a verdict say what it waits for.
+struct Activity {
+  SimTime last_call = 0;   ///< when it last called the API (on a chip: accessed I/O outside handlers)
+  std::string call;        ///< that call as the sketch would write it: "digitalRead(2)"
+  Pin pin = kNoPin;        ///< the pin of that call
+  Pin polled = kNoPin;     ///< the pin of its last digitalRead, if that was within the last second
+  SourceLine where;        ///< where in the sketch the firmware is now
+  std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
+};
+
+/// What firmware takes of its chip, as measured from power-on.
+struct Resources {
+  std::uint32_t flash_bytes = 0;      ///< code, constants, initial values of variables
+  std::uint32_t ram_bytes = 0;        ///< variables
+  std::uint32_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
+  std::uint64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
+  double loop_us_max = 0.0;           ///< longest time from one beginning of loop() to the next, or to now
+  double loop_us_mean = 0.0;
+  double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
+  double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load
+};
+
+class Executor {
+ public:
+  virtual ~Executor() = default;
+
+  /// The seam to the robot. Valid for the executor's whole life, across power cycles.
+  virtual Board& board() = 0;
+
+  /// Loads the firmware afresh and starts it at `t`; all pins are inputs. EEPROM keeps its content.
+  virtual void power_on(SimTime t) = 0;
+  /// Stops the firmware; all pins become inputs without pull-up.
+  virtual void power_off(SimTime t) = 0;
+
+  /// Runs the firmware up to simulated time `t`. Edges and bytes scheduled before arrive at their exact time.
+  /// Returns at once when the firmware is off or has crashed.
+  virtual void run_until(SimTime t) = 0;
+
+  /// Set once the firmware has crashed.
+  virtual const std::optional<Crash>& crash() const = 0;
+  /// Costly (reads debug information): for the end of a run.
+  virtual Activity activity() = 0;
+  /// When the firmware last called the API; cheap.
+  virtual SimTime last_call() const = 0;
+
+  /// How wide the firmware's int is.
+  virtual int int_bits() const { return 32; }
+  /// Measured on chip targets only, and not of an image with the checks of --sanitize.
+  virtual std::optional<Resources> resources() const { return std::nullopt; }
+  /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
+  /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
+  virtual std::vector<BundledFile> counters() { return {}; }
+  /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
+  virtual void set_clock_start(SimTime) {
+    throw InputError(
+        "--clock: only on a chip target can the clock be set; on the host it is wider and never wraps");
+  }
+
+  /// Where in the sketch the firmware is now; also while run_until() lasts, for watchers of pins.
+  virtual SourceLine source() { return activity().where; }
+  /// From the next power-on, source_of() is asked for every byte that is sent, and answers for those of this
+  /// span.
+  virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }
+  /// The line that has printed the byte which is being sent.
+  virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
+
+  /// Whether scripts can break clock and EEPROM: set_clock_drift() is there, and the EEPROM is the board's.
+  virtual bool has_chip_faults() const { return false; }
+  /// From `t` on, which is now, the chip's clock runs so much too fast, in parts per million; also after a
+  /// power cycle.
+  virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
+  /// From the next power-on, a debugger may halt the firmware: run_until() then does not return. `server`
+  /// must outlive the executor's use. Throws InputError where that cannot be.
+  virtual void debug_with(gdb::Server&) {
+    throw InputError("--gdb: a debugger attaches to an emulated chip only, as in --target avr");
+  }
+};
+
+}  // namespace robosim::exec

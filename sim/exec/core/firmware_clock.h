@@ -1,0 +1,42 @@
+// The firmware's clock against the world's. They are the same until drift() says otherwise; from then on
+//   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
+//   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
+// in whole nanoseconds, so that world(f) >= w exactly where f >= firmware(w).
+#pragma once
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::exec {
+
+class FirmwareClock {
+ public:
+  /// From `world` on the firmware's clock runs so much too fast, in parts per million; it does not jump.
+  void drift(int ppm, SimTime world) {
+    firmware_0_ = to_firmware(world);
+    world_0_ = world;
+    rate_ = kMillion + ppm;
+  }
+
+  SimTime to_firmware(SimTime world) const {
+    if (rate_ == kMillion) return shifted(world, firmware_0_ - world_0_);
+    if (world == kNever) return kNever;
+    const SimTime d = world - world_0_;
+    return firmware_0_ + d / kMillion * rate_ + (d % kMillion * rate_ + kMillion - 1) / kMillion;
+  }
+  SimTime to_world(SimTime firmware) const {
+    if (rate_ == kMillion) return shifted(firmware, world_0_ - firmware_0_);
+    if (firmware == kNever) return kNever;
+    const SimTime d = firmware - firmware_0_;
+    return world_0_ + d / rate_ * kMillion + d % rate_ * kMillion / rate_;
+  }
+
+ private:
+  static constexpr SimTime kMillion = 1'000'000;
+  static SimTime shifted(SimTime t, SimTime by) { return t == kNever ? kNever : t + by; }
+
+  SimTime rate_ = kMillion;  // firmware's nanoseconds in a world's millisecond
+  SimTime world_0_ = 0;
+  SimTime firmware_0_ = 0;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,43 @@
+// Places in the sketch's source for addresses in flash, from the image's DWARF.
+//
+// By libdw (elfutils), inside this process: a sketch's loop() is usually inlined into main(), and libdw also
+// tells where; addr2line cannot.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/exec/core/executor.h"
+
+struct Dwarf;
+
+namespace robosim::exec {
+
+class DebugInfo {
+ public:
+  /// An image without debug information is fine: nothing is found in it.
+  explicit DebugInfo(const std::filesystem::path& file);
+  ~DebugInfo();
+  DebugInfo(const DebugInfo&) = delete;
+  DebugInfo& operator=(const DebugInfo&) = delete;
+
+  /// The function that holds the instruction at `pc`, and those that it was inlined into, innermost first,
+  /// each with the line it has reached. Empty if not known.
+  std::vector<SourceLine> frames(std::uint32_t pc) const;
+
+  /// The first instruction of a function without parameters that is there exactly once: itself, or inlined.
+  std::optional<std::uint32_t> entry_of(const std::string& function) const;
+
+ private:
+  int descriptor_ = -1;
+  Dwarf* dwarf_ = nullptr;
+};
+
+/// Whether debug information names this file for code that is not the user's: the core, the C library,
+/// Robosim.
+bool is_core_file(const std::string& file);
+
+}  // namespace robosim::exec

@@ -1,0 +1,49 @@
+// One debugger at a TCP port of this machine, and its packets: "$BODY#SUM", each answered by '+', until the
+// debugger says that TCP is sure enough ("Debugging with GDB", appendix E, Remote Protocol).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace robosim::exec::gdb {
+
+class Connection {
+ public:
+  /// Listens at 127.0.0.1. Throws InputError if the port is taken or none for this user. `interrupted` ends
+  /// all waiting; a signal handler sets it.
+  Connection(std::uint16_t port, const std::atomic<bool>& interrupted);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  /// Waits for a debugger; from then on nobody else can connect. False when interrupted.
+  bool accept();
+  bool open() const { return peer_ >= 0; }
+  void close();
+
+  /// Waits for the next packet. Nothing when the debugger has gone, or when interrupted: closed then.
+  std::optional<std::string> receive();
+  void send(std::string_view body);
+  /// Answers no longer need '+'.
+  void trust() { trusted_ = true; }
+
+  /// Whether the debugger has pressed Ctrl-C, or has gone (closed then); does not wait.
+  bool asks_to_halt();
+
+ private:
+  bool wait(int descriptor);
+  bool fill();
+  void write(std::string_view bytes);
+  std::optional<std::string> take_packet();
+
+  const std::atomic<bool>& interrupted_;
+  int listener_ = -1;
+  int peer_ = -1;
+  bool trusted_ = false;
+  std::string received_;
+};
+
+}  // namespace robosim::exec::gdb

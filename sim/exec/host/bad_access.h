@@ -1,0 +1,19 @@
+// What an address check has stopped, in words: which variable was meant, and how far beside it the access
+// was.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/host/image.h"
+#include "sim/exec/host/shadow.h"
+
+namespace robosim::exec {
+
+/// A clause, as in Crash. `stack` is the firmware's: gcc's notes on the local variables lie in their
+/// functions' frames. `shadow` as in host::Image.
+std::string explain(const host::BadAccess& access, const std::vector<host::GlobalRecord>& globals,
+                    MemoryRange stack, std::uintptr_t shadow);
+
+}  // namespace robosim::exec

@@ -1,0 +1,431 @@
+#include "sim/exec/host/host_executor.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <ucontext.h>
+#include <unwind.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/exec/core/clocked_board.h"
+#include "sim/exec/host/bad_access.h"
+#include "sim/exec/host/fiber.h"
+#include "sim/exec/host/image_file.h"
+#include "sim/exec/host/shadow.h"
+#include "sim/exec/host/undefined.h"
+
+namespace robosim::exec {
+namespace {
+
+constexpr std::size_t kStackBytes = 256 * 1024;
+constexpr std::size_t kHeapBytes = 64 * 1024;
+constexpr std::size_t kNullPage = 4096;
+constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
+constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE};
+
+/// A fault of the firmware as the signal handler met it.
+struct Fault {
+  int signal = 0;
+  int code = 0;
+  const std::byte* address = nullptr;
+  const std::byte* pc = nullptr;
+  const std::byte* stack_pointer = nullptr;
+  const void* link = nullptr;  // where the innermost call returns to, if that is in a register
+  bool known_write = false;
+  bool known_read = false;
+};
+
+Fault describe(int signal, const siginfo_t& info, const ucontext_t& context) {
+  Fault fault;
+  fault.signal = signal;
+  fault.code = info.si_code;
+  fault.address = static_cast<const std::byte*>(info.si_addr);
+#if defined(__x86_64__)
+  const auto& registers = context.uc_mcontext.gregs;
+  fault.pc = reinterpret_cast<const std::byte*>(registers[REG_RIP]);
+  fault.stack_pointer = reinterpret_cast<const std::byte*>(registers[REG_RSP]);
+  fault.known_write = registers[REG_ERR] & 2;
+  fault.known_read = !fault.known_write;
+#elif defined(__aarch64__)
+  fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.pc);
+  fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.sp);
+  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.regs[30]);
+#elif defined(__arm__)
+  fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_pc);
+  fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_sp);
+  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.arm_lr);
+#endif
+  return fault;
+}
+
+bool in_same_object(const void* a, const void* b) {
+  Dl_info first{}, second{};
+  return dladdr(a, &first) && dladdr(b, &second) && first.dli_fbase == second.dli_fbase;
+}
+
+/// A stack for signal handlers, unless the thread has one: the firmware's own may be what has overflowed.
+void ensure_signal_stack() {
+  stack_t present{};
+  if (sigaltstack(nullptr, &present) == 0 && !(present.ss_flags & SS_DISABLE)) return;
+  static thread_local const GuardedMemory memory(64 * 1024);
+  stack_t ours{};
+  ours.ss_sp = memory.begin();
+  ours.ss_size = memory.size();
+  sigaltstack(&ours, nullptr);
+}
+
+}  // namespace
+
+namespace {
+
+class Counters final : public host::CounterSink {
+ public:
+  explicit Counters(std::vector<BundledFile> files) : files_(std::move(files)) {}
+  void begin(const char* file) override { files_.push_back({file, ""}); }
+  void add(const void* bytes, std::size_t count) override {
+    files_.back().content.append(static_cast<const char*>(bytes), count);
+  }
+  const std::vector<BundledFile>& files() const { return files_; }
+
+ private:
+  std::vector<BundledFile> files_;
+};
+
+}  // namespace
+
+/// One power cycle of the firmware.
+class HostExecutor::Instance final : public host::Host {
+ public:
+  Instance(HostExecutor& owner, SimTime t)
+      : owner_(owner),
+        image_(owner.image_),
+        state_(*image_.entry().state),
+        heap_(kHeapBytes),
+        stack_(kStackBytes),
+        fiber_(stack_, &Instance::start, this),
+        shadow_(image_.entry().shadow, checked_memory()) {
+    state_.heap = reinterpret_cast<std::uint8_t*>(heap_.begin());
+    state_.heap_bytes = heap_.size();
+    state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
+    state_.stack_bytes = stack_.size();
+    state_.now = state_.wake = state_.last_call = owner.clock_.to_firmware(t);
+    catch_faults();
+  }
+
+  const host::FirmwareState& state() const { return state_; }
+
+  void count(host::CounterSink& sink) const {
+    if (image_.entry().counters) image_.entry().counters(sink);
+  }
+
+  /// Runs the firmware to `t`; false if it has crashed.
+  bool run_until(SimTime t) {
+    state_.limit = owner_.clock_.to_firmware(t);
+    state_.next_input = next_input();
+    if (std::min(state_.wake, state_.next_input) >= state_.limit) return true;
+    running_ = this;
+    if (sigsetjmp(escape_, 0) == 0) {
+      fiber_.resume();
+    } else {
+      report_fault();
+    }
+    running_ = nullptr;
+    return !owner_.crash_;
+  }
+
+  SourceLine place() const {
+    std::vector<CodeAddress> addresses = {{state_.place, true}};
+    add_stack(static_cast<const std::byte*>(suspended_at_), addresses);
+    return image_.locate(addresses);
+  }
+
+  /// Of the call that is going on, asked from within it.
+  SourceLine source() {
+    std::vector<CodeAddress> addresses = {{state_.place, true}};
+    add_callers(addresses);
+    std::vector<const void*> key;
+    for (const CodeAddress& address : addresses) key.push_back(address.pc);
+    const auto [known, fresh] = sources_.try_emplace(std::move(key));
+    if (fresh) known->second = image_.locate(addresses);
+    return known->second;
+  }
+
+  // --- host::Host, called on the fiber
+  // ------------------------------------------------------------------------
+  void yield() override { suspend(); }
+
+  bool take_input(SimTime until, host::Input& input) override {
+    BoardInput taken;
+    const bool found = owner_.board_.take_input(owner_.clock_.to_world(until), taken);
+    state_.next_input = next_input();
+    if (!found) return false;
+    input.kind = taken.kind == BoardInput::Kind::edge ? host::Input::Kind::edge : host::Input::Kind::byte;
+    input.pin = taken.pin;
+    input.value = taken.value;
+    input.at = owner_.clock_.to_firmware(taken.at);
+    return true;
+  }
+
+  void want_edges(Pin pin, bool wanted) override {
+    owner_.board_.set_wants_edges(pin, wanted);
+    state_.next_input = next_input();
+  }
+
+  void listen(SimTime byte_time, SimTime now) override {
+    owner_.board_.listen(byte_time, owner_.clock_.to_world(now));
+    state_.next_input = next_input();
+  }
+
+  void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
+    Undefined found;
+    found.reason = reason;
+    found.file = file ? file : "";
+    found.line = static_cast<int>(line);
+    report(found, where);
+  }
+
+  void undefined(const char* check, const void* data, std::uintptr_t value, std::uintptr_t other,
+                 const void* where) override {
+    report(explain_undefined(check, data, value, other), where);
+  }
+
+  void globals(const host::GlobalRecord* records, std::size_t count) override {
+    globals_.insert(globals_.end(), records, records + count);
+  }
+
+  void bad_access(const host::BadAccess& access, const void* where) override {
+    Undefined found;
+    found.check = "bad_access";
+    found.reason = explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow);
+    report(found, where);
+  }
+
+ private:
+  static void start(void* argument) {
+    auto& self = *static_cast<Instance*>(argument);
+    self.image_.entry().run(self.board_, self, self.state_.now);
+  }
+
+  std::vector<MemoryRange> checked_memory() const {
+    const auto* const begin = static_cast<const std::byte*>(image_.entry().begin);
+    const auto* const end = static_cast<const std::byte*>(image_.entry().end);
+    return {{begin, end}, {heap_.begin(), heap_.end()}, {stack_.begin(), stack_.end()}};
+  }
+
+  /// A fault that the firmware has noticed itself, on the fiber.
+  void report(const Undefined& fault, const void* where) {
+    std::vector<CodeAddress> addresses = {{where, true}};
+    add_callers(addresses);
+    addresses.push_back({state_.place, true});
+    Crash crash{fault.reason, image_.locate(addresses)};
+    crash.check = fault.check;
+    if (!is_own_file(fault.file)) {
+      crash.where.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
+      crash.where.line = fault.line;
+    }
+    owner_.crash_ = crash;
+    suspend();
+  }
+
+  void suspend() {
+    suspended_at_ = __builtin_frame_address(0);
+    fiber_.suspend();
+  }
+
+  /// What is on the stack there, even where a sanitizer forbids it to others.
+  __attribute__((no_sanitize("address"))) static const void* word_at(const std::byte* address) {
+    const void* word = nullptr;
+    __builtin_memcpy(&word, address, sizeof word);
+    return word;
+  }
+
+  /// Return addresses on the stack, the innermost first. Old ones in unused slots may be among them.
+  void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const {
+    constexpr int kMostWords = 4096;
+    const auto misaligned = reinterpret_cast<std::uintptr_t>(from) % sizeof(void*);
+    from -= misaligned;
+    if (!stack_.contains(from)) return;
+    for (int i = 0; i < kMostWords && addresses.size() < kMostAddresses; ++i, from += sizeof(void*)) {
+      if (from + sizeof(void*) > stack_.end()) return;
+      const void* const word = word_at(from);
+      if (image_.has_code(word)) addresses.push_back({word, true});
+    }
+  }
+
+  struct Walk {
+    const LoadedImage& image;
+    std::vector<CodeAddress>& addresses;
+    bool inside = false, through = false;
+  };
+
+  static _Unwind_Reason_Code step(_Unwind_Context* frame, void* data) {
+    Walk& walk = *static_cast<Walk*>(data);
+    const auto* const pc = reinterpret_cast<const void*>(_Unwind_GetIP(frame));
+    const bool inside = walk.image.has_code(pc);
+    walk.through = walk.inside && !inside;
+    if (walk.through) return _URC_END_OF_STACK;
+    walk.inside = inside;
+    if (inside) walk.addresses.push_back({pc, true});
+    return walk.addresses.size() < kMostAddresses ? _URC_NO_REASON : _URC_END_OF_STACK;
+  }
+
+  /// The image's calls that are open, the innermost first: asked on the fiber, from within one of them. By
+  /// the unwind tables; where they do not lead through, also what looks like calls on the stack.
+  void add_callers(std::vector<CodeAddress>& addresses) const {
+    Walk walk{image_, addresses};
+    _Unwind_Backtrace(step, &walk);
+    if (!walk.through) add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
+  }
+
+  static void catch_faults();
+  static void on_fault(int signal, siginfo_t* info, void* context);
+
+  void report_fault() {
+    const Fault& fault = fault_;
+    std::vector<CodeAddress> addresses = {{fault.pc, false}};
+    if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
+    add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
+    addresses.push_back({state_.place, true});
+    owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};
+  }
+
+  std::string reason(const Fault& fault) const {
+    const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
+    if (fault.signal == SIGILL)
+      return "an instruction that does not exist (a damaged stack or pointer to a function?)";
+    if (fault.signal == SIGFPE) return "a division by zero, or one whose result does not fit";
+    if (stack_.in_guard_before(fault.address)) return "stack overflow (deep recursion?)";
+    const char* const hint = address < kNullPage ? " (null pointer)" : "";
+    if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);
+    // A processor that gets an impossible address does not say which.
+    if (fault.signal == SIGSEGV && fault.code == SI_KERNEL) return "access through a wild pointer";
+    if (heap_.in_guard_before(fault.address) || is_behind_heap(fault.address))
+      return fmt::format("{} outside the heap", access(fault));
+    return fmt::format("{} of address {:#x}{}", access(fault), address, hint);
+  }
+
+  bool is_behind_heap(const std::byte* address) const {
+    return address >= heap_.end() && address < heap_.end() + kNullPage;
+  }
+
+  static const char* access(const Fault& fault) {
+    return fault.known_write ? "write" : fault.known_read ? "read" : "access";
+  }
+
+  static thread_local Instance* running_;
+
+  SimTime next_input() const { return owner_.clock_.to_firmware(owner_.board_.next_input()); }
+
+  HostExecutor& owner_;
+  ClockedBoard board_{owner_.board_, owner_.clock_};
+  LoadedImage image_;
+  host::FirmwareState& state_;
+  GuardedMemory heap_;
+  GuardedMemory stack_;
+  Fiber fiber_;
+  ShadowMemory shadow_;
+  std::vector<host::GlobalRecord> globals_;
+  const void* suspended_at_ = nullptr;
+  std::map<std::vector<const void*>, SourceLine> sources_;
+  Fault fault_;
+  sigjmp_buf escape_;
+};
+
+thread_local HostExecutor::Instance* HostExecutor::Instance::running_ = nullptr;
+
+namespace {
+std::array<struct sigaction, kFaults.size()> previous_handlers;
+}  // namespace
+
+void HostExecutor::Instance::catch_faults() {
+  ensure_signal_stack();
+  for (std::size_t i = 0; i < kFaults.size(); ++i) {
+    struct sigaction present {};
+    sigaction(kFaults[i], nullptr, &present);
+    if ((present.sa_flags & SA_SIGINFO) && present.sa_sigaction == &Instance::on_fault) continue;
+    previous_handlers[i] = present;
+    struct sigaction ours {};
+    ours.sa_sigaction = &Instance::on_fault;
+    ours.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+    sigemptyset(&ours.sa_mask);
+    sigaction(kFaults[i], &ours, nullptr);
+  }
+}
+
+void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context) {
+  if (Instance* const self = running_) {
+    const Fault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
+    const bool firmware = self->stack_.in_guard_before(fault.address) ||
+                          !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
+    if (firmware) {
+      self->fault_ = fault;
+      siglongjmp(self->escape_, 1);
+    }
+  }
+  // Not the firmware's: the instruction runs again and meets whoever was responsible before.
+  for (std::size_t i = 0; i < kFaults.size(); ++i)
+    if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
+}
+
+HostExecutor::HostExecutor(const BoardSpec& spec, std::filesystem::path image)
+    : board_(spec), image_(std::move(image)) {}
+
+HostExecutor::~HostExecutor() = default;
+
+void HostExecutor::power_on(SimTime t) {
+  power_off(t);
+  instance_ = std::make_unique<Instance>(*this, t);
+}
+
+void HostExecutor::power_off(SimTime t) {
+  counters_ = counters();
+  instance_.reset();
+  crash_.reset();
+  board_.reset(t);
+  reached_ = t;
+}
+
+void HostExecutor::run_until(SimTime t) {
+  if (!instance_ || crash_) return;
+  if (instance_->run_until(t)) reached_ = t;
+  board_.forget_edges(t);
+}
+
+std::vector<BundledFile> HostExecutor::counters() {
+  Counters all(counters_);
+  if (instance_) instance_->count(all);
+  return all.files();
+}
+
+SimTime HostExecutor::last_call() const {
+  if (!instance_) return reached_;
+  const host::FirmwareState& state = instance_->state();
+  return state.waiting && !crash_ ? reached_ : clock_.to_world(state.last_call);
+}
+
+SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
+
+Activity HostExecutor::activity() {
+  Activity activity;
+  activity.last_call = last_call();
+  if (!instance_) return activity;
+  const host::FirmwareState& state = instance_->state();
+  const host::ApiCall& call = state.call;
+  activity.call = call.name;
+  if (call.arguments == 0) activity.call += "()";
+  if (call.arguments == 1) activity.call += fmt::format("({})", call.argument[0]);
+  if (call.arguments == 2) activity.call += fmt::format("({}, {})", call.argument[0], call.argument[1]);
+  activity.pin = call.pin;
+  if (reached_ - clock_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
+  activity.where = crash_ ? crash_->where : instance_->place();
+  if (state.stopped_by) activity.stopped_by = state.stopped_by;
+  return activity;
+}
+
+}  // namespace robosim::exec

@@ -1,0 +1,50 @@
+// The host target: firmware as a shared object, on its own fiber, in virtual time (hal/host).
+//
+// A fault of the firmware (a signal on its fiber) abandons the fiber and becomes a Crash. For that, handlers
+// of SIGSEGV, SIGBUS, SIGILL and SIGFPE are installed at power-on; a signal that is not the firmware's goes
+// to whoever handled it before.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "hal/board/board_spec.h"
+#include "sim/exec/core/board_state.h"
+#include "sim/exec/core/executor.h"
+#include "sim/exec/core/firmware_clock.h"
+
+namespace robosim::exec {
+
+class HostExecutor final : public Executor {
+ public:
+  /// `image` as robosim_sketch builds it; it is read at every power_on().
+  HostExecutor(const BoardSpec& spec, std::filesystem::path image);
+  ~HostExecutor() override;
+
+  Board& board() override { return board_; }
+  /// Throws InputError if the image cannot be loaded.
+  void power_on(SimTime t) override;
+  void power_off(SimTime t) override;
+  void run_until(SimTime t) override;
+  const std::optional<Crash>& crash() const override { return crash_; }
+  Activity activity() override;
+  SourceLine source() override;
+  SimTime last_call() const override;
+  std::vector<BundledFile> counters() override;
+  bool has_chip_faults() const override { return true; }
+  void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
+
+ private:
+  class Instance;
+
+  BoardState board_;
+  FirmwareClock clock_;
+  std::filesystem::path image_;
+  std::unique_ptr<Instance> instance_;
+  std::optional<Crash> crash_;
+  std::vector<BundledFile> counters_;  ///< of the power cycles before
+  SimTime reached_ = 0;                ///< until when firmware has run
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,182 @@
+#include "sim/exec/host/image_file.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <link.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <sstream>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+extern char** environ;
+
+namespace robosim::exec {
+namespace {
+
+/// What a program writes to its standard output; empty if it cannot be started.
+std::string output_of(const std::vector<std::string>& command) {
+  int pipe_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) return "";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = -1;
+  const int failed = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(pipe_ends[1]);
+  std::string output;
+  if (!failed) {
+    char buffer[4096];
+    ssize_t got = 0;
+    while ((got = read(pipe_ends[0], buffer, sizeof buffer)) > 0)
+      output.append(buffer, static_cast<std::size_t>(got));
+    waitpid(child, nullptr, 0);
+  }
+  close(pipe_ends[0]);
+  return output;
+}
+
+/// "f(int) const" -> "f"; names without parameters stay.
+std::string without_parameters(const std::string& name) {
+  const std::size_t close = name.rfind(')');
+  if (close == std::string::npos) return name;
+  int depth = 0;
+  for (std::size_t i = close + 1; i-- > 0;) {
+    if (name[i] == ')') ++depth;
+    if (name[i] == '(' && --depth == 0) return i == 0 ? name : name.substr(0, i);
+  }
+  return name;
+}
+
+struct CodeRange {
+  std::uintptr_t base;
+  std::uintptr_t begin = UINTPTR_MAX;
+  std::uintptr_t end = 0;
+};
+
+int find_code(dl_phdr_info* info, std::size_t, void* argument) {
+  auto& range = *static_cast<CodeRange*>(argument);
+  if (info->dlpi_addr != range.base) return 0;
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const auto& segment = info->dlpi_phdr[i];
+    if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X)) continue;
+    range.begin = std::min(range.begin, range.base + segment.p_vaddr);
+    range.end = std::max(range.end, range.base + segment.p_vaddr + segment.p_memsz);
+  }
+  return 1;
+}
+
+/// On 32-bit ARM the lowest bit of a code address says which instruction set is meant.
+std::uintptr_t without_mode(const void* pc) {
+  const auto address = reinterpret_cast<std::uintptr_t>(pc);
+#if defined(__arm__)
+  return address & ~std::uintptr_t{1};
+#else
+  return address;
+#endif
+}
+
+}  // namespace
+
+bool is_own_file(const std::string& file) {
+  return file.empty() || file[0] == '?' || file[0] == '<' || file.starts_with("robosim/") ||
+         file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
+}
+
+LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
+  const std::string content = read_file(file);
+  // A copy without a name: the loader knows files by their identity, and gives one that it knows already
+  // again.
+  descriptor_ = memfd_create("robosim-firmware", MFD_CLOEXEC);
+  if (descriptor_ < 0 || ftruncate(descriptor_, static_cast<off_t>(content.size())) != 0)
+    throw std::runtime_error("no memory for a copy of " + file.string());
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t wrote = write(descriptor_, content.data() + done, content.size() - done);
+    if (wrote <= 0) {
+      close(descriptor_);
+      throw std::runtime_error("no memory for a copy of " + file.string());
+    }
+    done += static_cast<std::size_t>(wrote);
+  }
+  // The descriptor stays open while the image is loaded, because the loader also knows files by this name.
+  const std::string name = fmt::format("/proc/self/fd/{}", descriptor_);
+  handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+  const std::string error = handle_ ? "" : dlerror();
+  if (handle_) entry_ = static_cast<const host::Image*>(dlsym(handle_, "robosim_image"));
+  if (!entry_ || entry_->version != host::kImageVersion) {
+    const bool other_version = entry_ != nullptr;
+    if (handle_) dlclose(handle_);
+    close(descriptor_);
+    if (other_version)
+      throw InputError({file.string()}, "was built for another version of Robosim; build the sketch again");
+    throw InputError({file.string()},
+                     "is no firmware image for this machine" + (error.empty() ? "" : ": " + error));
+  }
+  link_map* map = nullptr;
+  dlinfo(handle_, RTLD_DI_LINKMAP, &map);
+  base_ = map->l_addr;
+  CodeRange range{base_};
+  dl_iterate_phdr(find_code, &range);
+  code_begin_ = range.begin;
+  code_end_ = range.end;
+}
+
+LoadedImage::~LoadedImage() {
+  dlclose(handle_);
+  close(descriptor_);
+}
+
+bool LoadedImage::has_code(const void* address) const {
+  const auto value = reinterpret_cast<std::uintptr_t>(address);
+  return value >= code_begin_ && value < code_end_;
+}
+
+std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>& offsets) const {
+  std::vector<std::string> command = {"addr2line", "-f", "-C", "-i", "-e", file_.string()};
+  for (const std::uintptr_t offset : offsets) command.push_back(fmt::format("{:#x}", offset));
+  std::istringstream lines(output_of(command));
+  std::vector<SourceLine> frames;
+  std::string function, place;
+  while (std::getline(lines, function) && std::getline(lines, place)) {
+    SourceLine frame;
+    frame.function = without_parameters(function);
+    const std::size_t note = place.find(" (discriminator");
+    if (note != std::string::npos) place.resize(note);
+    const std::size_t colon = place.rfind(':');
+    if (colon != std::string::npos) {
+      std::from_chars(place.data() + colon + 1, place.data() + place.size(), frame.line);
+      frame.file = place.substr(0, colon);
+      if (frame.file.starts_with("./")) frame.file.erase(0, 2);
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const {
+  std::vector<std::uintptr_t> offsets;
+  for (const CodeAddress& address : addresses) {
+    // A call may be the last instruction of all: its return address is then behind the code.
+    const std::uintptr_t pc = without_mode(address.pc) - (address.is_return ? 1 : 0);
+    if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
+  }
+  if (offsets.empty()) return {};
+  // An instruction that belongs to no line has no folder either, so that nobody can tell whose it is.
+  for (const SourceLine& frame : frames_of(offsets))
+    if (frame.line > 0 && !is_own_file(frame.file)) return frame;
+  return {};
+}
+
+}  // namespace robosim::exec

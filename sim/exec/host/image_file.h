@@ -1,0 +1,48 @@
+// A firmware image in memory: loaded from a private copy, so that every instance has its own variables.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hal/host/image.h"
+#include "sim/exec/core/executor.h"
+
+namespace robosim::exec {
+
+struct CodeAddress {
+  const void* pc = nullptr;
+  bool is_return = false;  ///< a return address: its instruction ends just before it
+};
+
+class LoadedImage {
+ public:
+  /// Throws InputError if `file` is no image, or one for another version of Robosim.
+  explicit LoadedImage(const std::filesystem::path& file);
+  ~LoadedImage();
+  LoadedImage(const LoadedImage&) = delete;
+  LoadedImage& operator=(const LoadedImage&) = delete;
+
+  const host::Image& entry() const { return *entry_; }
+  /// Whether `address` lies in the image's code.
+  bool has_code(const void* address) const;
+  /// The place of the first of `addresses` that lies in the user's code: the sketch or one of its libraries,
+  /// not the core or hal. Starts addr2line (binutils); empty without it, or if there is no such address.
+  SourceLine locate(const std::vector<CodeAddress>& addresses) const;
+
+ private:
+  std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  void* handle_ = nullptr;
+  const host::Image* entry_ = nullptr;
+  std::uintptr_t base_ = 0;
+  std::uintptr_t code_begin_ = 0, code_end_ = 0;
+};
+
+/// Whether debug information names this file for code that is not the user's.
+bool is_own_file(const std::string& file);
+
+}  // namespace robosim::exec

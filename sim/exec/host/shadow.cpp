@@ -1,0 +1,90 @@
+#include "sim/exec/host/shadow.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include "sim/exec/host/under_asan.h"
+
+namespace robosim::exec {
+
+#ifdef ROBOSIM_ASAN
+
+namespace {
+
+void allow(const std::vector<MemoryRange>& memory) {
+  for (const MemoryRange& range : memory)
+    ASAN_UNPOISON_MEMORY_REGION(range.begin, static_cast<std::size_t>(range.end - range.begin));
+}
+
+}  // namespace
+
+ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory) {
+  if (offset != 0) memory_ = std::move(memory);
+  allow(memory_);
+}
+
+ShadowMemory::~ShadowMemory() { allow(memory_); }
+
+#else
+
+namespace {
+
+constexpr std::uintptr_t kGrain = 8;
+// A function writes about its frame before it touches it: also where the stack is about to overflow.
+constexpr std::uintptr_t kMargin = 64 * 1024;
+
+/// How many hold each page: neighbours in memory share the shadow's pages.
+std::map<std::uintptr_t, int>& holders() {
+  static std::map<std::uintptr_t, int> pages;
+  return pages;
+}
+
+std::size_t page_bytes() { return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)); }
+
+void hold(std::uintptr_t page) {
+  if (holders()[page]++ > 0) return;
+  void* const wanted = reinterpret_cast<void*>(page);
+  void* const got = ::mmap(wanted, page_bytes(), PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
+  if (got == wanted) return;
+  if (got != MAP_FAILED) ::munmap(got, page_bytes());
+  holders().erase(page);
+  throw std::runtime_error("--sanitize: the place for its notes on memory is taken in this process");
+}
+
+void release(std::uintptr_t page) {
+  if (--holders()[page] > 0) return;
+  holders().erase(page);
+  ::munmap(reinterpret_cast<void*>(page), page_bytes());
+}
+
+}  // namespace
+
+ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory) {
+  if (offset == 0) return;
+  const std::uintptr_t page = page_bytes();
+  for (const MemoryRange& range : memory) {
+    const auto begin = (reinterpret_cast<std::uintptr_t>(range.begin) - kMargin) / kGrain + offset;
+    const auto end = reinterpret_cast<std::uintptr_t>(range.end) / kGrain + offset;
+    for (std::uintptr_t at = begin / page * page; at <= end; at += page) {
+      hold(at);
+      pages_.push_back(at);
+    }
+    // A page that a neighbour holds too may have marks from whoever was here before.
+    const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kGrain + offset;
+    std::memset(reinterpret_cast<void*>(first), 0,
+                static_cast<std::size_t>(range.end - range.begin) / kGrain);
+  }
+}
+
+ShadowMemory::~ShadowMemory() {
+  for (const std::uintptr_t page : pages_) release(page);
+}
+
+#endif
+
+}  // namespace robosim::exec

@@ -1,0 +1,31 @@
+// The shadow of address checks (hal/host/addresses.h), mapped for the memory that firmware may access and for
+// no more: gcc's own runtime reserves 16 TB.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace robosim::exec {
+
+struct MemoryRange {
+  const std::byte* begin;
+  const std::byte* end;
+};
+
+/// All zero at the beginning: everything may be accessed. Where Robosim itself runs under AddressSanitizer
+/// the shadow is there already, and is left as it was found.
+class ShadowMemory {
+ public:
+  /// `offset` as in host::Image::shadow; 0 = there is none. Throws std::runtime_error if its place is taken.
+  ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory);
+  ~ShadowMemory();
+  ShadowMemory(const ShadowMemory&) = delete;
+  ShadowMemory& operator=(const ShadowMemory&) = delete;
+
+ private:
+  std::vector<MemoryRange> memory_;
+  std::vector<std::uintptr_t> pages_;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,41 @@
+// ADC1: one conversion at a time, started by software (RM0008 11).
+//
+//   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
+//
+// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Refused, as not modelled:
+// scans, continuous and injected conversions, triggers, DMA, the watchdog, the temperature sensor.
+#pragma once
+
+#include "sim/exec/stm32/clocks.h"
+
+namespace robosim::exec::stm32 {
+
+class Adc {
+ public:
+  Adc(Link& link, const Clocks& clocks);
+
+  static bool owns(Address address) {
+    return address >= robosim::stm32::kAdc1 && address <= robosim::stm32::kAdcDr;
+  }
+  std::uint32_t read(Address address);
+  bool write(Address address, std::uint32_t value);
+
+  /// When the pin is sampled, or an interrupt comes.
+  Cycle next_event() const { return sample_at_ != kNoCycle ? sample_at_ : converts_ ? done_at_ : kNoCycle; }
+  void update();
+
+ private:
+  bool start();
+  int channel() const { return static_cast<int>(sequence_[2] & 31); }
+
+  Link& link_;
+  const Clocks& clocks_;
+  std::array<Pin, 10> pins_;
+  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, sampled_ = 0;
+  std::array<std::uint32_t, 2> sample_times_{};
+  std::array<std::uint32_t, 3> sequence_{};
+  bool converts_ = false;
+  Cycle sample_at_ = kNoCycle, done_at_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,222 @@
+#include "sim/exec/stm32/bus.h"
+
+#include <fmt/format.h>
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr Address kBitBand = 0x42000000, kBitBandEnd = 0x44000000, kPeripherals = 0x40000000;
+constexpr Address kAhb = 0x40018000;  ///< from here on AHB, below APB
+
+struct Range {
+  Address begin, end;
+  const char* name;
+};
+// RM0008 3.3, table 3; PM0056 4.1.
+constexpr Range kRanges[] = {
+    {0x40000000, 0x40000400, "TIM2"},   {0x40000400, 0x40000800, "TIM3"},
+    {0x40000800, 0x40000C00, "TIM4"},   {0x40002800, 0x40002C00, "RTC"},
+    {0x40002C00, 0x40003000, "WWDG"},   {0x40003000, 0x40003400, "IWDG"},
+    {0x40003800, 0x40003C00, "SPI2"},   {0x40004400, 0x40004800, "USART2"},
+    {0x40004800, 0x40004C00, "USART3"}, {0x40005400, 0x40005800, "I2C1"},
+    {0x40005800, 0x40005C00, "I2C2"},   {0x40005C00, 0x40006000, "USB"},
+    {0x40006000, 0x40006400, "USB"},    {0x40006400, 0x40006800, "CAN1"},
+    {0x40006C00, 0x40007000, "BKP"},    {0x40007000, 0x40007400, "PWR"},
+    {0x40010000, 0x40010400, "AFIO"},   {0x40010400, 0x40010800, "EXTI"},
+    {0x40010800, 0x40010C00, "GPIOA"},  {0x40010C00, 0x40011000, "GPIOB"},
+    {0x40011000, 0x40011400, "GPIOC"},  {0x40011400, 0x40011800, "GPIOD"},
+    {0x40011800, 0x40011C00, "GPIOE"},  {0x40012400, 0x40012800, "ADC1"},
+    {0x40012800, 0x40012C00, "ADC2"},   {0x40012C00, 0x40013000, "TIM1"},
+    {0x40013000, 0x40013400, "SPI1"},   {0x40013800, 0x40013C00, "USART1"},
+    {0x40020000, 0x40020400, "DMA1"},   {0x40021000, 0x40021400, "RCC"},
+    {0x40022000, 0x40022400, "FLASH"},  {0x40023000, 0x40023400, "CRC"},
+    {0xE0000000, 0xE0001000, "ITM"},    {0xE0001000, 0xE0002000, "DWT"},
+    {0xE0002000, 0xE0003000, "FPB"},    {0xE000E010, 0xE000E020, "SysTick"},
+    {0xE000E100, 0xE000ED00, "NVIC"},   {0xE000ED00, 0xE000ED90, "SCB"},
+    {0xE000EDF0, 0xE000EF00, "debug"},  {0xE0042000, 0xE0042400, "DBGMCU"},
+};
+
+constexpr int kA = 0, kB = 1;
+const Timer::Place kPlaces[] = {
+    {kTim1, kIrqTim1Update, {{{kA, 8}, {kA, 9}, {kA, 10}, {kA, 11}}}},
+    {kTim2, kIrqTim2, {{{kA, 0}, {kA, 1}, {kA, 2}, {kA, 3}}}},
+    {kTim3, kIrqTim3, {{{kA, 6}, {kA, 7}, {kB, 0}, {kB, 1}}}},
+    {kTim4, kIrqTim4, {{{kB, 6}, {kB, 7}, {kB, 8}, {kB, 9}}}},
+};
+
+}  // namespace
+
+const char* Bus::name_at(Address address) {
+  for (const Range& range : kRanges)
+    if (address >= range.begin && address < range.end) return range.name;
+  return "";
+}
+
+Bus::Bus(BoardState& board, EepromPages& pages, SimTime began)
+    : link_{board, Clock(began)},
+      clocks_(link_),
+      flash_(link_, pages),
+      ports_(link_, [this](ChipPin pin) { return alternate(pin); }),
+      systick_(link_),
+      timers_{Timer(link_, kPlaces[0], [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, kPlaces[1], [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, kPlaces[2], [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, kPlaces[3], [this](ChipPin pin) { ports_.refresh(pin); })},
+      adc_(link_, clocks_),
+      usart_(link_) {}
+
+PinDrive Bus::alternate(ChipPin pin) const {
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  if (pin.port == kA && pin.bit == 9 && usart_.sends()) {
+    drive.level = true;  // a line at rest; its bytes are told as bytes
+    return drive;
+  }
+  for (const Timer& timer : timers_)
+    if (timer.drives(pin, drive)) break;
+  return drive;
+}
+
+Timer* Bus::timer_at(Address address) {
+  for (Timer& timer : timers_)
+    if (timer.owns(address)) return &timer;
+  return nullptr;
+}
+
+// RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
+bool Bus::has_clock(Address address) const {
+  if (Ports::owns_exti(address)) return address >= kExti || clocks_.has_apb2(kAfioEn);
+  if (Ports::owns(address)) return clocks_.has_apb2(kIopaEn << Ports::port_of(address));
+  if (Adc::owns(address)) return clocks_.has_apb2(kAdc1En);
+  if (Usart::owns(address)) return clocks_.has_apb2(kUsart1En);
+  if (address >= kTim1) return clocks_.has_apb2(kTim1En);
+  return clocks_.has_apb1(address < kTim3 ? kTim2En : address < kTim4 ? kTim3En : kTim4En);
+}
+
+void Bus::refuse(Address address, bool write, std::uint32_t value) {
+  if (unmodelled_) return;
+  const std::string name = name_at(address);
+  unmodelled_ = {address, value, write,
+                 fmt::format("register 0x{:08X}{}", address, name.empty() ? "" : " (" + name + ")")};
+}
+
+std::uint32_t Bus::load_word(Address address) {
+  if (SysTick::owns(address)) return systick_.read(address);
+  if (Nvic::owns(address)) {
+    systick_.update();
+    std::uint32_t value = 0;
+    if (!link_.nvic.read(address, value)) refuse(address, false);
+    return value;
+  }
+  if (Clocks::owns(address)) return clocks_.read(address);
+  if (Flash::owns(address)) return flash_.read(address);
+  Timer* const timer = timer_at(address);
+  if (!timer && !Ports::owns(address) && !Adc::owns(address) && !Usart::owns(address)) {
+    refuse(address, false);
+    return 0;
+  }
+  if (!has_clock(address)) return 0;
+  if (timer) return timer->read(address);
+  if (Adc::owns(address)) return adc_.read(address);
+  if (Usart::owns(address)) return usart_.read(address);
+  return ports_.read(address);
+}
+
+bool Bus::write(Address address, std::uint32_t value) {
+  if (SysTick::owns(address)) return systick_.write(address, value), true;
+  if (Nvic::owns(address)) return link_.nvic.write(address, value);
+  if (Clocks::owns(address)) return clocks_.write(address, value);
+  if (Flash::owns(address)) return flash_.write(address, value);
+  Timer* const timer = timer_at(address);
+  if (!timer && !Ports::owns(address) && !Adc::owns(address) && !Usart::owns(address)) return false;
+  if (!has_clock(address)) return true;
+  if (timer) return timer->write(address, value);
+  if (Adc::owns(address)) return adc_.write(address, value);
+  if (Usart::owns(address)) {
+    const bool modelled = usart_.write(address, value);
+    if (address == kUsartCr1) ports_.refresh({kA, 9});
+    return modelled;
+  }
+  return ports_.write(address, value);
+}
+
+void Bus::store_word(Address address, std::uint32_t value) {
+  if (!write(address, value)) refuse(address, true, value);
+}
+
+bool Bus::load_bit(Address address, std::uint32_t& value) {
+  if (address < kBitBand || address >= kBitBandEnd) return false;
+  const Address byte = kPeripherals + (address - kBitBand) / 32;
+  const Address word = byte & ~3u;
+  const unsigned bit = (address - kBitBand) / 4 % 8 + 8 * (byte - word);
+  const bool input = Ports::owns(word) && !Ports::owns_exti(word) && word % kPortBytes == kIdr;
+  if (input && bit < 16)
+    value = has_clock(word) && ports_.read_input({Ports::port_of(word), static_cast<int>(bit)});
+  else
+    value = load_word(word) >> bit & 1;
+  return true;
+}
+
+bool Bus::store_bit(Address address, std::uint32_t value) {
+  if (address < kBitBand || address >= kBitBandEnd) return false;
+  const Address byte = kPeripherals + (address - kBitBand) / 32;
+  const Address word = byte & ~3u;
+  const unsigned bit = (address - kBitBand) / 4 % 8 + 8 * (byte - word);
+  store_word(word, (load_word(word) & ~(1u << bit)) | (value & 1) << bit);
+  return true;
+}
+
+std::uint32_t Bus::load(Address address, unsigned size) {
+  last_address_ = address;
+  if (Flash::owns_page(address)) return flash_.read_page(address, size);
+  std::uint32_t value = 0;
+  if (load_bit(address, value)) return value;
+  value = load_word(address & ~3u) >> (8 * (address & 3));
+  return size == 4 ? value : value & ((1u << (8 * size)) - 1);
+}
+
+void Bus::store(Address address, std::uint32_t value, unsigned size) {
+  last_address_ = address;
+  if (Flash::owns_page(address)) {
+    if (!flash_.program(address, value, size)) refuse(address, true, value);
+    return;
+  }
+  if (store_bit(address, value)) return;
+  if (size == 4) return store_word(address & ~3u, value);
+  const std::uint32_t low = value & ((1u << (8 * size)) - 1);
+  if (address >= kPeripherals && address < kAhb) {
+    // APB repeats a byte or half over the word (RM0008 3.1).
+    return store_word(address & ~3u, size == 1 ? low * 0x01010101u : low * 0x00010001u);
+  }
+  const unsigned shift = 8 * (address & 3);
+  const std::uint32_t mask = ((1u << (8 * size)) - 1) << shift;
+  store_word(address & ~3u, (load_word(address & ~3u) & ~mask) | low << shift);
+}
+
+Cycle Bus::next_event() const {
+  Cycle next = std::min({systick_.next_event(), adc_.next_event(), usart_.next_event()});
+  for (const Timer& timer : timers_) next = std::min(next, timer.next_event());
+  return next;
+}
+
+void Bus::update() {
+  systick_.update();
+  for (Timer& timer : timers_) timer.update();
+  adc_.update();
+  usart_.update();
+}
+
+void Bus::take_inputs() {
+  BoardInput input;
+  while (link_.board.take_input(link_.clock.time_of(link_.clock.now), input)) {
+    if (input.kind == BoardInput::Kind::edge)
+      ports_.deliver(input);
+    else
+      usart_.receive(input.value);
+  }
+}
+
+}  // namespace robosim::exec::stm32

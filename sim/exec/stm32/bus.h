@@ -1,0 +1,79 @@
+// Everything behind the processor's loads and stores but flash and RAM: one address, one register of one
+// peripheral. An access to anything that is not modelled is remembered, by its name.
+//
+// It needs no processor: tests drive the functions of hal/stm32 against it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "sim/exec/stm32/adc.h"
+#include "sim/exec/stm32/clocks.h"
+#include "sim/exec/stm32/flash.h"
+#include "sim/exec/stm32/ports.h"
+#include "sim/exec/stm32/systick.h"
+#include "sim/exec/stm32/timers.h"
+#include "sim/exec/stm32/usart.h"
+
+namespace robosim::exec::stm32 {
+
+/// An access that the model has no answer to.
+struct Unmodelled {
+  Address address = 0;
+  std::uint32_t value = 0;  ///< of a write
+  bool write = false;
+  std::string what;  ///< "register 0x40005400 (I2C1)"
+};
+
+class Bus {
+ public:
+  Bus(BoardState& board, EepromPages& pages, SimTime began);
+
+  /// `size` is 1, 2 or 4 bytes.
+  std::uint32_t load(Address address, unsigned size);
+  void store(Address address, std::uint32_t value, unsigned size);
+
+  /// When a peripheral next does something by itself; kNoCycle if none will.
+  Cycle next_event() const;
+  /// Lets all do what they would have done by now.
+  void update();
+  /// Takes what the robot has sent by now.
+  void take_inputs();
+
+  Link& link() { return link_; }
+  const Link& link() const { return link_; }
+  const Ports& ports() const { return ports_; }
+  const std::optional<Unmodelled>& unmodelled() const { return unmodelled_; }
+  /// Of the last access.
+  Address last_address() const { return last_address_; }
+
+  /// What of the chip is at an address (RM0008 3.3, table 3): "I2C1"; empty if nothing.
+  static const char* name_at(Address address);
+
+ private:
+  static constexpr int kTimers = 4;
+
+  PinDrive alternate(ChipPin pin) const;
+  Timer* timer_at(Address address);
+  bool has_clock(Address address) const;
+  std::uint32_t load_word(Address address);
+  void store_word(Address address, std::uint32_t value);
+  bool write(Address address, std::uint32_t value);
+  bool load_bit(Address address, std::uint32_t& value);
+  bool store_bit(Address address, std::uint32_t value);
+  void refuse(Address address, bool write, std::uint32_t value = 0);
+
+  Link link_;
+  Clocks clocks_;
+  Flash flash_;
+  Ports ports_;
+  SysTick systick_;
+  std::array<Timer, kTimers> timers_;
+  Adc adc_;
+  Usart usart_;
+  std::optional<Unmodelled> unmodelled_;
+  Address last_address_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,95 @@
+#include "sim/exec/stm32/clocks.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr std::uint32_t kHsi = 8'000'000, kHse = 8'000'000;
+constexpr SimTime kHseStarts = 2 * kMillisecond, kPllLocks = 200 * kMicrosecond;
+
+}  // namespace
+
+bool Clocks::pll_ready() const { return control_ & kPllOn && link_.clock.time() >= pll_ready_; }
+
+std::uint32_t Clocks::pll_hz() const {
+  const std::uint32_t hse = configuration_ & kPllXtpre ? kHse / 2 : kHse;
+  const std::uint32_t input = configuration_ & kPllSrcHse ? hse : kHsi / 2;
+  const std::uint32_t multiplier = (configuration_ & kPllMulMask) >> 18;
+  return input * (multiplier >= 14 ? 16 : multiplier + 2);
+}
+
+std::uint32_t Clocks::hz() const {
+  const std::uint32_t source = configuration_ & kSwMask;
+  return source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi;
+}
+
+std::uint32_t Clocks::read(Address address) {
+  switch (address) {
+    case kRccCr: {
+      std::uint32_t value = control_;
+      if (value & kHsiOn) value |= kHsiReady;
+      if (value & kHseOn && link_.clock.time() >= hse_ready_) value |= kHseReady;
+      if (pll_ready()) value |= kPllReady;
+      return value;
+    }
+    case kRccCfgr:
+      return configuration_ | (configuration_ & kSwMask) << 2;
+    case kRccCir:
+      return interrupts_;
+    case kRccAhbEnr:
+      return ahb_;
+    case kRccApb2Enr:
+      return apb2_;
+    case kRccApb1Enr:
+      return apb1_;
+    case kRccBdcr:
+      return backup_;
+    case kRccCsr:
+      return 0x0C000000;  // reset by power-on
+    default:
+      return 0;
+  }
+}
+
+bool Clocks::switch_clock() {
+  const std::uint32_t ahb = configuration_ >> 4 & 15, apb2 = configuration_ >> 11 & 7;
+  if (ahb != 0 || apb2 != 0 || (configuration_ & kSwMask) == 3) return false;
+  link_.clock.set_hz(hz());
+  return true;
+}
+
+bool Clocks::write(Address address, std::uint32_t value) {
+  switch (address) {
+    case kRccCr:
+      if (value & ~control_ & kHseOn) hse_ready_ = link_.clock.time() + kHseStarts;
+      if (value & ~control_ & kPllOn) pll_ready_ = link_.clock.time() + kPllLocks;
+      control_ = value & ~(kHsiReady | kHseReady | kPllReady);
+      return true;
+    case kRccCfgr:
+      configuration_ = value & ~kSwsMask;
+      return switch_clock();
+    case kRccCir:
+      interrupts_ = 0;
+      return (value & 0x1F00) == 0;  // no interrupt of it is modelled
+    case kRccAhbEnr:
+      ahb_ = value;
+      return true;
+    case kRccApb2Enr:
+      apb2_ = value;
+      return true;
+    case kRccApb1Enr:
+      apb1_ = value;
+      return true;
+    case kRccBdcr:
+      backup_ = value;
+      return (value & 0x8001) == 0;  // no RTC, no LSE
+    case kRccCsr:
+      return (value & 1) == 0;  // no LSI
+    default:
+      return value == 0;  // resets of single peripherals
+  }
+}
+
+}  // namespace robosim::exec::stm32

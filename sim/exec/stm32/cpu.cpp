@@ -1,0 +1,459 @@
+#include "sim/exec/stm32/cpu.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "sim/exec/stm32/unicorn.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr std::uint32_t kPage = 0x1000;  // the emulator's
+constexpr std::uint32_t kMappedFlash = kEepromFlash - kFlash;
+constexpr Address kPeripherals = 0x40000000, kBitBand = 0x42000000, kPrivate = 0xE0000000;
+constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000, kPrivateBytes = 0x100000;
+constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
+constexpr std::uint32_t kReturn = 0xFFFFFFF0;  // EXC_RETURN (PM0056 2.3.7)
+constexpr std::uint32_t kThumb = 1u << 24, kAligned = 1u << 9;
+constexpr Cycle kEntryCycles = 12, kExitCycles = 10, kTailChainCycles = 6;  // DDI 0337E, 5.5, 5.6
+
+std::uint8_t* pages(std::size_t bytes) {
+  void* const memory = std::aligned_alloc(kPage, bytes);
+  if (!memory) throw std::bad_alloc();
+  std::memset(memory, 0, bytes);
+  return static_cast<std::uint8_t*>(memory);
+}
+
+void check(uc_err error) {
+  if (error != UC_ERR_OK) throw std::runtime_error(std::string("libunicorn: ") + uc_strerror(error));
+}
+
+}  // namespace
+
+struct Cpu::Hooks {
+  static Cpu& self(void* cpu) { return *static_cast<Cpu*>(cpu); }
+
+  static void code(uc_engine*, std::uint64_t address, std::uint32_t, void* cpu) {
+    self(cpu).before(static_cast<std::uint32_t>(address));
+  }
+  template <Address kBase>
+  static std::uint64_t load(uc_engine*, std::uint64_t offset, unsigned size, void* cpu) {
+    const std::uint32_t value = self(cpu).bus_.load(kBase + static_cast<Address>(offset), size);
+    self(cpu).accessed();
+    return value;
+  }
+  template <Address kBase>
+  static void store(uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* cpu) {
+    self(cpu).bus_.store(kBase + static_cast<Address>(offset), static_cast<std::uint32_t>(value), size);
+    self(cpu).accessed();
+  }
+  static bool invalid(uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* cpu) {
+    Cpu& c = self(cpu);
+    const auto at = static_cast<std::uint32_t>(address);
+    switch (type) {
+      case UC_MEM_FETCH_UNMAPPED:
+      case UC_MEM_FETCH_PROT:
+        if (at >= kReturn)
+          c.returning_ = true;
+        else
+          c.jumped_nowhere(at);
+        break;
+      case UC_MEM_WRITE_PROT:
+        c.fail(Fault::Kind::flash_write, c.pc_, at);
+        break;
+      case UC_MEM_WRITE_UNMAPPED:
+        c.fail(Fault::Kind::bad_write, c.pc_, at);
+        break;
+      default:
+        c.fail(Fault::Kind::bad_read, c.pc_, at);
+    }
+    return false;
+  }
+  static void interrupt(uc_engine* uc, std::uint32_t number, void* cpu) {
+    Cpu& c = self(cpu);
+    std::uint32_t pc = 0;
+    uc_reg_read(uc, UC_ARM_REG_PC, &pc);
+    uc_emu_stop(uc);
+    constexpr std::uint32_t kUndefined = 1, kSupervisorCall = 2, kPrefetchAbort = 3, kBreakpoint = 7,
+                            kExit = 8;
+    if (number == kExit || (number == kPrefetchAbort && pc >= kReturn)) {
+      c.returning_ = true;
+    } else if (number == kSupervisorCall) {
+      c.next_ = pc;
+      c.nvic_.pend(kSvcall);
+    } else if (number == kBreakpoint) {
+      c.fail(Fault::Kind::breakpoint, c.pc_);
+    } else if (number == kUndefined) {
+      c.fail(Fault::Kind::bad_opcode, c.pc_, c.opcode(c.pc_));
+    } else {
+      c.jumped_nowhere(pc);
+    }
+  }
+  static bool undefined(uc_engine*, void* cpu) {
+    self(cpu).fail(Fault::Kind::bad_opcode, self(cpu).pc_, self(cpu).opcode(self(cpu).pc_));
+    return false;
+  }
+};
+
+Cpu::Cpu(const Firmware& firmware, Bus& bus, std::optional<std::uint32_t> loop)
+    : firmware_(firmware),
+      bus_(bus),
+      clock_(bus.link().clock),
+      nvic_(bus.link().nvic),
+      flash_(pages(kMappedFlash), std::free),
+      ram_(pages(kRamBytes), std::free),
+      cache_(kFlashBytes / 2) {
+  std::memcpy(flash_.get(), firmware.flash.data(), kMappedFlash);
+  // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
+  check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
+  check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
+  check(uc_mem_map_ptr(uc_, kFlash, kMappedFlash, UC_PROT_READ | UC_PROT_EXEC, flash_.get()));
+  // What the chip boots from is seen at 0, too (RM0008 3.4).
+  check(uc_mem_map_ptr(uc_, 0, kMappedFlash, UC_PROT_READ | UC_PROT_EXEC, flash_.get()));
+  check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram_.get()));
+  check(uc_mmio_map(uc_, kEepromFlash, kFlashBytes - kMappedFlash, &Hooks::load<kEepromFlash>, this,
+                    &Hooks::store<kEepromFlash>, this));
+  check(uc_mmio_map(uc_, kPeripherals, kPeripheralBytes, &Hooks::load<kPeripherals>, this,
+                    &Hooks::store<kPeripherals>, this));
+  check(
+      uc_mmio_map(uc_, kBitBand, kBitBandBytes, &Hooks::load<kBitBand>, this, &Hooks::store<kBitBand>, this));
+  check(
+      uc_mmio_map(uc_, kPrivate, kPrivateBytes, &Hooks::load<kPrivate>, this, &Hooks::store<kPrivate>, this));
+  const auto add = [&](int type, auto* hook) {
+    uc_hook handle;
+    check(uc_hook_add(uc_, &handle, type, reinterpret_cast<void*>(hook), this, 1, 0));
+  };
+  add(UC_HOOK_CODE, &Hooks::code);
+  add(UC_HOOK_MEM_INVALID, &Hooks::invalid);
+  add(UC_HOOK_INTR, &Hooks::interrupt);
+  add(UC_HOOK_INSN_INVALID, &Hooks::undefined);
+
+  mark(loop, &Cached::loop);
+  for (const char* name : {"millis", "HAL_GetTick"})
+    if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Cached::call);
+  const auto vector = [&](unsigned number) {
+    std::uint32_t value;
+    std::memcpy(&value, flash_.get() + 4 * number, sizeof value);
+    return value;
+  };
+  set_reg(kSp, vector(0));
+  set_reg(kLr, 0xFFFFFFFF);
+  lowest_sp_ = vector(0);
+  stack_limit_ = firmware.globals_end;
+  next_ = vector(1) & ~1u;
+  pc_ = next_;
+}
+
+Cpu::~Cpu() {
+  if (uc_) uc_close(uc_);
+}
+
+std::uint32_t Cpu::reg(int number) const {
+  static constexpr int kIds[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
+                                 UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
+                                 UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
+                                 UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
+  std::uint32_t value = 0;
+  uc_reg_read(uc_, kIds[number], &value);
+  return value;
+}
+
+void Cpu::set_reg(int number, std::uint32_t value) {
+  static constexpr int kIds[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
+                                 UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
+                                 UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
+                                 UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
+  uc_reg_write(uc_, kIds[number], &value);
+}
+
+std::uint32_t Cpu::status() const {
+  std::uint32_t value = 0;
+  uc_reg_read(uc_, UC_ARM_REG_XPSR, &value);
+  return value;
+}
+
+std::uint8_t* Cpu::ram(Address address, unsigned bytes) const {
+  if (address < kRam || address > kRam + kRamBytes - bytes) return nullptr;
+  return ram_.get() + (address - kRam);
+}
+
+std::uint32_t Cpu::word(Address address) const {
+  std::uint32_t value = 0;
+  if (const std::uint8_t* at = ram(address, 4)) std::memcpy(&value, at, 4);
+  return value;
+}
+
+void Cpu::set_word(Address address, std::uint32_t value) {
+  if (std::uint8_t* at = ram(address, 4)) std::memcpy(at, &value, 4);
+}
+
+std::uint32_t Cpu::opcode(std::uint32_t pc) const {
+  const std::uint32_t at = pc < kMappedFlash ? pc + kFlash : pc;
+  const std::uint32_t first = firmware_.half(at);
+  return first >= 0xE800 ? first << 16 | firmware_.half(at + 2) : first;
+}
+
+Cpu::Cached& Cpu::cached(std::uint32_t pc) {
+  const std::uint32_t offset = pc < kMappedFlash ? pc : pc - kFlash;
+  if (offset >= kMappedFlash) {
+    std::uint16_t halves[2] = {0, 0};
+    if (const std::uint8_t* at = ram(pc, 4)) std::memcpy(halves, at, 4);
+    elsewhere_.instruction = decode(halves[0], halves[1]);
+    elsewhere_.plain = false;
+    return elsewhere_;
+  }
+  Cached& entry = cache_[offset / 2];
+  if (entry.known) return entry;
+  entry.known = true;
+  entry.instruction = decode(firmware_.half(kFlash + offset), firmware_.half(kFlash + offset + 2));
+  const Instruction& i = entry.instruction;
+  entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.loop &&
+                !entry.call && !entry.sets && !entry.watched && !entry.breaks;
+  return entry;
+}
+
+void Cpu::mark(std::optional<std::uint32_t> pc, bool Cached::*flag) {
+  if (!pc || *pc < kFlash || *pc >= kEepromFlash) return;
+  Cached& entry = cache_[(*pc - kFlash) / 2];
+  entry.known = false;
+  entry.*flag = true;
+}
+
+void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
+  watcher_ = std::move(watcher);
+  mark(pc, &Cached::watched);
+}
+
+void Cpu::set_breakpoint(std::uint32_t pc, bool set) {
+  if (pc < kFlash || pc >= kEepromFlash) return;
+  Cached& entry = cache_[(pc - kFlash) / 2];
+  entry.known = false;
+  entry.breaks = set;
+}
+
+bool Cpu::write_register(int number, std::uint32_t value) {
+  if (number == kPc) {
+    if (!firmware_.has_code(value)) return false;
+    next_ = value & ~1u;
+    return true;
+  }
+  set_reg(number, value);
+  return true;
+}
+
+std::uint8_t Cpu::byte(Address address) const {
+  const std::uint8_t* const at = ram(address, 1);
+  return at ? *at : 0;
+}
+
+void Cpu::set_byte(Address address, std::uint8_t value) {
+  if (std::uint8_t* const at = ram(address, 1)) *at = value;
+}
+
+void Cpu::set_at(std::uint32_t pc, Address variable, std::uint32_t value) {
+  early_ = EarlySet{pc, variable, value};
+  mark(pc, &Cached::sets);
+}
+
+void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
+  if (!fault_) fault_ = Fault{kind, pc, address};
+  stop_ = 0;
+}
+
+// Before the instruction there would run: the jump has not been noted.
+void Cpu::jumped_nowhere(std::uint32_t pc) {
+  note_jump();
+  fail(Fault::Kind::bad_jump, pc);
+}
+
+void Cpu::note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
+
+void Cpu::accessed() {
+  if (handlers_.empty()) {
+    last_io_ = clock_.now;
+    last_io_pc_ = pc_;
+  }
+  if (bus_.unmodelled()) return fail(Fault::Kind::unmodelled, pc_, bus_.unmodelled()->address);
+  if (nvic_.any_pending()) stop_ = 0;
+  stop_ = std::min({stop_, bus_.next_event(), clock_.cycle_at(bus_.link().board.next_input())});
+}
+
+void Cpu::before(std::uint32_t pc) {
+  if (look_after_) after_special();
+  if (pc != next_) {
+    clock_.now += kRefill_cycles;
+    note_jump();
+  }
+  next_ = pc;
+  if (clock_.now >= stop_ && (predicated_ == 0 || fault_)) {
+    stopped_ = true;
+    uc_emu_stop(uc_);
+    return;
+  }
+  const Cached& entry = cached(pc);
+  if ((halting_ || entry.breaks) && halts_at(pc, entry)) return;
+  pc_ = pc;
+  next_ = pc + entry.instruction.bytes;
+  clock_.now += entry.instruction.cycles;
+  if (predicated_ > 0) --predicated_;
+  if (!entry.plain) before_special(entry);
+}
+
+bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
+  if (entry.breaks && std::exchange(passing_, 1) != pc) halting_ = true;
+  if (!halting_ || predicated_ > 0) return false;
+  halting_ = false;
+  at_breakpoint_ = stopped_ = true;
+  uc_emu_stop(uc_);
+  return true;
+}
+
+void Cpu::before_special(const Cached& entry) {
+  const Instruction& i = entry.instruction;
+  if (i.predicates > 0) predicated_ = i.predicates;
+  if (entry.loop) loop_began();
+  if (entry.call && handlers_.empty()) {
+    last_io_ = clock_.now;
+    last_io_pc_ = pc_;
+  }
+  if (entry.sets && early_) {
+    set_word(early_->variable, early_->value);
+    early_.reset();
+  }
+  if (entry.watched && watcher_) watcher_();
+  if (i.divides && nvic_.traps_division() && i.divisor < 13 && reg(i.divisor) == 0)
+    fail(Fault::Kind::division, pc_);
+  sleeps_ = i.sleeps;
+  look_after_ = i.grows_stack || i.masks;
+  last_ = i;
+}
+
+void Cpu::after_special() {
+  look_after_ = false;
+  if (last_.grows_stack) check_stack();
+  if (last_.masks && nvic_.any_pending()) stop_ = 0;
+}
+
+void Cpu::check_stack() {
+  const std::uint32_t sp = reg(kSp);
+  if (sp < lowest_sp_) lowest_sp_ = sp;
+  if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);
+}
+
+void Cpu::loop_began() {
+  const SimTime now = clock_.time_of(clock_.now);
+  if (looped_) {
+    const SimTime took = now - loop_began_;
+    ++loop_times_.count;
+    loop_times_.total += took;
+    loop_times_.longest = std::max(loop_times_.longest, took);
+  }
+  looped_ = true;
+  loop_began_ = now;
+}
+
+SimTime Cpu::present_loop() const { return looped_ ? clock_.time_of(clock_.now) - loop_began_ : 0; }
+
+Cycle Cpu::handler_cycles() const {
+  return handler_cycles_ + (handlers_.empty() ? 0 : clock_.now - handler_began_);
+}
+
+std::vector<std::uint32_t> Cpu::last_jumps() const {
+  std::vector<std::uint32_t> jumps;
+  const std::uint32_t kept = std::min<std::uint32_t>(jump_count_, static_cast<std::uint32_t>(jumps_.size()));
+  for (std::uint32_t i = 1; i <= kept; ++i) jumps.push_back(jumps_[(jump_count_ - i) % jumps_.size()]);
+  return jumps;
+}
+
+void Cpu::take_exception() {
+  if (!nvic_.any_pending() || fault_) return;
+  std::uint32_t primask = 0, basepri = 0;
+  uc_reg_read(uc_, UC_ARM_REG_PRIMASK, &primask);
+  uc_reg_read(uc_, UC_ARM_REG_BASEPRI, &basepri);
+  if (const Exception exception = nvic_.next(primask & 1, basepri)) enter(exception);
+}
+
+// PM0056 2.3.7: r0 to r3, r12, lr, pc, xpsr, on a stack aligned to 8.
+void Cpu::enter(Exception exception) {
+  const std::uint32_t sp = reg(kSp);
+  std::uint32_t psr = status() & ~kAligned;
+  if (sp & 4) psr |= kAligned;
+  const std::uint32_t frame_at = (sp - 32) & ~7u;
+  std::uint8_t* const frame = ram(frame_at, 32);
+  if (!frame) return fail(Fault::Kind::stack, next_);
+  const std::uint32_t words[8] = {reg(0), reg(1), reg(2), reg(3), reg(12), reg(kLr), next_, psr};
+  std::memcpy(frame, words, sizeof words);
+  std::uint32_t target = 0;
+  const Address vector = nvic_.vectors() + 4u * static_cast<Address>(exception);
+  const Address at = vector < kFlash ? vector : vector - kFlash;
+  if (at + 4 <= kMappedFlash) std::memcpy(&target, flash_.get() + at, 4);
+  if (const std::uint8_t* in_ram = ram(vector, 4)) std::memcpy(&target, in_ram, 4);
+  if ((target & 1) == 0) return fail(Fault::Kind::unhandled, next_, static_cast<std::uint32_t>(exception));
+  if (handlers_.empty()) {
+    handler_began_ = clock_.now;
+    interrupted_pc_ = next_;
+  }
+  set_reg(kSp, frame_at);
+  set_reg(kLr, handlers_.empty() ? 0xFFFFFFF9 : 0xFFFFFFF1);
+  const std::uint32_t entered = (psr & 0xF8000000) | kThumb | static_cast<std::uint32_t>(exception);
+  uc_reg_write(uc_, UC_ARM_REG_XPSR, &entered);
+  handlers_.push_back({exception, next_});
+  nvic_.enter(exception);
+  next_ = target & ~1u;
+  clock_.now += kEntryCycles;
+  asleep_ = false;
+  predicated_ = 0;
+  check_stack();
+}
+
+void Cpu::leave() {
+  returning_ = false;
+  std::uint32_t words[8];
+  const std::uint32_t sp = reg(kSp);
+  const std::uint8_t* const frame = ram(sp, 32);
+  if (!frame || handlers_.empty()) return fail(Fault::Kind::exception_return, pc_);
+  std::memcpy(words, frame, sizeof words);
+  for (int i = 0; i < 4; ++i) set_reg(i, words[i]);
+  set_reg(12, words[4]);
+  set_reg(kLr, words[5]);
+  next_ = words[6];
+  set_reg(kSp, sp + 32 + (words[7] & kAligned ? 4 : 0));
+  const std::uint32_t psr = words[7] & ~kAligned;
+  uc_reg_write(uc_, UC_ARM_REG_XPSR, &psr);
+  nvic_.leave(handlers_.back().exception);
+  handlers_.pop_back();
+  clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;
+  if (handlers_.empty()) handler_cycles_ += clock_.now - handler_began_;
+}
+
+void Cpu::run_to(Cycle cycle) {
+  if (asleep_ || fault_) return;
+  stop_ = cycle;
+  stopped_ = sleeps_ = false;
+  const uc_err error = uc_emu_start(uc_, next_ | 1, kNeverAddress, 0, 0);
+  if (look_after_) after_special();
+  if (fault_) return;
+  if (returning_) return leave();
+  if (sleeps_) {
+    sleeps_ = false;
+    asleep_ = true;
+  } else if (error != UC_ERR_OK) {
+    fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
+  }
+}
+
+void Cpu::sleep_to(Cycle cycle) {
+  if (nvic_.wakes()) {
+    asleep_ = false;
+    return;
+  }
+  if (cycle <= clock_.now) return;
+  sleep_cycles_ += cycle - clock_.now;
+  clock_.now = cycle;
+}
+
+}  // namespace robosim::exec::stm32

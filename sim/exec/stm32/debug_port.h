@@ -1,0 +1,47 @@
+// The emulated STM32F103 as gdb-multiarch sees it (gdb::DebugPort says how it halts, steps and watches):
+//
+//   registers   0-12 r0 to r12, 13 sp, 14 lr, 15 pc, 16 xpsr, 4 bytes each
+//   addresses   those of the chip; of its peripherals none, as reading some of them changes what they do
+//
+// Breakpoints cost next to nothing. An IT and all that depends on it are one step.
+#pragma once
+
+#include "sim/exec/gdb/debug_port.h"
+#include "sim/exec/stm32/machine.h"
+
+namespace robosim::exec::stm32 {
+
+class DebugPort final : public gdb::DebugPort {
+ public:
+  DebugPort(gdb::Server& server, const Firmware& firmware) : gdb::DebugPort(server), firmware_(firmware) {}
+
+  /// At power-on.
+  void plug_into(Machine& machine);
+  void unplug() { machine_ = nullptr; }
+
+ private:
+  std::string registers() const override;
+  std::string read_register(unsigned number) const override;
+  bool write_register(unsigned number, std::string_view bytes) override;
+  std::string read_memory(std::uint32_t address, std::uint32_t size) const override;
+  std::string description() const override;
+
+  gdb::Signal fault() const override;
+  bool is_asleep() const override { return cpu().is_asleep(); }
+  std::size_t open_handlers() const override { return cpu().open_handlers(); }
+  std::uint64_t cycle() const override { return machine_->bus().link().clock.now; }
+  SimTime time() const override { return machine_->time_of(cycle()); }
+  bool has_code(std::uint32_t address) const override { return firmware_.has_code(address); }
+  bool has_ram(std::uint32_t address, std::size_t size) const override;
+  void poke(std::uint32_t address, std::uint8_t value) override { cpu().set_byte(address, value); }
+  void trap(std::uint32_t address, bool set) override { cpu().set_breakpoint(address, set); }
+  void resume() override { cpu().pass_breakpoint(); }
+
+  std::uint32_t pc() const;
+  Cpu& cpu() const { return machine_->cpu(); }
+
+  const Firmware& firmware_;
+  Machine* machine_ = nullptr;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,17 @@
+// What the chip's peripherals need of each other: the time, the interrupt controller, the board behind the
+// pins.
+#pragma once
+
+#include "sim/exec/core/board_state.h"
+#include "sim/exec/stm32/clock.h"
+#include "sim/exec/stm32/nvic.h"
+
+namespace robosim::exec::stm32 {
+
+struct Link {
+  BoardState& board;
+  Clock clock;
+  Nvic nvic{};
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,56 @@
+// The chip with everything around it that firmware can touch.
+#pragma once
+
+#include "sim/exec/core/executor.h"
+#include "sim/exec/core/written_bytes.h"
+#include "sim/exec/stm32/cpu.h"
+
+namespace robosim::exec::stm32 {
+
+class DebugPort;
+
+class Machine {
+ public:
+  /// `loop`: the first instruction of loop(), if it is known.
+  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, EepromPages& pages,
+          SimTime t);
+
+  void run_until(SimTime t);
+  /// millis() begins with `start` when main() begins.
+  void set_clock(SimTime start);
+  /// What the firmware prints is told to `bytes`, which outlives this.
+  void trace_bytes(WrittenBytes& bytes);
+  Resources resources() const;
+  /// The calls that are open: words on the stack that are the address behind a BL or BLX, innermost first.
+  std::vector<std::uint32_t> open_calls() const;
+  /// The firmware sleeps, and nothing will ever wake it.
+  bool is_off() const { return off_; }
+
+  /// Whom to ask before and after instructions run; may be null.
+  void set_debug_port(DebugPort* port);
+  /// A byte of the pages that hold the EEPROM.
+  std::uint8_t eeprom_byte(Address address) const {
+    return eeprom_pages_[address - robosim::stm32::kEepromFlash];
+  }
+
+  Cpu& cpu() { return cpu_; }
+  const Cpu& cpu() const { return cpu_; }
+  const Bus& bus() const { return bus_; }
+  SimTime time_of(Cycle cycle) const { return bus_.link().clock.time_of(cycle); }
+
+ private:
+  void look_at_heap();
+  void write_called(WrittenBytes& bytes);
+
+  const Firmware& firmware_;
+  BoardState& board_;
+  const EepromPages& eeprom_pages_;
+  Bus bus_;
+  Cpu cpu_;
+  std::uint32_t stack_top_;
+  Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
+  bool off_ = false;
+  DebugPort* debug_port_ = nullptr;
+};
+
+}  // namespace robosim::exec::stm32

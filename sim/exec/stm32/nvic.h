@@ -1,0 +1,68 @@
+// Which exception the processor takes next: NVIC and SCB (PM0056 4.3, 4.4; exceptions 2.3).
+//
+// A lower number is a higher priority; of the 8 bits the chip has the upper four, all of them for preemption.
+// An exception preempts what runs if its priority is strictly higher; of several the highest wins, then the
+// lowest number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hal/stm32/addresses.h"
+
+namespace robosim::exec::stm32 {
+
+using robosim::stm32::Address;
+
+/// An exception's number: 15 is SysTick, 16 the first interrupt.
+using Exception = int;
+constexpr Exception kSvcall = 11, kPendSv = 14, kSysTick = 15, kFirstIrq = 16;
+constexpr int kExceptions = kFirstIrq + robosim::stm32::kIrqCount;
+
+class Nvic {
+ public:
+  Nvic();
+
+  static bool owns(Address address);
+  /// False for a register that is not modelled.
+  bool read(Address address, std::uint32_t& value) const;
+  bool write(Address address, std::uint32_t value);
+
+  void pend(Exception exception) { pending_ |= bit(exception); }
+  void unpend(Exception exception) { pending_ &= ~bit(exception); }
+  /// A peripheral's interrupt line. While it is high its interrupt comes again and again.
+  void set_line(robosim::stm32::Irq irq, bool high);
+
+  bool any_pending() const { return (pending_ | lines_) & enabled_; }
+  /// The exception that preempts what runs, PRIMASK and BASEPRI aside; 0 = none.
+  Exception wakes() const { return candidate(0); }
+  /// The one that is taken now; 0 = none.
+  Exception next(bool primask, std::uint32_t basepri) const { return primask ? 0 : candidate(basepri); }
+
+  void enter(Exception exception);
+  void leave(Exception exception);
+  /// Of handlers that have begun and not ended.
+  bool in_handler() const { return active_ != 0; }
+
+  std::uint32_t vectors() const { return vtor_; }
+  bool traps_division() const { return ccr_ & robosim::stm32::kDiv0Trap; }
+  bool sleeps_on_exit() const { return scr_ & robosim::stm32::kSleepOnExit; }
+
+ private:
+  using Bits = std::uint64_t;  ///< one for each exception
+
+  static constexpr Bits bit(Exception exception) { return Bits{1} << exception; }
+  Exception candidate(std::uint32_t basepri) const;
+  unsigned current_priority() const;
+  Exception lowest_active() const;
+  std::uint32_t irq_word(Bits bits, Address offset) const;
+  std::uint32_t control_state() const;
+  bool write_scb(Address address, std::uint32_t value);
+
+  Bits pending_ = 0, active_ = 0, lines_ = 0;
+  Bits enabled_;
+  std::array<std::uint8_t, 64> priority_{};
+  std::uint32_t vtor_ = 0, scr_ = 0, ccr_ = 0x200, shcsr_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,205 @@
+#include "sim/exec/stm32/ports.h"
+
+#include <cstdlib>
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr std::uint32_t kLines = 0xFFFF;
+
+Irq irq_of(int line) {
+  return line < 5 ? static_cast<Irq>(kIrqExti0 + line) : line < 10 ? kIrqExti9_5 : kIrqExti15_10;
+}
+
+}  // namespace
+
+Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate)
+    : link_(link), alternate_(std::move(alternate)) {
+  for (auto& port : numbers_) port.fill(kNoPin);
+  const BoardSpec& spec = link.board.spec();
+  for (Pin pin = 0; pin < spec.pin_count; ++pin) {
+    const char* name = spec.pins[pin].chip_name;  // "PB12"
+    const ChipPin chip{name[1] - 'A', std::atoi(name + 2)};
+    chip_pins_[pin] = chip;
+    numbers_[static_cast<std::size_t>(chip.port)][static_cast<std::size_t>(chip.bit)] = pin;
+  }
+}
+
+std::uint32_t Ports::configuration(ChipPin pin) const {
+  const Port& port = ports_[static_cast<std::size_t>(pin.port)];
+  return port.configuration[static_cast<std::size_t>(pin.bit / 8)] >> (4 * (pin.bit % 8)) & 15;
+}
+
+PinDrive Ports::drive_of(ChipPin pin) const {
+  const std::uint32_t c = configuration(pin);
+  const bool output = ports_[static_cast<std::size_t>(pin.port)].output >> pin.bit & 1;
+  PinDrive drive;
+  if ((c & 3) == 0) {
+    if (c == kPulled && output) drive.mode = PinMode::input_pullup;
+    return drive;
+  }
+  const bool open_drain = c & 4;
+  drive.mode = PinMode::output;
+  drive.level = output;
+  if (c & 8) drive = alternate_(pin);
+  if (open_drain && drive.level && !drive.pwm) return PinDrive{};
+  drive.duty = drive.pwm ? drive.duty : drive.level ? 1.0 : 0.0;
+  return drive;
+}
+
+void Ports::refresh(ChipPin pin) {
+  if (number_of(pin) != kNoPin) link_.board.set_drive(number_of(pin), drive_of(pin), link_.clock.time());
+}
+
+void Ports::refresh_port(int port) {
+  for (int bit = 0; bit < kBits; ++bit) refresh({port, bit});
+}
+
+bool Ports::read_input(ChipPin pin) {
+  const Pin number = number_of(pin);
+  if (number == kNoPin || configuration(pin) == kAnalog) return false;
+  last_read_ = number;
+  last_read_at_ = link_.clock.now;
+  return link_.board.read_level(number, link_.clock.time());
+}
+
+std::uint32_t Ports::read(Address address) {
+  if (owns_exti(address)) {
+    if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) return sources_[(address - kAfioExticr1) / 4];
+    switch (address) {
+      case kAfioMapr:
+        return map_;
+      case kExtiImr:
+        return mask_;
+      case kExtiRtsr:
+        return rising_;
+      case kExtiFtsr:
+        return falling_;
+      case kExtiPr:
+        return pending_;
+      default:
+        return 0;
+    }
+  }
+  const int number = port_of(address);
+  const Port& port = ports_[static_cast<std::size_t>(number)];
+  switch (address - kGpioA - kPortBytes * static_cast<Address>(number)) {
+    case kCrl:
+      return port.configuration[0];
+    case kCrh:
+      return port.configuration[1];
+    case kOdr:
+      return port.output;
+    case kIdr: {
+      std::uint32_t levels = 0;
+      for (int bit = 0; bit < kBits; ++bit)
+        if (read_input({number, bit})) levels |= 1u << bit;
+      return levels;
+    }
+    default:
+      return 0;
+  }
+}
+
+bool Ports::write(Address address, std::uint32_t value) {
+  if (owns_exti(address)) return write_exti(address, value);
+  const int port = port_of(address);
+  return write_port(port, address - kGpioA - kPortBytes * static_cast<Address>(port), value);
+}
+
+bool Ports::write_port(int number, Address offset, std::uint32_t value) {
+  Port& port = ports_[static_cast<std::size_t>(number)];
+  std::uint32_t changed = 0;
+  const auto set_output = [&](std::uint32_t output) {
+    changed = port.output ^ output;
+    port.output = output;
+  };
+  switch (offset) {
+    case kCrl:
+    case kCrh:
+      port.configuration[offset == kCrh] = value;
+      refresh_port(number);
+      return true;
+    case kOdr:
+      set_output(value & 0xFFFF);
+      break;
+    case kBsrr:
+      set_output((port.output & ~(value >> 16)) | (value & 0xFFFF));
+      break;
+    case kBrr:
+      set_output(port.output & ~(value & 0xFFFF));
+      break;
+    case kIdr:
+      return true;
+    default:
+      return false;  // GPIOx_LCKR
+  }
+  for (int bit = 0; bit < kBits; ++bit)
+    if (changed >> bit & 1) refresh({number, bit});
+  return true;
+}
+
+int Ports::source(int line) const {
+  return static_cast<int>(sources_[static_cast<std::size_t>(line / 4)] >> (4 * (line % 4)) & 15);
+}
+
+bool Ports::write_exti(Address address, std::uint32_t value) {
+  if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) {
+    sources_[(address - kAfioExticr1) / 4] = value & 0xFFFF;
+    interrupts_changed();
+    return true;
+  }
+  switch (address) {
+    case kAfioMapr:
+      map_ = value;
+      return (value & ~kSwjMask) == 0;  // no other place for a peripheral's pins
+    case kExtiImr:
+      mask_ = value;
+      break;
+    case kExtiRtsr:
+      rising_ = value;
+      break;
+    case kExtiFtsr:
+      falling_ = value;
+      break;
+    case kExtiSwier:
+      pending_ |= value & mask_;
+      break;
+    case kExtiPr:
+      pending_ &= ~value;
+      break;
+    default:
+      return value == 0;  // events
+  }
+  interrupts_changed();
+  return ((mask_ | rising_ | falling_) & ~kLines) == 0;
+}
+
+void Ports::interrupts_changed() {
+  for (int port = 0; port < kPorts; ++port)
+    for (int line = 0; line < kBits; ++line) {
+      const Pin number = number_of({port, line});
+      if (number == kNoPin) continue;
+      const bool wanted = mask_ >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
+      link_.board.set_wants_edges(number, wanted);
+    }
+  for (const Irq irq : {kIrqExti0, kIrqExti1, kIrqExti2, kIrqExti3, kIrqExti4, kIrqExti9_5, kIrqExti15_10}) {
+    bool high = false;
+    for (int line = 0; line < kBits; ++line)
+      if (irq_of(line) == irq && pending_ & mask_ & 1u << line) high = true;
+    link_.nvic.set_line(irq, high);
+  }
+}
+
+void Ports::deliver(const BoardInput& edge) {
+  if (edge.pin >= link_.board.spec().pin_count) return;
+  const ChipPin pin = chip_pins_[edge.pin];
+  if (source(pin.bit) != pin.port || !((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
+  pending_ |= 1u << pin.bit;
+  interrupts_changed();
+}
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,82 @@
+// Ports A, B and C with AFIO and EXTI: how each pin is driven, what it reads, which edges interrupt (RM0008
+// 9, 10).
+//
+// A read of GPIOx_IDR asks the robot for all inputs of the port; one through the bit-band region
+// (PM0056 2.2.5) asks for one pin only. Open-drain outputs that are high count as inputs. PWM is told as a
+// duty, never as edges.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "sim/exec/stm32/link.h"
+
+namespace robosim::exec::stm32 {
+
+/// A pin as the chip calls it: port 0 = A, 1 = B, 2 = C.
+struct ChipPin {
+  int port = 0;
+  int bit = 0;
+};
+
+class Ports {
+ public:
+  /// `alternate` says how the peripheral that has the pin drives it.
+  Ports(Link& link, std::function<PinDrive(ChipPin)> alternate);
+
+  static bool owns(Address address) {
+    using namespace robosim::stm32;
+    return (address >= kGpioA && address < kGpioA + 3 * kPortBytes) || owns_exti(address);
+  }
+  static bool owns_exti(Address address) {
+    using namespace robosim::stm32;
+    return address >= kAfio && address <= kExtiPr;
+  }
+  std::uint32_t read(Address address);
+  bool write(Address address, std::uint32_t value);
+  /// One bit of GPIOx_IDR.
+  bool read_input(ChipPin pin);
+
+  /// The peripheral drives the pin differently.
+  void refresh(ChipPin pin);
+  void deliver(const BoardInput& edge);
+
+  Pin last_read() const { return last_read_; }
+  Cycle last_read_at() const { return last_read_at_; }
+  /// The port's letter and the offset of a register of it.
+  static int port_of(Address address) {
+    return static_cast<int>((address - robosim::stm32::kGpioA) / robosim::stm32::kPortBytes);
+  }
+
+ private:
+  static constexpr int kPorts = 3, kBits = 16;
+  struct Port {
+    std::array<std::uint32_t, 2> configuration{0x44444444, 0x44444444};  ///< CRL, CRH
+    std::uint32_t output = 0;
+  };
+
+  std::uint32_t configuration(ChipPin pin) const;
+  PinDrive drive_of(ChipPin pin) const;
+  Pin number_of(ChipPin pin) const {
+    return numbers_[static_cast<std::size_t>(pin.port)][static_cast<std::size_t>(pin.bit)];
+  }
+  void refresh_port(int port);
+  bool write_port(int port, Address offset, std::uint32_t value);
+  bool write_exti(Address address, std::uint32_t value);
+  void interrupts_changed();
+  /// The port that line `line` listens to.
+  int source(int line) const;
+
+  Link& link_;
+  std::function<PinDrive(ChipPin)> alternate_;
+  std::array<Port, kPorts> ports_;
+  std::array<std::array<Pin, kBits>, kPorts> numbers_;
+  std::array<ChipPin, kMaxPins> chip_pins_;
+  std::uint32_t map_ = 0;
+  std::array<std::uint32_t, 4> sources_{};
+  std::uint32_t mask_ = 0, rising_ = 0, falling_ = 0, pending_ = 0;
+  Pin last_read_ = kNoPin;
+  Cycle last_read_at_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

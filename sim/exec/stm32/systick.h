@@ -1,0 +1,37 @@
+// SysTick, the processor's own timer (PM0056 4.5): counts from LOAD down to 0, and begins anew.
+#pragma once
+
+#include "sim/exec/stm32/link.h"
+
+namespace robosim::exec::stm32 {
+
+class SysTick {
+ public:
+  explicit SysTick(Link& link) : link_(link) {}
+
+  static bool owns(Address address) {
+    return address >= robosim::stm32::kStkCtrl && address <= robosim::stm32::kStkCalib;
+  }
+  std::uint32_t read(Address address);
+  void write(Address address, std::uint32_t value);
+
+  /// When it next reaches 0; kNoCycle if it does not, or nobody hears of it.
+  Cycle next_event() const;
+  /// Reaches 0 as often as it has by now.
+  void update();
+
+ private:
+  Cycle period() const { return (Cycle{load_} + 1) * (by_eight() ? 8 : 1); }
+  bool by_eight() const { return !(control_ & robosim::stm32::kClkSource); }
+  bool runs() const { return control_ & robosim::stm32::kStkEnable && load_ > 0; }
+  std::uint32_t value() const;
+  void set_value(std::uint32_t value);
+
+  Link& link_;
+  std::uint32_t control_ = 0, load_ = 0;
+  std::uint32_t held_ = 0;  ///< the value while it stands still
+  Cycle zero_at_ = 0;       ///< when the counter reaches 0 next, if it runs
+  bool counted_ = false;    ///< COUNTFLAG
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,112 @@
+#include "sim/exec/stm32/usart.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+Cycle Usart::byte_cycles() const {
+  const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
+  return Cycle{bits} * (divider_ > 0 ? divider_ : 16);
+}
+
+void Usart::listen() {
+  const bool listens = on() && control_ & kRe;
+  const auto byte_time =
+      static_cast<SimTime>(byte_cycles()) * kSecond / static_cast<SimTime>(link_.clock.hz());
+  link_.board.listen(listens ? byte_time : 0, link_.clock.time());
+}
+
+void Usart::refresh_line() {
+  const bool high = (status_ & kTxe && control_ & kTxeie) || (status_ & kTc && control_ & kTcie) ||
+                    (status_ & (kRxne | kOre) && control_ & kRxneie);
+  link_.nvic.set_line(kIrqUsart1, on() && high);
+}
+
+void Usart::send(std::uint8_t byte) {
+  if (!sends() || !(status_ & kTxe)) return;
+  link_.board.send_byte(byte, link_.clock.time());
+  status_ &= ~kTc;
+  if (shifting_) {
+    status_ &= ~kTxe;
+    return;
+  }
+  shifting_ = true;
+  sent_at_ = link_.clock.now + byte_cycles();
+}
+
+void Usart::update() {
+  while (shifting_ && link_.clock.now >= sent_at_) {
+    if (status_ & kTxe) {
+      shifting_ = false;
+      status_ |= kTc;
+    } else {
+      status_ |= kTxe;
+      sent_at_ += byte_cycles();
+    }
+    refresh_line();
+  }
+}
+
+void Usart::receive(std::uint8_t byte) {
+  if (!on() || !(control_ & kRe)) return;
+  if (status_ & kRxne) {
+    status_ |= kOre;
+  } else {
+    received_ = byte;
+    status_ |= kRxne;
+  }
+  refresh_line();
+}
+
+std::uint32_t Usart::read(Address address) {
+  update();
+  switch (address) {
+    case kUsartSr:
+      return status_;
+    case kUsartDr:
+      status_ &= ~(kRxne | kOre);
+      refresh_line();
+      return received_;
+    case kUsartBrr:
+      return divider_;
+    case kUsartCr1:
+      return control_;
+    case kUsartCr2:
+      return control2_;
+    default:
+      return 0;
+  }
+}
+
+bool Usart::write(Address address, std::uint32_t value) {
+  update();
+  bool modelled = true;
+  switch (address) {
+    case kUsartSr:
+      status_ &= value | ~(kTc | kRxne);
+      break;
+    case kUsartDr:
+      send(static_cast<std::uint8_t>(value));
+      break;
+    case kUsartBrr:
+      divider_ = value & 0xFFFF;
+      listen();
+      break;
+    case kUsartCr1:
+      control_ = value;
+      modelled = (value & ~(kUe | kTe | kRe | kRxneie | kTcie | kTxeie | kM | kPce | kPs)) == 0;
+      listen();
+      break;
+    case kUsartCr2:
+      control2_ = value;
+      modelled = (value & ~kStop2) == 0;
+      listen();
+      break;
+    default:
+      modelled = value == 0;  // USART_CR3: hardware flow control, DMA; USART_GTPR
+  }
+  refresh_line();
+  return modelled;
+}
+
+}  // namespace robosim::exec::stm32

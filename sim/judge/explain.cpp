@@ -1,0 +1,155 @@
+#include "sim/judge/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace robosim::judge {
+namespace {
+
+std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
+
+std::string place_of(const exec::SourceLine& where) {
+  if (where.file.empty()) return "";
+  std::string text = where.function.empty() ? " at " : fmt::format(" in {}, ", where.function);
+  text += where.file;
+  if (where.line > 0) text += fmt::format(":{}", where.line);
+  return text;
+}
+
+std::string pin_name(Pin pin, const std::vector<robot::WiredPin>& wiring) {
+  for (const robot::WiredPin& wired : wiring)
+    if (wired.pin == pin) return fmt::format("pin {} ({} \"{}\")", pin, wired.type, wired.part);
+  return fmt::format("pin {} (nothing is wired to it)", pin);
+}
+
+// The pin that the sketch seems to wait for: the one it read last, where that is all it does.
+Pin awaited_pin(const Evidence& e) {
+  const exec::Activity& a = e.activity;
+  if (a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0) return a.pin;
+  return e.moved ? kNoPin : a.polled;
+}
+
+// "; the sketch waits …", for a run whose time is up.
+std::string waiting(const Evidence& e) {
+  const exec::Activity& a = e.activity;
+  if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
+  const Pin pin = awaited_pin(e);
+  if (pin != kNoPin)
+    return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",
+                       pin_name(pin, e.wiring), pin, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
+  if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
+  return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
+}
+
+std::string cell_of(const grid::Map& map, Vec2 p) {
+  const int column = static_cast<int>(std::floor(p.x / map.cell_m));
+  const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
+  return fmt::format("column {}, row {}", column, row);
+}
+
+// What to do about that which a check has found.
+std::string advice(const Evidence& e) {
+  const std::string& check = e.crash->check;
+  const bool too_large =
+      check.ends_with("_overflow") && check != "pointer_overflow" && check != "divrem_overflow";
+  if (e.int_bits > 16 || !too_large) return "";
+  return "On the chip int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
+}
+
+std::string list_of_pins(const std::vector<int>& pins) {
+  std::string text;
+  for (std::size_t i = 0; i < pins.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == pins.size() ? " and " : ", ") + std::to_string(pins[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string explain(const Evidence& e) {
+  const std::string done = e.progress->summary();
+  switch (e.verdict) {
+    case Verdict::reached:
+      return e.goal->kind == Goal::Kind::none
+                 ? fmt::format("{} of simulated time went by without a failure.", seconds(e.t))
+                 : fmt::format("The goal {} was reached after {}: {}.", to_string(*e.goal), seconds(e.t),
+                               done);
+    case Verdict::lost:
+      return fmt::format(
+          "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near {} "
+          "({}).",
+          seconds(e.judge->line_last_seen()), cell_of(*e.map, e.judge->line_last_seen_at()), done);
+    case Verdict::stuck:
+      return fmt::format(
+          "The robot is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
+          "degree{} ({}).",
+          e.in_contact ? "; it pushes against a wall or the map's edge" : "", done);
+    case Verdict::hung:
+      if (!e.activity.stopped_by.empty())
+        return fmt::format("The sketch stopped itself by {}{} while the motors were running ({}).",
+                           e.activity.stopped_by, place_of(e.activity.where), done);
+      return fmt::format(
+          "The sketch hangs{}: for 2 s it called no Arduino function while the motors were running ({}).",
+          place_of(e.activity.where), done);
+    case Verdict::ended:
+      if (!e.activity.stopped_by.empty())
+        return fmt::format("The sketch stopped itself by {}{} with the motors off, before the goal: {}.",
+                           e.activity.stopped_by, place_of(e.activity.where), done);
+      return fmt::format(
+          "The sketch ended{}: for 2 s it called no Arduino function, with the motors off, before the goal: "
+          "{}.",
+          place_of(e.activity.where), done);
+    case Verdict::crashed:
+      return fmt::format("The sketch crashed: {}{}.", e.crash ? e.crash->reason : "for an unknown reason",
+                         e.crash ? place_of(e.crash->where) : "");
+    case Verdict::timeout:
+      return fmt::format("The {} of simulated time are up before the goal {}: {}{}.", seconds(e.limit),
+                         to_string(*e.goal), done, waiting(e));
+    case Verdict::over_budget:
+      return fmt::format("The sketch is over its budget: {} ({}).", e.exceeded, done);
+    case Verdict::interrupted:
+      return fmt::format("Interrupted by you after {} of simulated time ({}).", seconds(e.t), done);
+  }
+  return "";
+}
+
+std::string next_step(const Evidence& e) {
+  if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";
+  if (e.crash && !e.crash->check.empty()) return advice(e);
+  if (e.moved) {
+    if (e.verdict == Verdict::lost && e.int_bits == 16)
+      return "run it with --target host too: if it keeps the line there, look where an int goes beyond "
+             "32767, as in "
+             "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it";
+    if (e.verdict == Verdict::lost)
+      return "watch it with --view --speed 0.2, or record what the sensors saw with --record run.csv";
+    return "";
+  }
+  std::vector<int> low, never_output;
+  for (const robot::WiredPin& wired : e.wiring) {
+    if (wired.type != "motor" && wired.type != "motors") continue;
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    if (pin >= e.went_high.size() || e.went_high[pin]) continue;
+    auto& list = e.was_output[pin] ? low : never_output;
+    if (std::find(list.begin(), list.end(), wired.pin) == list.end()) list.push_back(wired.pin);
+  }
+  std::string text = "the robot never moved";
+  if (!low.empty())
+    text += fmt::format("; motor pin{} {} stayed LOW", low.size() > 1 ? "s" : "", list_of_pins(low));
+  if (!never_output.empty())
+    text += fmt::format("; motor pin{} {} {} never set to OUTPUT", never_output.size() > 1 ? "s" : "",
+                        list_of_pins(never_output), never_output.size() > 1 ? "were" : "was");
+  if (low.empty() && never_output.empty())
+    text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
+  const Pin pin = awaited_pin(e);
+  if (pin == kNoPin) return text;
+  text += fmt::format("; the sketch waits for {}, which is {}", pin_name(pin, e.wiring),
+                      e.pin_level ? "HIGH" : "LOW");
+  for (const robot::WiredPin& wired : e.wiring)
+    if (wired.pin == pin && wired.type == "button")
+      text += fmt::format(": press it with --script FILE and the line: at 1s press {} 200ms", wired.part);
+  return text;
+}
+
+}  // namespace robosim::judge

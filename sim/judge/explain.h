@@ -1,0 +1,41 @@
+// Verdicts in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/exec/core/executor.h"
+#include "sim/grid/map.h"
+#include "sim/judge/goal.h"
+#include "sim/judge/judge.h"
+#include "sim/robot/robot.h"
+
+namespace robosim::judge {
+
+/// All that an explanation may rest on.
+struct Evidence {
+  Verdict verdict = Verdict::timeout;
+  SimTime t = 0;
+  SimTime limit = 0;
+  const grid::Map* map = nullptr;
+  const Goal* goal = nullptr;
+  const Progress* progress = nullptr;
+  const Judge* judge = nullptr;
+  exec::Activity activity;
+  std::optional<exec::Crash> crash;
+  int int_bits = 32;     ///< of the firmware's int
+  std::string exceeded;  ///< the budget that was
+  std::vector<robot::WiredPin> wiring;
+  std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
+  std::vector<bool> was_output;  ///< per pin: it was an output at least once
+  bool pin_level = false;        ///< what the pin that the sketch looks at reads now
+  bool in_contact = false;       ///< the body touches a wall
+  bool moved = false;            ///< a wheel turned
+};
+
+/// One sentence: why the run ended as it did.
+std::string explain(const Evidence& evidence);
+/// What to look at next; empty where the verdict says it all.
+std::string next_step(const Evidence& evidence);
+
+}  // namespace robosim::judge

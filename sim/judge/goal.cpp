@@ -1,0 +1,213 @@
+#include "sim/judge/goal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+constexpr SimTime kRestAtStation = 500 * kMillisecond;
+constexpr SimTime kStandsStill = kSecond;
+constexpr double kRestSpeed = 1e-3;    // m/s: slower counts as at rest
+constexpr double kRestTurn = 0.01;     // rad/s
+constexpr double kCheckEvery = 4e-3;   // m: places are looked at when the body has moved this far
+constexpr double kCheckTurn = 0.9998;  // or turned by acos of this (1.1 degrees)
+
+bool at_rest(const world::Body& body) {
+  return std::abs(body.speed()) < kRestSpeed && std::abs(body.turn_rate()) < kRestTurn;
+}
+
+bool wheels_turn(const world::Body& body) {
+  return body.wheel_rate(world::left) != 0.0 || body.wheel_rate(world::right) != 0.0;
+}
+
+[[noreturn]] void unknown_goal(std::string_view text) {
+  throw InputError(fmt::format(
+      "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), still and none",
+      text));
+}
+
+}  // namespace
+
+Goal parse_goal(std::string_view text) {
+  Goal goal;
+  const std::size_t colon = text.find(':');
+  const std::string_view word = text.substr(0, colon);
+  const std::string_view rest = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
+  const bool bare = colon == std::string_view::npos;
+  if (word == "tour" && bare) {
+    goal.kind = Goal::Kind::tour;
+  } else if (word == "still" && bare) {
+    goal.kind = Goal::Kind::still;
+  } else if (word == "none" && bare) {
+    goal.kind = Goal::Kind::none;
+  } else if (word == "station" && !rest.empty()) {
+    goal.kind = Goal::Kind::station;
+    goal.station = rest;
+  } else if (word == "laps") {
+    goal.kind = Goal::Kind::laps;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), goal.laps);
+    if (error != std::errc() || end != rest.data() + rest.size() || goal.laps < 1) unknown_goal(text);
+  } else {
+    unknown_goal(text);
+  }
+  return goal;
+}
+
+std::string to_string(const Goal& goal) {
+  switch (goal.kind) {
+    case Goal::Kind::tour:
+      return "tour";
+    case Goal::Kind::laps:
+      return fmt::format("laps:{}", goal.laps);
+    case Goal::Kind::station:
+      return "station:" + goal.station;
+    case Goal::Kind::still:
+      return "still";
+    case Goal::Kind::none:
+      return "none";
+  }
+  return "";
+}
+
+Goal default_goal(const grid::Map& map, const grid::Network& network) {
+  if (!map.goal.empty()) return parse_goal(map.goal);
+  Goal goal;
+  if (!network.loop.empty()) goal.kind = Goal::Kind::laps;
+  return goal;
+}
+
+Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes,
+                   const grid::Network& network, const grid::Start& start)
+    : goal_(goal), start_(stripes.point_of(start.cell)) {
+  for (const grid::Station& station : network.stations) {
+    stations_.push_back({station.name, stripes.point_of(station.cell), false});
+    if (goal.kind == Goal::Kind::station &&
+        (goal.station == station.name || goal.station == std::to_string(station.id)))
+      goal_station_ = static_cast<int>(stations_.size()) - 1;
+  }
+  for (const grid::CellAt& cell : network.junctions)
+    junctions_.push_back({"", stripes.point_of(cell), false});
+  for (const grid::CellAt& cell : network.loop) loop_.push_back(stripes.point_of(cell));
+  if (goal.kind == Goal::Kind::station && goal_station_ < 0) {
+    std::vector<std::string> names;
+    for (const Target& station : stations_) names.push_back(station.name);
+    throw InputError({map.file},
+                     fmt::format("there is no station {} here; {}", goal.station,
+                                 names.empty() ? "the map has none" : "the stations are " + one_of(names)));
+  }
+  if (goal.kind == Goal::Kind::laps && loop_.empty())
+    throw InputError({map.file},
+                     fmt::format("the goal {} needs a line that is one closed loop; this one has {} "
+                                 "stations and {} junctions (try --goal tour)",
+                                 to_string(goal), stations_.size(), junctions_.size()));
+}
+
+bool Progress::is_visited(const std::string& station) const {
+  for (const Target& target : stations_)
+    if (target.name == station) return target.visited;
+  return false;
+}
+
+void Progress::visit_places(const world::Body& body, std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    if (stations_[i].visited || !body.covers(stations_[i].centre)) continue;
+    stations_[i].visited = true;
+    visited_.push_back(static_cast<int>(i));
+    notes.push_back(fmt::format("station {} visited", stations_[i].name));
+  }
+  for (Target& junction : junctions_) {
+    if (junction.visited || !body.covers(junction.centre)) continue;
+    junction.visited = true;
+    ++junctions_visited_;
+  }
+}
+
+bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTime t,
+                       std::vector<std::string>& notes) {
+  const std::size_t count = loop_.size();
+  const auto point = [&](std::size_t i) { return loop_[backwards ? (count - i) % count : i % count]; };
+  while (lap.next <= count && body.covers(point(lap.next))) ++lap.next;
+  if (lap.next <= count) return false;
+  lap.next = 1;
+  ++lap.complete;
+  laps_s_.push_back(static_cast<double>(t - lap.began) * 1e-9);
+  notes.push_back(fmt::format("lap {} in {:.2f} s", lap.complete, laps_s_.back()));
+  lap.began = t;
+  return lap.complete >= goal_.laps;
+}
+
+bool Progress::tour_done(const world::Body& body) {
+  const bool covers_start = body.covers(start_);
+  if (!covers_start) left_start_ = true;
+  return left_start_ && covers_start && visited_.size() == stations_.size();
+}
+
+bool Progress::rests_at_station(const world::Body& body, SimTime t) {
+  const bool there = at_rest(body) && body.covers(stations_[static_cast<std::size_t>(goal_station_)].centre);
+  if (!there) at_rest_since_ = kNever;
+  if (there && at_rest_since_ == kNever) at_rest_since_ = t;
+  return there && t - at_rest_since_ >= kRestAtStation;
+}
+
+bool Progress::stands_still(const world::Body& body, SimTime t) {
+  if (wheels_turn(body)) {
+    has_moved_ = true;
+    at_rest_since_ = kNever;
+    return false;
+  }
+  if (at_rest_since_ == kNever) at_rest_since_ = t;
+  return has_moved_ && t - at_rest_since_ >= kStandsStill;
+}
+
+void Progress::update(const world::Body& body, SimTime t, std::vector<std::string>& notes) {
+  if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
+  if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
+
+  const Pose& pose = body.pose();
+  const Vec2 moved = pose.position - checked_at_;
+  if (dot(moved, moved) < kCheckEvery * kCheckEvery && dot(pose.heading, checked_heading_) > kCheckTurn)
+    return;
+  checked_at_ = pose.position;
+  checked_heading_ = pose.heading;
+  visit_places(body, notes);
+  if (!loop_.empty()) {
+    const bool forwards = advance(forwards_, false, body, t, notes);
+    const bool backwards = advance(backwards_, true, body, t, notes);
+    if (goal_.kind == Goal::Kind::laps) reached_ = forwards || backwards;
+  }
+  if (goal_.kind == Goal::Kind::tour) reached_ = tour_done(body);
+}
+
+std::string Progress::summary() const {
+  switch (goal_.kind) {
+    case Goal::Kind::laps:
+      return fmt::format("{} of {} laps", std::max(forwards_.complete, backwards_.complete), goal_.laps);
+    case Goal::Kind::tour:
+      return visited_.size() == stations_.size()
+                 ? fmt::format("all {} stations visited, {}", stations_.size(),
+                               reached_ ? "and back at the start" : "but not back at the start")
+                 : fmt::format("{} of {} stations visited", visited_.size(), stations_.size());
+    case Goal::Kind::station:
+      return fmt::format("station {} {}", goal_.station,
+                         reached_ ? "reached, and at rest there"
+                         : stations_[static_cast<std::size_t>(goal_station_)].visited
+                             ? "visited, but not at rest there for 0.5 s"
+                             : "not visited");
+    case Goal::Kind::still:
+      return reached_     ? "it moved, and then stood still for 1 s"
+             : has_moved_ ? "it moved, but did not stop for 1 s"
+                          : "it never moved";
+    case Goal::Kind::none:
+      return "no goal was set";
+  }
+  return "";
+}
+
+}  // namespace robosim::judge

@@ -1,0 +1,100 @@
+// Goals: what a run is for, and how far it has come.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/grid/map.h"
+#include "sim/grid/network.h"
+#include "sim/grid/stripes.h"
+
+namespace robosim::world {
+class Body;
+}
+
+namespace robosim::judge {
+
+struct Goal {
+  enum class Kind {
+    tour,     ///< all reachable stations visited, then the start's centre covered again
+    laps,     ///< every node of the loop passed in order, `laps` times, either way round
+    station,  ///< `station` visited, and at rest there for 0.5 s
+    still,    ///< no wheel turned for 1 s after having moved
+    none,     ///< the time is up without a failure
+  };
+  Kind kind = Kind::tour;
+  int laps = 1;
+  std::string station;  ///< number or name
+};
+
+/// "tour", "laps:3", "station:2", "still", "none". Throws InputError naming those.
+Goal parse_goal(std::string_view text);
+std::string to_string(const Goal& goal);
+/// The map's own goal; else laps:1 on a single loop, else tour.
+Goal default_goal(const grid::Map& map, const grid::Network& network);
+
+/// A station as the goal sees it.
+struct Target {
+  std::string name;
+  Vec2 centre;  ///< m
+  bool visited = false;
+};
+
+/// Watches a body and says when the goal is reached. Visited: the body's outline has covered the centre.
+class Progress {
+ public:
+  /// Throws InputError if the goal makes no sense on this map: laps without a loop, a station that is not
+  /// there.
+  Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes, const grid::Network& network,
+           const grid::Start& start);
+
+  /// Called once a tick with the time at its end. New notes ("station 2 visited") are appended to `notes`.
+  void update(const world::Body& body, SimTime t, std::vector<std::string>& notes);
+
+  bool reached() const { return reached_; }
+  /// One clause: what is still missing, or what was done.
+  std::string summary() const;
+
+  const std::vector<Target>& stations() const { return stations_; }
+  /// Indices into stations() in the order in which they were first visited.
+  const std::vector<int>& visited() const { return visited_; }
+  /// Duration of each complete lap, s.
+  const std::vector<double>& laps_s() const { return laps_s_; }
+  int junctions_visited() const { return junctions_visited_; }
+  bool is_visited(const std::string& station) const;
+
+ private:
+  // How far a lap in one direction has come.
+  struct Lap {
+    std::size_t next = 1;
+    SimTime began = 0;
+    int complete = 0;
+  };
+
+  void visit_places(const world::Body& body, std::vector<std::string>& notes);
+  bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, std::vector<std::string>& notes);
+  bool tour_done(const world::Body& body);
+  bool rests_at_station(const world::Body& body, SimTime t);
+  bool stands_still(const world::Body& body, SimTime t);
+
+  Goal goal_;
+  std::vector<Target> stations_;
+  std::vector<Target> junctions_;
+  std::vector<Vec2> loop_;
+  Vec2 start_;
+  bool left_start_ = false;
+  std::vector<int> visited_;
+  int junctions_visited_ = 0;
+  std::vector<double> laps_s_;
+  Lap forwards_, backwards_;
+  int goal_station_ = -1;
+  SimTime at_rest_since_ = kNever;
+  bool has_moved_ = false;
+  Vec2 checked_at_{1e9, 1e9};
+  Vec2 checked_heading_;
+  bool reached_ = false;
+};
+
+}  // namespace robosim::judge

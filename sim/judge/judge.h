@@ -1,0 +1,55 @@
+// Notices when a run has failed, before its time is up.
+#pragma once
+
+#include <optional>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/vec.h"
+#include "sim/judge/outcome.h"
+
+namespace robosim::judge {
+
+constexpr double kLostAfter = 1.0;                     ///< m of wheel travel without a line
+constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
+constexpr double kStuckMove = 1e-3;                    ///< m
+constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
+constexpr SimTime kSilentAfter = 2 * kSecond;          ///< without an API call
+
+/// What the judge looks at, once a tick.
+struct Situation {
+  SimTime t = 0;
+  const Pose* pose = nullptr;
+  double wheel_travel_m = 0.0;  ///< mean of both wheels' |path| so far
+  bool sees_line = false;       ///< any reflectance sensor's footprint on a line
+  bool driven = false;          ///< a motor is commanded
+  bool lifted = false;          ///< in somebody's hand: neither lost nor stuck
+  bool powered = true;
+  SimTime last_call = 0;  ///< the firmware's last API call
+};
+
+class Judge {
+ public:
+  /// `senses`: whether the robot has reflectance sensors; without any it cannot be lost.
+  explicit Judge(bool senses) : senses_(senses) {}
+
+  /// lost, stuck, hung or ended; nothing while all is well.
+  std::optional<Verdict> look(const Situation& now);
+
+  /// When a sensor last saw the line, and where the robot was.
+  SimTime line_last_seen() const { return line_seen_at_; }
+  Vec2 line_last_seen_at() const { return line_seen_position_; }
+
+ private:
+  bool lost(const Situation& now);
+  bool stuck(const Situation& now);
+
+  bool senses_;
+  SimTime line_seen_at_ = 0;
+  Vec2 line_seen_position_;
+  double travel_at_line_ = 0.0;
+  SimTime last_driven_ = -kSecond;
+  SimTime anchored_at_ = 0;
+  Pose anchor_;
+};
+
+}  // namespace robosim::judge

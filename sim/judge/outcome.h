@@ -1,0 +1,68 @@
+// What a run came to.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+#include "sim/exec/core/executor.h"
+#include "sim/judge/goal.h"
+
+namespace robosim::judge {
+
+enum class Verdict {
+  reached,      ///< the goal was reached
+  lost,         ///< the wheels have turned 1 m with no sensor over a line
+  stuck,        ///< motors driven for 3 s, neither moved 1 mm nor turned 1 degree
+  hung,         ///< no API call for 2 s, motors driven
+  ended,        ///< no API call for 2 s, motors off: it parked itself
+  crashed,      ///< the firmware cannot go on
+  over_budget,  ///< a budget of the robot file is exceeded (chip targets)
+  timeout,      ///< simulated time is up
+  interrupted,  ///< by the user
+};
+
+const char* to_string(Verdict verdict);
+ExitStatus exit_status(Verdict verdict);
+
+struct Metrics {
+  double distance_m = 0.0;          ///< path of the axle's centre
+  std::vector<double> laps_s;       ///< duration of each lap, on a loop
+  double cross_track_rms_mm = 0.0;  ///< midpoint of the reflectance sensors to the nearest centre line
+  double cross_track_max_mm = 0.0;  ///< both without the first 0.5 s
+  double off_line_s = 0.0;          ///< time with no sensor over a line
+  int collisions = 0;
+  double energy_j = 0.0;              ///< drawn by the motors
+  std::vector<std::string> stations;  ///< visited, in order
+  int junctions = 0;                  ///< different ones visited
+};
+
+/// Something worth telling that happened: "station 2 visited".
+struct Event {
+  SimTime t = 0;
+  std::string text;
+};
+
+struct Outcome {
+  Verdict verdict = Verdict::timeout;
+  std::string why;   ///< one sentence a first-year student understands
+  std::string next;  ///< what to look at next; may be empty
+  Goal goal;
+  SimTime time = 0;  ///< simulated, at the end
+  Metrics metrics;
+  std::optional<exec::Crash> crash;
+  std::optional<exec::Resources> resources;  ///< of a chip
+  std::vector<Event> events;                 ///< the last few
+  std::string serial;                        ///< all that the firmware sent, up to kSerialKept bytes
+  Pose end;                                  ///< where the robot is
+  std::uint64_t eeprom_writes = 0;           ///< bytes that the firmware wrote to its EEPROM
+  std::string trace_hash;
+};
+
+/// More serial output than this is counted in the trace hash but not kept.
+constexpr std::size_t kSerialKept = 1 << 20;
+
+}  // namespace robosim::judge

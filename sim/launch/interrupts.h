@@ -1,0 +1,36 @@
+// Ctrl-C and its kin while a run goes on.
+#pragma once
+
+#include <signal.h>
+
+#include <array>
+
+#include "sim/client/pool.h"
+#include "sim/client/runner.h"
+
+namespace robosim::launch {
+
+/// From construction to destruction SIGINT, SIGTERM and SIGHUP end the runner's current run, which then
+/// answers with the verdict `interrupted`; a second one kills the runner. A pool ends its batch at the first.
+/// There can be one at a time.
+class Interrupts {
+ public:
+  explicit Interrupts(client::Runner& runner);
+  explicit Interrupts(client::Pool& pool);
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+  /// How many have come.
+  static int count();
+  /// The first of them; 0 = none.
+  static int signal();
+
+ private:
+  void catch_signals();
+
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
+
+}  // namespace robosim::launch

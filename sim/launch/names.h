@@ -1,0 +1,62 @@
+// Names that users type: what they stand for, and what was probably meant.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace robosim::launch {
+
+/// The target whose chip an ELF file is for. Throws InputError for a file that is for none.
+std::string target_of_elf(const std::filesystem::path& file);
+
+/// A name with '/' or '.' is a path.
+bool is_path(const std::string& name);
+
+/// The candidate that differs least from `word`, if so few letters differ that it may be a slip.
+std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
+
+/// "did you mean oval? There are d, oval and tight"
+std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates);
+/// "there is no map “ovla”; did you mean oval? There are d, oval and tight". `what` as in "map".
+std::string unknown_name(const std::string& what, const std::string& name,
+                         const std::vector<std::string>& candidates);
+
+/// Names of the files with that ending in a folder, without the ending, sorted; none if there is no such
+/// folder.
+std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& ending);
+
+std::filesystem::path stock_robot_folder();
+std::filesystem::path stock_map_folder();
+
+/// A choice that was made for the user, and the sentence that says so (empty if the user made it).
+struct Choice {
+  std::string name;  ///< for people and for `inputs`: not a path of this machine, unless the user typed it
+  std::filesystem::path path;  ///< what to open; for a robot what a runner takes: a name, too, or with @BOARD
+  std::string announcement;
+};
+
+/// What is to run, and the folder it stands in. No name: the current folder. Throws InputError.
+struct SketchChoice {
+  std::string name;
+  std::filesystem::path path;
+  std::filesystem::path folder;
+  std::string elf_target;  ///< of a finished .elf, the target that it is for; else empty: it must be built
+};
+SketchChoice choose_sketch(const std::string& name);
+
+/// The map named; else the only .map in the sketch's folder; else `oval`. Throws InputError.
+Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);
+
+/// The robot named (sim/base/robot_name.h); else robot.toml in the sketch's folder; else uno5, or bluepill5
+/// for the target stm32. Throws InputError.
+Choice choose_robot(const std::string& name, const std::filesystem::path& sketch_folder,
+                    const std::string& target = "host");
+
+/// Throws InputError for a target there is none of, ToolMissing for one that this version cannot run yet.
+void check_target(const std::string& target);
+/// The same for targets that sketches are compiled for.
+void check_build_target(const std::string& target);
+
+}  // namespace robosim::launch

@@ -1,0 +1,62 @@
+#include "sim/launch/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <ctime>
+
+#include "sim/tui/text.h"
+
+namespace robosim::launch {
+namespace {
+
+constexpr std::int64_t kQuiet_us = 500'000;
+constexpr std::int64_t kEvery_us = 100'000;
+
+std::int64_t wall_now_us() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * 1'000'000LL + now.tv_nsec / 1000;
+}
+
+}  // namespace
+
+Progress::Progress(bool wanted)
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_us_(active_ ? wall_now_us() + kQuiet_us : 0) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::say(const std::string& text) {
+  if (!active_) return;
+  fmt::print(stderr, "\r\033[K{}", text);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+bool Progress::due() {
+  if (!active_) return false;
+  const std::int64_t now = wall_now_us();
+  if (now < next_us_) return false;
+  next_us_ = now + kEvery_us;
+  return true;
+}
+
+void Progress::update(const std::string& text) {
+  if (due()) say(text);
+}
+
+void Progress::advance(std::int64_t t_us, double for_s) {
+  if (!due()) return;
+  say(fmt::format("simulated: {} of at most {}", tui::time_text(static_cast<double>(t_us) * 1e-6),
+                  tui::time_text(for_s)));
+}
+
+void Progress::clear() {
+  if (!shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace robosim::launch

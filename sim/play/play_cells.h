@@ -1,0 +1,14 @@
+// The robot on cells (sim/cells), as a session drives it (sim/tui).
+#pragma once
+
+#include <memory>
+
+#include "sim/play/session.h"
+
+namespace robosim::play {
+
+/// The map must outlive the driver, and the start be on its line.
+std::unique_ptr<CellDriver> drive_cells(const grid::Map& map, const grid::Start& start,
+                                        double seconds_per_move);
+
+}  // namespace robosim::play

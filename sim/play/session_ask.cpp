@@ -1,0 +1,66 @@
+// How a session asks: one page, one question, a line or a key.
+#include <fmt/format.h>
+
+#include "sim/play/session.h"
+
+namespace robosim::play {
+namespace {
+
+using Kind = tui::Press::Kind;
+
+constexpr std::size_t kLongestAnswer = 1000;
+
+// One character, which may be several bytes.
+void erase_last(std::string& text) {
+  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+  if (!text.empty()) text.pop_back();
+}
+
+}  // namespace
+
+tui::Press Session::read(const Body& body, const std::vector<tui::Page::Line>& footer) {
+  for (;;) {
+    std::vector<tui::Page::Line> lines;
+    if (!error_.empty()) lines.push_back({error_, tui::Ink::bad});
+    lines.insert(lines.end(), footer.begin(), footer.end());
+    tui::Page page(console_.size(), console_.look(), lines);
+    body(page);
+    console_.show(page.finish());
+    const tui::Press press = console_.wait(-1);
+    if (press.kind == Kind::end) throw SessionQuit{};
+    if (press.kind == Kind::interrupt) throw SessionQuit{true};
+    if (press.kind == Kind::nothing) continue;
+    return press;
+  }
+}
+
+std::string Session::ask(const Body& body, const std::string& question,
+                         const std::function<void(int)>& arrow) {
+  std::string typed;
+  const std::string cursor = console_.is_live() ? "_" : "";
+  for (;;) {
+    const tui::Press press = read(body, {{question + " " + typed + cursor, tui::Ink::strong}});
+    switch (press.kind) {
+      case Kind::enter:
+        error_.clear();
+        if (typed == "q" || typed == "quit") throw SessionQuit{};
+        return typed;
+      case Kind::erase:
+        erase_last(typed);
+        break;
+      case Kind::character:
+        if (typed.size() < kLongestAnswer) typed += press.character;
+        break;
+      case Kind::up:
+        if (arrow) arrow(-1);
+        break;
+      case Kind::down:
+        if (arrow) arrow(+1);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace robosim::play

@@ -1,0 +1,34 @@
+// `--record x.csv`: what a run's samples look like as a table. The format is in docs/formats.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/wire/messages.h"
+
+namespace robosim::record {
+
+/// How often a recording takes a sample, simulated time.
+constexpr std::int64_t kRecordEvery_ns = 10'000'000;
+
+/// Gathers rows; nothing is on the disk before save().
+class CsvRecord {
+ public:
+  explicit CsvRecord(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Takes `started` for the header and samples for the rows; ignores all else.
+  void add(const wire::Event& event);
+  const std::string& text() const { return text_; }
+  /// Whole or not at all. Throws InputError.
+  void save() const;
+
+ private:
+  std::filesystem::path path_;
+  std::string text_;
+};
+
+/// The file endings that `--record` knows: ".csv", ".vcd" (record_vcd.h).
+const std::vector<std::string>& record_endings();
+/// Throws InputError naming the endings that exist if the file has another.
+void check_record_ending(const std::filesystem::path& path);
+
+}  // namespace robosim::record

@@ -1,0 +1,140 @@
+#include "sim/record/record_vcd.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "sim/base/file.h"
+
+namespace robosim::record {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+constexpr double kFloating = 2;
+constexpr double kPulsing = 3;
+
+// Printable characters, the shortest first.
+std::string identifier(std::size_t number) {
+  constexpr std::size_t kFirst = 33, kCount = 94;
+  std::string id;
+  do {
+    id += static_cast<char>(kFirst + number % kCount);
+    number /= kCount;
+  } while (number > 0);
+  return id;
+}
+
+}  // namespace
+
+VcdRecord::VcdRecord(std::filesystem::path path, const BoardSpec& board)
+    : path_(std::move(path)), board_(board.name) {
+  using Kind = Signal::Kind;
+  for (Pin pin = 0; pin < board.pin_count; ++pin) {
+    const PinSpec& spec = board.pins[pin];
+    const std::string name = spec.name;
+    PinSignals& signals = pins_[name];
+    signals.level = spec.digital ? declare(name, Kind::wire) : kNone;
+    signals.duty = spec.pwm ? declare(name + "_duty", Kind::real) : kNone;
+    signals.tone = spec.digital ? declare(name + "_tone_hz", Kind::real) : kNone;
+    signals.volts = spec.analog_channel >= 0 ? declare(name + "_volts", Kind::real) : kNone;
+  }
+  const char* names[] = {"tx", "rx"};
+  for (auto* bytes : {&sent_, &received_}) {
+    const std::string name = names[bytes == &received_];
+    (*bytes)[0] = declare(name, Kind::byte);
+    (*bytes)[1] = declare(name + "_flip", Kind::wire);
+  }
+}
+
+std::uint32_t VcdRecord::declare(std::string name, Signal::Kind kind) {
+  signals_.push_back({std::move(name), kind, identifier(signals_.size())});
+  return static_cast<std::uint32_t>(signals_.size() - 1);
+}
+
+void VcdRecord::change(std::int64_t t_ns, std::uint32_t signal, double value) {
+  if (signal != kNone) changes_.push_back({t_ns, signal, value});
+}
+
+void VcdRecord::add_byte(const wire::SerialByte& byte) {
+  const auto& signals = byte.sent ? sent_ : received_;
+  bool& flipped = flipped_[byte.sent ? 0 : 1];
+  flipped = !flipped;
+  change(byte.t_ns, signals[0], byte.value);
+  change(byte.t_ns, signals[1], flipped);
+}
+
+void VcdRecord::add(const wire::Event& event) {
+  const auto signals_of = [&](const std::string& pin) {
+    const auto found = pins_.find(pin);
+    return found == pins_.end() ? PinSignals{kNone, kNone, kNone, kNone} : found->second;
+  };
+  if (const auto* drive = std::get_if<wire::PinChange>(&event)) {
+    const PinSignals signals = signals_of(drive->pin);
+    const bool pulsing = drive->tone_hz > 0 || (drive->pwm && drive->duty > 0.0 && drive->duty < 1.0);
+    const double level = drive->mode == "output"         ? pulsing ? kPulsing : drive->duty >= 0.5
+                         : drive->mode == "input_pullup" ? 1
+                                                         : kFloating;
+    change(drive->t_ns, signals.level, level);
+    change(drive->t_ns, signals.duty, drive->duty);
+    change(drive->t_ns, signals.tone, drive->tone_hz);
+  } else if (const auto* level = std::get_if<wire::LevelSeen>(&event)) {
+    change(level->t_ns, signals_of(level->pin).level, level->level);
+  } else if (const auto* volts = std::get_if<wire::VoltsSeen>(&event)) {
+    change(volts->t_ns, signals_of(volts->pin).volts, volts->volts);
+  } else if (const auto* byte = std::get_if<wire::SerialByte>(&event)) {
+    add_byte(*byte);
+  } else if (const auto* sample = std::get_if<wire::Sample>(&event)) {
+    last_ns_ = sample->t_us * 1000;
+  }
+}
+
+void VcdRecord::write(std::string& out, const Signal& signal, double value) {
+  auto to = std::back_inserter(out);
+  const int whole = static_cast<int>(value);
+  switch (signal.kind) {
+    case Signal::Kind::wire:
+      fmt::format_to(to, "{}{}\n", "01zx"[whole & 3], signal.id);
+      break;
+    case Signal::Kind::real:
+      fmt::format_to(to, "r{} {}\n", value, signal.id);
+      break;
+    case Signal::Kind::byte:
+      fmt::format_to(to, "b{:b} {}\n", whole, signal.id);
+      break;
+  }
+}
+
+std::string VcdRecord::text() const {
+  std::string out =
+      fmt::format("$version Robosim $end\n$timescale 1 ns $end\n$scope module {} $end\n", board_);
+  constexpr const char* kTypes[] = {"wire 1", "real 64", "reg 8"};
+  for (const Signal& signal : signals_) {
+    fmt::format_to(std::back_inserter(out), "$var {} {} {} $end\n", kTypes[static_cast<int>(signal.kind)],
+                   signal.id, signal.name);
+  }
+  out += "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n";
+
+  std::vector<double> values(signals_.size(), 0.0);
+  for (const auto& [name, signals] : pins_)
+    if (signals.level != kNone) values[signals.level] = kFloating;  // a reset leaves inputs
+  for (std::size_t i = 0; i < signals_.size(); ++i) write(out, signals_[i], values[i]);
+  out += "$end\n";
+
+  std::vector<Change> changes = changes_;
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.t_ns < b.t_ns; });
+  std::int64_t now = 0;
+  for (const Change& change : changes) {
+    if (values[change.signal] == change.value) continue;
+    values[change.signal] = change.value;
+    if (change.t_ns != now) out += fmt::format("#{}\n", now = change.t_ns);
+    write(out, signals_[change.signal], change.value);
+  }
+  if (last_ns_ > now) out += fmt::format("#{}\n", last_ns_);
+  return out;
+}
+
+void VcdRecord::save() const { write_file(path_, text()); }
+
+}  // namespace robosim::record

@@ -1,0 +1,59 @@
+// `--record x.vcd`: what happened on the board's pins, for GTKWave, PulseView and other wave viewers
+// (IEEE 1364-2005, chapter 18). The signals are listed in docs/formats.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::record {
+
+/// Gathers changes; nothing is on the disk before save().
+class VcdRecord {
+ public:
+  VcdRecord(std::filesystem::path path, const BoardSpec& board);
+  /// Takes pin changes, what the firmware saw on its pins, and bytes; ignores all else.
+  void add(const wire::Event& event);
+  /// The whole file: every signal declared, then the changes in the order of time.
+  std::string text() const;
+  /// Whole or not at all. Throws InputError.
+  void save() const;
+
+ private:
+  struct Change {
+    std::int64_t t_ns;
+    std::uint32_t signal;
+    double value;  ///< of a wire: 0, 1, kFloating or kPulsing
+  };
+  struct Signal {
+    enum class Kind { wire, real, byte };
+    std::string name;
+    Kind kind;
+    std::string id;  ///< as the file abbreviates it
+  };
+  /// A pin's signals by number; 0xFFFFFFFF where it has none such.
+  struct PinSignals {
+    std::uint32_t level, duty, tone, volts;
+  };
+
+  std::uint32_t declare(std::string name, Signal::Kind kind);
+  void change(std::int64_t t_ns, std::uint32_t signal, double value);
+  void add_byte(const wire::SerialByte& byte);
+  static void write(std::string& out, const Signal& signal, double value);
+
+  std::filesystem::path path_;
+  std::string board_;
+  std::vector<Signal> signals_;
+  std::map<std::string, PinSignals> pins_;
+  std::uint32_t sent_[2], received_[2];  ///< the byte, and a wire that flips with each
+  bool flipped_[2] = {false, false};
+  std::vector<Change> changes_;
+  std::int64_t last_ns_ = 0;
+};
+
+}  // namespace robosim::record

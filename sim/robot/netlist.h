@@ -1,0 +1,50 @@
+// The wires that lead from the microcontroller to the parts: the board's pins, and behind them the outputs of
+// the robot's shift registers. A part that follows a level need not know which of the two it hangs on.
+//
+//   number           wire
+//   0 .. 63          the board's pin of that number
+//   64 + 8 r + q     output Qq of the robot's shift register number r, in the file's order
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+
+namespace robosim::robot {
+
+constexpr int kRegisterOutputs = 8;  ///< of one shift register: Q0 .. Q7
+constexpr int kMostRegisters = 16;   ///< of one robot
+
+/// The wire at output `q` of shift register number `index`.
+constexpr Pin output_pin(int index, int q) {
+  return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
+}
+constexpr bool is_output(Pin pin) { return pin >= kMaxPins && pin != kNoPin; }
+/// Its name as robot files write it, "REG1.Q4"; `registers` are the robot's, in their order.
+std::string output_name(const std::vector<std::string>& registers, Pin output);
+static_assert(output_pin(kMostRegisters, 0) < kNoPin);
+
+class Netlist {
+ public:
+  Netlist(Board& board, std::size_t registers)
+      : board_(board), outputs_(registers * kRegisterOutputs), watchers_(outputs_.size()) {}
+
+  /// How a wire is driven. Nobody drives a shift register's output that is switched off.
+  const PinDrive& drive(Pin pin) const {
+    return is_output(pin) ? outputs_[index_of(pin)] : board_.drive(pin);
+  }
+  /// As Board::watch.
+  void watch(Pin pin, PinWatcher& watcher);
+  /// For shift registers: drives an output. Watchers hear of it if it differs from before.
+  void drive_output(Pin output, const PinDrive& drive, SimTime t);
+
+ private:
+  static std::size_t index_of(Pin output) { return static_cast<std::size_t>(output - kMaxPins); }
+
+  Board& board_;
+  std::vector<PinDrive> outputs_;
+  std::vector<std::vector<PinWatcher*>> watchers_;
+};
+
+}  // namespace robosim::robot

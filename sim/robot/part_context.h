@@ -1,0 +1,63 @@
+// Where a robot's parts live: what they see of the world, and how this robot differs from its description.
+#pragma once
+
+#include <string_view>
+
+#include "hal/board/board.h"
+#include "sim/base/noise.h"
+#include "sim/robot/netlist.h"
+#include "sim/robot/number.h"
+#include "sim/robot/robot.h"
+#include "sim/world/body.h"
+#include "sim/world/floor.h"
+
+namespace robosim::robot {
+
+/// The individual: draws its figures and its noise from (seed, number, part name). In the profile `ideal`
+/// every figure is the file's, and there is no noise.
+class Individual {
+ public:
+  Individual(std::uint64_t seed, Profile profile, std::uint32_t number)
+      : seed_(seed), number_(number), profile_(profile) {}
+
+  bool ideal() const { return profile_ == Profile::ideal; }
+  /// This robot's value of the figure `key` of `part` ("" = the robot itself).
+  double draw(const Number& number, std::string_view part, std::string_view key) const {
+    return ideal() ? number.value : number.drawn(NoiseStream(seed_, number_, part, key));
+  }
+  NoiseStream noise(std::string_view part, std::string_view purpose) const {
+    return {seed_, number_, part, purpose};
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::uint32_t number_;
+  Profile profile_;
+};
+
+/// The world as the robot's parts see it in the current tick.
+struct View {
+  const world::Floor* floor = nullptr;
+  const world::Body* body = nullptr;
+  SimTime tick_start = 0;
+  double battery = 1.0;  ///< its voltage, as a share of what this robot's has
+
+  /// The pose at `t`, a time inside the current tick.
+  Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }
+};
+
+/// What a part is made in. Outlives the part.
+class PartContext {
+ public:
+  PartContext(const Description& description_, Board& board_, Netlist& netlist_, const View& view_,
+              const Individual& individual_)
+      : description(description_), board(board_), netlist(netlist_), view(view_), individual(individual_) {}
+
+  const Description& description;
+  Board& board;
+  Netlist& netlist;  ///< how a part sees what the firmware drives
+  const View& view;
+  const Individual& individual;
+};
+
+}  // namespace robosim::robot

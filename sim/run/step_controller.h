@@ -1,0 +1,86 @@
+// Driving a run step by step, for tests and whoever else acts on what they see: the run stands still at the
+// beginning of a tick, its controller looks and acts, and sends it on until something happens. What is done
+// so is what a script with the same lines at the same times does: the trace is the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/vec.h"
+#include "sim/exec/core/executor.h"
+#include "sim/judge/outcome.h"
+#include "sim/scenario/scenario.h"
+
+namespace robosim::run {
+
+struct Sample;
+
+/// What a run is sent on until; looked at at the end of each tick.
+struct Stop {
+  enum class Kind {
+    serial,   ///< the firmware has sent `text`, from byte number `from` on
+    line,     ///< it has sent a line, from byte `from` on, in which the regular expression `text` is found
+    note,     ///< something happened that is told with `text` in it: "collision"
+    visited,  ///< station `text` has been visited
+    at,       ///< the body covers the centre of station `text`
+    reading,  ///< the part `text` reads at least 0.5, or less: `level`
+    pin,      ///< the firmware drives pin `text` high, or with PWM; or low: `level`
+    motors,   ///< a motor is driven, or none is: `level`
+    rest,     ///< no wheel has turned for `time`, counted from here on
+  };
+  Kind kind = Kind::rest;
+  std::string text;
+  std::size_t from = 0;
+  bool level = true;
+  SimTime time = 0;
+};
+
+/// What the controller wants next: on until the first of these, or to the end at once (`interrupted`).
+struct Leg {
+  SimTime until = kNever;
+  std::vector<Stop> stops;
+  bool end = false;
+};
+
+/// The state at the beginning of a tick.
+struct State {
+  SimTime t = 0;
+  int stop = -1;  ///< which of the leg's stops was met; -1 = none, its time is up
+  /// Of the leg: when and where the cross-track error was the largest. Every tick counts.
+  double worst_cross_track = 0.0;  ///< m
+  SimTime worst_t = 0;
+  Vec2 worst_at;  ///< the axle's centre, m
+  bool powered = true;
+  bool driven = false;           ///< a motor is commanded
+  std::size_t serial_bytes = 0;  ///< sent by the firmware so far
+  judge::Metrics metrics;
+  std::optional<exec::Resources> resources;  ///< of a chip
+};
+
+/// A run that stands still.
+class Standstill {
+ public:
+  virtual const State& state() const = 0;
+  virtual const Sample& sample() const = 0;
+  /// The firmware's non-volatile memory, all of it.
+  virtual std::vector<std::uint8_t> eeprom() const = 0;
+  /// Adds steps to the script; what is due now happens as soon as the run goes on. Throws InputError, and
+  /// adds none, for names that do not exist.
+  virtual void add(std::vector<scenario::Step> steps) = 0;
+  /// Throws InputError if a stop makes no sense here.
+  virtual void check(const Leg& leg) const = 0;
+
+ protected:
+  ~Standstill() = default;
+};
+
+class StepController {
+ public:
+  virtual ~StepController() = default;
+  /// Called at t = 0 and whenever a leg has ended without a verdict.
+  virtual Leg next(Standstill& standstill) = 0;
+};
+
+}  // namespace robosim::run

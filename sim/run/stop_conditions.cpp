@@ -1,0 +1,157 @@
+#include "sim/run/stop_conditions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::run {
+namespace {
+
+constexpr double kReadingOn = 0.5;
+constexpr std::size_t kLongestLine = 1000;  // bytes; std::regex recurses with the length of what it looks at
+
+bool matches(const PinDrive& drive, bool level) {
+  return drive.mode == PinMode::output && (drive.duty > 0.0) == level;
+}
+
+std::size_t station_index(const judge::Progress& progress, const std::string& name) {
+  const std::vector<judge::Target>& stations = progress.stations();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (stations[i].name == name || std::to_string(i + 1) == name) return i;
+    names.push_back(stations[i].name);
+  }
+  throw InputError(fmt::format("there is no station {}; {}", name,
+                               names.empty() ? "the map has none" : "the stations are " + one_of(names)));
+}
+
+const robot::Reading* find_reading(const std::vector<robot::Reading>& readings, const std::string& part) {
+  for (const robot::Reading& reading : readings)
+    if (reading.part == part) return &reading;
+  return nullptr;
+}
+
+}  // namespace
+
+StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
+  Watch watch;
+  watch.stop = stop;
+  watch.searched = std::min(stop.from, scene_.serial.size());
+  switch (stop.kind) {
+    case Stop::Kind::visited:
+    case Stop::Kind::at:
+      watch.station = station_index(scene_.progress, stop.text);
+      break;
+    case Stop::Kind::pin:
+      watch.pin = find_pin(scene_.board.spec(), stop.text.c_str());
+      if (watch.pin == kNoPin)
+        throw InputError(fmt::format("the board {} has no pin {}", scene_.board.spec().name, stop.text));
+      break;
+    case Stop::Kind::reading: {
+      const std::vector<robot::Reading> readings = scene_.robot.readings();
+      if (find_reading(readings, stop.text)) break;
+      std::vector<std::string> names;
+      for (const robot::Reading& reading : readings) names.push_back(reading.part);
+      throw InputError(fmt::format("the robot has no part {} that could be read; {}", stop.text,
+                                   names.empty() ? "it has none" : "those are " + one_of(names)));
+    }
+    case Stop::Kind::line:
+      try {
+        watch.line = std::regex(stop.text);
+      } catch (const std::regex_error&) {
+        throw InputError(fmt::format("\"{}\" is no regular expression (ECMAScript's)", stop.text));
+      }
+      break;
+    default:
+      break;
+  }
+  if (stop.text.empty() && (stop.kind == Stop::Kind::serial || stop.kind == Stop::Kind::note))
+    throw InputError("the text to wait for is empty");
+  return watch;
+}
+
+void StopConditions::check(const Leg& leg) const {
+  for (const Stop& stop : leg.stops) watch_for(stop);
+}
+
+void StopConditions::begin(const Leg& leg, SimTime t) {
+  watches_.clear();
+  for (const Stop& stop : leg.stops) {
+    watches_.push_back(watch_for(stop));
+    Watch& watch = watches_.back();
+    watch.rest_since = t;
+    if (watch.pin != kNoPin) watch.met = matches(scene_.board.drive(watch.pin), stop.level);
+  }
+  until_ = leg.until;
+  met_ = -1;
+}
+
+void StopConditions::pin_changed(Pin pin, const PinDrive& drive) {
+  for (Watch& watch : watches_)
+    if (watch.pin == pin && matches(drive, watch.stop.level)) watch.met = true;
+}
+
+void StopConditions::noted(const std::string& text) {
+  for (Watch& watch : watches_)
+    if (watch.stop.kind == Stop::Kind::note && text.find(watch.stop.text) != std::string::npos)
+      watch.met = true;
+}
+
+bool StopConditions::says(Watch& watch) const {
+  if (scene_.serial.find(watch.stop.text, watch.searched) != std::string::npos) return true;
+  // The text may begin in what is there, and end in what comes.
+  const std::size_t kept = std::min(scene_.serial.size(), watch.stop.text.size() - 1);
+  watch.searched = std::max(watch.searched, scene_.serial.size() - kept);
+  return false;
+}
+
+bool StopConditions::says_line(Watch& watch) const {
+  for (;;) {
+    const std::size_t end = scene_.serial.find('\n', watch.searched);
+    if (end == std::string::npos) return false;
+    std::string line = scene_.serial.substr(watch.searched, std::min(end - watch.searched, kLongestLine));
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    watch.searched = end + 1;
+    if (std::regex_search(line, watch.line)) return true;
+  }
+}
+
+bool StopConditions::is_met(Watch& watch, SimTime t) const {
+  const Stop& stop = watch.stop;
+  switch (stop.kind) {
+    case Stop::Kind::serial:
+      return says(watch);
+    case Stop::Kind::line:
+      return says_line(watch);
+    case Stop::Kind::visited:
+      return scene_.progress.stations()[watch.station].visited;
+    case Stop::Kind::at:
+      return scene_.body.covers(scene_.progress.stations()[watch.station].centre);
+    case Stop::Kind::reading: {
+      const std::vector<robot::Reading> readings = scene_.robot.readings();
+      const robot::Reading* reading = find_reading(readings, stop.text);
+      return reading && (reading->value >= kReadingOn) == stop.level;
+    }
+    case Stop::Kind::motors:
+      return scene_.robot.driven() == stop.level;
+    case Stop::Kind::rest:
+      if (scene_.body.wheel_rate(world::left) != 0.0 || scene_.body.wheel_rate(world::right) != 0.0)
+        watch.rest_since = t;
+      return t - watch.rest_since >= stop.time;
+    case Stop::Kind::note:
+    case Stop::Kind::pin:
+      return watch.met;
+  }
+  return false;
+}
+
+bool StopConditions::look(SimTime t) {
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    if (met_ < 0 && is_met(watches_[i], t)) met_ = static_cast<int>(i);
+  }
+  return met_ >= 0 || t >= until_;
+}
+
+}  // namespace robosim::run

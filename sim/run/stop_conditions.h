@@ -1,0 +1,62 @@
+// Watches for the stops of a leg (controller.h).
+#pragma once
+
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/judge/goal.h"
+#include "sim/robot/robot.h"
+#include "sim/run/step_controller.h"
+#include "sim/world/world.h"
+
+namespace robosim::run {
+
+class StopConditions {
+ public:
+  /// What there is to look at; all of it outlives the lookout.
+  struct Scene {
+    const std::string& serial;
+    const judge::Progress& progress;
+    const world::Body& body;
+    const robot::Robot& robot;
+    const Board& board;
+  };
+
+  explicit StopConditions(const Scene& scene) : scene_(scene) {}
+
+  /// Throws InputError for a stop that names what does not exist.
+  void check(const Leg& leg) const;
+  /// A checked leg begins at `t`.
+  void begin(const Leg& leg, SimTime t);
+  void pin_changed(Pin pin, const PinDrive& drive);
+  void noted(const std::string& text);
+  /// Called with the time at the end of a tick: whether the leg ends here.
+  bool look(SimTime t);
+  /// Of the leg that has ended: the first stop that was met, or -1.
+  int met() const { return met_; }
+
+ private:
+  struct Watch {
+    Stop stop;
+    std::size_t station = 0;  ///< index into Progress::stations()
+    Pin pin = kNoPin;
+    std::regex line;
+    std::size_t searched = 0;  ///< bytes of the serial text that are done with
+    SimTime rest_since = 0;
+    bool met = false;
+  };
+
+  Watch watch_for(const Stop& stop) const;
+  bool is_met(Watch& watch, SimTime t) const;
+  bool says(Watch& watch) const;
+  bool says_line(Watch& watch) const;
+
+  Scene scene_;
+  std::vector<Watch> watches_;
+  SimTime until_ = 0;
+  int met_ = -1;
+};
+
+}  // namespace robosim::run

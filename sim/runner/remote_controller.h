@@ -1,0 +1,34 @@
+// A run's controller at the other end of the pipe: docs/runner-protocol.md, "Driving a run step by step".
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sim/run/simulation.h"
+
+namespace robosim::runner {
+
+class RemoteController final : public run::StepController {
+ public:
+  /// `before_pause` is called with the time before the client is told that the run stands still.
+  RemoteController(nlohmann::json id, std::string script_file, const std::atomic<bool>& interrupted,
+                   std::function<void(SimTime)> before_pause)
+      : id_(std::move(id)),
+        script_file_(std::move(script_file)),
+        interrupted_(interrupted),
+        before_pause_(std::move(before_pause)) {}
+
+  run::Leg next(run::Standstill& standstill) override;
+
+ private:
+  void add_lines(const nlohmann::json& request, run::Standstill& standstill) const;
+
+  nlohmann::json id_;
+  std::string script_file_;
+  const std::atomic<bool>& interrupted_;
+  std::function<void(SimTime)> before_pause_;
+};
+
+}  // namespace robosim::runner

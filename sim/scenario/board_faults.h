@@ -1,0 +1,91 @@
+// What goes wrong between the board and the world around it. In scripts it has names beside those of the
+// robot's parts: power, serial, eeprom and clock.
+//
+// Power. The board's regulator gives the chip min(supply, battery - kRegulatorDrop); below kBrownOut the chip
+// is held in reset, and starts afresh when there is more again. A robot whose healthy battery gives less than
+// that has another supply for its board, and no sag resets it.
+// Serial. Bytes on their way to the firmware, each by itself and by a hash of (seed, its number).
+// EEPROM. A byte whose writing began is being written for kEepromWriteTime. If the power fails meanwhile, it
+// may hold anything: a script says what.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/base/noise.h"
+#include "sim/exec/core/executor.h"
+#include "sim/robot/robot.h"
+#include "sim/scenario/scenario.h"
+
+namespace robosim::scenario {
+
+constexpr double kRegulatorDrop = 1.8;  ///< V: NCP1117 (1.1 V) and the diode before it (0.7 V)
+constexpr double kBrownOut = 2.7;       ///< V: ATmega328P, BODLEVEL 101, as an Uno's fuses have it
+constexpr double kLogicKeeps = 2.0;     ///< V: less than that, and a 74HC's registers forget
+
+class BoardFaults final : EepromWatcher {
+ public:
+  BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed);
+
+  static bool knows(const std::string& name);
+  static const std::vector<std::string>& names();
+
+  /// Throws InputError unless fail() would accept this; `ends`: whether it is to last for a time.
+  void check(const std::string& name, const std::vector<std::string>& arguments, bool ends) const;
+  /// Throws InputError where `what`, eeprom or clock, is out of reach on this target.
+  void check_chip(const std::string& what) const;
+  /// `arguments` begin with the kind. A new fault of a thing replaces the one before; "ok" repairs.
+  void fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t);
+
+  /// The switch between battery and board. What hangs on the board's supply forgets.
+  void switch_power(bool on, SimTime t);
+  /// Whether the chip runs: it is switched on and has its voltage.
+  bool powered() const { return powered_; }
+  /// Settles what the byte holds that is being written at `t`; says so, or nothing if none is.
+  std::string leave_half_written(const HalfWritten& what, SimTime t);
+
+  /// Bytes on their way to the firmware.
+  void send(const std::string& bytes, SimTime t);
+
+  /// How often the chip has started.
+  std::uint64_t boots() const { return boots_; }
+  /// By the firmware, since the run began.
+  std::uint64_t eeprom_writes() const { return writes_; }
+
+ private:
+  struct SerialFault {
+    enum class Kind { none, lost, doubled, corrupted };
+    Kind kind = Kind::none;
+    double share = 0.0;     ///< of the bytes
+    std::uint64_t nth = 0;  ///< only this one, from 1; 0 = by share
+  };
+  struct Write {
+    std::uint16_t address;
+    std::uint8_t before;
+    SimTime began;
+  };
+
+  void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
+  void set_battery(double volts, SimTime t);
+  void update_power(SimTime t);
+  static SerialFault read_serial_fault(const std::vector<std::string>& arguments);
+
+  exec::Executor& executor_;
+  robot::Robot& robot_;
+  NoiseStream noise_;
+  bool switched_on_ = true;
+  bool powered_ = true;
+  std::uint64_t boots_ = 1;
+  double chip_volts_;  ///< of its supply
+  bool keeps_ = true;  ///< parts on the board's supply have enough of it
+  SerialFault serial_;
+  std::uint64_t bytes_ = 0;         ///< sent to the firmware so far
+  std::uint64_t bytes_before_ = 0;  ///< before the present serial fault
+  std::uint64_t writes_ = 0;
+  std::optional<Write> last_write_;
+};
+
+}  // namespace robosim::scenario

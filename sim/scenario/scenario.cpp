@@ -1,0 +1,187 @@
+#include "sim/scenario/scenario.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "sim/scenario/script_line.h"
+
+namespace robosim::scenario {
+namespace {
+
+constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift", "lower",
+                               "cover", "obstacle", "clear", "fault", "power"};
+
+constexpr std::uint64_t kMostEvents = 1'000'000'000'000;
+
+Trigger parse_trigger(ScriptLine& line) {
+  Trigger trigger;
+  const std::string when = line.take("at or after").text;
+  if (when == "at") {
+    trigger.time = line.duration();
+    return trigger;
+  }
+  if (when != "after")
+    line.refuse(fmt::format("a line begins with \"at TIME\" or \"after EVENT\", not with \"{}\"", when));
+  const std::string event = line.take("an event: serial, station, boot or eeprom").text;
+  if (event == "serial") {
+    trigger.kind = Trigger::Kind::serial;
+    trigger.text = line.take("the text to wait for").text;
+    if (trigger.text.empty()) line.refuse("the text to wait for is empty");
+  } else if (event == "station") {
+    trigger.kind = Trigger::Kind::station;
+    trigger.text = line.take("the station's number or name").text;
+  } else if (event == "boot" || event == "eeprom") {
+    trigger.kind = event == "boot" ? Trigger::Kind::boot : Trigger::Kind::eeprom;
+    trigger.count =
+        line.whole(event == "boot" ? "the number of a start" : "the number of a write", 1, kMostEvents);
+  } else {
+    line.refuse(fmt::format("unknown event \"{}\"; known are serial, station, boot and eeprom", event));
+  }
+  if (line.take_if("wait")) trigger.time = line.duration();
+  return trigger;
+}
+
+// "3" is a byte, most significant bit first; "0b101" is these bits.
+std::vector<bool> parse_bits(const ScriptLine& line, const std::string& text) {
+  constexpr std::size_t kMostBits = 64;
+  std::vector<bool> bits;
+  if (text.rfind("0b", 0) == 0) {
+    const std::string digits = text.substr(2);
+    if (!digits.empty() && digits.size() <= kMostBits &&
+        digits.find_first_not_of("01") == std::string::npos) {
+      for (const char digit : digits) bits.push_back(digit == '1');
+      return bits;
+    }
+  } else if (!text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos &&
+             std::stoi(text) <= 255) {
+    for (int bit = 7; bit >= 0; --bit) bits.push_back((std::stoi(text) >> bit & 1) != 0);
+    return bits;
+  }
+  line.refuse(fmt::format(
+      "\"{}\" cannot be sent by radio: allowed are a byte, 0 to 255, and bits such as 0b101, at most {}",
+      text, kMostBits));
+}
+
+// send "TEXT", or send RADIO BITS.
+void parse_send(ScriptLine& line, Action& action) {
+  const Word first = line.take("the text to send");
+  if (first.quoted || !line.more()) {
+    action.text = first.text;
+    return;
+  }
+  action.part = first.text;
+  action.text = line.take("what to send").text;
+  action.bits = parse_bits(line, action.text);
+}
+
+// obstacle X,Y [radius LENGTH] [for TIME]
+void parse_obstacle(ScriptLine& line, Action& action) {
+  action.text = line.take("a cell as X,Y").text;
+  if (line.take_if("radius"))
+    action.radius = line.quantity("a radius from 5mm to 500mm", Dimension::length, 0.005, 0.5);
+  action.duration = line.optional_duration();
+}
+
+// fault NAME KIND [ARGUMENT…] [for TIME]
+void parse_fault(ScriptLine& line, Action& action) {
+  action.part = line.take("a part's name").text;
+  action.arguments.push_back(line.take("a kind of fault").text);
+  while (line.more() && !line.next_is("for")) action.arguments.push_back(line.take("an argument").text);
+  action.duration = line.optional_duration();
+}
+
+// power off [for TIME] [byte old|new|erased|VALUE]
+void parse_power(ScriptLine& line, Action& action) {
+  action.part = line.take("off or on").text;
+  if (action.part != "off" && action.part != "on")
+    line.refuse(fmt::format("power is \"off\" or \"on\", not \"{}\"", action.part));
+  if (action.part == "on") return;
+  if (line.more() && !line.next_is("byte")) action.duration = line.optional_duration();
+  if (!line.take_if("byte")) return;
+  const std::string what = line.take("what the byte holds: old, new, erased or a value").text;
+  HalfWritten& byte = action.half_written;
+  if (what == "new") return;
+  byte.kind = what == "old" ? HalfWritten::Kind::before : HalfWritten::Kind::value;
+  if (what == "old" || what == "erased") return;
+  const std::uint64_t value = parse_whole(what).value_or(256);
+  if (value > 255)
+    line.refuse(
+        fmt::format("the byte that was being written holds old, new, erased or a value from 0 to 255, "
+                    "not \"{}\"",
+                    what));
+  byte.value = static_cast<std::uint8_t>(value);
+}
+
+Action parse_action(ScriptLine& line) {
+  Action action;
+  const std::string verb = line.take("a verb").text;
+  std::size_t index = 0;
+  while (index < kVerbs.size() && verb != kVerbs[index]) ++index;
+  if (index == kVerbs.size())
+    line.refuse(fmt::format("unknown verb \"{}\"; known are {}", verb, one_of(kVerbs)));
+  action.verb = static_cast<Action::Verb>(index);
+  switch (action.verb) {
+    case Action::Verb::press:
+    case Action::Verb::cover:
+      action.part = line.take("a part's name").text;
+      action.duration = line.optional_duration();
+      break;
+    case Action::Verb::release:
+      action.part = line.take("a part's name").text;
+      break;
+    case Action::Verb::send:
+      parse_send(line, action);
+      break;
+    case Action::Verb::place:
+      action.text = line.take("a place as X,Y,DIR").text;
+      if (line.more()) action.text += "," + line.take("a direction").text;
+      break;
+    case Action::Verb::lift:
+      action.duration = line.optional_duration();
+      break;
+    case Action::Verb::lower:
+      break;
+    case Action::Verb::obstacle:
+      parse_obstacle(line, action);
+      break;
+    case Action::Verb::clear:
+      action.text = line.take("a cell as X,Y").text;
+      break;
+    case Action::Verb::fault:
+      parse_fault(line, action);
+      break;
+    case Action::Verb::power:
+      parse_power(line, action);
+      break;
+  }
+  line.end();
+  return action;
+}
+
+}  // namespace
+
+std::optional<Step> parse_step(std::string_view text, const Place& place) {
+  ScriptLine line(text, place);
+  if (!line.more()) return std::nullopt;
+  Step step;
+  step.place = {place.file, place.line, 0};
+  step.trigger = parse_trigger(line);
+  step.action = parse_action(line);
+  return step;
+}
+
+std::vector<Step> parse_scenario(std::string_view text, const std::string& file) {
+  std::vector<Step> steps;
+  int number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::size_t end = text.find('\n');
+    const std::string_view row = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (std::optional<Step> step = parse_step(row, {file, number, 1})) steps.push_back(std::move(*step));
+  }
+  return steps;
+}
+
+}  // namespace robosim::scenario

@@ -1,0 +1,80 @@
+// Plays a scenario: fires each step when it is due, and undoes what has a duration.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/exec/core/executor.h"
+#include "sim/grid/map.h"
+#include "sim/judge/goal.h"
+#include "sim/robot/robot.h"
+#include "sim/scenario/board_faults.h"
+#include "sim/scenario/scenario.h"
+#include "sim/world/world.h"
+
+namespace robosim::scenario {
+
+/// What a scenario may touch.
+struct Stage {
+  const grid::Map& map;
+  const grid::Stripes& stripes;
+  robot::Robot& robot;
+  world::World& world;
+  world::Body& body;
+  exec::Executor& executor;
+  std::uint64_t seed;
+};
+
+class ScenarioPlayer {
+ public:
+  /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist.
+  ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress);
+
+  /// Adds steps at the script's end; all or none. Throws as the constructor does.
+  void add(std::vector<Step> steps, const judge::Progress& progress);
+
+  /// Carries out what is due at `t`, the beginning of a tick; each deed is appended to `notes`.
+  void act(SimTime t, const judge::Progress& progress, std::vector<std::string>& notes);
+  /// The firmware has sent a byte.
+  void hear(std::uint8_t byte);
+  bool powered() const { return board_.powered(); }
+  /// Writes of the firmware to its EEPROM, so far.
+  std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
+
+ private:
+  struct Pending {
+    Step step;
+    bool heard = false;    ///< the serial text it waits for has come
+    SimTime due = kNever;  ///< when its event was met, and the wait after it
+  };
+  struct Undo {
+    SimTime at;
+    Action action;
+  };
+
+  struct Obstacle {
+    grid::CellAt cell;
+    int number;  ///< the world's
+  };
+
+  bool met(const Pending& pending, SimTime t, const judge::Progress& progress) const;
+  /// Says what there is to say beside what the script does.
+  std::string perform(const Action& action, SimTime t);
+  void end(const Action& action, SimTime t);
+  void put_obstacle(const Action& action);
+  void clear_obstacle(const std::string& cell);
+  void check(const Step& step, const judge::Progress& progress) const;
+  void check_fault(const Action& action) const;
+  bool is_of_board(const Action& fault) const;
+
+  Stage stage_;
+  BoardFaults board_;
+  std::vector<Pending> pending_;
+  std::vector<Undo> undo_;
+  std::vector<Obstacle> obstacles_;
+  std::string heard_;
+  std::size_t longest_text_ = 0;
+};
+
+}  // namespace robosim::scenario

@@ -1,0 +1,118 @@
+#include "sim/testing/artifacts.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/record/record_csv.h"
+#include "sim/record/record_vcd.h"
+#include "sim/testing/rehearsal.h"
+
+namespace robosim::testing {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string as_word(const std::string& text) {
+  std::string word;
+  for (const char c : text) word += c == '/' ? '.' : c;
+  return word;
+}
+
+/// For a POSIX shell.
+std::string shell_word(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyz"
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-./:,=+@") == std::string::npos;
+  if (plain) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace
+
+std::string artifact_folder() {
+  if (is_rehearsal()) return "";
+  const char* chosen = std::getenv("ROBOSIM_ARTIFACTS");
+  if (chosen && std::string(chosen) == "none") return "";
+  const fs::path base = chosen && *chosen ? chosen : "robosim-artifacts";
+  const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string name =
+      test ? as_word(fmt::format("{}.{}", test->test_suite_name(), test->name())) : "outside-a-test";
+  static std::map<std::string, int> runs;
+  const int number = ++runs[name];
+  return (base / (number == 1 ? name : fmt::format("{}-{}", name, number))).string();
+}
+
+std::string replay_command(const Stage& stage, const std::string& folder, bool script) {
+  const wire::RunRequest& r = stage.request;
+  const fs::path kept = folder;
+  std::string text = "robosim run " + shell_word(stage.sketch);
+  text += " --map " + shell_word(stage.map_is_text ? (kept / "map.map").string() : stage.map);
+  text += " --robot " + shell_word(stage.robot_is_text ? (kept / "robot.toml").string() : stage.robot_name);
+  text += " --target " + stage.target;
+  text += fmt::format(" --seed {}", r.seed);
+  if (r.profile != "typical") text += " --profile " + r.profile;
+  if (!r.start.empty()) text += " --start " + shell_word(r.start);
+  if (!r.goal.empty()) text += " --goal " + shell_word(r.goal);
+  if (r.clock_ns > 0) text += fmt::format(" --clock {}ns", r.clock_ns);
+  for (const std::string& folder_of_libraries : stage.libraries)
+    text += " --libraries " + shell_word(folder_of_libraries);
+  if (script) text += " --script " + shell_word((kept / "script.txt").string());
+  return text;
+}
+
+void keep_inputs(const std::string& name, const Stage& stage, const std::string& script) {
+  if (name.empty()) return;
+  const fs::path folder = name;
+  fs::create_directories(folder);
+  write_file(folder / "map.map", read_file(stage.request.map));
+  write_file(folder / "robot.toml", read_file(stage.robot.file));
+  if (!script.empty()) write_file(folder / "script.txt", script);
+}
+
+std::string keep(const History& history, const Stage& stage, const std::string& script,
+                 client::Runner& runner) {
+  try {
+    const fs::path folder = history.artifacts;
+    keep_inputs(history.artifacts, stage, script);
+    write_file(folder / "serial.txt", history.serial);
+    std::string events;
+    for (const History::Entry& entry : history.events)
+      events += fmt::format("{:>10}  {}\n", seconds(entry.t_ns), entry.text);
+    write_file(folder / "events.txt", events);
+
+    const std::int64_t until_ns = history.legs.empty() ? 0 : history.legs.back().end_ns;
+    write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", history.replay, until_ns / 1'000'000));
+    if (until_ns == 0) return "";
+    wire::RunRequest request = stage.request;
+    request.script = script;
+    request.for_ns = until_ns;
+    request.pins = request.io = true;
+    request.counters.clear();
+    const BoardSpec* board = find_board(stage.robot.board.name.c_str());
+    record::CsvRecord table(folder / "run.csv");
+    record::VcdRecord waves(folder / "run.vcd", *board);
+    const wire::RunResult again = runner.run(request, [&](const wire::Event& event) {
+      table.add(event);
+      waves.add(event);
+    });
+    table.save();
+    waves.save();
+    if (!history.result || again.trace_hash == history.result->trace_hash) return "";
+    return "the recordings in " + folder.string() +
+           " are of another run than the test's: a fault of Robosim's own";
+  } catch (const std::exception& problem) {
+    return fmt::format("what is kept in {} is not complete: {}", history.artifacts, problem.what());
+  }
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,71 @@
+#include "sim/testing/history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace robosim::testing {
+
+std::string seconds(std::int64_t ns) {
+  std::string text = fmt::format("{:.3f}", static_cast<double>(ns) * 1e-9);
+  // At least two decimals; the third only where it says something.
+  if (text.back() == '0') text.pop_back();
+  return text + " s";
+}
+
+std::string seconds(Duration time) { return seconds(time.count()); }
+
+std::string place_of(const Pose& pose) {
+  return fmt::format("column {}, row {} (x {:.0f} mm, y {:.0f} mm)", pose.column, pose.row, pose.x_mm,
+                     pose.y_mm);
+}
+
+std::string on_one_line(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? "\\n" : c == '\r' ? "\\r" : std::string(1, c);
+  return result;
+}
+
+std::string in_quotes(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      result += std::string("\\") + c;
+    else if (c == '\n')
+      result += "\\n";
+    else if (c == '\r')
+      result += "\\r";
+    else if (c == '\t')
+      result += "\\t";
+    else
+      result += c;
+  }
+  return result + "\"";
+}
+
+Moment moment_of(const History& history, const wire::Sample& sample) {
+  Moment moment;
+  moment.t = std::chrono::microseconds(sample.t_us);
+  moment.pose = {sample.x_mm, sample.y_mm, sample.yaw_rad};
+  const double cell_mm = history.started.cell_mm;
+  if (cell_mm > 0.0) {
+    moment.pose.column = static_cast<int>(std::floor(sample.x_mm / cell_mm));
+    moment.pose.row = history.started.height - 1 - static_cast<int>(std::floor(sample.y_mm / cell_mm));
+  }
+  moment.speed = {sample.speed_mm_s};
+  moment.cross_track = {sample.cross_track_mm};
+  moment.left = sample.left;
+  moment.right = sample.right;
+  moment.station = sample.at_station;
+  moment.readings = sample.readings;
+  bool senses = false, sees = false;
+  for (std::size_t i = 0; i < std::min(sample.readings.size(), history.is_line_sensor.size()); ++i) {
+    senses = senses || history.is_line_sensor[i];
+    sees = sees || (history.is_line_sensor[i] && sample.readings[i] > 0.0);
+  }
+  moment.off_line = senses && !sees;
+  return moment;
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,59 @@
+// All that is known of a run so far; drives are windows on it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robosim/testing/simulation.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::testing {
+
+struct History {
+  struct Entry {
+    std::int64_t t_ns = 0;
+    std::string text;
+  };
+  /// Between two stands.
+  struct Leg {
+    std::int64_t begin_ns = 0, end_ns = 0;
+    double worst_mm = 0.0;
+    std::int64_t worst_ns = 0;
+    double worst_x_mm = 0.0, worst_y_mm = 0.0;
+    wire::Metrics at_end;
+  };
+  struct Said {
+    std::int64_t t_ns = 0;
+    std::size_t end = 0;  ///< bytes of `serial` until then
+  };
+
+  Trial trial;
+  std::string sketch_name, map_name, robot_name;
+  wire::Started started;
+  std::vector<wire::Sample> samples;  ///< every 10 ms and at each stand, each moment once
+  std::vector<Leg> legs;
+  std::string serial;
+  std::vector<Said> said;
+  std::vector<Entry> events;  ///< deeds, notes and what the sketch said
+  std::vector<bool> is_line_sensor;
+  std::optional<wire::Resources> resources;
+  std::optional<wire::RunResult> result;
+  std::string replay;                  ///< the command, but for how long
+  std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
+  mutable bool verdict_asked = false;  ///< the test knows that the run may end
+};
+
+/// A sample as a test sees it.
+Moment moment_of(const History& history, const wire::Sample& sample);
+/// "12.34 s"
+std::string seconds(std::int64_t ns);
+std::string seconds(Duration time);
+/// "at column 5, row 2 (x 512 mm, y 340 mm)"
+std::string place_of(const Pose& pose);
+/// Line ends and the like as \n and \r.
+std::string on_one_line(const std::string& text);
+/// `text` in double quotes, with line ends and the like escaped.
+std::string in_quotes(const std::string& text);
+
+}  // namespace robosim::testing

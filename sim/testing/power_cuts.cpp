@@ -1,0 +1,35 @@
+#include "robosim/testing/power_cuts.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/client/power_cuts.h"
+#include "sim/testing/rehearsal.h"
+
+namespace robosim::testing {
+
+void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body, const char* file,
+                     int line) {
+  std::uint64_t writes = 0;
+  const auto counted = [&](Simulation& robot) {
+    body(robot);
+    writes = robot.eeprom_writes();
+  };
+  if (fails_in(trial, counted)) {
+    run_for_all_to_see(trial, body, "this was without any power cut", file, line);
+    return;
+  }
+  if (writes == 0) {
+    ADD_FAILURE_AT(file, line) << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
+    return;
+  }
+  for (const client::PowerCut& cut : client::all_power_cuts(writes)) {
+    Trial with_cut = trial;
+    if (!with_cut.script.empty() && with_cut.script.back() != '\n') with_cut.script += '\n';
+    with_cut.script += cut.script();
+    if (!fails_in(with_cut, body)) continue;
+    run_for_all_to_see(with_cut, body, "this was with a " + cut.text(), file, line);
+    return;
+  }
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,57 @@
+#include "sim/testing/rehearsal.h"
+
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+#include <exception>
+
+#include "sim/testing/history.h"
+
+namespace robosim::testing {
+namespace {
+
+int rehearsals = 0;
+
+struct Rehearsal {
+  Rehearsal() { ++rehearsals; }
+  ~Rehearsal() { --rehearsals; }
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+};
+
+}  // namespace
+
+bool is_rehearsal() { return rehearsals > 0; }
+
+bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body) {
+  const Rehearsal rehearsal;
+  ::testing::TestPartResultArray results;
+  try {
+    const ::testing::ScopedFakeTestPartResultReporter reporter(
+        ::testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
+    Simulation robot(trial);
+    body(robot);
+  } catch (const std::exception&) {
+    return true;
+  }
+  for (int i = 0; i < results.size(); ++i)
+    if (results.GetTestPartResult(i).failed()) return true;
+  return false;
+}
+
+void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&)>& body,
+                        const std::string& why, const char* file, int line) {
+  const ::testing::ScopedTrace trace(file, line, why);
+  try {
+    Simulation robot(trial);
+    const std::string kept = robot.so_far().history().artifacts;
+    const ::testing::ScopedTrace where(
+        file, line,
+        kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");
+    body(robot);
+  } catch (const std::exception& problem) {
+    ADD_FAILURE_AT(file, line) << problem.what();
+  }
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,58 @@
+// From a Trial to what a runner is asked.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robosim/testing/simulation.h"
+#include "sim/build/sketch.h"
+#include "sim/client/runner.h"
+
+namespace robosim::testing {
+
+/// A runner that is borrowed; runners are kept for the tests that follow.
+class Borrowed {
+ public:
+  explicit Borrowed(const std::string& target);
+  ~Borrowed();
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+  client::Runner& operator*() { return *runner_; }
+  client::Runner* operator->() { return runner_.get(); }
+  /// It has broken the protocol or died: it is not given back.
+  void condemn() { sound_ = false; }
+
+ private:
+  std::string target_;
+  std::unique_ptr<client::Runner> runner_;
+  bool sound_ = true;
+};
+
+/// A sketch as it was compiled.
+struct Built {
+  build::Request request;
+  build::Image image;
+};
+
+/// What a Trial means.
+struct Stage {
+  wire::RunRequest request;
+  wire::RobotInfo robot;
+  std::string sketch, map, robot_name, target;  ///< as the robosim command takes them
+  std::vector<std::string> libraries;
+  std::string sketch_title;        ///< for messages: "PidFollower"
+  const Built* counted = nullptr;  ///< whose lines are counted, if they are; request.counters is set then
+  bool map_is_text = false, robot_is_text = false;
+  std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
+};
+
+/// The target of a finished .elf, else the Trial's.
+std::string target_of(const Trial& trial);
+/// The graph of a request's map, as it is reached from its start.
+Graph graph_of_floor(const wire::RunRequest& request);
+/// Throws as Simulation's constructor does.
+Stage set_stage(const Trial& trial, client::Runner& runner);
+
+}  // namespace robosim::testing

@@ -1,0 +1,115 @@
+#include "robosim/testing/success_rate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "sim/analysis/success_rate.h"
+#include "sim/base/error.h"
+#include "sim/client/pool.h"
+#include "sim/testing/artifacts.h"
+#include "sim/testing/stage.h"
+
+namespace robosim::testing {
+namespace {
+
+constexpr std::size_t kFailuresTold = 3;
+
+std::size_t workers() {
+  const char* jobs = std::getenv("ROBOSIM_JOBS");
+  if (jobs) return std::max<std::size_t>(1, std::strtoull(jobs, nullptr, 10));
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Removes what was made of texts.
+struct Cleaner {
+  const Stage& stage;
+  ~Cleaner() {
+    std::error_code ignored;
+    if (!stage.scratch.empty()) std::filesystem::remove_all(stage.scratch, ignored);
+  }
+};
+
+void check(const analysis::Demand& demand, std::int64_t seeds) {
+  if (!(demand.rate >= 0.0 && demand.rate <= 1.0))
+    throw InputError(fmt::format("a success rate must be from 0 to 1, not {}", demand.rate));
+  if (seeds < 1) throw InputError("a success rate needs at least one seed");
+  if (analysis::needed_successes(demand, seeds)) return;
+  const auto needed = analysis::needed_runs(demand);
+  throw InputError(needed ? fmt::format("{} seeds cannot show a rate of {}, even if all succeed; {} could",
+                                        seeds, demand.rate, *needed)
+                          : std::string("no number of runs can show that a rate is 1"));
+}
+
+}  // namespace
+
+::testing::AssertionResult success_rate(const Trial& given, MinimumRate least,
+                                        const std::vector<std::uint64_t>& seeds) {
+  const analysis::Demand demand{least.rate, least.sure};
+  check(demand, static_cast<std::int64_t>(seeds.size()));
+  Trial trial = given;
+  trial.target = target_of(given);
+  Stage stage = [&] {
+    Borrowed runner(trial.target);
+    return set_stage(trial, *runner);
+  }();
+  const Cleaner cleaner{stage};
+  stage.request.samples_every_ns = 0;
+  stage.request.counters.clear();  // so many runs are not counted
+  stage.request.serial = stage.request.notes = false;
+
+  analysis::Tally tally(static_cast<std::int64_t>(seeds.size()), demand);
+  std::string failures, problem;
+  std::size_t failed = 0;
+  client::Pool pool(workers());
+  client::Batch batch;
+  batch.count = seeds.size();
+  batch.task = [&](std::size_t i) {
+    wire::RunRequest request = stage.request;
+    request.seed = seeds[i];
+    return client::Task{trial.target, request};
+  };
+  batch.wanted = [&](std::size_t) { return !tally.decided() && problem.empty(); };
+  batch.answered = [&](std::size_t i, client::Answer answer) {
+    if (const auto* failure = std::get_if<client::Failure>(&answer)) {
+      problem = failure->message;
+      return;
+    }
+    const auto& result = std::get<wire::RunResult>(answer);
+    tally.add(result.verdict == "reached");
+    if (result.verdict == "reached" || ++failed > kFailuresTold) return;
+    failures +=
+        fmt::format("\n  seed {}: {} at {:.3f} s: {}", seeds[i], result.verdict, result.time_s, result.why);
+    if (failed > 1) return;
+    stage.request.seed = seeds[i];
+    const std::string folder = artifact_folder();
+    keep_inputs(folder, stage, trial.script);
+    failures +=
+        fmt::format("\n    replay: {} --for {}ms", replay_command(stage, folder, !trial.script.empty()),
+                    trial.limit.count() / 1'000'000);
+  };
+  pool.run(batch);
+  if (!problem.empty()) throw std::runtime_error(problem);
+
+  const analysis::Interval interval = tally.interval();
+  const std::string found = fmt::format(
+      "{} of {} runs with different seeds succeeded{}; the true rate lies between {:.1f} % and {:.1f} %",
+      tally.successes(), tally.runs(),
+      tally.runs() < tally.planned()
+          ? fmt::format(" ({} were planned, and could not change the answer)", tally.planned())
+          : "",
+      100.0 * interval.low, 100.0 * interval.high);
+  if (tally.met()) return ::testing::AssertionSuccess() << found;
+  return ::testing::AssertionFailure()
+         << fmt::format("{} on {}, target {}: {}; wanted were {:g} %", stage.sketch_title,
+                        stage.map_is_text ? "the test's map" : stage.map, trial.target, found,
+                        100.0 * least.rate)
+         << failures;
+}
+
+}  // namespace robosim::testing

@@ -1,0 +1,58 @@
+// A map for the robot on cells: each cell as large as the screen allows, with the robot, its trail and names
+// on it. Of a map that is too large a part around the robot is shown.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/grid/true_graph.h"
+#include "sim/tui/frame.h"
+
+namespace robosim::tui {
+
+/// A word on a cell: "S1".
+struct CellLabel {
+  grid::CellAt cell;
+  std::string text;
+  Ink ink = Ink::mark;
+};
+
+/// "S1", "J1" on every station and junction of a graph.
+std::vector<CellLabel> graph_labels(const grid::TrueGraph& graph);
+
+class CellPicture {
+ public:
+  /// The map must outlive the picture.
+  explicit CellPicture(const grid::Map& map);
+
+  /// Notes that the robot was on a cell.
+  void add_trail(grid::CellAt cell);
+  void clear_trail() { trail_.clear(); }
+
+  /// Draws into `rows` rows from `row` on, over the frame's whole width; `around` is kept in sight. Gives the
+  /// number of rows taken.
+  int draw(Frame& frame, int row, int rows, grid::CellAt around, const std::optional<grid::Start>& robot,
+           const std::vector<CellLabel>& labels, Look look);
+
+ private:
+  // What is shown: cells from (x, y) on, so many of them, each `wide` x `high` characters.
+  struct Part {
+    int x = 0, y = 0;
+    int columns = 0, rows = 0;
+    int wide = 1, high = 1;
+  };
+  Part choose_part(int columns, int rows, grid::CellAt around) const;
+  void draw_cell(Frame& frame, int top, const Part& part, grid::CellAt cell, Look look) const;
+  bool was_on(grid::CellAt cell) const {
+    return !trail_.empty() && map_.contains(cell) && trail_[map_.index_of(cell)];
+  }
+
+  const grid::Map& map_;
+  int left_line_, top_line_, right_line_, bottom_line_;  // the line's surroundings
+  std::vector<bool> trail_;                              // by cell; empty until the robot was somewhere
+  int left_ = 0, top_ = 0;                               // of the part shown last: it moves only when it must
+};
+
+}  // namespace robosim::tui

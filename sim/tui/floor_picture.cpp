@@ -1,0 +1,142 @@
+#include "sim/tui/floor_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace robosim::tui {
+namespace {
+
+// A line narrower than this many dots would get holes.
+constexpr double kLeastLine_dots = 1.2;
+constexpr double kMostDotsPerCell = 16.0;
+// In dots. What lies just between two dots, as centres of cells do, counts as in the right and lower one.
+constexpr Vec2 kAside{-0.1, 0.1};
+// How far from a stripe a dot may be painted, m: half of the widest line or dot that is drawn.
+double reach(const grid::Map& map) { return std::max(map.line_m, map.cell_m); }
+
+grid::CellAt cell_of(const grid::Map& map, Vec2 p) {
+  return {static_cast<int>(std::floor(p.x / map.cell_m)),
+          map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m))};
+}
+
+}  // namespace
+
+Area area_of(const grid::Map& map) { return {{0.0, 0.0}, {map.width * map.cell_m, map.height * map.cell_m}}; }
+
+Window fit(const grid::Map& map, Area area, int columns, int rows) {
+  const Vec2 size = area.most - area.least;
+  columns = std::max(columns, 1);
+  rows = std::max(rows, 1);
+  Window window;
+  window.dot_m = std::max(size.x / (2.0 * columns), size.y / (4.0 * rows));
+  // The small number keeps an exact fit from being lost to rounding.
+  const double dots_per_cell = std::min(map.cell_m / window.dot_m + 1e-9, kMostDotsPerCell);
+  if (dots_per_cell >= 1.0) window.dot_m = map.cell_m / std::floor(dots_per_cell);
+  window.columns = std::clamp(static_cast<int>(std::ceil(size.x / window.dot_m / 2.0 - 1e-6)), 1, columns);
+  window.rows = std::clamp(static_cast<int>(std::ceil(size.y / window.dot_m / 4.0 - 1e-6)), 1, rows);
+  window.top_left = {area.least.x, area.most.y};
+  return window;
+}
+
+char32_t arrow(double yaw_rad) {
+  constexpr char32_t kArrows[] = U"→↗↑↖←↙↓↘";
+  const long step = std::lround(yaw_rad / (std::numbers::pi / 4.0));
+  return kArrows[static_cast<std::size_t>((step % 8 + 8) % 8)];
+}
+
+FloorPicture::FloorPicture(const grid::Map& map) : map_(map), stripes_(map, reach(map)) {}
+
+void FloorPicture::look_at(const Window& window) {
+  window_ = window;
+  const auto characters = static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows);
+  for (Layer* layer : {&wall_, &line_, &thin_line_, &trail_, &robot_}) layer->assign(characters, 0);
+  const double line_reach =
+      std::min(std::max(map_.line_m, kLeastLine_dots * window.dot_m) / 2.0, reach(map_));
+  for (int y = 0; y < window.rows * 4; ++y) {
+    for (int x = 0; x < window.columns * 2; ++x) {
+      const Vec2 p = window.top_left + Vec2{(x + 0.5) * window.dot_m, -(y + 0.5) * window.dot_m};
+      if (is_painted(p, line_reach)) set(line_, {x, y});
+      if (is_painted(p + kAside * window.dot_m, window.dot_m / 2.0)) set(thin_line_, {x, y});
+    }
+  }
+  for (int row = 0; row < window.rows; ++row) {
+    for (int column = 0; column < window.columns; ++column) {
+      const Vec2 middle =
+          window.top_left + Vec2{(column * 2 + 1) * window.dot_m, -(row * 4 + 2) * window.dot_m};
+      const grid::CellAt cell = cell_of(map_, middle);
+      wall_[static_cast<std::size_t>(row * window.columns + column)] =
+          map_.contains(cell) && map_.at(cell) == grid::Cell::wall;
+    }
+  }
+}
+
+bool FloorPicture::is_painted(Vec2 p, double reach_m) const {
+  const grid::CellAt cell = cell_of(map_, p);
+  if (!map_.contains(cell)) return false;
+  if (map_.raster) return grid::is_line(map_.at(cell)) && map_.at(cell) != grid::Cell::gap;
+  const auto near = stripes_.near(cell);
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
+    const grid::Stripe& stripe = stripes_.all()[i];
+    return stripe.painted && grid::distance(stripe, p) <= reach_m;
+  });
+}
+
+FloorPicture::Dot FloorPicture::dot_of(Vec2 p) const {
+  const Vec2 d = p - kAside * window_.dot_m - window_.top_left;
+  // Far outside would not fit an int; so far, all that matters is "outside".
+  const auto index = [&](double metres) {
+    return static_cast<int>(std::floor(std::clamp(metres / window_.dot_m, -1e6, 1e6)));
+  };
+  return {index(d.x), index(-d.y)};
+}
+
+void FloorPicture::set(Layer& layer, Dot dot) const {
+  if (dot.x < 0 || dot.y < 0 || dot.x >= window_.columns * 2 || dot.y >= window_.rows * 4) return;
+  constexpr std::uint8_t kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+  layer[static_cast<std::size_t>(dot.y / 4 * window_.columns + dot.x / 2)] |= kBits[dot.y % 4][dot.x % 2];
+}
+
+void FloorPicture::draw_line(Layer& layer, Vec2 from, Vec2 to) const {
+  const double steps = std::min(std::ceil(length(to - from) / (0.7 * window_.dot_m)), 10'000.0);
+  for (double i = 0.0; i <= steps; i += 1.0) {
+    set(layer, dot_of(from + (to - from) * (steps > 0.0 ? i / steps : 0.0)));
+  }
+}
+
+void FloorPicture::add_trail(Vec2 from, Vec2 to) { draw_line(trail_, from, to); }
+
+void FloorPicture::set_robot(const std::vector<Vec2>& outline, Vec2 middle, Vec2 front) {
+  std::fill(robot_.begin(), robot_.end(), std::uint8_t{0});
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    draw_line(robot_, outline[i], outline[(i + 1) % outline.size()]);
+  }
+  draw_line(robot_, middle, front);
+}
+
+void FloorPicture::draw(Frame& frame, int column, int row, const std::vector<Mark>& marks, Look look) const {
+  for (int y = 0; y < window_.rows; ++y) {
+    for (int x = 0; x < window_.columns; ++x) {
+      const auto i = static_cast<std::size_t>(y * window_.columns + x);
+      Glyph glyph{U' ', Ink::plain};
+      if (robot_[i]) {
+        glyph = {0x2800 + char32_t{robot_[i]}, Ink::robot};
+      } else if (trail_[i]) {
+        glyph = {0x2800 + char32_t{trail_[i]}, Ink::trail};
+      } else if (look.colour ? line_[i] : thin_line_[i]) {
+        // Without colours, braille dots of line and of trail would look the same.
+        glyph = {look.colour ? 0x2800 + char32_t{line_[i]} : U'·', Ink::line};
+      } else if (wall_[i]) {
+        glyph = {U'░', Ink::wall};
+      }
+      frame.set(column + x, row + y, glyph);
+    }
+  }
+  for (const Mark& mark : marks) {
+    const Dot dot = dot_of(mark.at);
+    if (dot.x < 0 || dot.y < 0 || dot.x >= window_.columns * 2 || dot.y >= window_.rows * 4) continue;
+    frame.set(column + dot.x / 2, row + dot.y / 4, mark.glyph);
+  }
+}
+
+}  // namespace robosim::tui

@@ -1,0 +1,80 @@
+// A part of the floor, drawn in braille dots: 2 x 4 of them in each character, and square, since characters
+// are twice as high as they are wide.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
+#include "sim/tui/frame.h"
+
+namespace robosim::tui {
+
+/// Which part of the floor is shown, and how large.
+struct Window {
+  int columns = 0;     ///< characters
+  int rows = 0;        ///< characters
+  Vec2 top_left;       ///< m, world frame
+  double dot_m = 0.0;  ///< side of a dot, m
+  bool operator==(const Window&) const = default;
+};
+
+/// A rectangle of the floor, m.
+struct Area {
+  Vec2 least;
+  Vec2 most;
+};
+
+/// The whole map.
+Area area_of(const grid::Map& map);
+
+/// A window of at most `columns` x `rows` characters that shows `area` as large as possible: a map cell gets
+/// a whole number of dots if it gets one at all, and at most 16.
+Window fit(const grid::Map& map, Area area, int columns, int rows);
+
+/// A character on the floor: a station's number, an arrow.
+struct Mark {
+  Vec2 at;  ///< m
+  Glyph glyph;
+};
+
+/// An arrow for a heading, in steps of 45 degrees.
+char32_t arrow(double yaw_rad);
+
+class FloorPicture {
+ public:
+  /// The map must outlive the picture.
+  explicit FloorPicture(const grid::Map& map);
+
+  const Window& window() const { return window_; }
+  /// Draws walls and line anew; the trail is forgotten.
+  void look_at(const Window& window);
+
+  void add_trail(Vec2 from, Vec2 to);
+  /// Replaces the robot: its outline, closed, and a line from its middle to its front.
+  void set_robot(const std::vector<Vec2>& outline, Vec2 middle, Vec2 front);
+
+  /// With its top left corner at (column, row) of the frame; marks lie on top.
+  void draw(Frame& frame, int column, int row, const std::vector<Mark>& marks, Look look) const;
+
+ private:
+  using Layer = std::vector<std::uint8_t>;  // braille bits of each character
+
+  struct Dot {
+    int x, y;
+  };
+  Dot dot_of(Vec2 p) const;
+  bool is_painted(Vec2 p, double reach_m) const;
+  void set(Layer& layer, Dot dot) const;
+  void draw_line(Layer& layer, Vec2 from, Vec2 to) const;
+
+  const grid::Map& map_;
+  grid::Stripes stripes_;
+  Window window_;
+  Layer wall_;  // 1 = the character's middle is wall
+  Layer line_, thin_line_, trail_, robot_;
+};
+
+}  // namespace robosim::tui

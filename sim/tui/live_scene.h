@@ -1,0 +1,59 @@
+// What the live view shows, as a function of what has happened: no terminal and no clock in here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/tui/floor_picture.h"
+#include "sim/tui/frame.h"
+#include "sim/tui/report.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::tui {
+
+class LiveScene {
+ public:
+  /// `title` names sketch, robot and map. The map must outlive the scene.
+  LiveScene(std::string title, const grid::Map& map, const wire::RobotInfo& robot);
+
+  void add(const wire::Event& event);
+  void finish(const wire::RunResult& result);
+  const wire::Started& started() const { return started_; }
+
+  /// Moves the window by so many tenths of its size; it no longer follows the robot.
+  void scroll(int right, int down);
+  /// The window follows the robot again, where the map is too large to be shown whole.
+  void follow();
+
+  /// `speed`: "x1", "paused".
+  Frame draw(int columns, int rows, const std::string& speed, Look look);
+
+ private:
+  void choose_window(int columns, int rows);
+  void keep_robot_in_sight();
+  void move_window(Vec2 top_left);
+  Vec2 to_world(double forward_m, double left_m) const;
+  std::vector<Mark> marks() const;
+  /// Whether a reading is a line sensor's level; others are on or off.
+  bool is_level(const std::string& reading) const;
+  /// Gives the row below.
+  int draw_readings(Frame& frame, int row, Look look) const;
+
+  std::string title_;
+  const grid::Map& map_;
+  wire::RobotInfo robot_;
+  FloorPicture floor_;
+  wire::Started started_;
+  std::optional<wire::Sample> sample_;
+  Trail trail_;
+  Vec2 drawn_to_;  // end of the trail in floor_
+  std::vector<std::string> visited_;
+  std::string serial_;  // the end of it
+  std::string note_;
+  std::optional<wire::RunResult> result_;
+  bool follows_ = true;
+};
+
+}  // namespace robosim::tui

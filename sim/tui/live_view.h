@@ -1,0 +1,48 @@
+// `--view`: a run, watched in the terminal while it happens.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sim/tui/live_scene.h"
+#include "sim/tui/pacer.h"
+#include "sim/tui/terminal.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::tui {
+
+/// How often a live view takes a sample, simulated time.
+constexpr std::int64_t kViewEvery_ns = 10'000'000;
+
+/// Takes the terminal from construction to destruction. While it waits for the wall clock it does not return
+/// from on_event: the runner is held up by its full pipe.
+class LiveView {
+ public:
+  struct Options {
+    double speed = 1.0;  ///< simulated seconds a wall second; 0 = as fast as possible
+    Look look;
+    std::function<bool()> stopped;  ///< whether the user wants out (Ctrl-C): the view waits no more
+    std::function<void()> quit;     ///< called when `q` is pressed: ends the run
+  };
+
+  LiveView(LiveScene& scene, Options options);
+
+  void on_event(const wire::Event& event);
+  /// Shows the verdict, and waits for a key if there is a keyboard.
+  void finish(const wire::RunResult& result);
+
+ private:
+  void handle(Key key);
+  void draw(std::int64_t wall_us);
+  bool leaving() const { return quit_ || options_.stopped(); }
+
+  LiveScene& scene_;
+  Options options_;
+  Pacer pacer_;
+  std::int64_t last_drawn_us_ = -1'000'000'000;
+  bool changed_ = true;
+  bool quit_ = false;
+  Screen screen_;
+};
+
+}  // namespace robosim::tui

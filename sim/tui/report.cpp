@@ -1,0 +1,239 @@
+#include "sim/tui/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "sim/tui/floor_picture.h"
+#include "sim/tui/text.h"
+
+namespace robosim::tui {
+namespace {
+
+constexpr int kPictureRows = 20;
+constexpr std::size_t kMostTrailPoints = 8192;
+constexpr std::size_t kSerialLines = 5;
+// What a map cell must get for a picture of the whole map to be of use.
+constexpr double kLeastDotsPerCell = 2.0;
+
+/// Grows by a point.
+void include(Area& area, Vec2 p) {
+  area.least = {std::min(area.least.x, p.x), std::min(area.least.y, p.y)};
+  area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
+}
+
+/// Whole cells with so many more around, inside the map.
+Area with_margin(const Area& area, const grid::Map& map, double cells) {
+  const auto down = [&](double metres) { return (std::floor(metres / map.cell_m) - cells) * map.cell_m; };
+  const auto up = [&](double metres) { return (std::ceil(metres / map.cell_m) + cells) * map.cell_m; };
+  const Area all = area_of(map);
+  return {{std::max(all.least.x, down(area.least.x)), std::max(all.least.y, down(area.least.y))},
+          {std::min(all.most.x, up(area.most.x)), std::min(all.most.y, up(area.most.y))}};
+}
+
+Area around(const Trail& trail, const grid::Map& map) {
+  Area area{trail.last(), trail.last()};
+  for (const Vec2 p : trail.points()) include(area, p);
+  return with_margin(area, map, 2.0);
+}
+
+/// What is not mere floor.
+Area content(const Trail& trail, const grid::Map& map) {
+  Area area{map.centre({0, map.height - 1}), map.centre({0, map.height - 1})};
+  bool first = true;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const Vec2 p = map.centre({x, y});
+      if (map.at({x, y}) == grid::Cell::floor) continue;
+      if (first) area = {p, p};
+      first = false;
+      include(area, p);
+    }
+  }
+  for (const Vec2 p : trail.points()) include(area, p);
+  return with_margin(area, map, 0.0);
+}
+
+std::string picture(const Report& report, const grid::Map& map, int columns, Look look) {
+  const Trail& trail = report.trail;
+  Window window = fit(map, content(trail, map), columns, kPictureRows);
+  const bool whole = map.cell_m / window.dot_m >= kLeastDotsPerCell;
+  if (!whole) {
+    if (trail.empty()) return "";
+    window = fit(map, around(trail, map), columns, kPictureRows);
+  }
+  FloorPicture floor(map);
+  floor.look_at(window);
+  Vec2 before = trail.empty() ? Vec2{} : trail.points().front();
+  for (const Vec2 p : trail.points()) {
+    floor.add_trail(before, p);
+    before = p;
+  }
+  if (!trail.empty()) floor.add_trail(before, trail.last());
+  auto marks = floor_marks(map, report.started, report.result.metrics.stations);
+  if (!trail.empty()) marks.push_back({trail.last(), {arrow(trail.yaw_rad()), Ink::robot}});
+  Frame frame(window.columns, window.rows);
+  floor.draw(frame, 0, 0, marks, look);
+  return to_text(frame, look) + (whole ? "" : "(the part of the map that the robot saw)\n");
+}
+
+Ink ink_of(const wire::RunResult& result) { return result.status == 0 ? Ink::good : Ink::bad; }
+
+/// Writes lines, wrapped and coloured.
+class Writer {
+ public:
+  Writer(int columns, Look look) : columns_(columns), look_(look) {}
+
+  void line(std::string_view text = "", Ink ink = Ink::plain) {
+    if (ink != Ink::plain) written_ += select(ink, look_);
+    for (const char32_t c : printable(text)) append(written_, c, look_.utf8);
+    if (ink != Ink::plain) written_ += select(Ink::plain, look_);
+    written_ += '\n';
+  }
+  /// Wrapped.
+  void text(std::string_view words, Ink ink) {
+    for (const std::string& part : wrap(words, std::max(columns_, 20))) line(part, ink);
+  }
+  /// "label: text", the text's further lines indented by as much.
+  void labelled(std::string_view label, std::string_view text, Ink ink = Ink::plain) {
+    const int indent = width_of(label) + 1;
+    std::string start(label);
+    if (ink != Ink::plain) start = select(ink, look_) + start + select(Ink::plain, look_);
+    start += ' ';
+    for (const std::string& part : wrap(text, std::max(columns_ - indent, 20))) {
+      written_ += start;
+      line(part);
+      start.assign(static_cast<std::size_t>(indent), ' ');
+    }
+  }
+  std::string take() { return std::move(written_); }
+  std::string& raw() { return written_; }
+
+ private:
+  std::string written_;
+  int columns_;
+  Look look_;
+};
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void write_figures(Writer& out, const Report& report) {
+  const wire::RunResult& r = report.result;
+  const wire::Metrics& m = r.metrics;
+  const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
+  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean {:.2f} m/s · energy {:.1f} J",
+                                           time_text(r.time_s), m.distance_m, mean, m.energy_j));
+  if (!m.laps_s.empty()) {
+    std::string laps;
+    const std::size_t first = m.laps_s.size() > 8 ? m.laps_s.size() - 8 : 0;
+    for (std::size_t i = first; i < m.laps_s.size(); ++i) laps += fmt::format(" {:.2f}", m.laps_s[i]);
+    out.labelled("laps        ", fmt::format("{}, each{}{} s", m.laps_s.size(), first ? " …" : "", laps));
+  }
+  out.labelled("cross-track ", fmt::format("{:.1f} mm RMS, {:.1f} mm at most · off the line {:.2f} s",
+                                           m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
+  out.labelled("collisions  ", std::to_string(m.collisions));
+  if (!report.started.stations.empty()) {
+    out.labelled("stations    ", fmt::format("{} of {} visited{}{} · junctions {}", m.stations.size(),
+                                             report.started.stations.size(), m.stations.empty() ? "" : ": ",
+                                             list(m.stations), m.junctions));
+  }
+  if (r.resources) {
+    const wire::Resources& used = *r.resources;
+    const std::string free =
+        report.free_bytes ? fmt::format(" · {} bytes of RAM never used", *report.free_bytes) : "";
+    out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most{}",
+                                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max, free));
+    for (const Room& room : report.rooms)
+      out.labelled("room for    ", fmt::format("{} {}; with this stack {} would fit, at {} bytes each",
+                                               room.now, room.what, room.fit, room.bytes_each));
+    const std::string loop = used.loops == 0
+                                 ? ""
+                                 : fmt::format("loop() {:.3f} ms on average, {:.3f} ms at most · ",
+                                               1e-3 * used.loop_us_mean, 1e-3 * used.loop_us_max);
+    out.labelled("processor   ", fmt::format("{}interrupts {:.1f} % · awake {:.1f} %", loop,
+                                             100.0 * used.interrupt_share, 100.0 * used.cpu_load));
+  }
+  if (report.wall_s) {
+    out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
+                                             r.time_s / std::max(*report.wall_s, 1e-9)));
+  }
+}
+
+std::string chip_hint(const std::string& chip_target) {
+  if (chip_target == "stm32")
+    return "this ran on the target host, where memory is plenty. A Blue Pill's chip has 20 KB of it, and its "
+           "own timing: run it there with --target stm32.";
+  return "this ran on the target host, where int has 32 bits and memory is plenty. An Uno's chip has a "
+         "16-bit int, 2 KB of memory and its own timing: run it there with --target avr.";
+}
+
+}  // namespace
+
+void Trail::add(const wire::Sample& sample) {
+  last_ = {sample.x_mm / 1000.0, sample.y_mm / 1000.0};
+  yaw_rad_ = sample.yaw_rad;
+  if (seen_++ % every_ != 0) return;
+  points_.push_back(last_);
+  if (points_.size() < kMostTrailPoints) return;
+  for (std::size_t i = 0; i < points_.size() / 2; ++i) points_[i] = points_[2 * i];
+  points_.resize(points_.size() / 2);
+  every_ *= 2;
+}
+
+std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started,
+                              const std::vector<std::string>& visited) {
+  std::vector<Mark> marks{{map.centre({started.x, started.y}), {U'S', Ink::mark}}};
+  for (const wire::Started::Station& station : started.stations) {
+    const bool seen = std::find(visited.begin(), visited.end(), station.name) != visited.end();
+    const std::u32string name = printable(station.name);
+    marks.push_back(
+        {map.centre({station.x, station.y}), {name.empty() ? U'?' : name[0], seen ? Ink::good : Ink::mark}});
+  }
+  return marks;
+}
+
+std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look) {
+  const wire::RunResult& r = report.result;
+  Writer out(columns, look);
+  if (map) {
+    if (const std::string drawn = picture(report, *map, columns, look); !drawn.empty())
+      out.raw() += drawn + "\n";
+  }
+  out.text(fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", report.sketch, report.robot, report.map,
+                       r.goal, r.seed, r.profile, report.target),
+           Ink::faint);
+  out.labelled(r.verdict + ":", r.why, ink_of(r));
+  out.line();
+  write_figures(out, report);
+  if (!r.events.empty()) {
+    out.line();
+    out.line("last events", Ink::strong);
+    for (const auto& event : r.events) out.line(fmt::format("  {:>9.2f} s  {}", event.t_s, event.text));
+  }
+  if (r.crash && !r.crash->calls.empty()) {
+    out.line();
+    out.line("calls that were open, the last first", Ink::strong);
+    for (const wire::Crash::Call& call : r.crash->calls)
+      out.line(call.file.empty() ? "  " + call.function
+                                 : fmt::format("  {}, {}:{}", call.function, call.file, call.line));
+    std::istringstream registers(r.crash->registers);
+    for (std::string line; std::getline(registers, line);) out.line("  " + line);
+  }
+  if (const auto lines = last_lines(r.serial, kSerialLines); !lines.empty()) {
+    out.line();
+    out.line("serial, last lines", Ink::strong);
+    for (const std::string& text : lines) out.line("  " + text);
+  }
+  out.line();
+  if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
+  if (report.target == "host") out.labelled("chip:", chip_hint(report.chip_target), Ink::faint);
+  return out.take();
+}
+
+}  // namespace robosim::tui

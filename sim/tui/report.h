@@ -1,0 +1,63 @@
+// The end-of-run screen: what happened, at first sight.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/grid/map.h"
+#include "sim/tui/frame.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::tui {
+
+/// Where the robot was, sampled evenly. As events come in, the spacing grows so that memory stays bounded.
+class Trail {
+ public:
+  void add(const wire::Sample& sample);
+  const std::vector<Vec2>& points() const { return points_; }  ///< m, world frame
+  bool empty() const { return points_.empty(); }
+  Vec2 last() const { return last_; }
+  double yaw_rad() const { return yaw_rad_; }
+
+ private:
+  std::vector<Vec2> points_;
+  Vec2 last_;
+  double yaw_rad_ = 0.0;
+  std::size_t every_ = 1, seen_ = 0;
+};
+
+/// A limit of the firmware's, and how far it might be raised.
+struct Room {
+  std::string what;  ///< "nodes of a tree"
+  std::uint64_t now = 0;
+  std::uint64_t fit = 0;  ///< so many would take all RAM that the deepest stack has left
+  std::uint64_t bytes_each = 0;
+};
+
+/// What a report is made of.
+struct Report {
+  std::string sketch;  ///< as the user named it
+  std::string map;
+  std::string robot;
+  std::string target;
+  wire::Started started;
+  wire::RunResult result;
+  Trail trail;
+  std::optional<double> wall_s;  ///< with --timing
+  /// On a chip: RAM that neither variables nor the deepest stack took.
+  std::optional<std::int64_t> free_bytes;
+  std::vector<Room> rooms;
+  std::string chip_target;  ///< that the robot's board has a chip of
+};
+
+/// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.
+std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look);
+
+/// Stations and start as they lie on the floor; visited stations in another ink.
+struct Mark;
+std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started,
+                              const std::vector<std::string>& visited);
+
+}  // namespace robosim::tui

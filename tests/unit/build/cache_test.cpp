@@ -1,0 +1,100 @@
+#include "sim/build/cache.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CacheTest : public SketchTest {
+ protected:
+  CacheTest() : cache_(folder_ / "cache") {}
+  Entry store(const Inputs& inputs, const std::string& key = "key") const {
+    return cache_.store(key, inputs, write("made.o", "result of " + key), "made.o",
+                        {{"fact", "two\nlines \\n"}},
+                        fs::file_time_type::clock::now() + std::chrono::hours(1));
+  }
+  Cache cache_;
+};
+
+TEST_F(CacheTest, AnEntryIsFoundWithItsFactsAndResult) {
+  const Entry stored = store({{write("in put.h", "x")}, {folder_}});
+  const auto found = cache_.find("key");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->result, stored.result);
+  EXPECT_EQ(read_file(found->result), "result of key");
+  EXPECT_EQ(found->facts.at("fact"), "two\nlines \\n");
+  EXPECT_FALSE(cache_.find("another key"));
+}
+
+TEST_F(CacheTest, AnEntryHoldsByContentNotByTime) {
+  const fs::path input = write("input.h", "x");
+  store({{input}, {}});
+  write("input.h", "y");
+  EXPECT_FALSE(cache_.find("key"));
+  write("input.h", "x");
+  EXPECT_TRUE(cache_.find("key"));
+  fs::remove(input);
+  EXPECT_FALSE(cache_.find("key"));
+}
+
+TEST_F(CacheTest, AFolderCountsByItsNamesAndMayAppearLater) {
+  const fs::path folder = folder_ / "libraries";
+  store({{}, {folder}});
+  EXPECT_TRUE(cache_.find("key"));
+  fs::create_directories(folder);
+  EXPECT_FALSE(cache_.find("key"));
+  store({{}, {folder}});
+  EXPECT_TRUE(cache_.find("key"));
+  write("libraries/x.h", "");
+  EXPECT_FALSE(cache_.find("key"));
+}
+
+TEST_F(CacheTest, AnInputThatChangedDuringTheWorkIsNotRemembered) {
+  const Inputs inputs{{write("input.h", "x")}, {}};
+  const Entry entry = cache_.store("key", inputs, write("made.o", "made"), "made.o", {},
+                                   fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(read_file(entry.result), "made");
+  EXPECT_FALSE(cache_.find("key"));
+}
+
+TEST_F(CacheTest, ATornEntryOrResultIsNotUsed) {
+  const Entry stored = store({});
+  ASSERT_TRUE(cache_.find("key"));
+  for (const auto& file : fs::directory_iterator(folder_ / "cache/entries"))
+    fs::resize_file(file, fs::file_size(file) - 4);
+  EXPECT_FALSE(cache_.find("key"));
+  store({});
+  ASSERT_TRUE(cache_.find("key"));
+  write_file(stored.result, "other");
+  EXPECT_FALSE(cache_.find("key"));
+}
+
+TEST_F(CacheTest, AWorkFolderIsNewAndGoesAway) {
+  fs::path path;
+  {
+    const WorkFolder first(cache_);
+    const WorkFolder second(cache_);
+    path = first.path();
+    EXPECT_TRUE(fs::is_empty(path));
+    EXPECT_NE(path, second.path());
+  }
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST_F(SketchTest, TheCacheIsWhereTheUserSays) {
+  ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
+  EXPECT_EQ(cache_folder(), folder_ / "xdg/robosim");
+  ::unsetenv("XDG_CACHE_HOME");
+  EXPECT_EQ(cache_folder(), folder_ / "home/.cache/robosim");
+  write("file", "");
+  ::setenv("HOME", (folder_ / "file").c_str(), 1);
+  ::setenv("TMPDIR", folder_.c_str(), 1);
+  EXPECT_THAT(cache_folder().string(), testing::StartsWith((folder_ / "robosim-").string()));
+}
+
+}  // namespace
+}  // namespace robosim::build

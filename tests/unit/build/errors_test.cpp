@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST_F(SketchTest, ACompileErrorNamesTheInoAndItsLineAndNothingOfTheMachine) {
+  write("Wrong/Wrong.ino", "int before() { return 1; }\nvoid setup() {\n  int x = \n}\nvoid loop() {}\n");
+  const std::string error = error_of("Wrong");
+  EXPECT_THAT(error, AllOf(StartsWith("Wrong.ino:4:1: error: "), Not(HasSubstr(folder_.string())),
+                           Not(HasSubstr(cache_folder().string())), Not(HasSubstr("stdin"))));
+  try {
+    build_here("Wrong");
+  } catch (const CompileError& compile_error) {
+    EXPECT_EQ(compile_error.place().file, "Wrong.ino");
+    EXPECT_EQ(compile_error.place().line, 4);
+    EXPECT_EQ(compile_error.place().column, 1);
+  }
+}
+
+TEST_F(SketchTest, AnErrorInATabNamesTheTab) {
+  write("Tabs/Tabs.ino", kEmptySketch);
+  write("Tabs/more.ino", "\nvoid more() { undeclared(3); }\n");
+  EXPECT_THAT(error_of("Tabs"), StartsWith("more.ino:2:15: error: 'undeclared' was not declared"));
+}
+
+TEST_F(SketchTest, AnErrorInASourceOrHeaderNamesIt) {
+  write("Parts/Parts.ino", "#include \"part.h\"\n" + kEmptySketch);
+  write("Parts/part.h", "#pragma once\nint part(;\n");
+  EXPECT_THAT(error_of("Parts"), StartsWith("part.h:2:10: error: "));
+  write("Parts/part.h", "#pragma once\n");
+  write("Parts/src/deep.cpp", "int deep() { return x; }\n");
+  EXPECT_THAT(error_of("Parts"), StartsWith("src/deep.cpp:1:21: error: "));
+}
+
+TEST_F(SketchTest, AMessageAboutTheCoreSaysNotWhereThisMachineKeepsIt) {
+  write("Core/Core.ino", "struct P : Print {};\nP p;\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Core"),
+              AllOf(StartsWith("Core.ino:2:3: error: "), HasSubstr("\nPrint.h:"),
+                    Not(HasSubstr(cache_folder().string())), Not(HasSubstr(data_folder().string()))));
+}
+
+TEST_F(SketchTest, AMissingHeaderIsNamedWithWhereItWasLookedFor) {
+  write("Needy/Needy.ino", "// needs more\n#include <NoSuchSensor.h>\n" + kEmptySketch);
+  EXPECT_THAT(
+      error_of("Needy", {folder_}),
+      AllOf(StartsWith("Needy.ino:2:10: there is no header NoSuchSensor.h: neither in the sketch nor"),
+            HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries"), HasSubstr("--libraries")));
+}
+
+TEST_F(SketchTest, ALibraryForTheChipIsToldApartFromAMissingOne) {
+  write("Wired/Wired.ino", "#include <Wire.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Wired"),
+              StartsWith("Wired.ino:1:10: Wire.h belongs to the library Wire, which drives the"));
+}
+
+TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
+  write("Boot/Boot.ino", "#include <avr/boot.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Boot"), StartsWith("Boot.ino:1:10: avr/boot.h belongs to avr-libc"));
+  write("Boot/Boot.ino", "#include <vector>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Boot"),
+              StartsWith("Boot.ino:1:10: there is no header vector: Arduino boards with an AVR"));
+  write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
+  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
+                                      HasSubstr(" `wdr'"), EndsWith("): it is for --target avr")));
+  write("Boot/Boot.cpp", "#include <avr/io.h>\n");
+  write("Boot/port.c", "#include <avr/io.h>\nvoid f(void) { PORTB = 1; }\n");
+  EXPECT_THAT(error_of("Boot"), HasSubstr("'robosim_registers_need_a_cpp_file' undeclared"));
+}
+
+TEST_F(SketchTest, ASketchWithoutLoopIsToldSo) {
+  write("Half/Half.ino", "void setup() {}\n");
+  EXPECT_EQ(error_of("Half"),
+            "Half.ino: the sketch has no function loop(); every sketch needs setup() and loop()");
+}
+
+TEST_F(SketchTest, AFunctionThatNobodyDefinesIsNamedWithTheLineThatCallsIt) {
+  write("Link/Link.ino", "void later(int);\nvoid setup() { later(3); }\nvoid loop() {}\n");
+  EXPECT_EQ(error_of("Link"), "Link.ino:2: undefined reference to `later(int)'");
+}
+
+TEST_F(SketchTest, ATwiceDefinedFunctionIsNamed) {
+  write("Twice/Twice.ino", "int twice() { return 1; }\n" + kEmptySketch);
+  write("Twice/other.cpp", "int twice() { return 2; }\n");
+  EXPECT_THAT(error_of("Twice"), AllOf(HasSubstr("other.cpp:1: multiple definition of `twice()'"),
+                                       HasSubstr("Twice.ino:1: first defined here"), Not(HasSubstr(".o:"))));
+}
+
+TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
+  write("Nothing/readme.txt", "");
+  write("Many/a.ino", kEmptySketch);
+  write("Many/b.ino", kEmptySketch);
+  write("Asm/Asm.ino", kEmptySketch);
+  write("Asm/fast.S", "nop\n");
+  EXPECT_THAT(error_of("NoSuch"), HasSubstr("there is no such sketch"));
+  EXPECT_THAT(error_of("Nothing"), HasSubstr("has no .ino file"));
+  EXPECT_THAT(error_of("Nothing/readme.txt"), HasSubstr("is no sketch: a folder, an .ino or a .cpp file is"));
+  EXPECT_THAT(error_of("Many"), HasSubstr("none is called Many.ino; name one of a.ino or b.ino"));
+  EXPECT_THAT(error_of("Asm"), StartsWith("fast.S: assembler sources are for the chip"));
+  EXPECT_THAT(
+      [this] {
+        build({folder_ / "Many/a.ino", *find_board("uno"), "pdp11"});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("no target pdp11")));
+  EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}), HasSubstr("is no folder; --libraries takes"));
+}
+
+TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {
+  write("Any/Any.ino", kEmptySketch);
+  write("xdg/robosim/entries", "a file where a folder should be");
+  ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
+  EXPECT_THAT(error_of("Any"), StartsWith((folder_ / "xdg/robosim/entries").string() + ": cannot be used: "));
+}
+
+TEST_F(SketchTest, AMissingCompilerIsNamedWithItsPackage) {
+  write("Any/Any.ino", kEmptySketch);
+  ::setenv("PATH", folder_.c_str(), 1);
+  EXPECT_THAT([this] { build_here("Any"); },
+              testing::ThrowsMessage<ToolMissing>("g++ is missing: sudo apt install g++"));
+}
+
+}  // namespace
+}  // namespace robosim::build

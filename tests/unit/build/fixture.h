@@ -1,0 +1,60 @@
+// A folder of its own for each test, and a cache that all share: the core is compiled once.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+
+namespace robosim::build {
+
+class SketchTest : public testing::Test {
+ protected:
+  SketchTest() {
+    std::string pattern = testing::TempDir() + "robosim-sketch-XXXXXX";
+    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    ::setenv("HOME", (folder_ / "home").c_str(), 1);
+  }
+  ~SketchTest() override {
+    std::filesystem::remove_all(folder_);
+    for (const auto& [name, value] : environment_) ::setenv(name, value.c_str(), 1);
+    ::unsetenv("TMPDIR");
+  }
+
+  /// Writes a file below the test's folder; gives its path.
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    write_file(folder_ / name, content);
+    return folder_ / name;
+  }
+
+  Image build_here(const std::string& name, std::vector<std::filesystem::path> libraries = {}) const {
+    return build({folder_ / name, *find_board("uno"), "host", std::move(libraries)});
+  }
+
+  /// What the InputError of a build says.
+  std::string error_of(const std::string& name, std::vector<std::filesystem::path> libraries = {}) const {
+    try {
+      build_here(name, std::move(libraries));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::filesystem::path folder_;
+
+ private:
+  const std::pair<const char*, std::string> environment_[2] = {{"PATH", ::getenv("PATH")}, {"LC_ALL", "C"}};
+};
+
+inline const std::string kEmptySketch = "void setup() {}\nvoid loop() {}\n";
+
+}  // namespace robosim::build

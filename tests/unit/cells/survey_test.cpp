@@ -1,0 +1,270 @@
+#include "sim/cells/survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "sim/cells/planners.h"
+#include "sim/grid/generator.h"
+#include "tests/support/effort.h"
+
+namespace robosim::cells {
+namespace {
+
+using ::testing::ElementsAre;
+
+grid::Map drawn(const std::string& rows) { return grid::parse_map(rows, "drawn.map"); }
+
+// A survey of a map from a start, "X,Y,DIR" or the map's own.
+struct Surveyed {
+  grid::Map map;
+  grid::Start start;
+  CellFloor floor;
+  CellRobot robot;
+  Survey survey;
+
+  explicit Surveyed(grid::Map m, const std::string& from = "")
+      : map(std::move(m)),
+        start(from.empty() ? grid::default_start(map) : grid::parse_start(map, from)),
+        floor(map),
+        robot(floor, {start.cell, start.facing}),
+        survey(robot) {
+    robot.limit_moves(10'000'000);
+  }
+  std::string difference() const { return grid::difference(grid::true_graph(map, start), graph()); }
+  const grid::TrueGraph& graph() const { return scan_.graph; }
+  const Scan& scan() { return scan_ = survey.scan(); }
+  Scan scan_;
+};
+
+TEST(SurveyTest, TheMapsOfThePaperTakeThePapersTimes) {
+  const std::vector<std::pair<const char*, double>> times{{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
+  for (const auto& [name, time] : times) {
+    Surveyed s(grid::read_map(grid::find_map(name)));
+    EXPECT_EQ(s.scan().time, time) << name;
+    EXPECT_EQ(s.difference(), "") << name;
+  }
+}
+
+// Counts how often each cell's border is crossed, in each direction.
+class EdgeCounter final : public MoveWatcher {
+ public:
+  explicit EdgeCounter(const CellRobot& robot) : robot_(robot) {}
+  void moved(const CellPose& pose, Sense, Move, double) override {
+    step_to(pose);
+    before_ = pose;
+  }
+  void step_to(const CellPose& pose) {
+    if (before_ && !(before_->cell == pose.cell)) {
+      const auto edge =
+          std::make_pair(robot_.floor().index_of(before_->cell), robot_.floor().index_of(pose.cell));
+      most_ = std::max(most_, ++times_[edge]);
+    }
+  }
+  int most() const { return most_; }
+
+ private:
+  const CellRobot& robot_;
+  std::optional<CellPose> before_;
+  std::map<std::pair<std::size_t, std::size_t>, int> times_;
+  int most_ = 0;
+};
+
+// Where on a map to begin: at its default start, or on any line cell, facing anywhere.
+grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
+  if (n % 3 == 0) return grid::default_start(map);
+  std::vector<grid::CellAt> line;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (grid::is_line(map.cells[i])) line.push_back(map.cell_at(i));
+  return {line[n * 7919 % line.size()], static_cast<grid::Direction>(n / 3 % 4)};
+}
+
+// 1,000 maps, by families: trees, cycles, crossings of four ways, up to 200 junctions.
+class Generated : public ::testing::TestWithParam<grid::Family> {};
+
+TEST_P(Generated, FloorsAreFoundAsTheyAreAndNoEdgeIsUsedMoreThanTwiceInEachDirection) {
+  std::size_t most_junctions = 0;
+  for (std::uint64_t n = 0; n < test::rounds(334u); ++n) {
+    const int most = GetParam() == grid::Family::tree ? 201 : GetParam() == grid::Family::cycles ? 140 : 80;
+    const int stations = 2 + static_cast<int>(n * n) % most;
+    grid::Map map = grid::generate(GetParam(), stations, n);
+    const grid::Start start = somewhere(map, n);
+    const grid::TrueGraph truth = grid::true_graph(map, start);
+    ASSERT_LE(truth.junctions.size(), 200u);
+    most_junctions = std::max(most_junctions, truth.junctions.size());
+    const CellFloor floor(map);
+    CellRobot robot(floor, {start.cell, start.facing});
+    robot.limit_moves(1'000'000);
+    EdgeCounter edges(robot);
+    robot.watch(&edges);
+    Survey survey(robot);
+    const Scan& scan = survey.scan();
+    robot.watch(nullptr);
+    const std::string where = map.name + " from " + std::to_string(start.cell.x) + "," +
+                              std::to_string(start.cell.y) + "," + letter(start.facing);
+    ASSERT_EQ(scan.ending, Ending::complete) << where;
+    ASSERT_EQ(grid::difference(truth, scan.graph), "") << where;
+    ASSERT_LE(edges.most(), 2) << where;
+    ASSERT_EQ(survey.here(), 1) << where;
+    for (int to = 2; to <= survey.stations(); ++to) {
+      if (to % 2 == 0) survey.place_at(1);
+      const Route route = survey.drive(to, survey.default_planner());
+      ASSERT_EQ(route.ending, Ending::complete) << where << " to " << to;
+      ASSERT_EQ(route.ratio_to_shortest, 1.0) << where << " from " << route.from << " to " << to;
+      ASSERT_EQ(route.turns.size(), route.junctions.size());
+    }
+  }
+  EXPECT_GE(most_junctions, 120u) << "the maps are to be large, too";
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Generated,
+                         ::testing::Values(grid::Family::tree, grid::Family::cycles, grid::Family::grid),
+                         [](const auto& family) { return grid::name_of(family.param); });
+
+TEST(SurveyTest, AllPlannersOfTreesGiveTheOneWayThereIs) {
+  Surveyed s(grid::generate(grid::Family::tree, 40, 3));
+  s.scan();
+  for (const std::string& planner : planner_names()) {
+    for (int to = 2; to <= s.survey.stations(); ++to) {
+      s.survey.place_at(1);
+      const Route route = s.survey.drive(to, planner);
+      EXPECT_EQ(route.ending, Ending::complete) << planner;
+      EXPECT_EQ(route.ratio_to_shortest, 1.0) << planner;
+    }
+  }
+}
+
+TEST(SurveyTest, APlannerOfTreesRefusesANetworkWithCycles) {
+  Surveyed s(grid::read_map(grid::find_map("warehouse")));
+  s.scan();
+  for (const char* planner : {"climb", "interval", "pruned"}) {
+    const Route route = s.survey.drive(2, planner);
+    EXPECT_EQ(route.ending, Ending::refused) << planner;
+    EXPECT_THAT(route.why, ::testing::HasSubstr("trees only")) << planner;
+    EXPECT_EQ(s.survey.here(), 1) << "it has not moved";
+  }
+}
+
+TEST(SurveyTest, AWallOnTheLineBlocksItAndItsFarSideIsReachedAnotherWay) {
+  Surveyed s(
+      drawn("0000000000\n"
+            "0011111100\n"
+            "0010000100\n"
+            "1111211110\n"
+            "0000000000\n"));
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_EQ(s.difference(), "");
+  ASSERT_EQ(s.graph().junctions.size(), 2u);
+  EXPECT_EQ(s.graph().stations.size(), 2u) << "no station at the wall";
+  int blocked = 0;
+  for (const grid::GraphJunction& junction : s.graph().junctions)
+    for (const grid::Arm& arm : junction.arms)
+      if (arm.behind == grid::Arm::Behind::blocked) {
+        ++blocked;
+        EXPECT_EQ(arm.obstacle, (grid::CellAt{4, 3}));
+      }
+  EXPECT_EQ(blocked, 2) << "seen from both sides";
+  EXPECT_EQ(s.survey.drive(2, "dijkstra").ending, Ending::complete);
+}
+
+TEST(SurveyTest, WhatLiesBehindAnObstacleIsReportedUnreachable) {
+  Surveyed s(drawn("0000000\n1111x11\n0000000\n"));
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_THAT(s.graph().unreachable, ElementsAre(grid::CellAt{6, 1}));
+  EXPECT_EQ(s.difference(), "");
+}
+
+TEST(SurveyTest, AnObstacleRightBesideAJunctionCostsNoMove) {
+  Surveyed s(
+      drawn("0000000\n"
+            "0001000\n"
+            "1111x11\n"
+            "0001000\n"
+            "0000000\n"));
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_EQ(s.difference(), "");
+  ASSERT_EQ(s.graph().junctions.size(), 1u);
+  EXPECT_EQ(s.graph().junctions[0].arms.size(), 4u);
+}
+
+// The last table of the original's description: where it crashed or never ended.
+TEST(WhereTheOriginalFailed, ALineWithoutJunctionsHasTwoStations) {
+  for (const char* start :
+       {"0,1,E", "0,1,W", "0,1,N", "2,1,E", "2,1,W", "2,1,N", "2,1,S", "4,1,W", "4,1,E"}) {
+    Surveyed s(drawn("00000\n11111\n00000\n"), start);
+    EXPECT_EQ(s.scan().ending, Ending::complete) << start;
+    EXPECT_EQ(s.difference(), "") << start;
+    EXPECT_EQ(s.survey.stations(), 2) << start;
+    EXPECT_EQ(s.survey.here(), 1) << start;
+    EXPECT_EQ(s.survey.drive(2, "climb").time, 5.0) << start << ": four cells and the turn";
+  }
+}
+
+TEST(WhereTheOriginalFailed, ASingleCellIsOneStation) {
+  Surveyed s(drawn("000\n010\n000\n"));
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_EQ(s.survey.stations(), 1);
+  EXPECT_EQ(s.difference(), "");
+}
+
+TEST(WhereTheOriginalFailed, AStartThatFacesAwayTurnsRoundFirst) {
+  const grid::Map map = grid::read_map(grid::find_map("c"));
+  const grid::Start start = grid::default_start(map);
+  Surveyed away(map, std::to_string(start.cell.x) + "," + std::to_string(start.cell.y) + "," +
+                         letter(reversed(start.facing)));
+  EXPECT_EQ(away.scan().time, 94 + 1);
+}
+
+TEST(WhereTheOriginalFailed, ALineMayEndAtTheMapsEdge) {
+  Surveyed s(drawn("00100\n00100\n11111\n"));
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_EQ(s.survey.stations(), 3);
+  EXPECT_EQ(s.scan_.time, 2 * (7 - 1) + 3) << "as if there were floor beyond";
+}
+
+TEST(WhereTheOriginalFailed, ARingHasNoStationsAndEnds) {
+  for (const char* start : {"1,1,E", "1,1,W", "2,1,E", "2,1,N", "1,2,S"}) {
+    Surveyed s(drawn("00000\n01110\n01010\n01110\n00000\n"), start);
+    EXPECT_EQ(s.scan().ending, Ending::complete) << start;
+    EXPECT_EQ(s.survey.stations(), 0) << start;
+    EXPECT_EQ(s.difference(), "") << start;
+  }
+}
+
+TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
+  for (const char* direction : {"N", "E", "S", "W"}) {
+    Surveyed s(grid::read_map(grid::find_map("b")), std::string("9,10,") + direction);
+    EXPECT_EQ(s.scan().ending, Ending::complete) << direction;
+    EXPECT_EQ(s.difference(), "") << direction;
+    EXPECT_EQ(s.survey.here(), 1) << direction;
+  }
+}
+
+TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
+  // A comb: a spine with a tooth at every other cell, so that each junction lies behind the one before.
+  std::string tooth, spine;
+  for (int i = 0; i < 300; ++i) {
+    tooth += "01";
+    spine += "11";
+  }
+  Surveyed s(drawn(tooth + "0\n" + spine + "1\n"), "0,1,E");
+  EXPECT_EQ(s.scan().ending, Ending::complete);
+  EXPECT_EQ(s.difference(), "");
+  EXPECT_EQ(s.graph().junctions.size(), 300u);
+}
+
+TEST(SurveyTest, WithNoiseItAlwaysEnds) {
+  int lost = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Surveyed s(grid::read_map(grid::find_map("d")));
+    s.robot.limit_moves(5000);
+    s.robot.set_noise({0.01, 0.005, seed});
+    lost += s.scan().ending != Ending::complete || !s.difference().empty();
+  }
+  EXPECT_GT(lost, 20) << "one per cent of senses is too much for most scans";
+  EXPECT_LT(lost, 200);
+}
+
+}  // namespace
+}  // namespace robosim::cells

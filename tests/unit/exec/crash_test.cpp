@@ -1,0 +1,138 @@
+#include "sim/base/error.h"
+#include "tests/unit/exec/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::HasSubstr;
+
+class CrashTest : public HostTest {
+ protected:
+  /// The crash of a sketch whose setup() calls `faulty()`, which is on line 2.
+  Crash crash(const std::string& line_2, const std::string& call = "faulty();") {
+    start("volatile int zero, n;\n" + line_2 + "\nvoid setup() {\n  delay(5);\n  " + call +
+          "\n}\nvoid loop() {}\n");
+    run(kSecond);
+    if (!host_->crash()) return {"none", {}};
+    return *host_->crash();
+  }
+
+  void expect(const Crash& crash, const char* reason, const char* function, int line) {
+    EXPECT_THAT(crash.reason, HasSubstr(reason));
+    EXPECT_EQ(crash.where.function, function);
+    EXPECT_EQ(crash.where.file, "Test.ino");
+    EXPECT_EQ(crash.where.line, line);
+  }
+};
+
+TEST_F(CrashTest, DivisionByZero) {
+  expect(crash("void faulty() { n = 10 / zero; }"), "division by zero", "faulty", 2);
+}
+
+TEST_F(CrashTest, RemainderByZero) {
+  expect(crash("void faulty() { n = 10 % zero; }"), "division by zero", "faulty", 2);
+}
+
+TEST_F(CrashTest, MapOverAnEmptyRange) {
+  expect(crash("void faulty() { n = map(5, zero, zero, 0, 9); }"), "division by zero", "faulty", 2);
+}
+
+TEST_F(CrashTest, NullPointer) {
+  expect(crash("void faulty() { volatile int* p = nullptr; *p = 1; }"), "of address 0x0 (null pointer)",
+         "faulty", 2);
+}
+
+TEST_F(CrashTest, NullPointerToAFunction) {
+  expect(crash("void (*volatile hook)(); void faulty() { hook(); ++n; }"),
+         "jump to address 0x0 (null pointer)", "faulty", 2);
+}
+
+TEST_F(CrashTest, DeepRecursion) {
+  expect(crash("int deep(int k) { volatile char b[64]; b[0] = k; return deep(k + 1) + b[0]; }", "deep(1);"),
+         "stack overflow (deep recursion?)", "deep", 2);
+}
+
+TEST_F(CrashTest, AWildPointer) {
+#if defined(__x86_64__)
+  const char* const reason = "wild pointer";
+#else  // the processor tells the address, whatever it is
+  const char* const reason = "of address 0x";
+#endif
+  expect(crash("void faulty() { *(volatile char*)0x123456789ABCDEFull = 1; }"), reason, "faulty", 2);
+}
+
+TEST_F(CrashTest, Abort) {
+  expect(crash("void faulty() { if (zero == 0) abort(); }"), "abort() called", "faulty", 2);
+}
+
+TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
+  expect(crash("char* volatile target; void faulty() { strcpy(target, \"hello\"); ++n; }"), "null pointer",
+         "faulty", 2);
+}
+
+TEST_F(CrashTest, InAnInterruptHandler) {
+  expect(crash("ISR(TIMER1_OVF_vect) { n = 1 / zero; }", "TCCR1B = 1; TIMSK1 = _BV(TOIE1); while (true);"),
+         "division by zero", "__vector_13", 2);
+}
+
+TEST_F(CrashTest, AnInterruptWithoutHandler) {
+  const Crash found = crash("", "TCCR1B = 1; TIMSK1 = _BV(OCIE1B); while (true);");
+  EXPECT_THAT(found.reason, HasSubstr("TIMER1_COMPB_vect"));
+  EXPECT_EQ(found.where.line, 5);
+}
+
+TEST_F(CrashTest, InAConstructorOfAStaticObject) {
+  expect(crash("struct Early { Early() { n = 1 / zero; } } early;", ""), "division by zero", "Early::Early",
+         2);
+}
+
+TEST_F(CrashTest, ACrashedFirmwareStaysAsItIsUntilItIsSwitchedOnAgain) {
+  start(R"(#include <EEPROM.h>
+volatile int zero;
+void setup() { Serial.begin(115200); int runs = EEPROM.read(0) + 1; EEPROM.write(0, runs); Serial.println((uint8_t)runs); pinMode(13, OUTPUT); digitalWrite(13, HIGH); zero = 1 / zero; }
+void loop() {})");
+  run(50 * kMillisecond);
+  ASSERT_TRUE(host_->crash());
+  EXPECT_TRUE(board().drive(13).level);
+  host_->power_on(now_);
+  EXPECT_FALSE(host_->crash());
+  EXPECT_EQ(board().drive(13).mode, PinMode::input);
+  run(50 * kMillisecond);
+  EXPECT_TRUE(host_->crash());
+  EXPECT_EQ(numbers(), (std::vector<long long>{0, 1}));
+}
+
+TEST_F(CrashTest, ExitIsNoCrash) {
+  start(
+      "void setup() { pinMode(13, OUTPUT); digitalWrite(13, HIGH); exit(0); } void loop() { digitalWrite(13, "
+      "LOW); }");
+  run(100 * kMillisecond);
+  EXPECT_FALSE(host_->crash());
+  EXPECT_EQ(host_->activity().stopped_by, "exit(0)");
+  EXPECT_TRUE(board().drive(13).level);
+}
+
+TEST_F(CrashTest, AFileThatIsNoImageIsAnErrorOfTheUser) {
+  write_file(folder_ / "firmware.so", "hello");
+  HostExecutor host(*find_board("uno"), folder_ / "firmware.so");
+  EXPECT_THROW(host.power_on(0), InputError);
+  HostExecutor none(*find_board("uno"), folder_ / "nothing.so");
+  EXPECT_THROW(none.power_on(0), InputError);
+}
+
+TEST_F(CrashTest, ManyCrashesLeaveNothingBehind) {
+  start("volatile int zero; void setup() { zero = 1 / zero; } void loop() {}");
+  for (int cycle = 0; cycle < 300; ++cycle) {
+    host_->power_on(now_);
+    run(kMillisecond);
+    ASSERT_TRUE(host_->crash());
+    if (cycle % 50) continue;
+    std::size_t mapped = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+      mapped += entry.exists() ? 1 : 0;
+    EXPECT_LT(mapped, 40u);
+  }
+}
+
+}  // namespace
+}  // namespace robosim::exec

@@ -1,0 +1,128 @@
+// A sketch given as text, run by a host executor tick by tick, with all that it does written down.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/host/host_executor.h"
+
+namespace robosim::exec {
+
+struct PinEvent {
+  Pin pin;
+  PinDrive drive;
+  SimTime at;
+};
+
+class HostTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
+ protected:
+  HostTest() {
+    std::string pattern = testing::TempDir() + "robosim-host-XXXXXX";
+    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  ~HostTest() override { std::filesystem::remove_all(folder_); }
+
+  /// Builds `text` as Test.ino.
+  std::filesystem::path build(const std::string& text) {
+    std::filesystem::create_directories(folder_ / "Test");
+    write_file(folder_ / "Test/Test.ino", text);
+    build::Request request{folder_ / "Test", *find_board(board_name_)};
+    request.sanitize = sanitize_;
+    return build::build(request).image;
+  }
+
+  /// Builds `text`, makes an executor for it and switches it on at `t`.
+  void start(const std::string& text, SimTime t = 0) {
+    host_ = std::make_unique<HostExecutor>(*find_board(board_name_), build(text));
+    for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
+    board().watch_serial(*this);
+    host_->power_on(t);
+    now_ = t;
+  }
+
+  Board& board() { return host_->board(); }
+
+  /// Runs tick by tick for `duration`.
+  void run(SimTime duration) {
+    for (const SimTime end = now_ + duration; now_ < end;) host_->run_until(now_ += kTick);
+  }
+  /// What the sketch prints in `duration`.
+  std::string output(const std::string& text, SimTime duration = kSecond) {
+    start(text);
+    run(duration);
+    EXPECT_FALSE(host_->crash()) << host_->crash()->reason;
+    return serial_;
+  }
+
+  /// The lines of what was printed, as numbers.
+  std::vector<long long> numbers() const {
+    std::vector<long long> result;
+    for (std::size_t at = 0, end = 0; (end = serial_.find("\r\n", at)) != std::string::npos; at = end + 2)
+      result.push_back(std::stoll(serial_.substr(at, end - at)));
+    return result;
+  }
+
+  /// When `pin` changed, beginning with the first change to an output.
+  std::vector<SimTime> changes(Pin pin) const {
+    std::vector<SimTime> times;
+    for (const PinEvent& event : pins_)
+      if (event.pin == pin) times.push_back(event.at);
+    return times;
+  }
+
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override { pins_.push_back({pin, drive, t}); }
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    serial_ += static_cast<char>(byte);
+    byte_times_.push_back(t);
+  }
+
+  const char* board_name_ = "uno";
+  bool sanitize_ = false;
+  std::filesystem::path folder_;
+  std::unique_ptr<HostExecutor> host_;
+  SimTime now_ = 0;
+  std::string serial_;
+  std::vector<SimTime> byte_times_;
+  std::vector<PinEvent> pins_;
+};
+
+/// A source of a constant voltage; high from 2.5 V.
+class FixedSource : public PinSource {
+ public:
+  explicit FixedSource(double volts) : volts_(volts) {}
+  double volts(SimTime t) override {
+    asked_at = t;
+    return volts_;
+  }
+  bool level(SimTime t) override {
+    asked_at = t;
+    return volts_ >= 2.5;
+  }
+  void set(double volts) { volts_ = volts; }
+
+  SimTime asked_at = -1;
+
+ private:
+  double volts_;
+};
+
+/// High during [begin, end).
+class Pulse : public PinSource {
+ public:
+  Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}
+  double volts(SimTime t) override { return level(t) ? 5.0 : 0.0; }
+  bool level(SimTime t) override { return t >= begin_ && t < end_; }
+
+ private:
+  SimTime begin_, end_;
+};
+
+}  // namespace robosim::exec

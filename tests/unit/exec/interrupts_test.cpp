@@ -1,0 +1,150 @@
+#include "tests/unit/exec/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::ElementsAre;
+
+class InterruptsTest : public HostTest {
+ protected:
+  /// Switches on, and runs 10 ms so that setup() has attached its handlers.
+  void prepare(const std::string& text) {
+    start(text);
+    run(10 * kMillisecond);
+  }
+};
+
+TEST_F(InterruptsTest, AVolatileFlagSetByAHandlerEndsALoop) {
+  prepare(R"(volatile bool flag;
+void pressed() { flag = true; }
+void setup() { Serial.begin(115200); attachInterrupt(digitalPinToInterrupt(2), pressed, RISING); while (!flag); Serial.println(7); }
+void loop() {})");
+  EXPECT_TRUE(board().wants_edges(2));
+  EXPECT_FALSE(board().wants_edges(3));
+  EXPECT_EQ(serial_, "");
+  board().schedule_edge(2, true, now_ + 300 * kMicrosecond);
+  run(kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(7));
+  EXPECT_NEAR(static_cast<double>(byte_times_[0]), 10.3e6, 100e3);
+}
+
+TEST_F(InterruptsTest, OnlyTheWantedEdgesCount) {
+  for (const auto& [mode, expected] : {std::pair{"RISING", 3L}, {"FALLING", 2L}, {"CHANGE", 5L}}) {
+    serial_.clear();
+    prepare(std::string(R"(volatile int count;
+void tick() { ++count; }
+void setup() { Serial.begin(115200); attachInterrupt(1, tick, )") +
+            mode + "); delay(50); Serial.println(count); } void loop() {}");
+    for (int i = 0; i < 5; ++i) board().schedule_edge(3, i % 2 == 0, now_ + (i + 1) * 100 * kMicrosecond);
+    run(50 * kMillisecond);
+    EXPECT_THAT(numbers(), ElementsAre(expected)) << mode;
+  }
+}
+
+TEST_F(InterruptsTest, AHandlerRunsAtItsEdgeEvenInADelay) {
+  prepare(R"(void mark() { digitalWrite(13, !digitalRead(13)); }
+void setup() { pinMode(13, OUTPUT); attachInterrupt(0, mark, CHANGE); delay(100000); }
+void loop() {})");
+  const SimTime edge = now_ + 2 * kMillisecond + 345 * kMicrosecond;
+  run(2 * kMillisecond);
+  board().schedule_edge(2, true, edge);
+  run(kMillisecond);
+  ASSERT_EQ(changes(13).size(), 2u);
+  EXPECT_GT(changes(13)[1], edge);
+  EXPECT_LT(changes(13)[1], edge + 25 * kMicrosecond);
+}
+
+TEST_F(InterruptsTest, WithInterruptsOffTheEdgeWaits) {
+  prepare(R"(volatile int count;
+void tick() { ++count; }
+void setup() {
+  Serial.begin(115200);
+  attachInterrupt(0, tick, RISING);
+  noInterrupts();
+  for (volatile long i = 0; i < 20000; ++i);
+  const int before = count;
+  interrupts();
+  Serial.println(before);
+  Serial.println(count);
+}
+void loop() {})");
+  board().schedule_edge(2, true, now_ + 100 * kMicrosecond);
+  run(500 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(0, 1));
+}
+
+TEST_F(InterruptsTest, HandlersAreNotInterrupted) {
+  prepare(R"(volatile int depth, deepest;
+void slow() { if (++depth > deepest) deepest = depth; for (volatile int i = 0; i < 200; ++i); --depth; }
+void setup() { Serial.begin(115200); attachInterrupt(0, slow, CHANGE); attachInterrupt(1, slow, CHANGE); delay(50); Serial.println(deepest); }
+void loop() {})");
+  for (int i = 0; i < 8; ++i) board().schedule_edge(i % 2 ? 2 : 3, i % 4 < 2, now_ + i * 20 * kMicrosecond);
+  run(60 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(1));
+}
+
+TEST_F(InterruptsTest, MillisStandsStillWhileInterruptsAreOff) {
+  output(R"(void setup() {
+  Serial.begin(115200);
+  noInterrupts();
+  const unsigned long before = millis();
+  delayMicroseconds(10000);
+  const unsigned long after = millis();
+  interrupts();
+  Serial.println(after - before);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(0));
+}
+
+TEST_F(InterruptsTest, ALowLevelInterruptsAgainAndAgainButLetsTheSketchGoOn) {
+  prepare(R"(volatile long count;
+void tick() { ++count; }
+void setup() { Serial.begin(115200); attachInterrupt(0, tick, LOW); for (volatile int i = 0; i < 100; ++i); detachInterrupt(0); Serial.println(count > 50); }
+void loop() {})");
+  run(50 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(1));
+}
+
+TEST_F(InterruptsTest, PinChangesInterruptByTheirPort) {
+  prepare(R"(volatile int port_b, port_d;
+ISR(PCINT0_vect) { ++port_b; }
+ISR(PCINT2_vect) { ++port_d; }
+void setup() {
+  Serial.begin(115200);
+  PCMSK0 = _BV(PCINT4);
+  PCMSK2 = _BV(PCINT23);
+  PCICR = _BV(PCIE0) | _BV(PCIE2);
+  delay(50);
+  Serial.println(port_b);
+  Serial.println(port_d);
+}
+void loop() {})");
+  EXPECT_TRUE(board().wants_edges(12));
+  EXPECT_TRUE(board().wants_edges(7));
+  EXPECT_FALSE(board().wants_edges(8));
+  board().schedule_edge(12, true, now_ + 100 * kMicrosecond);
+  board().schedule_edge(12, false, now_ + 200 * kMicrosecond);
+  board().schedule_edge(7, true, now_ + 300 * kMicrosecond);
+  run(60 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(2, 1));
+}
+
+TEST_F(InterruptsTest, DetachingEndsTheWishForEdges) {
+  prepare("void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); } void loop() {}");
+  EXPECT_FALSE(board().wants_edges(2));
+}
+
+TEST_F(InterruptsTest, AnEmptyLoopServesHandlersForEver) {
+  prepare(R"(volatile int count;
+void tick() { ++count; digitalWrite(13, count & 1); }
+void setup() { pinMode(13, OUTPUT); attachInterrupt(0, tick, RISING); for (;;); }
+void loop() {})");
+  for (int i = 0; i < 3; ++i) board().schedule_edge(2, true, now_ + (i + 1) * 200 * kMicrosecond);
+  run(kMillisecond);
+  EXPECT_EQ(changes(13).size(), 4u);
+  EXPECT_LT(host_->last_call(), 10 * kMillisecond);
+}
+
+}  // namespace
+}  // namespace robosim::exec

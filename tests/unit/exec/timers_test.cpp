@@ -1,0 +1,121 @@
+#include "tests/unit/exec/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::ElementsAre;
+using testing::Ge;
+using testing::Le;
+using testing::SizeIs;
+
+using TimersTest = HostTest;
+
+TEST_F(TimersTest, ACompareMatchInterruptsAtItsFrequency) {
+  // 16 MHz / 64 / 250 = 1 kHz
+  output(R"(volatile long count;
+ISR(TIMER1_COMPA_vect) { ++count; }
+void setup() {
+  Serial.begin(115200);
+  TCCR1A = 0;
+  TCCR1B = _BV(WGM12) | _BV(CS11) | _BV(CS10);
+  OCR1A = 249;
+  TIMSK1 = _BV(OCIE1A);
+  count = 0;
+  delay(500);
+  Serial.println(count);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(500));
+}
+
+TEST_F(TimersTest, HandlersRunAtEvenDistancesWhateverTheSketchDoes) {
+  start(R"(ISR(TIMER2_OVF_vect) { PINB = _BV(5); }
+void setup() { DDRB = _BV(5); TCCR2A = 0; TCCR2B = 7; TIMSK2 = _BV(TOIE2); }
+void loop() { for (volatile int i = 0; i < 100; ++i); delay(3); analogRead(0); })");
+  run(500 * kMillisecond);
+  const std::vector<SimTime> times = changes(13);
+  ASSERT_GT(times.size(), 20u);
+  // Timer 2 overflows every 256 * 1024 cycles.
+  for (std::size_t i = 2; i < times.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(times[i] - times[i - 1]), 16.384e6, 15e3);
+}
+
+TEST_F(TimersTest, CountersCanBeReadAndSet) {
+  output(R"(void setup() {
+  Serial.begin(115200);
+  TCCR1A = 0;
+  TCCR1B = _BV(CS11);
+  TCNT1 = 1000;
+  delayMicroseconds(500);
+  const unsigned int count = TCNT1;
+  Serial.println(count);
+}
+void loop() {})");
+  ASSERT_THAT(numbers(), SizeIs(1));
+  EXPECT_NEAR(static_cast<double>(numbers()[0]), 2000, 10);
+}
+
+TEST_F(TimersTest, FlagsCanBePolled) {
+  output(R"(void setup() {
+  Serial.begin(115200);
+  TCCR1A = 0;
+  TCCR1B = _BV(WGM12) | _BV(CS11) | _BV(CS10);
+  OCR1A = 24999;
+  TCNT1 = 0;
+  TIFR1 = _BV(OCF1A);
+  const unsigned long start = micros();
+  while (!(TIFR1 & _BV(OCF1A)));
+  Serial.println(micros() - start);
+  TIFR1 = _BV(OCF1A);
+  Serial.println((TIFR1 & _BV(OCF1A)) != 0);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
+}
+
+TEST_F(TimersTest, AnotherPrescalerOfTimer0ChangesMillisWithIt) {
+  start(
+      "void setup() { TCCR0B = (TCCR0B & 0xF8) | 2; pinMode(13, OUTPUT); delay(800); digitalWrite(13, HIGH); "
+      "} void loop() {}");
+  run(200 * kMillisecond);
+  ASSERT_EQ(changes(13).size(), 2u);
+  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100e6, 0.2e6);  // eight times faster
+}
+
+TEST_F(TimersTest, DelayStaysExactWithAHandlerOnTimer0) {
+  output(R"(volatile int count;
+ISR(TIMER0_COMPA_vect) { ++count; }
+void setup() {
+  Serial.begin(115200);
+  OCR0A = 0xAF;
+  TIMSK0 |= _BV(OCIE0A);
+  const unsigned long start = millis();
+  delay(1024);
+  Serial.println(millis() - start);
+  Serial.println(count);
+}
+void loop() {})",
+         2 * kSecond);
+  EXPECT_THAT(numbers(), ElementsAre(1024, AllOf(Ge(999), Le(1001))));
+}
+
+TEST_F(TimersTest, SleepEndsWithTheNextInterrupt) {
+  output(R"(#include <avr/sleep.h>
+void setup() {
+  Serial.begin(115200);
+  delay(5);
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  for (int i = 0; i < 3; ++i) {
+    const unsigned long start = millis();
+    sleep_mode();
+    Serial.println(millis() - start);
+  }
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), AllOf(SizeIs(3), Each(AllOf(Ge(0), Le(2)))));
+}
+
+}  // namespace
+}  // namespace robosim::exec

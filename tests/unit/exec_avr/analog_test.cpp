@@ -1,0 +1,61 @@
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::ElementsAre;
+
+class AnalogTest : public AvrTest {};
+
+TEST_F(AnalogTest, ACodeIsTheShareOfTheReferenceIn1024Steps) {
+  start(R"(void setup() {
+  Serial.begin(115200);
+  Serial.println(analogRead(A0)); Serial.println(analogRead(A1)); Serial.println(analogRead(A2));
+  analogReference(INTERNAL);
+  Serial.println(analogRead(A3));
+}
+void loop() {})");
+  FixedSource third(5.0 / 3), all(5.0), none(0.0), half(0.55);
+  board().connect(14, third);
+  board().connect(15, all);
+  board().connect(16, none);
+  board().connect(17, half);
+  run(20 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(341, 1023, 0, 512));
+}
+
+TEST_F(AnalogTest, AConversionIsSampledOneAndAHalfClocksAfterItsStartAndTakesThirteen) {
+  start(R"(void setup() {
+  pinMode(13, OUTPUT);
+  analogRead(A0);
+  PORTB |= _BV(5); ADCSRA |= _BV(ADSC);
+  while (ADCSRA & _BV(ADSC)) {}
+  PORTB &= ~_BV(5);
+}
+void loop() {})");
+  FixedSource source(1.0);
+  board().connect(14, source);
+  run(5 * kMillisecond);
+  ASSERT_EQ(source.asked_at.size(), 2u);
+  const SimTime started = changes(13)[1], ended = changes(13)[2];
+  EXPECT_NEAR(static_cast<double>(source.asked_at[1] - started), 12e3, 0.5e3);
+  EXPECT_NEAR(static_cast<double>(ended - started), 104e3, 1e3);
+}
+
+TEST_F(AnalogTest, FreeRunningSamplesEvery104Microseconds) {
+  start("void setup() { ADMUX = 0x40; ADCSRB = 0; ADCSRA = 0xE7; }\nvoid loop() {}");
+  FixedSource source(2.0);
+  board().connect(14, source);
+  run(10 * kMillisecond);
+  ASSERT_GT(source.asked_at.size(), 80u);
+  EXPECT_NEAR(static_cast<double>(source.asked_at[50] - source.asked_at[10]) / 40, 104e3, 200.0);
+}
+
+TEST_F(AnalogTest, TheBandgapTellsTheSupply) {
+  EXPECT_EQ(output("void setup() { Serial.begin(115200); ADMUX = 0x4E; delay(2); ADCSRA |= _BV(ADSC); "
+                   "while (ADCSRA & _BV(ADSC)) {} Serial.println(ADC); }\nvoid loop() {}"),
+            "225\r\n");
+}
+
+}  // namespace
+}  // namespace robosim::exec

@@ -1,0 +1,140 @@
+// A sketch given as text, built with the genuine core, run by an AVR executor tick by tick, with all that it
+// does written down.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/avr/avr_executor.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::exec {
+
+struct PinEvent {
+  Pin pin;
+  PinDrive drive;
+  SimTime at;
+};
+
+class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("avr");
+    std::string pattern = testing::TempDir() + "robosim-avr-XXXXXX";
+    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  void TearDown() override {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+  }
+
+  /// Builds `text` as Test.ino.
+  std::filesystem::path build(const std::string& text) {
+    std::filesystem::create_directories(folder_ / "Test");
+    write_file(folder_ / "Test/Test.ino", text);
+    build::Request request{folder_ / "Test", *find_board(board_name_)};
+    request.target = "avr";
+    request.sanitize = sanitize_;
+    built_ = build::build(request);
+    return built_.image;
+  }
+
+  /// Builds `text`, makes an executor for it and switches it on at 0.
+  void start(const std::string& text) {
+    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
+    for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
+    board().watch_serial(*this);
+    before_power_on();
+    avr_->power_on(0);
+    now_ = 0;
+    serial_.clear();
+    byte_times_.clear();
+    pins_.clear();
+  }
+
+  virtual void before_power_on() {}
+
+  Board& board() { return avr_->board(); }
+
+  void run(SimTime duration) {
+    for (const SimTime end = now_ + duration; now_ < end;) avr_->run_until(now_ += kTick);
+  }
+  /// What the sketch prints in `duration`.
+  std::string output(const std::string& text, SimTime duration = 200 * kMillisecond) {
+    start(text);
+    run(duration);
+    EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+    return serial_;
+  }
+  /// The lines of what was printed, as numbers.
+  std::vector<long long> numbers() const {
+    std::vector<long long> result;
+    for (std::size_t at = 0, end = 0; (end = serial_.find("\r\n", at)) != std::string::npos; at = end + 2)
+      result.push_back(std::stoll(serial_.substr(at, end - at)));
+    return result;
+  }
+  /// When `pin` changed, its becoming an output included.
+  std::vector<SimTime> changes(Pin pin) const {
+    std::vector<SimTime> times;
+    for (const PinEvent& event : pins_)
+      if (event.pin == pin) times.push_back(event.at);
+    return times;
+  }
+
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override { pins_.push_back({pin, drive, t}); }
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    serial_ += static_cast<char>(byte);
+    byte_times_.push_back(t);
+  }
+
+  const char* board_name_ = "uno";
+  bool sanitize_ = false;
+  std::filesystem::path folder_;
+  build::Image built_;
+  std::unique_ptr<AvrExecutor> avr_;
+  SimTime now_ = 0;
+  std::string serial_;
+  std::vector<SimTime> byte_times_;
+  std::vector<PinEvent> pins_;
+};
+
+/// A source of a constant voltage; high from 2.5 V. Counts how often it is asked.
+class FixedSource : public PinSource {
+ public:
+  explicit FixedSource(double volts) : volts_(volts) {}
+  double volts(SimTime t) override {
+    asked_at.push_back(t);
+    return volts_;
+  }
+  bool level(SimTime t) override {
+    asked_at.push_back(t);
+    return volts_ >= 2.5;
+  }
+  void set(double volts) { volts_ = volts; }
+
+  std::vector<SimTime> asked_at;
+
+ private:
+  double volts_;
+};
+
+/// High during [begin, end).
+class Pulse : public PinSource {
+ public:
+  Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}
+  double volts(SimTime t) override { return level(t) ? 5.0 : 0.0; }
+  bool level(SimTime t) override { return t >= begin_ && t < end_; }
+
+ private:
+  SimTime begin_, end_;
+};
+
+}  // namespace robosim::exec

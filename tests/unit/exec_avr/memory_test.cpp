@@ -1,0 +1,101 @@
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::HasSubstr;
+
+class MemoryTest : public AvrTest {
+ protected:
+  Resources used(const std::string& text, SimTime duration = 100 * kMillisecond) {
+    start(text);
+    run(duration);
+    EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+    return avr_->resources().value_or(Resources{});
+  }
+};
+
+TEST_F(MemoryTest, TheStacksMostIsMeasuredThoughNothingIsWrittenThere) {
+  const auto with = [](const char* size) {
+    return std::string(
+               "void __attribute__((noinline)) use(volatile char* p) { p[0] = 1; }\n"
+               "void setup() { volatile char room[") +
+           size + "]; use(room); }\nvoid loop() {}";
+  };
+  const std::uint32_t little = used(with("100")).stack_bytes_max;
+  const std::uint32_t much = used(with("500")).stack_bytes_max;
+  EXPECT_NEAR(static_cast<double>(much) - little, 400.0, 10.0)
+      << "an interrupt may come deeper in one of them";
+}
+
+TEST_F(MemoryTest, AShortDeepCallCounts) {
+  const Resources r = used(R"(volatile int depth;
+int __attribute__((noinline)) down(int n) { depth = n; return n == 0 ? 0 : down(n - 1) + depth; }
+void setup() { down(100); }
+void loop() {})");
+  EXPECT_GT(r.stack_bytes_max, 200u);
+  EXPECT_LT(r.stack_bytes_max, 300u);
+}
+
+TEST_F(MemoryTest, VariablesAndFlashAreThoseOfTheImage) {
+  const Resources r = used("volatile byte table[300];\nvoid setup() { table[0] = 1; }\nvoid loop() {}");
+  EXPECT_GE(r.ram_bytes, 300u);
+  EXPECT_LT(r.ram_bytes, 330u);
+  EXPECT_GT(r.flash_bytes, 400u);
+}
+
+TEST_F(MemoryTest, LoopIsTimedThoughItIsInlined) {
+  const Resources r = used(R"(void setup() { pinMode(13, OUTPUT); }
+void loop() { static byte n; delayMicroseconds(++n % 10 == 0 ? 3000 : 1000); PINB = _BV(5); })",
+                           kSecond);
+  EXPECT_NEAR(r.loop_us_max, 3020.0, 30.0);
+  EXPECT_NEAR(r.loop_us_mean, 1210.0, 20.0);
+  EXPECT_NEAR(static_cast<double>(r.loops), 826.0, 15.0);
+  EXPECT_DOUBLE_EQ(r.cpu_load, 1.0);
+}
+
+TEST_F(MemoryTest, LoopIsTimedThoughTheJumpBackIsTheLastInstructionOfMain) {
+  const Resources r = used(R"(unsigned passes;
+void blink() { digitalWrite(13, passes % 2); }
+void setup() { pinMode(13, OUTPUT); Serial.begin(115200); }
+void loop() { ++passes; blink(); Serial.println(millis() + analogRead(A0)); delay(5); })",
+                           kSecond);
+  EXPECT_NEAR(r.loop_us_mean, 5200.0, 200.0) << "and not a pass of the loop that waits in delay()";
+}
+
+TEST_F(MemoryTest, APassOfLoopThatHasNotEndedCounts) {
+  const Resources r =
+      used("void setup() {}\nvoid loop() { static byte n; if (++n == 10) delay(10000); }", kSecond);
+  EXPECT_EQ(r.loops, 9u);
+  EXPECT_GT(r.loop_us_max, 990e3);
+}
+
+TEST_F(MemoryTest, TimeInHandlersIsCounted) {
+  const Resources r = used(R"(ISR(TIMER1_COMPA_vect) { delayMicroseconds(250); }
+void setup() { TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS11); OCR1A = 1999; TIMSK1 = _BV(OCIE1A); }
+void loop() {})",
+                           kSecond);
+  EXPECT_NEAR(r.interrupt_share, 0.256, 0.01);
+}
+
+TEST_F(MemoryTest, TheClockCanBeginShortlyBeforeItWraps) {
+  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), build(R"(void setup() {
+  Serial.begin(115200); Serial.println(millis()); delay(1000); Serial.println(millis());
+}
+void loop() {})"));
+  board().watch_serial(*this);
+  avr_->set_clock_start(4294967 * kSecond);
+  avr_->power_on(0);
+  run(1500 * kMillisecond);
+  ASSERT_EQ(numbers().size(), 2u);
+  EXPECT_EQ(numbers()[0], 4294967000);
+  EXPECT_NEAR(static_cast<double>(numbers()[1]), 704.0, 2.0);
+}
+
+TEST_F(MemoryTest, ASketchWithoutAClockCannotHaveItSet) {
+  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), build("int main() { for (;;) {} }"));
+  EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
+}
+
+}  // namespace
+}  // namespace robosim::exec

@@ -1,0 +1,239 @@
+// Sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can bring it down.
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/stm32/stm32_executor.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Stm32ChipTest : public testing::Test, protected SerialWatcher {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("stm32");
+    std::string pattern = testing::TempDir() + "robosim-stm32-XXXXXX";
+    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  void TearDown() override {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+  }
+
+  /// Builds `text` as Test.ino, and switches it on.
+  void start(const std::string& text) {
+    std::filesystem::create_directories(folder_ / "Test");
+    write_file(folder_ / "Test/Test.ino", text);
+    build::Request request{folder_ / "Test", *find_board(board_name_)};
+    request.target = "stm32";
+    chip_ = std::make_unique<Stm32Executor>(*find_board(board_name_), build::build(request).image);
+    chip_->board().watch_serial(*this);
+    if (clock_start_ > 0) chip_->set_clock_start(clock_start_);
+    chip_->power_on(0);
+    now_ = 0;
+    serial_.clear();
+  }
+  void run(SimTime duration) {
+    for (const SimTime end = now_ + duration; now_ < end;) chip_->run_until(now_ += kTick);
+  }
+  std::string output(const std::string& text, SimTime duration = 200 * kMillisecond) {
+    start(text);
+    run(duration);
+    EXPECT_FALSE(chip_->crash()) << chip_->crash()->reason;
+    return serial_;
+  }
+  /// Of `setup`, in a function of its own: line 2 of the sketch.
+  const std::optional<Crash>& crash_of(const std::string& statement, SimTime duration = kSecond) {
+    start("volatile int n;\nvoid __attribute__((noinline)) work() { " + statement +
+          " }\nvoid setup() { work(); }\nvoid loop() {}\n");
+    run(duration);
+    return chip_->crash();
+  }
+  void byte_sent(std::uint8_t byte, SimTime) override { serial_ += static_cast<char>(byte); }
+
+  const char* board_name_ = "bluepill";
+  SimTime clock_start_ = 0;
+  std::filesystem::path folder_;
+  std::unique_ptr<Stm32Executor> chip_;
+  SimTime now_ = 0;
+  std::string serial_;
+};
+
+TEST_F(Stm32ChipTest, PrintsNumbersOfItsOwnWidths) {
+  EXPECT_EQ(output("void setup() { Serial.begin(115200); Serial.println(-1, HEX); Serial.println(1.5, 3);\n"
+                   "Serial.println(sizeof(int)); char t[16]; dtostrf(-2.345, 8, 2, t); Serial.println(t);\n"
+                   "Serial.println(100 / (int)(millis() - millis())); Serial.println(String(\"a\") + 7); }\n"
+                   "void loop() {}\n"),
+            "FFFFFFFF\r\n1.500\r\n4\r\n   -2.35\r\n0\r\na7\r\n");
+}
+
+TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
+  // More by what the calls themselves take, which is nine times as much at 8 MHz.
+  for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
+    board_name_ = board;
+    start(
+        "void setup() { pinMode(7, OUTPUT); }\n"
+        "void loop() { digitalWrite(7, HIGH); delay(3); digitalWrite(7, LOW); delayMicroseconds(500); }\n");
+    struct Edges : PinWatcher {
+      void pin_changed(Pin, const PinDrive& drive, SimTime t) override {
+        if (drive.level) rises.push_back(t);
+      }
+      std::vector<SimTime> rises;
+    } edges;
+    chip_->board().watch(7, edges);
+    run(100 * kMillisecond);
+    ASSERT_GT(edges.rises.size(), 20u);
+    const double period = static_cast<double>(edges.rises[20] - edges.rises[10]) / 10;
+    EXPECT_GT(period, 3.5e6) << board;
+    EXPECT_LT(period, 3.5e6 + calls_ns) << board;
+  }
+}
+
+TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
+  // A checksum over much arithmetic, with SysTick and a timer's interrupts all along, is that without them.
+  const std::string sum =
+      "uint32_t work() { uint32_t h = 1; double d = 1; for (uint32_t i = 0; i < 3000; ++i) { h = h * 31 + i "
+      "/ "
+      "(h % 7 + 1); if (h & 1) h ^= i; else h += i << 3; d = d * 1.0001 + h % 5; } return h + (uint32_t)d; "
+      "}\n";
+  const std::string quiet =
+      output(sum +
+             "void setup() { Serial.begin(115200); noInterrupts(); uint32_t h = work(); "
+             "interrupts(); Serial.println(h); }\nvoid loop() {}\n");
+  const std::string busy =
+      output(sum +
+             "void setup() { Serial.begin(115200); tone(11, 30000); uint32_t h = work(); noTone(11);\n"
+             "Serial.println(h); }\nvoid loop() {}\n");
+  EXPECT_EQ(busy, quiet);
+  EXPECT_GT(quiet.size(), 3u);
+}
+
+// Handlers of three exceptions that say when they run, and `busy()`, some time in which they can.
+const char* const kHandlers =
+    "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
+    "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"
+    "extern \"C\" void SVC_Handler() { log_ += 's'; }\n"
+    "extern \"C\" void PendSV_Handler() { log_ += 'p'; store(kNvicIspr, 1u << kIrqTim3); busy(); log_ += "
+    "'P'; "
+    "}\n"
+    "extern \"C\" void TIM3_IRQHandler() { log_ += 't'; }\n"
+    "constexpr Address kShpr3 = kScbShpr1 + 8, kIprOfTim3 = kNvicIpr + kIrqTim3 / 4 * 4;\n";
+
+TEST_F(Stm32ChipTest, AHigherPriorityInterruptsALowerOneAndNotTheOtherWayRound) {
+  EXPECT_EQ(output(std::string(kHandlers) +
+                   "void setup() { Serial.begin(115200); enable_irq(kIrqTim3);\n"
+                   "  store(kShpr3, 0x00F00000);  // PendSV low, TIM3 high\n"
+                   "  store(kScbIcsr, kPendSvSet); busy(); log_ += ' ';\n"
+                   "  store(kShpr3, 0); store(kIprOfTim3, 0xF0F0F0F0);  // the other way round\n"
+                   "  store(kScbIcsr, kPendSvSet); busy();\n"
+                   "  asm volatile(\"svc 0\"); Serial.println(log_); }\nvoid loop() {}\n"),
+            "ptP pPts\r\n");
+}
+
+TEST_F(Stm32ChipTest, WhatIsMaskedWaitsUntilItIsAllowed) {
+  EXPECT_EQ(output(std::string(kHandlers) +
+                   "void setup() { Serial.begin(115200); enable_irq(kIrqTim3); noInterrupts();\n"
+                   "  store(kNvicIspr, 1u << kIrqTim3); busy(); log_ += 'a'; interrupts(); log_ += 'b';\n"
+                   "  store(kIprOfTim3, 0x40404040); asm volatile(\"msr basepri, %0\" :: \"r\"(0x40));\n"
+                   "  store(kNvicIspr, 1u << kIrqTim3); busy(); log_ += 'c';\n"
+                   "  asm volatile(\"msr basepri, %0\" :: \"r\"(0)); log_ += 'd';\n"
+                   "  Serial.println(log_); }\nvoid loop() {}\n"),
+            "atbctd\r\n");
+}
+
+TEST_F(Stm32ChipTest, ASleepWithInterruptsOffEndsWithoutTheHandler) {
+  EXPECT_EQ(output("void setup() { Serial.begin(115200); uint32_t t = millis(); noInterrupts();\n"
+                   "  asm volatile(\"wfi\"); bool same = millis() == t; interrupts();\n"
+                   "  asm volatile(\"nop\"); Serial.print(same); Serial.println(millis() - t); }\n"
+                   "void loop() {}\n"),
+            "11\r\n");
+}
+
+TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
+  struct Case {
+    const char* statement;
+    const char* reason;
+  };
+  for (const Case& c :
+       {Case{"n = *(volatile int*)0x20008000;", "read of address 0x20008000, where the chip has no memory"},
+        Case{"*(volatile int*)0x60000000 = 1;", "write to address 0x60000000"},
+        Case{"*(volatile int*)0 = 1;", "write to address 0x00000000 (null pointer)"},
+        Case{"*(volatile int*)0x08000400 = 1;", "write to flash at 0x08000400"},
+        Case{"asm volatile(\".short 0xDE00\");", "illegal instruction 0xDE00"},
+        Case{"asm volatile(\"bkpt 1\");", "breakpoint instruction"},
+        Case{"((void (*)())0x30000001)(); n = 1;",
+             "call through a wrong function pointer to address 0x30000000"},
+        Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;", "division by zero"},
+        Case{"*(volatile int*)0x40005400 = 1;", "write of 0x1 to register 0x40005400 (I2C1)"},
+        Case{"n = *(volatile int*)0x40003008;", "read of register 0x40003008 (IWDG)"}}) {
+    const auto& crash = crash_of(c.statement);
+    ASSERT_TRUE(crash) << c.statement;
+    EXPECT_THAT(crash->reason, HasSubstr(c.reason)) << c.statement;
+    EXPECT_EQ(crash->where.function, "work") << c.statement;
+    EXPECT_EQ(crash->where.file, "Test.ino") << c.statement;
+    EXPECT_EQ(crash->where.line, 2) << c.statement;
+    EXPECT_THAT(crash->registers, AllOf(HasSubstr("PC 0x080"), HasSubstr("r12"))) << c.statement;
+  }
+}
+
+TEST_F(Stm32ChipTest, AStackThatReachesTheVariablesIsACrash) {
+  start(
+      "volatile int depth;\nint __attribute__((noinline)) deeper(int n) { volatile char use[64]; use[n % 64] "
+      "= 1;\n"
+      "  depth = n; return deeper(n + 1) + use[3]; }\nvoid setup() { depth = deeper(0); }\nvoid loop() {}\n");
+  run(kSecond);
+  ASSERT_TRUE(chip_->crash());
+  EXPECT_THAT(chip_->crash()->reason, HasSubstr("stack overflow"));
+  EXPECT_EQ(chip_->crash()->where.function, "deeper");
+  EXPECT_GT(chip_->resources()->stack_bytes_max, 19000u);
+}
+
+TEST_F(Stm32ChipTest, SleepCostsNextToNothingAndLoadIsMeasured) {
+  start("void setup() {}\nvoid loop() { delay(10); }\n");
+  run(kSecond);
+  const Resources r = *chip_->resources();
+  EXPECT_LT(r.cpu_load, 0.02);
+  EXPECT_NEAR(r.loop_us_mean, 10'000.0, 20.0);
+  EXPECT_GE(r.loops, 97u);
+}
+
+TEST_F(Stm32ChipTest, AHangIsNoCrashAndItsPlaceIsKnown) {
+  start(
+      "volatile bool flag;\nvoid wait() {\n  while (!flag) {\n  }\n}\nvoid setup() { delay(20); wait(); }\n"
+      "void loop() {}\n");
+  run(kSecond);
+  EXPECT_FALSE(chip_->crash());
+  const Activity activity = chip_->activity();
+  EXPECT_LT(activity.last_call, 30 * kMillisecond);
+  EXPECT_EQ(activity.where.file, "Test.ino");
+  EXPECT_EQ(activity.where.line, 3);
+}
+
+TEST_F(Stm32ChipTest, EepromSurvivesThePowerAndMillisBeginsWhereItIsTold) {
+  clock_start_ = 4'294'967 * kSecond;
+  start(
+      "#include <EEPROM.h>\nvoid setup() { Serial.begin(115200); EEPROM.update(3, EEPROM.read(3) + 1);\n"
+      "Serial.println(EEPROM.read(3)); Serial.println(millis() / 1000); }\nvoid loop() {}\n");
+  run(300 * kMillisecond);
+  EXPECT_EQ(serial_, "0\r\n4294967\r\n");
+  chip_->power_off(now_);
+  chip_->power_on(now_);
+  serial_.clear();
+  run(300 * kMillisecond);
+  EXPECT_EQ(serial_, "1\r\n4294967\r\n");
+}
+
+}  // namespace
+}  // namespace robosim::exec

@@ -1,0 +1,133 @@
+#include "sim/judge/goal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/world/body.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+// A robot of 60 mm radius that is put by hand from place to place.
+struct Course {
+  explicit Course(const char* text, const char* goal)
+      : map(grid::parse_map(text, "test.map")),
+        start(grid::default_start(map)),
+        network(grid::trace_network(map, start)),
+        stripes(map, map.cell_m),
+        world(map),
+        body(world.body(world.add_body(params(), {map.centre(start.cell), grid::heading(start.facing)}))),
+        progress(goal ? parse_goal(goal) : default_goal(map, network), map, stripes, network, start) {}
+
+  static world::BodyParams params() {
+    world::BodyParams p = world::default_body_params();
+    p.outline.clear();
+    p.radius_m = 0.060;
+    p.centre = {};
+    return p;
+  }
+  bool visit(int x, int y) {
+    body.place({map.centre({x, y}), {1.0, 0.0}});
+    for (int i = 0; i < 10; ++i) progress.update(body, now += kTick, notes);
+    return progress.reached();
+  }
+  bool wait(SimTime duration) {
+    for (const SimTime end = now + duration; now < end && !progress.reached();)
+      progress.update(body, now += kTick, notes);
+    return progress.reached();
+  }
+
+  grid::Map map;
+  grid::Start start;
+  grid::Network network;
+  grid::Stripes stripes;
+  world::World world;
+  world::Body& body;
+  Progress progress;
+  SimTime now = 0;
+  std::vector<std::string> notes;
+};
+
+constexpr const char* kFork =
+    "_______\n"
+    "_S1111_\n"
+    "___1___\n"
+    "___1___\n"
+    "_______\n";
+
+constexpr const char* kRing =
+    "_____\n"
+    "_S11_\n"
+    "_1_1_\n"
+    "_111_\n"
+    "_____\n";
+
+TEST(Goal, IsWrittenAsItIsRead) {
+  for (const char* text : {"tour", "laps:3", "station:2", "station:dock", "still", "none"})
+    EXPECT_EQ(to_string(parse_goal(text)), text);
+}
+
+TEST(Goal, RefusesWhatItDoesNotKnow) {
+  for (const char* text :
+       {"", "win", "laps", "laps:", "laps:0", "laps:x", "laps:3x", "station:", "tour:2", "still:1"})
+    EXPECT_THROW(parse_goal(text), InputError) << text;
+}
+
+TEST(Goal, TourWantsEveryStationAndThenTheStart) {
+  Course c(kFork, "tour");
+  EXPECT_FALSE(c.visit(1, 1));
+  EXPECT_FALSE(c.visit(5, 1));
+  EXPECT_FALSE(c.visit(1, 1)) << "one station is missing";
+  EXPECT_FALSE(c.visit(3, 3));
+  EXPECT_TRUE(c.visit(1, 1));
+  EXPECT_THAT(c.notes, testing::ElementsAre("station 1 visited", testing::HasSubstr("visited"),
+                                            testing::HasSubstr("visited")));
+}
+
+TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
+  const std::vector<std::pair<int, int>> ring = {{2, 1}, {3, 1}, {3, 2}, {3, 3},
+                                                 {2, 3}, {1, 3}, {1, 2}, {1, 1}};
+  Course clockwise(kRing, "laps:2");
+  Course counter(kRing, "laps:2");
+  Course cheat(kRing, "laps:1");
+  for (int lap = 0; lap < 2; ++lap) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const bool last = lap == 1 && i + 1 == ring.size();
+      EXPECT_EQ(clockwise.visit(ring[i].first, ring[i].second), last);
+      const auto [x, y] = i + 1 == ring.size() ? ring[i] : ring[ring.size() - 2 - i];
+      EXPECT_EQ(counter.visit(x, y), last);
+    }
+    for (const std::size_t i : {0u, 7u, 0u, 7u}) EXPECT_FALSE(cheat.visit(ring[i].first, ring[i].second));
+  }
+  EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
+}
+
+TEST(Goal, StationWantsRestThere) {
+  Course c(kFork, "station:2");
+  EXPECT_FALSE(c.wait(2 * kSecond)) << "it rests at the start";
+  EXPECT_FALSE(c.visit(3, 1));
+  const Vec2 two = c.progress.stations()[1].centre;
+  c.body.place({two, {1.0, 0.0}});
+  EXPECT_FALSE(c.wait(400 * kMillisecond));
+  EXPECT_TRUE(c.wait(200 * kMillisecond));
+}
+
+TEST(Goal, NamesTheStationsThatExistAndTheGoalThatFits) {
+  try {
+    Course c(kFork, "station:9");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "test.map: there is no station 9 here; the stations are 1, 2 or 3");
+  }
+  EXPECT_THROW(Course(kFork, "laps:1"), InputError);
+}
+
+TEST(Goal, DefaultsToALapOnALoopAndToATourElsewhere) {
+  EXPECT_EQ(to_string(default_goal(Course(kRing, nullptr).map, Course(kRing, nullptr).network)), "laps:1");
+  EXPECT_EQ(to_string(default_goal(Course(kFork, nullptr).map, Course(kFork, nullptr).network)), "tour");
+}
+
+}  // namespace
+}  // namespace robosim::judge

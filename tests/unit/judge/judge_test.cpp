@@ -1,0 +1,119 @@
+#include "sim/judge/judge.h"
+
+#include <gtest/gtest.h>
+
+namespace robosim::judge {
+namespace {
+
+// A robot that a test moves by hand.
+struct Driver {
+  explicit Driver(bool senses = true) : judge(senses) {
+    now.pose = &pose;
+    now.sees_line = true;
+  }
+  // Runs for `duration`; `each` changes the situation before every tick. Returns the verdict and leaves the
+  // time.
+  template <typename Each>
+  std::optional<Verdict> run(SimTime duration, Each each) {
+    const SimTime end = now.t + duration;
+    while (now.t < end) {
+      now.t += kTick;
+      each();
+      if (const auto verdict = judge.look(now)) return verdict;
+    }
+    return std::nullopt;
+  }
+  void call() { now.last_call = now.t; }
+
+  Judge judge;
+  Pose pose;
+  Situation now;
+};
+
+TEST(Judge, CallsItLostAfterOneMetreOfWheelTravelWithoutALine) {
+  Driver d;
+  EXPECT_EQ(d.run(kSecond,
+                  [&] {
+                    d.call();
+                    d.now.wheel_travel_m += 0.001;
+                    d.pose.position.x += 0.001;
+                  }),
+            std::nullopt);
+  d.now.sees_line = false;
+  EXPECT_EQ(d.run(3 * kSecond,
+                  [&] {
+                    d.call();
+                    d.now.wheel_travel_m += 0.001;
+                    d.pose.position.x += 0.001;
+                  }),
+            Verdict::lost);
+  EXPECT_NEAR(d.now.wheel_travel_m, 2.0, 0.0015);
+  EXPECT_EQ(d.judge.line_last_seen(), kSecond);
+}
+
+TEST(Judge, NeverCallsARobotWithoutLineSensorsLost) {
+  Driver d(false);
+  d.now.sees_line = false;
+  EXPECT_EQ(d.run(5 * kSecond,
+                  [&] {
+                    d.call();
+                    d.now.wheel_travel_m += 0.001;
+                    d.pose.position.x += 0.001;
+                  }),
+            std::nullopt);
+}
+
+TEST(Judge, CallsItStuckAfterThreeSecondsOfDrivingWithoutMoving) {
+  Driver d;
+  d.now.driven = true;
+  EXPECT_EQ(d.run(10 * kSecond, [&] { d.call(); }), Verdict::stuck);
+  EXPECT_NEAR(static_cast<double>(d.now.t), 3e9, 2e6);
+}
+
+TEST(Judge, SeesTurningOnTheSpotAndMovingAsNotStuck) {
+  Driver d;
+  d.now.driven = true;
+  const Vec2 a{1.0, 0.0}, b{0.9986, 0.0523};  // 3 degrees apart
+  EXPECT_EQ(d.run(10 * kSecond,
+                  [&] {
+                    d.call();
+                    d.pose.heading = d.now.t / kSecond % 2 ? a : b;
+                  }),
+            std::nullopt);
+  EXPECT_EQ(d.run(10 * kSecond,
+                  [&] {
+                    d.call();
+                    d.pose.position.x += 1e-6;
+                  }),
+            std::nullopt);
+}
+
+TEST(Judge, CountsPulsedMotorsAsDrivenAndParkedOnesNot) {
+  Driver pulsed;
+  EXPECT_EQ(pulsed.run(10 * kSecond,
+                       [&] {
+                         pulsed.call();
+                         pulsed.now.driven = pulsed.now.t / kTick % 30 < 10;
+                       }),
+            Verdict::stuck);
+  Driver parked;
+  EXPECT_EQ(parked.run(60 * kSecond, [&] { parked.call(); }), std::nullopt);
+}
+
+TEST(Judge, TellsAHangFromAParkedSketchByItsMotors) {
+  Driver hung;
+  hung.now.driven = true;
+  EXPECT_EQ(hung.run(10 * kSecond, [] {}), Verdict::hung);
+  EXPECT_EQ(hung.now.t, 2 * kSecond);
+  Driver ended;
+  EXPECT_EQ(ended.run(10 * kSecond, [] {}), Verdict::ended);
+}
+
+TEST(Judge, ForgivesSilenceWhileThePowerIsOff) {
+  Driver d;
+  d.now.powered = false;
+  EXPECT_EQ(d.run(10 * kSecond, [] {}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace robosim::judge

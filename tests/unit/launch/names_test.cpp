@@ -1,0 +1,160 @@
+#include "sim/launch/names.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "sim/base/error.h"
+
+namespace robosim::launch {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class NamesTest : public ::testing::Test {
+ protected:
+  NamesTest() {
+    std::string name = (fs::temp_directory_path() / "robosim-names-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    before_ = fs::current_path();
+    fs::current_path(folder_);
+  }
+  ~NamesTest() override {
+    fs::current_path(before_);
+    fs::remove_all(folder_);
+  }
+  void touch(const std::string& name) const {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << "";
+  }
+  template <typename Choose>
+  static std::string refusal(Choose choose) {
+    try {
+      choose();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  }
+  fs::path folder_, before_;
+};
+
+TEST(Nearest, ForgivesOneSlipInAShortWordAndMoreInALongOne) {
+  const std::vector<std::string> names{"oval", "figure8", "PidFollower"};
+  EXPECT_EQ(nearest("ovla", names), "oval");
+  EXPECT_EQ(nearest("OVAL", names), "oval");
+  EXPECT_EQ(nearest("figur8", names), "figure8");
+  EXPECT_EQ(nearest("pidfolower", names), "PidFollower");
+  EXPECT_EQ(nearest("square", names), std::nullopt);
+  EXPECT_EQ(nearest("", names), std::nullopt);
+}
+
+TEST(UnknownName, ListsWhatThereIs) {
+  EXPECT_EQ(unknown_name("map", "x", {"d", "oval"}),
+            "there is no map “x”; did you mean d? There are d and oval");
+  EXPECT_EQ(unknown_name("map", "moon", {"oval"}), "there is no map “moon”; there is oval");
+  EXPECT_EQ(unknown_name("map", "moon", {}), "there is no map “moon”; there are none");
+}
+
+TEST_F(NamesTest, ASketchWithoutANameIsTheCurrentFolder) {
+  EXPECT_THAT(refusal([] { choose_sketch(""); }), HasSubstr("holds no sketch"));
+  touch("My.ino");
+  const SketchChoice choice = choose_sketch("");
+  EXPECT_EQ(choice.name, ".");
+  EXPECT_TRUE(fs::equivalent(choice.folder, folder_));
+}
+
+TEST_F(NamesTest, ASketchsFileStandsInItsFolder) {
+  touch("My/My.ino");
+  EXPECT_EQ(choose_sketch("My/My.ino").folder, "My");
+  EXPECT_EQ(choose_sketch("./My").folder, "./My");
+  EXPECT_EQ(choose_sketch("My/My.ino").name, "My/My.ino");
+}
+
+TEST_F(NamesTest, ASketchOfOursIsFoundByName) {
+  EXPECT_TRUE(fs::exists(choose_sketch("PidFollower").path));
+  EXPECT_THAT(refusal([] { choose_sketch("PidFolower"); }), HasSubstr("did you mean PidFollower?"));
+  touch("Mine/Mine.ino");
+  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("for the one in this folder write ./Mine"));
+  EXPECT_THAT(refusal([] { choose_sketch("no/such"); }), HasSubstr("no/such: there is no such file"));
+}
+
+TEST_F(NamesTest, AnElfSaysWhichTargetItIsFor) {
+  std::string header(64, '\0');
+  header.replace(0, 6,
+                 "\x7F"
+                 "ELF\x01\x01");
+  header[18] = 83;
+  std::ofstream(folder_ / "a.elf") << header;
+  EXPECT_EQ(choose_sketch("./a.elf").elf_target, "avr");
+  header[18] = 40;
+  std::ofstream(folder_ / "a.elf") << header;
+  EXPECT_EQ(choose_sketch("./a.elf").elf_target, "stm32");
+  std::ofstream(folder_ / "a.elf") << "not an ELF";
+  EXPECT_THROW(choose_sketch("./a.elf"), InputError);
+  EXPECT_THROW(choose_sketch("./none.elf"), InputError);
+}
+
+TEST_F(NamesTest, TheOnlyMapBesideTheSketchIsTaken) {
+  EXPECT_EQ(choose_map("", folder_).name, "oval");
+  EXPECT_THAT(choose_map("", folder_).announcement, HasSubstr("the map is oval"));
+  touch("a.map");
+  const Choice one = choose_map("", folder_);
+  EXPECT_EQ(one.name, "a.map");
+  EXPECT_EQ(one.path, folder_ / "a.map");
+  EXPECT_THAT(one.announcement, HasSubstr("a.map"));
+  touch("b.map");
+  EXPECT_EQ(choose_map("", folder_).name, "oval");
+  EXPECT_THAT(choose_map("", folder_).announcement, HasSubstr("2 maps"));
+}
+
+TEST_F(NamesTest, AMapThatIsNamedIsNotAnnounced) {
+  touch("a.map");
+  EXPECT_EQ(choose_map("d", folder_).announcement, "");
+  EXPECT_TRUE(fs::exists(choose_map("d", folder_).path));
+  EXPECT_EQ(choose_map("./a.map", folder_).name, "./a.map");
+  EXPECT_THAT(refusal([&] { choose_map("ovla", folder_); }), HasSubstr("did you mean oval?"));
+  EXPECT_THAT(refusal([&] { choose_map("x.map", folder_); }), HasSubstr("x.map: there is no such file"));
+}
+
+TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
+  EXPECT_EQ(choose_robot("", folder_).name, "uno5");
+  EXPECT_EQ(choose_robot("", folder_, "stm32").name, "bluepill5");
+  touch("robot.toml");
+  EXPECT_EQ(choose_robot("", folder_).name, "robot.toml");
+  EXPECT_EQ(choose_robot("", folder_).path, folder_ / "robot.toml");
+  EXPECT_NE(choose_robot("", folder_).announcement, "");
+  EXPECT_EQ(choose_robot("uno3", folder_).name, "uno3");
+  EXPECT_EQ(choose_robot("uno3", folder_).announcement, "");
+  EXPECT_THAT(refusal([&] { choose_robot("uno55", folder_); }), HasSubstr("did you mean uno5?"));
+}
+
+TEST_F(NamesTest, ARobotMayBeNamedWithAnotherBoard) {
+  EXPECT_EQ(choose_robot("uno3@bluepill", folder_).path, "uno3@bluepill");
+  touch("robot.toml");
+  const std::string file = (folder_ / "robot.toml").string();
+  EXPECT_EQ(choose_robot(file + "@bluepill", folder_).path, file + "@bluepill");
+  EXPECT_THAT(refusal([&] { choose_robot("uno55@bluepill", folder_); }), HasSubstr("did you mean uno5?"));
+  EXPECT_THAT(refusal([&] { choose_robot("./none.toml@bluepill", folder_); }),
+              HasSubstr("./none.toml: there is no such file"));
+}
+
+TEST(Target, SketchesAreCompiledForAllThree) {
+  EXPECT_NO_THROW(check_build_target("host"));
+  EXPECT_NO_THROW(check_build_target("avr"));
+  EXPECT_NO_THROW(check_build_target("stm32"));
+  EXPECT_THROW(check_build_target("mars"), InputError);
+}
+
+TEST(Target, SketchesRunOnAllThree) {
+  EXPECT_NO_THROW(check_target("host"));
+  EXPECT_NO_THROW(check_target("avr"));
+  EXPECT_NO_THROW(check_target("stm32"));
+  EXPECT_THROW(check_target("mars"), InputError);
+}
+
+}  // namespace
+}  // namespace robosim::launch

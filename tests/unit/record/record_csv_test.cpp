@@ -1,0 +1,60 @@
+#include "sim/record/record_csv.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::record {
+namespace {
+
+using ::testing::HasSubstr;
+
+wire::Started started(std::vector<std::string> readings) {
+  wire::Started event;
+  event.readings = std::move(readings);
+  return event;
+}
+
+TEST(CsvRecord, HasOneHeaderRowWithUnitsAndAColumnForEachReading) {
+  CsvRecord record("x.csv");
+  record.add(started({"S1", "S2"}));
+  record.add(wire::Sample{10000, 1352.1, 248.9, 0.01, 310.0, 1.25, 0.6, -0.5, {0.0, 0.9}});
+  record.add(wire::Note{1, "not recorded"});
+  EXPECT_EQ(record.text(),
+            "t_us,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right,S1,S2\n"
+            "10000,1352.1,248.9,0.01,310,1.25,0.6,-0.5,0,0.9\n");
+}
+
+TEST(CsvRecord, QuotesNamesThatWouldBreakTheTable) {
+  CsvRecord record("x.csv");
+  record.add(started({"a,b", "c\"d"}));
+  EXPECT_THAT(record.text(), HasSubstr(",\"a,b\",\"c\"\"d\"\n"));
+}
+
+TEST(CsvRecord, IsOnTheDiskOnlyOnceItIsSaved) {
+  const auto path =
+      std::filesystem::temp_directory_path() / ("robosim-record-" + std::to_string(::getpid()) + ".csv");
+  CsvRecord record(path);
+  record.add(started({}));
+  EXPECT_FALSE(std::filesystem::exists(path));
+  record.save();
+  EXPECT_EQ(read_file(path), record.text());
+  std::filesystem::remove(path);
+}
+
+TEST(CsvRecord, OtherEndingsAreRefusedNamingTheOnesThatExist) {
+  EXPECT_NO_THROW(check_record_ending("a/b.csv"));
+  try {
+    check_record_ending("a.png");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("must be .csv"));
+  }
+}
+
+}  // namespace
+}  // namespace robosim::record

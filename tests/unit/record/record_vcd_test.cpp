@@ -1,0 +1,97 @@
+#include "sim/record/record_vcd.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::record {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// How the file abbreviates a signal.
+std::string id_of(const std::string& vcd, const std::string& signal) {
+  const std::size_t end = vcd.find(" " + signal + " $end");
+  if (end == std::string::npos) return "undeclared";
+  const std::size_t begin = vcd.rfind(' ', end - 1) + 1;
+  return vcd.substr(begin, end - begin);
+}
+
+class Vcd : public ::testing::Test {
+ protected:
+  const BoardSpec& uno() { return *find_board("uno"); }
+  VcdRecord record{"x.vcd", uno()};
+
+  static wire::PinChange output(std::int64_t t, const char* pin, bool level) {
+    return {t, pin, "output", level, false, level ? 1.0 : 0.0, 0};
+  }
+};
+
+TEST_F(Vcd, DeclaresEverySignalOfTheBoardBeforeTheFirstChange) {
+  const std::string vcd = record.text();
+  const std::size_t declared = vcd.find("$enddefinitions $end");
+  ASSERT_NE(declared, std::string::npos);
+  for (const char* signal : {"D0", "D13", "A5", "D5_duty", "D11_tone_hz", "A0_volts", "tx", "rx_flip"})
+    EXPECT_LT(vcd.find(std::string(" ") + signal + " $end"), declared) << signal;
+  EXPECT_THAT(vcd, Not(HasSubstr("D4_duty"))) << "pin 4 has no PWM";
+  EXPECT_THAT(vcd, Not(HasSubstr("D4_volts"))) << "pin 4 is no analog input";
+}
+
+TEST_F(Vcd, AbbreviatesNoTwoSignalsAlike) {
+  std::vector<std::string> ids;
+  for (const char* signal : {"D0", "D1", "D13", "A5", "D5_duty", "A0_volts", "A5_volts", "tx", "rx"})
+    ids.push_back(id_of(record.text(), signal));
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+}
+
+TEST_F(Vcd, WritesAPinThatGoesUpAndDown) {
+  record.add(output(1000, "D8", true));
+  record.add(output(2500, "D8", false));
+  const std::string vcd = record.text(), id = id_of(vcd, "D8");
+  EXPECT_THAT(vcd, HasSubstr("#1000\n1" + id + "\n"));
+  EXPECT_THAT(vcd, HasSubstr("#2500\n0" + id + "\n"));
+}
+
+TEST_F(Vcd, WritesPwmAsItsDuty) {
+  record.add(wire::PinChange{7, "D5", "output", false, true, 0.25, 0});
+  const std::string vcd = record.text();
+  EXPECT_THAT(vcd, HasSubstr("r0.25 " + id_of(vcd, "D5_duty") + "\n"));
+  EXPECT_THAT(vcd, HasSubstr("x" + id_of(vcd, "D5") + "\n")) << "neither high nor low";
+}
+
+TEST_F(Vcd, WritesWhatTheAdcSampled) {
+  record.add(wire::VoltsSeen{5000, "A2", 3.75});
+  const std::string vcd = record.text();
+  EXPECT_THAT(vcd, HasSubstr("#5000\nr3.75 " + id_of(vcd, "A2_volts") + "\n"));
+}
+
+TEST_F(Vcd, TellsTwoEqualBytesApart) {
+  record.add(wire::SerialByte{10, 'a', true});
+  record.add(wire::SerialByte{20, 'a', true});
+  const std::string vcd = record.text(), flip = id_of(vcd, "tx_flip");
+  EXPECT_THAT(vcd, HasSubstr("b1100001 " + id_of(vcd, "tx") + "\n"));
+  EXPECT_THAT(vcd, HasSubstr("#10\n"));
+  EXPECT_THAT(vcd, HasSubstr("#20\n0" + flip + "\n"));
+}
+
+TEST_F(Vcd, SortsWhatComesOutOfOrder) {
+  record.add(output(300, "D8", true));
+  record.add(wire::LevelSeen{200, "D2", true});
+  const std::string vcd = record.text();
+  EXPECT_LT(vcd.find("#200\n"), vcd.find("#300\n"));
+}
+
+TEST_F(Vcd, EndsWhereTheRunEnds) {
+  wire::Sample sample;
+  sample.t_us = 42;
+  record.add(sample);
+  EXPECT_THAT(record.text(), HasSubstr("#42000\n"));
+}
+
+}  // namespace
+}  // namespace robosim::record

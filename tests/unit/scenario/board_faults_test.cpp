@@ -1,0 +1,203 @@
+// What goes wrong between board and world, on a board whose firmware is the test itself.
+#include "sim/scenario/board_faults.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/exec/core/board_state.h"
+#include "sim/grid/map.h"
+#include "sim/robot/describe.h"
+#include "sim/robot/description.h"
+#include "sim/world/world.h"
+
+namespace robosim::scenario {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr SimTime ms = kMillisecond;
+
+/// Notes what is done to it.
+class Probe final : public exec::Executor {
+ public:
+  Board& board() override { return state; }
+  void power_on(SimTime t) override {
+    state.reset(t);
+    state.listen(1, t);
+    power.push_back(t / ms);
+  }
+  void power_off(SimTime t) override {
+    state.reset(t);
+    power.push_back(-t / ms);
+  }
+  void run_until(SimTime) override {}
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return 0; }
+  bool has_chip_faults() const override { return can_drift; }
+  void set_clock_drift(int ppm, SimTime) override { drift = ppm; }
+
+  std::string received() {
+    std::string text;
+    for (exec::BoardInput input; state.take_input(kSecond, input);) text += static_cast<char>(input.value);
+    return text;
+  }
+
+  exec::BoardState state{*find_board("uno")};
+  std::vector<SimTime> power;  // ms; negative: off
+  bool can_drift = true;
+  int drift = 0;
+
+ private:
+  std::optional<exec::Crash> crash_;
+};
+
+class BoardFaultsTest : public testing::Test {
+ protected:
+  BoardFaultsTest() { probe.state.listen(1, 0); }
+
+  void fail(std::vector<std::string> words, SimTime t = 0) {
+    const std::string name = words.front();
+    words.erase(words.begin());
+    faults.check(name, words, false);
+    faults.fail(name, words, t);
+  }
+  std::string refusal(std::vector<std::string> words, bool ends = false) {
+    const std::string name = words.front();
+    words.erase(words.begin());
+    try {
+      faults.check(name, words, ends);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  grid::Map map = grid::read_map(grid::find_map("oval"));
+  world::World world{map};
+  robot::Description description = robot::load_description("uno5");
+  Probe probe;
+  robot::Robot robot{
+      description,
+      world,
+      world.add_body(robot::body_params(description, 1, robot::Profile::ideal), {{0.5, 0.5}, {1, 0}}),
+      probe.state,
+      1,
+      robot::Profile::ideal};
+  BoardFaults faults{probe, robot, 1};
+};
+
+TEST_F(BoardFaultsTest, ASagOfTheBatteryResetsTheChipBelowItsBrownOutVoltage) {
+  EXPECT_EQ(robot.battery(), 7.4);
+  fail({"power", "sag", "4.6V"}, 10 * ms);
+  EXPECT_TRUE(faults.powered()) << "2.8 V are left for the chip";
+  fail({"power", "sag", "4.4V"}, 20 * ms);
+  EXPECT_FALSE(faults.powered());
+  fail({"power", "ok"}, 30 * ms);
+  EXPECT_TRUE(faults.powered());
+  EXPECT_THAT(probe.power, ElementsAre(-20, 30));
+  EXPECT_EQ(faults.boots(), 2u);
+}
+
+TEST_F(BoardFaultsTest, ABrownOutResetsTheChip) {
+  fail({"power", "brown-out"}, 10 * ms);
+  EXPECT_FALSE(faults.powered());
+  fail({"power", "ok"}, 15 * ms);
+  EXPECT_THAT(probe.power, ElementsAre(-10, 15));
+}
+
+TEST_F(BoardFaultsTest, ASagMovesNothingThatTheSwitchHasTurnedOff) {
+  faults.switch_power(false, 10 * ms);
+  fail({"power", "sag", "3V"}, 20 * ms);
+  faults.switch_power(true, 30 * ms);
+  EXPECT_FALSE(faults.powered()) << "it is on, but has too little";
+  fail({"power", "ok"}, 40 * ms);
+  EXPECT_THAT(probe.power, ElementsAre(-10, 40));
+}
+
+TEST_F(BoardFaultsTest, AByteIsBeingWrittenFor3400Microseconds) {
+  EXPECT_EQ(faults.leave_half_written({HalfWritten::Kind::value, 0}, 0), "");
+  probe.state.write_eeprom(12, 0x5A, 10 * ms);
+  probe.state.write_eeprom(12, 0x33, 20 * ms);
+  EXPECT_EQ(faults.eeprom_writes(), 2u);
+  EXPECT_THAT(faults.leave_half_written({HalfWritten::Kind::before}, 21 * ms),
+              HasSubstr("byte 12 of the EEPROM was being written: it holds 0x5A"));
+  EXPECT_EQ(probe.state.eeprom()[12], 0x5A);
+  faults.leave_half_written({HalfWritten::Kind::value, 0x77}, 23 * ms);
+  EXPECT_EQ(probe.state.eeprom()[12], 0x77);
+  EXPECT_EQ(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms), "") << "it was done";
+  EXPECT_EQ(probe.state.eeprom()[12], 0x77);
+}
+
+TEST_F(BoardFaultsTest, AFlippedBitIsTheOtherOneFromThenOn) {
+  probe.state.eeprom()[0x3FF] = 0b1010'0000;
+  fail({"eeprom", "flip", "0x3FF", "7"});
+  fail({"eeprom", "flip", "1023", "0"});
+  EXPECT_EQ(probe.state.eeprom()[0x3FF], 0b0010'0001);
+}
+
+TEST_F(BoardFaultsTest, BytesToTheFirmwareAreLostDoubledOrCorrupted) {
+  faults.send("ab", 0);
+  fail({"serial", "lost", "2nd"});
+  faults.send("cde", 0);
+  fail({"serial", "doubled", "100%"});
+  faults.send("fg", 0);
+  fail({"serial", "ok"});
+  faults.send("h", 0);
+  EXPECT_EQ(probe.received(), "abceffggh");
+  fail({"serial", "corrupted", "1st"});
+  faults.send("AB", 0);
+  const std::string received = probe.received();
+  ASSERT_THAT(received, SizeIs(2));
+  EXPECT_EQ(__builtin_popcount(static_cast<unsigned char>(received[0] ^ 'A')), 1) << "one bit";
+  EXPECT_EQ(received[1], 'B');
+}
+
+TEST_F(BoardFaultsTest, ARateOfLossIsMetAndIsTheSameInEveryRun) {
+  fail({"serial", "lost", "30%"});
+  faults.send(std::string(1000, 'x'), 0);
+  const std::size_t first = probe.received().size();
+  EXPECT_NEAR(static_cast<double>(first), 700.0, 45.0);  // three standard deviations
+  Probe other;
+  other.state.listen(1, 0);
+  BoardFaults again(other, robot, 1);
+  again.fail("serial", {"lost", "30%"}, 0);
+  again.send(std::string(1000, 'x'), 0);
+  EXPECT_EQ(other.received().size(), first);
+}
+
+TEST_F(BoardFaultsTest, TheClockRunsFastOrSlow) {
+  fail({"clock", "drift", "-5000ppm"});
+  EXPECT_EQ(probe.drift, -5000);
+  fail({"clock", "drift", "0.5%"});
+  EXPECT_EQ(probe.drift, 5000);
+  fail({"clock", "ok"});
+  EXPECT_EQ(probe.drift, 0);
+}
+
+TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
+  EXPECT_EQ(refusal({"power", "surge"}), "power has no fault surge; there are ok, sag or brown-out");
+  EXPECT_EQ(refusal({"power", "sag"}), "fault power sag takes a voltage");
+  EXPECT_THAT(refusal({"power", "sag", "low"}),
+              HasSubstr("allowed is the battery's voltage, from 0V to 60V"));
+  EXPECT_THAT(refusal({"serial", "lost", "2"}), HasSubstr("allowed are a share of the bytes"));
+  EXPECT_THAT(refusal({"serial", "lost", "0th"}), HasSubstr("allowed are a share of the bytes"));
+  EXPECT_THAT(refusal({"eeprom", "flip", "1024", "0"}),
+              HasSubstr("an address from 0 to 1023 and a bit from 0 to 7"));
+  EXPECT_THAT(refusal({"eeprom", "flip", "3", "8"}), HasSubstr("a bit from 0 to 7"));
+  EXPECT_EQ(refusal({"eeprom", "flip", "3"}), "fault eeprom flip takes an address and a bit");
+  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true), HasSubstr("no state that could end"));
+  EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
+  EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("allowed is how much too fast it runs"));
+  EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");
+  probe.can_drift = false;
+  EXPECT_THAT(refusal({"clock", "drift", "5ppm"}),
+              HasSubstr("clock: on this target scripts can neither break nor follow it"));
+  EXPECT_THAT(probe.power, IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::scenario

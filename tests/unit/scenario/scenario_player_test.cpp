@@ -1,0 +1,156 @@
+// What a script does to a run, seen from outside: a built-in driver follows the oval, and something happens.
+#include "sim/scenario/scenario_player.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "tests/support/built_in_driver.h"
+
+namespace robosim::scenario {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Keeps what a run tells.
+struct Witness final : run::Listener {
+  void sampled(const run::Sample& sample) override { samples.push_back(sample); }
+  void noted(const judge::Event& event) override {
+    notes.push_back(fmt::format("{} {}", event.t / kMillisecond, event.text));
+  }
+  const run::Sample& at(double seconds) const {
+    return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
+  }
+
+  std::vector<run::Sample> samples;  // one each millisecond
+  std::vector<std::string> notes;
+};
+
+class Scripts : public testing::Test {
+ protected:
+  judge::Outcome play(const std::string& script, double seconds) {
+    const grid::Map map = grid::read_map(grid::find_map("oval"));
+    const robot::Description robot = robot::load_description("uno5");
+    test::BuiltInDriver driver;
+    run::Setup setup;
+    setup.map = &map;
+    setup.robot = &robot;
+    setup.executor = &driver;
+    setup.goal = judge::parse_goal("none");
+    setup.limit = static_cast<SimTime>(seconds * 1e9);
+    setup.scenario = parse_scenario(script, "s.txt");
+    setup.samples_every = kTick;
+    return simulate(setup, seen);
+  }
+  std::string error_of(const std::string& script) {
+    try {
+      play(script, 0.01);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  /// What sensor S1, beside the line, sees at that time.
+  double s1(double seconds) { return seen.at(seconds).readings[0]; }
+
+  Witness seen;
+};
+
+TEST_F(Scripts, BreakAPartForATimeAndSaySo) {
+  play("at 100ms fault S1 stuck 1023 for 200ms\n", 0.5);
+  EXPECT_LT(s1(0.100), 0.5);
+  EXPECT_EQ(s1(0.101), 1.0);
+  EXPECT_EQ(s1(0.300), 1.0);
+  EXPECT_LT(s1(0.301), 0.5);
+  EXPECT_THAT(seen.notes, ElementsAre("101 fault: S1 stuck 1023", "301 fault over: S1 stuck 1023"));
+}
+
+TEST_F(Scripts, EndAFaultThatAnotherOneHasReplacedNoMore) {
+  play("at 100ms fault S1 stuck 1023 for 200ms\nat 200ms fault S1 stuck 1000\n", 0.5);
+  EXPECT_GT(s1(0.45), 0.9);
+  EXPECT_THAT(seen.notes, ElementsAre("101 fault: S1 stuck 1023", "201 fault: S1 stuck 1000"));
+}
+
+TEST_F(Scripts, LiftTheRobotSoThatItsWheelsTurnFreelyAndItsSensorsSeeNothing) {
+  play("at 300ms lift for 1s\n", 2.0);
+  const run::Sample &before = seen.at(0.300), &lifted = seen.at(1.299), &after = seen.at(1.9);
+  EXPECT_EQ(lifted.pose.position.x, before.pose.position.x);
+  EXPECT_EQ(lifted.speed, 0.0);
+  EXPECT_THAT(std::vector<double>(lifted.readings.begin(), lifted.readings.begin() + 5), testing::Each(1.0));
+  EXPECT_GT(after.speed, 0.1);
+  EXPECT_THAT(seen.notes, ElementsAre("301 robot lifted", "1301 robot put down"));
+}
+
+TEST_F(Scripts, HoldTheRobotInTheHandForLongWithoutAVerdict) {
+  const judge::Outcome outcome = play("at 300ms lift\n", 10.0);
+  EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
+  EXPECT_EQ(outcome.metrics.off_line_s, 0.0);
+}
+
+TEST_F(Scripts, PutALiftedRobotDownWhereTheySay) {
+  play("at 100ms lift for 1s\nat 200ms place 13,2,E\n", 1.5);
+  EXPECT_GT(seen.at(1.0).speed, 0.1) << "placed, it drives, and is not put down once more";
+  EXPECT_THAT(seen.notes, ElementsAre("101 robot lifted", "201 robot placed at 13,2,E"));
+}
+
+TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const grid::CellAt start = grid::default_start(map).cell;
+  const std::string cell = fmt::format("{},{}", start.x + 3, start.y);
+  const judge::Outcome outcome = play("at 0s obstacle " + cell + " for 2s\n", 4.0);
+  EXPECT_EQ(outcome.metrics.collisions, 1);
+  EXPECT_LT(seen.at(1.9).speed, 0.02);
+  EXPECT_GT(seen.at(2.5).speed, 0.1);
+  EXPECT_THAT(seen.notes, Contains("1 obstacle put on " + cell));
+  EXPECT_THAT(seen.notes, Contains("2001 obstacle on " + cell + " taken away"));
+  seen = {};
+  play("at 0s obstacle " + cell + "\nat 1s clear " + cell + "\n", 2.0);
+  EXPECT_GT(seen.at(1.5).speed, 0.1);
+}
+
+TEST_F(Scripts, BlockAWheel) {
+  play("at 500ms fault left stuck for 100ms\n", 1.0);
+  const double turned = cross(seen.at(0.5).pose.heading, seen.at(0.6).pose.heading);
+  EXPECT_GT(turned, 0.1) << "the right wheel drives round the left one";
+}
+
+TEST_F(Scripts, SayWhatResetsTheChipAndWhenItStartedAgain) {
+  play("at 100ms fault power brown-out for 50ms\nafter boot 2 wait 20ms fault S1 dead\n", 0.3);
+  EXPECT_THAT(seen.notes, ElementsAre("101 fault: power brown-out, which resets the chip",
+                                      "151 fault over: power brown-out", "171 fault: S1 dead"));
+}
+
+TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
+  play("at 100ms power off for 50ms\n", 0.3);
+  EXPECT_THAT(seen.notes, ElementsAre("101 power off", "151 power on"));
+}
+
+TEST_F(Scripts, WaitAfterAStation) {
+  // The oval has no stations: what waits is checked on the name first.
+  EXPECT_THAT(error_of("after station 1 wait 1s lift"), HasSubstr("s.txt:1: there is no station 1"));
+}
+
+TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
+  EXPECT_THAT(error_of("at 1s fault S9 dead"),
+              HasSubstr("s.txt:1: there is no S9 that can break; there is left, right, S1"));
+  EXPECT_THAT(error_of("after eeprom 1 lift"), HasSubstr("s.txt:1: eeprom: on this target"));
+  EXPECT_THAT(error_of("at 1s obstacle 4"),
+              HasSubstr("s.txt:1: \"4\" is no cell of the map: allowed are COLUMN,ROW"));
+  EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("\"400,1\" is no cell"));
+  EXPECT_THAT(error_of("at 1s clear -1,1"), HasSubstr("is no cell"));
+  EXPECT_THAT(seen.notes, IsEmpty());
+}
+
+TEST_F(Scripts, ThatDoNothingChangeNothing) {
+  const std::string plain = play("", 1.0).trace_hash;
+  EXPECT_EQ(play("at 100ms fault S1 ok\nat 200ms lower\nat 300ms clear 0,0\n", 1.0).trace_hash, plain);
+  EXPECT_NE(play("at 100ms fault S1 noisy 0.2\n", 1.0).trace_hash, plain);
+}
+
+}  // namespace
+}  // namespace robosim::scenario

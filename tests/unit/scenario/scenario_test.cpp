@@ -1,0 +1,164 @@
+#include "sim/scenario/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::scenario {
+namespace {
+
+std::string error_of(const char* text) {
+  try {
+    parse_scenario(text, "s.txt");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scenario, ReadsTriggersVerbsTextsAndComments) {
+  const auto steps = parse_scenario(
+      "# a comment\n"
+      "at 2s press start 100ms\n"
+      "\n"
+      "after serial \"Ready # 1\" send \"3\\n\"   # answer\r\n"
+      "after station dock place 2,2,E\n"
+      "at 5s fault S2 stuck 1023",
+      "s.txt");
+  ASSERT_EQ(steps.size(), 4u);
+  EXPECT_EQ(steps[0].trigger.time, 2 * kSecond);
+  EXPECT_EQ(steps[0].action.part, "start");
+  EXPECT_EQ(*steps[0].action.duration, 100 * kMillisecond);
+  EXPECT_EQ(steps[1].trigger.kind, Trigger::Kind::serial);
+  EXPECT_EQ(steps[1].trigger.text, "Ready # 1");
+  EXPECT_EQ(steps[1].action.text, "3\n");
+  EXPECT_EQ(steps[2].trigger.text, "dock");
+  EXPECT_EQ(steps[2].action.text, "2,2,E");
+  EXPECT_EQ(steps[3].action.arguments, (std::vector<std::string>{"stuck", "1023"}));
+  EXPECT_EQ(to_string(steps[3].place), "s.txt:6");
+}
+
+TEST(Scenario, TakesThePlaceWithASpaceBeforeTheDirection) {
+  EXPECT_EQ(parse_scenario("at 0s place 2,2 E", "s.txt")[0].action.text, "2,2,E");
+}
+
+TEST(Scenario, SendsTextToTheSketchAndBitsByRadio) {
+  const auto steps = parse_scenario(
+      "at 1s send \"3\\n\"\n"
+      "at 2s send hello\n"
+      "at 3s send radio 3\n"
+      "at 4s send radio 0b101\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].action.part, "");
+  EXPECT_EQ(steps[0].action.text, "3\n");
+  EXPECT_EQ(steps[1].action.text, "hello");
+  EXPECT_EQ(steps[2].action.part, "radio");
+  EXPECT_EQ(steps[2].action.bits, (std::vector<bool>{0, 0, 0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(steps[3].action.bits, (std::vector<bool>{1, 0, 1}));
+}
+
+TEST(Scenario, WaitsAfterAnEvent) {
+  const auto steps = parse_scenario(
+      "after serial \"go\" wait 200ms press b 1s\n"
+      "after station 3 wait 1.5s lift for 2s\n"
+      "after station 3 lower\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].trigger.time, 200 * kMillisecond);
+  EXPECT_EQ(*steps[0].action.duration, kSecond);
+  EXPECT_EQ(steps[1].trigger.time, 1500 * kMillisecond);
+  EXPECT_EQ(*steps[1].action.duration, 2 * kSecond);
+  EXPECT_EQ(steps[2].trigger.time, 0);
+  EXPECT_EQ(steps[2].action.verb, Action::Verb::lower);
+}
+
+TEST(Scenario, EndsWhatLastsAfterItsTimeWithTheWordForOrWithout) {
+  const auto steps = parse_scenario(
+      "at 1s fault S2 stuck 1023 for 500ms\n"
+      "at 1s fault left dead\n"
+      "at 1s cover S for 3s\n"
+      "at 1s press b 1ms\n"
+      "at 1s power off for 20ms\n"
+      "at 1s obstacle 4,2 radius 5cm for 1min\n"
+      "at 1s obstacle 4,2\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].action.arguments, (std::vector<std::string>{"stuck", "1023"}));
+  EXPECT_EQ(*steps[0].action.duration, 500 * kMillisecond);
+  EXPECT_FALSE(steps[1].action.duration);
+  EXPECT_EQ(*steps[2].action.duration, 3 * kSecond);
+  EXPECT_EQ(*steps[3].action.duration, kMillisecond);
+  EXPECT_EQ(*steps[4].action.duration, 20 * kMillisecond);
+  EXPECT_EQ(steps[5].action.radius, 0.05);
+  EXPECT_EQ(*steps[5].action.duration, 60 * kSecond);
+  EXPECT_EQ(steps[6].action.text, "4,2");
+  EXPECT_EQ(steps[6].action.radius, kObstacleRadius);
+  EXPECT_FALSE(steps[6].action.duration);
+}
+
+TEST(Scenario, CutsThePowerAtAWriteToTheEeprom) {
+  const auto steps = parse_scenario(
+      "after eeprom 12 power off for 20ms byte erased\n"
+      "after eeprom 3 wait 1ms power off 1s byte old\n"
+      "after eeprom 3 power off byte 0x5A\n"
+      "after eeprom 3 power off byte new\n"
+      "after eeprom 3 power off\n",
+      "s.txt");
+  EXPECT_EQ(steps[0].trigger.kind, Trigger::Kind::eeprom);
+  EXPECT_EQ(steps[0].trigger.count, 12u);
+  EXPECT_EQ(*steps[0].action.duration, 20 * kMillisecond);
+  EXPECT_EQ(steps[0].action.half_written.kind, HalfWritten::Kind::value);
+  EXPECT_EQ(steps[0].action.half_written.value, 0xFF);
+  EXPECT_EQ(*steps[1].action.duration, kSecond);
+  EXPECT_EQ(steps[1].action.half_written.kind, HalfWritten::Kind::before);
+  EXPECT_FALSE(steps[2].action.duration);
+  EXPECT_EQ(steps[2].action.half_written.value, 0x5A);
+  EXPECT_EQ(steps[3].action.half_written.kind, HalfWritten::Kind::done);
+  EXPECT_EQ(steps[4].action.half_written.kind, HalfWritten::Kind::done);
+}
+
+TEST(Scenario, ReadsOneLineByItself) {
+  const auto step = parse_step("at 3s lift", {"typed", 7, 1});
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->trigger.time, 3 * kSecond);
+  EXPECT_EQ(to_string(step->place), "typed:7");
+  EXPECT_FALSE(parse_step("  # nothing", {}));
+}
+
+TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
+  EXPECT_EQ(error_of("at 2s dance\n"),
+            "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, lift, lower, cover, "
+            "obstacle, "
+            "clear, fault or power");
+  EXPECT_EQ(error_of("\nafter lunch press b"),
+            "s.txt:2:7: unknown event \"lunch\"; known are serial, station, boot and eeprom");
+  EXPECT_EQ(error_of("when 2s press b"),
+            "s.txt:1:1: a line begins with \"at TIME\" or \"after EVENT\", not with \"when\"");
+  EXPECT_THAT(error_of("at 2 press b"),
+              testing::StartsWith("s.txt:1:4: \"2\" is no time; it must be a number with a unit"));
+  EXPECT_EQ(error_of("at 2s press"), "s.txt:1:7: a part's name is missing at the end of the line");
+  EXPECT_EQ(error_of("at 2s release b now"),
+            "s.txt:1:17: \"now\" is too much; the line should end before it");
+  EXPECT_EQ(error_of("at 2s send \"abc"), "s.txt:1:12: a text in double quotes is not closed");
+  EXPECT_THAT(error_of("at 2s send \"\\q\""), testing::HasSubstr("unknown escape \\q"));
+  for (const char* text : {"256", "-1", "3.5", "0b", "0b102", "\"\""})
+    EXPECT_THAT(error_of((std::string("at 2s send radio ") + text).c_str()),
+                testing::HasSubstr("allowed are a byte, 0 to 255, and bits such as 0b101, at most 64"))
+        << text;
+  EXPECT_EQ(error_of("at 2s fault left dead for"),
+            "s.txt:1:23: a time such as 2s or 100ms is missing at the end of the line");
+  EXPECT_EQ(error_of("at 2s fault left dead for ever now"),
+            "s.txt:1:27: \"ever\" is no time; it must be a number with a unit: ns, us, ms, s, min, h or d");
+  EXPECT_EQ(error_of("at 2s obstacle 1,2 radius 9m"), "s.txt:1:27: \"9m\" is not a radius from 5mm to 500mm");
+  EXPECT_EQ(error_of("after eeprom 0 power off"),
+            "s.txt:1:14: \"0\" is not the number of a write: allowed are 1 to 1000000000000");
+  EXPECT_EQ(
+      error_of("at 2s power off byte half"),
+      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
+      "\"half\"");
+  EXPECT_EQ(
+      error_of("at 2s power off byte 256"),
+      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
+      "\"256\"");
+  EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
+}
+
+}  // namespace
+}  // namespace robosim::scenario
