@@ -1,0 +1,52 @@
+#include "tests/unit/structure/documents.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::structure {
+namespace {
+
+using testing::ElementsAre;
+
+const std::string kRoot = ROBOSIM_SOURCE_DIR;
+
+TEST(Documents, NameOnlyFilesAndHeadingsThatExist) {
+  const Files documents = read_documents(kRoot);
+  EXPECT_TRUE(documents.count("README.md") && documents.count("docs/design.md"));
+  for (const std::string& sentence : dead_references(documents, kRoot)) ADD_FAILURE() << sentence;
+}
+
+TEST(Documents, AreThereWhenSourcesNameThem) {
+  Files sources = read_sources(kRoot);
+  std::erase_if(sources, [](const auto& file) { return file.first.starts_with("tests/unit/structure/"); });
+  for (const std::string& sentence : dead_mentions(sources, kRoot)) ADD_FAILURE() << sentence;
+}
+
+TEST(References, ToAMissingFileOrHeadingAreDead) {
+  EXPECT_THAT(dead_references({{"docs/a.md",
+                                "# One `two`, three\n[b](b.md) [r](../README.md) [x](#one-two-three)\n"
+                                "[y](#two) [web](https://x.org/y.md)\n"}},
+                              kRoot),
+              ElementsAre("docs/a.md:2: links to docs/b.md, and there is no such file",
+                          "docs/a.md:3: links to docs/a.md, which has no heading 'two'"));
+}
+
+TEST(References, InBackticksAreDeadIfThePathDoesNotExist) {
+  EXPECT_THAT(dead_references({{"README.md",
+                                "`sim/base/error.h` `sim/gone.h:12` `make sim/away`, but not `x/y.h`\n"
+                                "```\nrobosim run docs/mine/Sketch\n```\n"}},
+                              kRoot),
+              ElementsAre("README.md:1: names sim/gone.h, and there is no such file",
+                          "README.md:1: names sim/away, and there is no such file"));
+  EXPECT_THAT(
+      dead_references({{"README.md", "`docs/*.md`, `tests/`, `tests/NAME.cpp`, `tests/unit/ROOM`"}}, kRoot),
+      ElementsAre("README.md:1: names tests/unit/ROOM, and there is no such file"));
+}
+
+TEST(References, OfSourcesAreDeadIfThePageIsGone) {
+  EXPECT_THAT(dead_mentions({{"sim/x.h", "// docs/design.md, docs/gone.md"}}, kRoot),
+              ElementsAre("sim/x.h: names docs/gone.md, and there is no such file"));
+}
+
+}  // namespace
+}  // namespace robosim::structure
