@@ -1,13 +1,14 @@
-// Do two targets do the same? Two histories, aligned by what happened, not by the clock: instructions cost
-// something else on each target, so the same robot turns a little later, and a little elsewhere.
+// Whether two targets behave the same: two histories, aligned by what happened rather than by the clock.
+// Instructions take different times on each target, so the same robot turns a little later, and in a slightly
+// different place.
 //
-// What counts as a difference, and what does not, stands in docs/formats.md; in short:
+// docs/comparing.md says what counts as a difference; in short:
 //
 //   places    their names and order
 //   lines     their text and order, numbers aside; a text that comes more than 20 times is a stream, of which
 //             only the rate counts
-//   numbers   those of a line: within 10 % of each other; of a stream: within what the other said in the
-//             second before and after
+//   numbers   those of a line: within 10 % of each other; of a stream: within what the other side printed in
+//             the second before and after
 //   times     from one place or line to the next: within 0.5 s and 25 %
 //   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second;
 //             the mean command between two common events: within 0.25
@@ -24,8 +25,8 @@
 namespace robosim::analysis {
 
 struct Tolerance {
-  double time = 0.25;                  ///< share of a time that it may differ by …
-  std::int64_t time_ns = 500'000'000;  ///< … and so much more
+  double time = 0.25;                  ///< share by which a time may differ …
+  std::int64_t time_ns = 500'000'000;  ///< … and this much more
   double number = 0.10;                ///< share of the larger number
 };
 
@@ -39,7 +40,7 @@ struct Difference {
   std::array<std::optional<std::size_t>, 2> line;  ///< which of History::lines it is about, if any
 };
 
-/// A difference that is known and means nothing: the same value, printed otherwise.
+/// A known difference that does not matter: the same value, printed differently.
 struct KnownDifference {
   std::string what;
   std::array<std::string, 2> sides;
@@ -47,7 +48,7 @@ struct KnownDifference {
 };
 
 struct Comparison {
-  std::optional<Difference> first;  ///< the earliest; nothing if they do the same
+  std::optional<Difference> first;  ///< the earliest; nullopt if they behave the same
   std::vector<KnownDifference> known;
 };
 

@@ -1,5 +1,5 @@
-// What firmware did around a moment, and which lines of the sketch did it: from a run's events of pins and
-// bytes that say their source.
+// What firmware did around a moment, and which lines of the sketch did it: from a run's pin and byte events,
+// which carry their source lines.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +22,17 @@ struct PinUse {
 
 class Evidence {
  public:
-  /// Keeps of each pin the last use before `moment_ns`, or the first behind it.
+  /// Keeps, for each pin, the last use before `moment_ns`, or else the first one after it.
   explicit Evidence(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);
 
-  /// By the names of the pins.
+  /// Sorted by the pins' names.
   std::vector<PinUse> reads() const { return list(reads_); }
   std::vector<PinUse> writes() const { return list(writes_); }
-  /// The last of those that the firmware drove before the moment.
+  /// The last pin that the firmware drove before the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
-  /// Which line has printed the character number `at` of the last line `text`.
+  /// The line of the sketch that printed character number `at` of the last line `text`.
   wire::Source source_of(const std::string& text, std::size_t at) const;
 
  private:

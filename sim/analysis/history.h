@@ -1,5 +1,5 @@
-// What a run has shown to those who watch it, in a form that can be held against another run: the places the
-// robot came to, the lines it said, what its motors did, and how it ended.
+// What a run looked like from outside, in a form that can be compared with another run: the places the robot
+// came to, the lines it printed, what its motors did, and how it ended.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct Mark {
   std::string text;
 };
 
-/// What both motors together do. `ahead` and `back`: the mean of the commands is at least half of half their
-/// difference; else the robot turns on the spot.
+/// What the two motors do together. `ahead` and `back`: the mean of the commands is at least a quarter of
+/// their difference; otherwise the robot turns on the spot.
 enum class Manoeuvre : std::uint8_t { stands, ahead, back, turns_left, turns_right };
 
 /// A stretch of one manoeuvre.
@@ -35,20 +35,20 @@ struct Stretch {
 
 struct History {
   std::string target;
-  std::vector<Mark> places;        ///< in the order of the robot's way; none twice in a row
-  std::vector<Mark> lines;         ///< of its serial port, without their ends; the last may be unfinished
-  std::vector<Stretch> stretches;  ///< one behind the other
+  std::vector<Mark> places;        ///< in order; never the same one twice in a row
+  std::vector<Mark> lines;         ///< from its serial port, without line ends; the last may be unfinished
+  std::vector<Stretch> stretches;  ///< one after the other
   std::string verdict;
   std::string why;
   std::int64_t end_ns = 0;
-  /// From here on the robot was off the line, and what it did was chance: nothing of it is kept.
+  /// From this time on the robot was off the line. What it did there was chance, and is not kept.
   std::optional<std::int64_t> lost_ns;
 };
 
-/// A place that is none.
+/// Stands in for a place while the robot is off the line.
 inline constexpr const char* kOffTheLine = "off the line";
 
-/// The place a robot is at; "" = between two, kOffTheLine = nowhere.
+/// The place a robot is at: "" between two places, kOffTheLine off the line.
 using PlaceFinder = std::function<std::string(const wire::Sample&)>;
 
 /// Listens to a run with samples every 10 ms, serial text and notes.

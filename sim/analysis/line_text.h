@@ -20,17 +20,17 @@ struct LineText {
 
 LineText take_apart(const std::string& line);
 
-/// How two numbers that different targets have printed stand to each other.
+/// How two numbers compare that different targets have printed.
 enum class Likeness {
   same,   ///< the same text, or within the tolerance
-  known,  ///< the same value, printed otherwise: the last digits of a float, the width of a negative HEX
+  known,  ///< the same value, printed differently: the last digits of a float, the width of a negative HEX
   different,
 };
 Likeness likeness(const Number& a, const Number& b, double tolerance);
 
-/// "float formatting" or "width of long": of numbers whose likeness is `known`.
+/// "float formatting" or "width of long", for numbers whose likeness is `known`.
 std::string known_cause(const Number& a, const Number& b);
-/// If they differ by what integers of 16 or 32 bits lose: a clause. Else empty.
+/// A clause if they differ by what an integer of 16 or 32 bits loses on overflow; otherwise empty.
 std::string width_cause(const Number& a, const Number& b);
 
 }  // namespace robosim::analysis

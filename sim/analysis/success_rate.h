@@ -1,5 +1,5 @@
-// Chance made testable: the share of runs that succeeded, where the true rate may lie, and when enough is
-// known.
+// Success rates: the share of runs that succeeded, where the true rate may lie, and when enough runs have
+// been made to decide.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct Interval {
 ///
 ///   (p + z²/2n ± z √(p(1-p)/n + z²/4n²)) / (1 + z²/n)      p = successes / runs, n = runs, z = 1.960
 ///
-/// It stays within 0..1 and means something when all runs succeed, where p ± z √(p(1-p)/n) claims certainty.
-/// E. B. Wilson, "Probable inference, the law of succession, and statistical inference", Journal of the
-/// American Statistical Association 22 (1927) 209-212. Without any runs: 0..1.
+/// It stays within 0..1 and remains meaningful when all runs succeed, where p ± z √(p(1-p)/n) would claim
+/// certainty. E. B. Wilson, "Probable inference, the law of succession, and statistical inference", Journal
+/// of the American Statistical Association 22 (1927) 209-212. Without any runs: 0..1.
 Interval wilson(std::int64_t successes, std::int64_t runs);
 
-/// What is demanded of a number of runs that is fixed beforehand.
+/// What is required of a number of runs that is fixed in advance.
 struct Demand {
   double rate = 1.0;  ///< 0..1
   /// False: `rate` is the share of exactly these runs that must succeed.
@@ -30,16 +30,17 @@ struct Demand {
   bool sure = false;
 };
 
-/// The least number of successes of `runs` that meets the demand; nothing if not even `runs` would.
+/// The least number of successes of `runs` that meets the demand; nullopt if not even `runs` would.
 std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
 
-/// The least number of runs that meets the demand if all of them succeed; nothing if none would (a sure 1).
+/// The least number of runs that meets the demand if all of them succeed; nullopt if no number does (a sure
+/// rate of 1).
 std::optional<std::int64_t> needed_runs(const Demand& demand);
 
 /// Counts runs, in a fixed order. It is decided as soon as the runs that are left can no longer change
 /// whether the demand is met: to stop then saves runs and never changes the answer, however often one looks.
-/// (To look at the interval after each run, and to stop when it pleases, would decide wrongly more often than
-/// it says.)
+/// (Looking at the interval after each run and stopping when it looks good would be wrong more often than the
+/// interval admits.)
 class Tally {
  public:
   Tally(std::int64_t planned, std::optional<Demand> demand);

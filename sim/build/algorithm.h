@@ -1,5 +1,4 @@
-// Compiles a navigation algorithm of the user's own, one C++ file, for the robot on cells
-// (docs/algorithms.md).
+// Compiles a user's own navigation algorithm, one C++ file, for the robot on cells (docs/algorithms.md).
 #pragma once
 
 #include <filesystem>
@@ -8,7 +7,7 @@
 
 namespace robosim::build {
 
-/// A shared object that is there as long as this is.
+/// A shared object that is deleted together with this.
 class Algorithm {
  public:
   /// Throws InputError (no such file), CompileError with the compiler's words, or ToolMissing.

@@ -1,5 +1,4 @@
-// What is changed in gcc's assembly of a sketch for the host, for x86-64, arm64 and arm, before it is
-// assembled.
+// Changes to gcc's assembly of a sketch for the host (x86-64, arm64 and arm) before it is assembled.
 #pragma once
 
 #include <string>

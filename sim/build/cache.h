@@ -1,9 +1,8 @@
-// Results kept by content. An entry remembers every file that was read for it, by content, and every folder
-// whose list of names mattered; it holds as long as they are the same. Whether a file is newer does not
+// A cache of build results, by content. An entry remembers every file that was read for it, by content, and
+// every folder whose list of names mattered; it is valid as long as they are the same. File times do not
 // matter.
 //
-// Safe for processes that run side by side: files appear by rename, and a result's name contains its
-// content's hash.
+// Safe for concurrent processes: files appear by rename, and a result's name contains its content's hash.
 #pragma once
 
 #include <chrono>
@@ -23,7 +22,7 @@ struct Inputs {
 
 struct Entry {
   std::filesystem::path result;
-  std::map<std::string, std::string> facts;  ///< whatever the caller wants to know again
+  std::map<std::string, std::string> facts;  ///< whatever the caller wants to keep with the result
 };
 
 class Cache {
@@ -48,7 +47,7 @@ class Cache {
   std::filesystem::path folder_;
 };
 
-/// Held by one process at a time, so that what takes seconds is made once. Released at the end of its scope,
+/// Held by one process at a time, so that what takes seconds is done once. Released at the end of its scope,
 /// and by a process that dies.
 class CacheLock {
  public:

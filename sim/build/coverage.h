@@ -1,5 +1,5 @@
-// Which lines of a sketch ran. The image is compiled with gcc's counters (Request::coverage), a runner gives
-// what they have counted in a run, gcov says to which lines that belongs, and lcov's format keeps it.
+// Which lines of a sketch ran. The image is compiled with gcc's counters (Request::coverage), a runner
+// returns their values after a run, gcov maps them to lines, and the result is kept in lcov's format.
 //
 //   Request request{…}; request.coverage = true;
 //   const Image image = build(request);
@@ -42,7 +42,8 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
 /// Adds `more`, count by count.
 void add(Coverage& sum, const Coverage& more);
 
-/// lcov's tracefile, which genhtml and others read; and back. Throws InputError for what is none.
+/// To and from lcov's tracefile format, which genhtml and others read. Throws InputError if the text is not
+/// one.
 std::string to_info(const Coverage& coverage);
 Coverage parse_info(const std::string& text, const std::filesystem::path& file);
 

@@ -17,7 +17,7 @@ struct Library {
   std::vector<std::string> assembler;           ///< .S, likewise, for a chip only
   std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
   bool archive =
-      false;  ///< library.properties has dot_a_linkage=true: on a chip only what is needed is linked
+      false;  ///< library.properties has dot_a_linkage=true: for a chip only what is needed is linked
 };
 
 /// Where the libraries of a sketch are: in its own folder, in the folders that the user has `chosen`, in

@@ -1,4 +1,4 @@
-// What compilers and linkers say, as users read it.
+// Messages of compilers and linkers, rewritten for users.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,8 @@ std::string readable(const Toolchain& toolchain, const std::filesystem::path& sk
 /// Throws CompileError for a failed compilation.
 [[noreturn]] void fail(const Target& target, const std::string& messages);
 
-/// Throws CompileError for a failed link: a function that nobody or everybody defines, a chip too small.
+/// Throws CompileError for a failed link: an undefined or multiply defined function, a chip that is too
+/// small.
 [[noreturn]] void fail_link(const Toolchain& toolchain, const Sketch& sketch,
                             const std::vector<Object>& objects, std::string output);
 

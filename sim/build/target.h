@@ -1,5 +1,5 @@
-// What distinguishes the targets that sketches are compiled for, as data: programs, flags, and what becomes
-// of the objects. The way from a sketch to its image (build.cpp) is the same for all.
+// How the targets that sketches are compiled for differ, as data: programs, flags, and how objects are
+// linked. The way from a sketch to its image (build.cpp) is the same for all.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A map as the robot on cells senses it: one byte a cell, packed so that what it senses is one look into a
-// table of 128 entries.
+// A map as the robot on cells senses it: one byte per cell, packed so that sensing is one look-up in a table
+// of 128 entries.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ const char* name_of(Sense sense);
 
 class CellFloor {
  public:
-  /// The map must outlive this. Takes about 1 ns a cell.
+  /// The map must outlive this. Takes about 1 ns per cell.
   explicit CellFloor(const grid::Map& map);
 
   const grid::Map& map() const { return map_; }
@@ -31,7 +31,7 @@ class CellFloor {
     const auto i = static_cast<std::uint32_t>(index);  // maps have at most 10^9 cells
     return {static_cast<int>(i % columns_) - 1, static_cast<int>(i / columns_) - 1};
   }
-  /// What to add to a cell's number to get the next one in a direction.
+  /// Added to a cell's number, this gives the next cell in a direction.
   std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
 
   /// Line without an obstacle on it.
@@ -49,7 +49,7 @@ class CellFloor {
         kTable.of[(cells_[index] & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
     return entry != Table::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// The same if line is not seen on one of the four cells: 0 front, 1 right, 2 the own, 3 left.
+  /// The same if the line is missed on one of the four cells: 0 front, 1 right, 2 its own, 3 left.
   Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
 
  private:

@@ -1,7 +1,7 @@
 // The robot of Robosim v1: it senses four cells and moves from cell to cell.
 //
-// Pose: a cell and a direction. Sensing looks at the cell in front, on the right, on the left and at its own,
-// relative to the direction; never behind, never diagonally. Each move adds `speed` to the clock, once.
+// Pose: a cell and a direction. It senses the cell in front, on the right, on the left and its own, relative
+// to its direction; never behind, never diagonally. Each move adds `speed` to the clock, once.
 //
 //   step_forward   one cell ahead
 //   turn_right     one cell to the right, facing that way; turn_left mirrors it
@@ -9,8 +9,8 @@
 //   choose_right   turn_right if that cell is line, else step_forward; choose_left mirrors it
 //
 // A move that would lead off the map, or onto an obstacle (`x`), leaves the robot on its cell; time is
-// charged all the same. It may enter floor and walls, as in v1: a robot that comes to a wall at the end of a
-// line steps into it, senses `no_path` there, and turns round.
+// charged all the same. It may enter floor and walls, as in v1: at a wall at the end of a line it steps into
+// the wall, senses `no_path` there, and turns round.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct CellPose {
   bool operator==(const CellPose&) const = default;
 };
 
-/// Thrown by the move after the last one allowed.
+/// Thrown by the first move beyond the limit.
 struct OutOfMoves : std::runtime_error {
   OutOfMoves() : std::runtime_error("the robot has used up its moves") {}
 };
@@ -51,7 +51,7 @@ struct CellNoise {
   std::uint64_t seed = 1;
 };
 
-/// Is told of every move.
+/// Called for every move.
 class MoveWatcher {
  public:
   /// `pose` and `sense` are those before the move, `clock` is after it. May throw to end the run.

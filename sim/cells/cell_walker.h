@@ -1,11 +1,11 @@
-// The robot on cells as the navigator wants it: a Walker (firmware/src/nav/Landmark.h).
+// The robot on cells, as a Walker for the navigator (firmware/src/nav/Landmark.h).
 //
 // Its moves are v1's. At a junction the first way out to the right of the one it came by is choose_right, the
-// last is choose_left, and what is between them is step_forward; the way back is turn_around and
+// last is choose_left, and the one between them is step_forward; the way back is turn_around and
 // step_forward. Places are the map's cells. A grid has a compass: heading 0 is east, whichever way the robot
 // faces when it begins.
 //
-// An obstacle right beside a junction: the robot looks before it moves, so that it need not leave the
+// If an obstacle is right beside a junction, the robot sees it before it moves: it does not have to leave the
 // junction to find it, and finding it costs no move.
 #pragma once
 

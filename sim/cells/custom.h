@@ -1,4 +1,4 @@
-// An algorithm of the user's own, from a shared object that exports navigate() (include/robosim/cells.h).
+// A user's own algorithm, from a shared object that exports navigate() (include/robosim/cells.h).
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 namespace robosim::cells {
 
 /// Runs it until it returns or the robot's moves are used up. Whatever the algorithm does to its process it
-/// does to the caller's: call this in a process of its own. Throws InputError if the file has no navigate();
-/// what the algorithm throws goes through.
+/// does to the caller's: call this in a separate process. Throws InputError if the file has no navigate();
+/// passes on what the algorithm throws.
 Walk run_custom(CellRobot& robot, const std::filesystem::path& shared_object);
 
 }  // namespace robosim::cells

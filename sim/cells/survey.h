@@ -1,8 +1,8 @@
-// The third algorithm: scan a floor into a graph, then drive from station to station by it.
+// The third algorithm: scan a floor into a graph, then use it to drive from station to station.
 //
-// The scan is the navigator's (firmware/src/nav/Explorer.h) on the robot of cells. It ends where v1's does:
+// The scan is the navigator's (firmware/src/nav/Explorer.h), on the robot on cells. It ends where v1's does:
 // at the start, turned to the line. If the start is not the end of a line, the robot goes on from where the
-// scan ends to station 1, by a shortest way, if there is a station.
+// scan ends to station 1 by a shortest way, if there is a station.
 //
 // Stations are numbered from 1 as they are met, station 1 being the start if a line ends there. Junctions are
 // numbered from 1 as they are met.
@@ -25,7 +25,7 @@ namespace robosim::cells {
 /// How a scan or a drive ended.
 enum class Ending {
   complete,      ///< everything that can be reached was found, the destination was reached
-  lost,          ///< by noise: what the robot met cannot be there
+  lost,          ///< because of noise: what the robot met cannot be there
   out_of_moves,  ///< the limit was reached
   no_way,        ///< an obstacle is between here and there
   refused        ///< the planner cannot do this graph: `why`
@@ -57,9 +57,9 @@ class Survey {
   /// The robot must stand on the line.
   explicit Survey(CellRobot& robot) : robot_(robot), start_(robot.pose()), walker_(robot) {}
 
-  /// Once, before all else.
+  /// Called once, before anything else.
   const Scan& scan();
-  /// Puts the robot onto a station, facing the line, as it stands there after a drive.
+  /// Puts the robot on a station, facing the line, as after a drive.
   void place_at(int station);
   /// Drives from the station where the robot stands to another. Both must exist.
   Route drive(int to, const std::string& planner);
@@ -71,7 +71,7 @@ class Survey {
   std::string default_planner() const;
 
  private:
-  // Notes where stations and obstacles are, for whoever holds the graph against the map.
+  // Notes where stations and obstacles are, so that the graph can be compared with the map.
   struct Network : GrowingNetwork {
     struct Obstacle {
       grid::CellAt cell;

@@ -1,5 +1,5 @@
-// The first two algorithms: the walk that keeps to the left, and the one that keeps to the right. On a tree
-// either visits everything and comes home.
+// The first two algorithms: the walk that keeps to the left, and the one that keeps to the right. On a tree,
+// either visits everything and returns to the start.
 #pragma once
 
 #include <unordered_set>
@@ -53,9 +53,8 @@ class DeadEnds {
   std::vector<grid::CellAt> cells_;
 };
 
-/// The original walks for ever. This ends when the robot stands again as it did at the start, or as it did
-/// after some 2^k moves (it may begin beside the round that it then walks); at the latest when its moves are
-/// used up.
+/// The original never stops. This ends when the robot is back in the pose it had at the start, or after some
+/// 2^k moves (it may start beside the loop that it then walks); at the latest when its moves are used up.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

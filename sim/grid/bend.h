@@ -1,4 +1,5 @@
-// A bend: a line cell with two neighbours at a right angle, and the radius its arc gets. Behind Stripes.
+// A bend: a line cell with two neighbours at a right angle, and the radius of its arc. An implementation
+// detail of Stripes.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ struct Bend {
   double middle() const { return radius * 0.29289321881345243; }
 };
 
-/// Nothing if the cell is no bend. Takes time in proportion to the legs, up to twice the corner radius.
+/// Nullopt if the cell is not a bend. Takes time in proportion to the legs, up to twice the corner radius.
 std::optional<Bend> bend_at(const Map& map, CellAt cell);
 
 /// The bend whose arc replaces the centre of a line cell, if any.

@@ -12,7 +12,7 @@
 
 namespace robosim::grid {
 
-/// What the front matter says, with places, before it is held against the cells.
+/// What the front matter says, with places, before it is checked against the cells.
 struct FrontMatter {
   struct PlacedCell {
     CellAt cell;

@@ -1,10 +1,11 @@
-// Draws maps by chance: for tests over many maps, for benchmarks, and as courses of any size.
+// Generates random maps: for tests over many maps, for benchmarks, and as courses of any size.
 //
-// Equal arguments give equal maps on every machine: chance is the integer hash of sim/base/noise.h, and
-// nothing else decides. Whatever changes a map that some arguments give, raises kGeneratorVersion.
+// Equal arguments give equal maps on every machine: the only source of randomness is the integer hash of
+// sim/base/noise.h. Any change that makes the same arguments give another map raises kGeneratorVersion.
 //
-// All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart, and around it is a margin of
-// as much: driven robots find the room that the sample maps give them. There are no walls and no obstacles.
+// All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart, with a margin of the same
+// width around it: robots have the room that they have on the sample maps. There are no walls and no
+// obstacles.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A map: a grid of cells read from text, and what its front matter says. The format is in docs/formats.md.
+// A map: a grid of cells read from text, and what its front matter says. The format is in docs/maps.md.
 #pragma once
 
 #include <bit>

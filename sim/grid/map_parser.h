@@ -1,4 +1,4 @@
-// Turns the text of a map file, fed in pieces of any size, into a Map. Behind read_map and parse_map.
+// Turns the text of a map file, fed in pieces of any size, into a Map. read_map and parse_map use it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace robosim::grid {
 
 class MapParser {
  public:
-  /// `size_hint`: how many bytes will be fed, as far as known; memory for the cells is reserved by it.
+  /// `size_hint`: how many bytes will be fed, if known; the memory for the cells is reserved accordingly.
   MapParser(std::string file, std::size_t size_hint);
 
   /// Throws InputError as soon as something is wrong.

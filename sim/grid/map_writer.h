@@ -1,5 +1,5 @@
 // Writes a map as a file that read_map reads back: floor `_`, line `.`, wall `#`, and front matter for
-// whatever is not the default.
+// everything that is not the default.
 #pragma once
 
 #include <string>

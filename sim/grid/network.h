@@ -16,8 +16,8 @@ struct Station {
 
 /// What can be reached along the line from one start.
 struct Network {
-  std::vector<Station> stations;    ///< dead ends in numbering order, then named places that are none
-  std::vector<CellAt> junctions;    ///< nodes of degree 3 or 4, in the order of the walk
+  std::vector<Station> stations;  ///< dead ends in numbering order, then named places that are not dead ends
+  std::vector<CellAt> junctions;  ///< nodes of degree 3 or 4, in the order of the walk
   std::vector<CellAt> unreachable;  ///< dead ends that no line (free of obstacles) joins to the start
   /// If the reachable network is one closed loop (every node of degree 2, or of degree 4 and crossed
   /// straight): its nodes in the order of travel from the start. Otherwise empty.

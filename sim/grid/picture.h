@@ -15,8 +15,8 @@ struct PictureOptions {
 };
 
 /// Lines as box drawing, station numbers, an arrow at the start, rulers with column and row numbers, and
-/// below it a line that explains the signs used. A cell takes two characters where that fits, else one. A map
-/// too large is clipped to a part around the start, and a sentence says so.
+/// below it a line that explains the signs used. A cell takes two characters if that fits, else one. A map
+/// that is too large is clipped to a part around the start, and a sentence says so.
 std::string draw(const Map& map, const Network& network, const Start& start, const PictureOptions& options);
 
 }  // namespace robosim::grid

@@ -1,7 +1,6 @@
-// At which landmark of a map a robot is: the nearest station or junction, measured along the line.
+// Which landmark of a map a robot is at: the nearest station or junction, measured along the line.
 //
-// A robot between two of them is at neither where it is nearly as far to the one as to the other: within 0.3
-// cells of the middle.
+// A robot within 0.3 cells of the middle between two landmarks is at neither.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// For each cell of a map, which stripes are near it. Cells without any cost next to nothing.
+// For each cell of a map, which stripes are near it. Cells without any take almost no memory.
 #pragma once
 
 #include <cstddef>

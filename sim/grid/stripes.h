@@ -53,12 +53,11 @@ struct TightBend {
 std::vector<TightBend> tight_bends(const Map& map);
 
 /// All stripes, and for each cell those that pass within reach of it. Takes time and memory in proportion to
-/// the map's line: built for driven robots only.
+/// the length of line: built for driven robots only.
 class Stripes {
  public:
   /// `reach_m`: a query point in a cell finds every stripe that is at most this far from the point. The map
-  /// must outlive this. Throws InputError if the map has too much line for one index (4 thousand million
-  /// entries).
+  /// must outlive this. Throws InputError if the map has too much line for one index (2^32 entries).
   Stripes(const Map& map, double reach_m);
 
   std::span<const Stripe> all() const { return stripes_; }

@@ -1,9 +1,8 @@
-// The graph that a map's line truly is: what an explorer that starts at one place must find. It is read off
-// the cells and shares nothing with the navigator in firmware/src/nav, so that either can be held against the
-// other.
+// The true graph of a map's line: what an explorer that starts at a given place must find. It is read off the
+// cells and shares no code with the navigator in firmware/src/nav, so that the two can check each other.
 //
-// Nodes are stations (dead ends) and junctions (three or four arms). Between them runs line, whose bends do
-// not matter. Stations and junctions are numbered from 1 as a right-hand walk from the start meets them first
+// Nodes are stations (dead ends) and junctions (three or four arms). Line runs between them; its bends do not
+// matter. Stations and junctions are numbered from 1 as a right-hand walk from the start meets them first
 // (network.h): at each junction it takes the rightmost way not yet walked, at a dead end, before an obstacle
 // and at a junction that it knows it turns round.
 #pragma once
@@ -20,7 +19,7 @@ namespace robosim::grid {
 struct Arm {
   enum class Behind : std::uint8_t { nothing, station, junction, blocked };
 
-  Direction out = Direction::east;  ///< the way it leaves the node
+  Direction out = Direction::east;  ///< the direction in which it leaves the node
   Behind behind = Behind::nothing;  ///< what is at its other end
   int id = 0;                       ///< of the station or junction there
   int slot = 0;                     ///< of this line at that junction

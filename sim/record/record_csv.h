@@ -1,4 +1,4 @@
-// `--record x.csv`: what a run's samples look like as a table. The format is in docs/formats.md.
+// `--record x.csv`: a run's samples as a table. The format is in docs/recordings.md.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@ namespace robosim::record {
 /// How often a recording takes a sample, simulated time.
 constexpr std::int64_t kRecordEvery_ns = 10'000'000;
 
-/// Gathers rows; nothing is on the disk before save().
+/// Gathers rows in memory; nothing is written before save().
 class CsvRecord {
  public:
   explicit CsvRecord(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Takes `started` for the header and samples for the rows; ignores all else.
+  /// Takes `started` for the header and samples for the rows; ignores everything else.
   void add(const wire::Event& event);
   const std::string& text() const { return text_; }
   /// Whole or not at all. Throws InputError.

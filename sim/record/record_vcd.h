@@ -1,5 +1,5 @@
-// `--record x.vcd`: what happened on the board's pins, for GTKWave, PulseView and other wave viewers
-// (IEEE 1364-2005, chapter 18). The signals are listed in docs/formats.md.
+// `--record x.vcd`: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
+// 1364-2005, chapter 18). The signals are listed in docs/recordings.md.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace robosim::record {
 
-/// Gathers changes; nothing is on the disk before save().
+/// Gathers changes in memory; nothing is written before save().
 class VcdRecord {
  public:
   VcdRecord(std::filesystem::path path, const BoardSpec& board);
-  /// Takes pin changes, what the firmware saw on its pins, and bytes; ignores all else.
+  /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
   void add(const wire::Event& event);
   /// The whole file: every signal declared, then the changes in the order of time.
   std::string text() const;
@@ -36,7 +36,7 @@ class VcdRecord {
     Kind kind;
     std::string id;  ///< as the file abbreviates it
   };
-  /// A pin's signals by number; 0xFFFFFFFF where it has none such.
+  /// A pin's signals by number; 0xFFFFFFFF where it has no such signal.
   struct PinSignals {
     std::uint32_t level, duty, tone, volts;
   };

@@ -1,4 +1,5 @@
-// What clients are told of a robot (docs/runner-protocol.md: describe_robot), and what the world needs of it.
+// What clients are told about a robot (describe_robot in docs/runner-protocol.md), and what the world needs
+// to know.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The wires that lead from the microcontroller to the parts: the board's pins, and behind them the outputs of
-// the robot's shift registers. A part that follows a level need not know which of the two it hangs on.
+// The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
+// registers. A part that follows a level does not need to know which of the two it is wired to.
 //
 //   number           wire
 //   0 .. 63          the board's pin of that number
@@ -30,13 +30,13 @@ class Netlist {
   Netlist(Board& board, std::size_t registers)
       : board_(board), outputs_(registers * kRegisterOutputs), watchers_(outputs_.size()) {}
 
-  /// How a wire is driven. Nobody drives a shift register's output that is switched off.
+  /// How a wire is driven. A shift register's output that is switched off is not driven.
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? outputs_[index_of(pin)] : board_.drive(pin);
   }
   /// As Board::watch.
   void watch(Pin pin, PinWatcher& watcher);
-  /// For shift registers: drives an output. Watchers hear of it if it differs from before.
+  /// For shift registers: drives an output. Watchers are told if it has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);
 
  private:

@@ -10,7 +10,7 @@ struct Number {
   double value = 0.0;   ///< SI
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
 
-  /// The value of the robot whose stream this is.
+  /// The value for the robot that this noise stream belongs to.
   double drawn(const NoiseStream& stream) const {
     return spread == 0.0 ? value : value + spread * (2.0 * stream.uniform(0) - 1.0);
   }

@@ -1,4 +1,4 @@
-// One part of a robot: wired to pins, it answers and watches the board.
+// One part of a robot: wired to pins, it drives them and watches them.
 #pragma once
 
 #include <span>
@@ -27,14 +27,14 @@ struct FaultKind {
   double most = 0.0;
 };
 
-/// A fault to be: its argument read and checked.
+/// A fault that a script asks for, its argument read and checked.
 struct Fault {
   const FaultKind& kind;
   double number = 0.0;
   Sensor* sensor = nullptr;
 };
 
-/// A thing with a name that scripts can break: a sensor, a motor, …
+/// Something with a name that scripts can break: a sensor, a motor, …
 class Breakable {
  public:
   virtual const std::string& name() const = 0;
@@ -48,10 +48,10 @@ class Breakable {
 
 class Part;
 
-/// What the robot's parts offer; each part enters itself.
+/// What the robot's parts offer; each part registers itself.
 struct Roster {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
-  /// Want it only while the board wants edges, and in the first tick after: most firmware polls.
+  /// Want begin_tick only while the board wants edges, and in the first tick after: most firmware polls.
   std::vector<Part*> edge_makers;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
@@ -70,7 +70,7 @@ class Part {
   virtual void begin_tick(SimTime) {}
   /// The board's supply is switched off or on again.
   virtual void power(bool on, SimTime) { static_cast<void>(on); }
-  /// Appends what people want to see of it beside floor sensors. Consumes no noise.
+  /// Appends what is shown of it, apart from floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}
 };
 

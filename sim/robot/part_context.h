@@ -1,4 +1,5 @@
-// Where a robot's parts live: what they see of the world, and how this robot differs from its description.
+// What a robot's parts are made with: what they see of the world, and how this robot differs from its
+// description.
 #pragma once
 
 #include <string_view>
@@ -13,8 +14,8 @@
 
 namespace robosim::robot {
 
-/// The individual: draws its figures and its noise from (seed, number, part name). In the profile `ideal`
-/// every figure is the file's, and there is no noise.
+/// One individual robot: draws its figures and its noise from (seed, number, part name). In the profile
+/// `ideal` every figure is the file's, and there is no noise.
 class Individual {
  public:
   Individual(std::uint64_t seed, Profile profile, std::uint32_t number)
@@ -46,7 +47,7 @@ struct View {
   Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }
 };
 
-/// What a part is made in. Outlives the part.
+/// What a part is made with. Outlives the part.
 class PartContext {
  public:
   PartContext(const Description& description_, Board& board_, Netlist& netlist_, const View& view_,

@@ -18,10 +18,10 @@ enum class PinUse {
   analog,   ///< a pin with an ADC channel
 };
 
-/// What wires may be tied to.
+/// What wires may be connected to.
 struct Terminals {
   const BoardSpec* board;
-  const BoardSpec* written_for;        ///< the file's own board, of which its pins and volts speak
+  const BoardSpec* written_for;        ///< the file's own board, which its pins and volts refer to
   std::vector<std::string> registers;  ///< names of the shift registers, in the file's order
 };
 
@@ -32,8 +32,8 @@ Number read_figure(TableReader& reader, const char* key, Dimension dimension, Nu
                    double most);
 /// ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
-/// A pin by number or name, or a shift register's output such as "REG1.Q4". Throws InputError if there is
-/// none such or it does not serve `use`.
+/// A pin by number or name, or a shift register's output such as "REG1.Q4". Throws InputError if there is no
+/// such pin or it is not fit for `use`.
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals&, PinUse use);
 
 /// A table reader that knows board and motor driver, and notes the part's wires.
@@ -51,11 +51,10 @@ class PartReader {
     return read_figure(table_, key, dimension, fallback, least, most);
   }
   /// A voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the supply. With
-  /// another board in the place of the file's own it is as much of that one's supply as it would be of its
-  /// own's.
+  /// another board in place of the file's own, it keeps its share of the supply.
   Number volts(const char* key, Number fallback = {}, double most = 1e3);
   Vec2 point(const char* key, Vec2 fallback);
-  /// The wire of that key, which must be there.
+  /// The wire of that key, which is required.
   Pin pin(const char* key, PinUse use);
   /// The same, or kNoPin.
   Pin optional_pin(const char* key, PinUse use);
@@ -71,7 +70,7 @@ class PartReader {
   /// Key `key` as "high" or "low": whether it is "high".
   bool high(const char* key, bool fallback);
 
-  /// Ends the reading (unknown keys throw), and fills in what all parts have in common.
+  /// Finishes reading (unknown keys throw), and fills in what all parts have in common.
   std::shared_ptr<const PartSpec> finish(std::shared_ptr<PartSpec> spec);
 
  private:

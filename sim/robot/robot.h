@@ -17,23 +17,23 @@ class Body;
 
 namespace robosim::robot {
 
-/// How far reality is let in. `ideal`: no noise, no spread, frozen for ever. `typical`: sourced noise and
-/// spread.
+/// How realistic the robot is. `ideal`: no noise, no spread; it never changes. `typical`: noise and spread
+/// with sources.
 enum class Profile { ideal, typical };
 
-/// A robot file, read and checked (description.h, by the owner of sim/robot).
+/// A robot file, read and checked (description.h).
 struct Description;
 
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& robot_name);
 
-/// A level for people to look at: noise-free, consumes no sample.
+/// A level for display: without noise, and consuming no sample of it.
 struct Reading {
   std::string part;  ///< "S1" … for elements of an array, else the part's name
   double value;      ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
-/// A pin of the board and what is wired to it; lets a verdict name things ("pin 2, the button start").
+/// A pin of the board and what is wired to it, so that a verdict can name it ("pin 2, the button start").
 struct WiredPin {
   std::string part;  ///< "start"
   std::string type;  ///< "button", "motor", "reflectance-array" …
@@ -67,12 +67,12 @@ class Robot {
   /// Whether the last tick's commands drive a motor.
   bool driven() const;
 
-  /// The board's supply is switched off, or on again: what hangs on it forgets.
+  /// The board's supply is switched off, or on again: parts that share it lose their state.
   void power(bool on, SimTime t);
 
   /// V, of a healthy battery ([motors] supply, as drawn for this robot).
   double battery() const;
-  /// The battery has another voltage from now on: motors, and parts that measure it, feel that.
+  /// Sets the battery's voltage from now on: it affects the motors, and the parts that measure it.
   void set_battery(double volts);
 
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.

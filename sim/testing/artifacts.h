@@ -15,10 +15,10 @@ std::string artifact_folder();
 /// The robosim command for a stage, but for --for; `script` is its file, or empty.
 std::string replay_command(const Stage& stage, const std::string& folder, bool script);
 
-/// Writes the files that the command names; makes the folder. Nothing if `folder` is "".
+/// Writes the files that the command names, and makes the folder. Does nothing if `folder` is "".
 void keep_inputs(const std::string& folder, const Stage& stage, const std::string& script);
 
-/// Runs it once more, in one go, and writes the folder. Says what is wrong if it cannot; else "".
+/// Runs it once more, in one go, and writes the folder. Returns what went wrong, or "".
 std::string keep(const History& history, const Stage& stage, const std::string& script,
                  client::Runner& runner);
 

@@ -1,4 +1,4 @@
-// Which lines of a sketch ran in its tests: $ROBOSIM_COVERAGE, docs/formats.md.
+// Which lines of a sketch ran in its tests: $ROBOSIM_COVERAGE, docs/coverage.md.
 #pragma once
 
 #include <string>

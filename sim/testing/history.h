@@ -35,7 +35,7 @@ struct History {
   std::vector<Leg> legs;
   std::string serial;
   std::vector<Said> said;
-  std::vector<Entry> events;  ///< deeds, notes and what the sketch said
+  std::vector<Entry> events;  ///< actions, notes and what the sketch printed
   std::vector<bool> is_line_sensor;
   std::optional<wire::Resources> resources;
   std::optional<wire::RunResult> result;

@@ -1,4 +1,4 @@
-// Runs whose failures nobody is to see: a search tries many, and reports one.
+// Runs whose failures are not reported: a search tries many, and reports one.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ bool is_rehearsal();
 /// Whether the body fails, or throws, in such a run; nothing is reported.
 bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body);
 
-/// The same for all to see: what fails, fails the test, with `why` below it.
+/// The same, reported: what fails, fails the test, with `why` below it.
 void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&)>& body,
                         const std::string& why, const char* file, int line);
 

@@ -1,4 +1,4 @@
-// From a Trial to what a runner is asked.
+// From a Trial to a request for a runner.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace robosim::testing {
 
-/// A runner that is borrowed; runners are kept for the tests that follow.
+/// A runner from a pool; runners are kept for the tests that follow.
 class Borrowed {
  public:
   explicit Borrowed(const std::string& target);
@@ -21,7 +21,7 @@ class Borrowed {
   Borrowed& operator=(const Borrowed&) = delete;
   client::Runner& operator*() { return *runner_; }
   client::Runner* operator->() { return runner_.get(); }
-  /// It has broken the protocol or died: it is not given back.
+  /// It has broken the protocol or died: it is not returned to the pool.
   void condemn() { sound_ = false; }
 
  private:

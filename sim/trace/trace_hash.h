@@ -13,7 +13,7 @@
 namespace robosim::trace {
 
 /// Hashes what a run did: the bits of every pose, every change of a pin or its PWM, every byte sent. Nothing
-/// that is merely observed enters, so recording more never changes it. XXH3-64 over 64-bit little-endian
+/// that is merely observed is hashed, so recording more never changes it. XXH3-64 over 64-bit little-endian
 /// words.
 class TraceHash {
  public:

@@ -1,5 +1,5 @@
-// A map for the robot on cells: each cell as large as the screen allows, with the robot, its trail and names
-// on it. Of a map that is too large a part around the robot is shown.
+// A map for the robot on cells: each cell as large as the screen allows, with the robot, its trail and names.
+// If the map is too large, the part around the robot is shown.
 #pragma once
 
 #include <optional>

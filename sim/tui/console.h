@@ -1,4 +1,5 @@
-// Where a session meets a person: frames one way, keys the other. A pipe is a person who types blindly.
+// What a session is shown on: frames out, keys in. With a pipe, input is read without showing a picture
+// first.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +17,12 @@ class Console {
   virtual ~Console() = default;
   virtual TerminalSize size() = 0;
   virtual Look look() const = 0;
-  /// Whether somebody looks on: then walks are shown move by move. Otherwise only frames that wait for an
-  /// answer are, and no time passes.
+  /// Whether someone is watching: then walks are shown move by move. Otherwise only frames that wait for an
+  /// answer are shown, without delays.
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
-  /// The next key; `nothing` after so many ms, at the latest, and after a resize (draw again). Below 0: as
-  /// long as it takes, but `nothing` may come all the same.
+  /// The next key; `nothing` after at most so many ms, and after a resize (draw again). Negative: waits as
+  /// long as it takes, but may still return `nothing`.
   virtual Press wait(int timeout_ms) = 0;
   /// A clock for pacing, microseconds.
   virtual std::int64_t now_us() = 0;
@@ -29,13 +30,13 @@ class Console {
   virtual void lend(const std::function<void()>& use) = 0;
 };
 
-/// The whole screen of a terminal that can address its cursor. In a window too small it says so, and no key
-/// but q does anything.
+/// The whole screen of a terminal with cursor addressing. If the window is too small it says so, and only q
+/// works.
 class ScreenConsole final : public Console {
  public:
   static constexpr TerminalSize kLeast{40, 14};
 
-  /// `stopped`: whether the user wants out (a signal came).
+  /// `stopped`: whether the user wants to leave (a signal came).
   ScreenConsole(Look look, std::function<bool()> stopped);
 
   TerminalSize size() override { return screen_->size(); }
@@ -54,8 +55,8 @@ class ScreenConsole final : public Console {
   std::optional<Screen> screen_;
 };
 
-/// Lines of text, for pipes and terminals that can do no more (TERM=dumb). What comes in is read as keys,
-/// the end of a line as Enter. A frame is written when an answer is needed and the last line is used up.
+/// Lines of text, for pipes and terminals that support nothing else (TERM=dumb). Input is read as keys, the
+/// end of a line as Enter. A frame is written when an answer is needed and the last line has been used up.
 class LineConsole final : public Console {
  public:
   /// Descriptors. Nothing is written but text: no escape sequences.

@@ -1,4 +1,4 @@
-// A part of the floor, drawn in braille dots: 2 x 4 of them in each character, and square, since characters
+// A part of the floor, drawn in braille dots: 2 x 4 per character, which makes them square, since characters
 // are twice as high as they are wide.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the live view shows, as a function of what has happened: no terminal and no clock in here.
+// What the live view shows, as a function of what has happened: it knows no terminal and no clock.
 #pragma once
 
 #include <optional>

@@ -15,13 +15,13 @@ namespace robosim::tui {
 constexpr std::int64_t kViewEvery_ns = 10'000'000;
 
 /// Takes the terminal from construction to destruction. While it waits for the wall clock it does not return
-/// from on_event: the runner is held up by its full pipe.
+/// from on_event, so the runner blocks on its full pipe.
 class LiveView {
  public:
   struct Options {
     double speed = 1.0;  ///< simulated seconds a wall second; 0 = as fast as possible
     Look look;
-    std::function<bool()> stopped;  ///< whether the user wants out (Ctrl-C): the view waits no more
+    std::function<bool()> stopped;  ///< whether the user wants to leave (Ctrl-C): the view stops waiting
     std::function<void()> quit;     ///< called when `q` is pressed: ends the run
   };
 

@@ -1,4 +1,4 @@
-// Couples simulated time to wall time for a viewer, and for nobody else: a run's result never depends on it.
+// Couples simulated time to wall time for a viewer only: a run's result never depends on it.
 #pragma once
 
 #include <algorithm>

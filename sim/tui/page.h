@@ -1,5 +1,5 @@
-// One screenful of a session, from the top: a title, text, lists, a map; below them at once a footer, which
-// always has its place.
+// One screenful of a session, from the top: a title, text, lists, a map; directly below them a footer, which
+// is always shown.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The end-of-run screen: what happened, at first sight.
+// The end-of-run screen: what happened, at a glance.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ class Trail {
   std::size_t every_ = 1, seen_ = 0;
 };
 
-/// A limit of the firmware's, and how far it might be raised.
+/// A limit that the firmware states, and how far it could be raised.
 struct Room {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t now = 0;
@@ -49,7 +49,7 @@ struct Report {
   /// On a chip: RAM that neither variables nor the deepest stack took.
   std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;
-  std::string chip_target;  ///< that the robot's board has a chip of
+  std::string chip_target;  ///< the target whose chip the robot's board has
 };
 
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.

@@ -1,4 +1,4 @@
-// The terminal: what it is like, and having it to oneself.
+// The terminal: its properties, and full-screen mode.
 #pragma once
 
 #include <termios.h>
@@ -27,7 +27,7 @@ enum class Key { none, space, plus, minus, quit, follow, up, down, left, right, 
 /// that is not complete yet stays.
 Key take_key(std::string& bytes);
 
-/// The same for whoever also wants letters.
+/// The same, for callers that also want letters.
 struct Press {
   enum class Kind : unsigned char {
     nothing,    ///< none came in time
@@ -40,7 +40,7 @@ struct Press {
     right,
     other,
     end,       ///< no more will come: end of the input, Ctrl-D, the terminal is gone
-    interrupt  ///< Ctrl-C and its kin
+    interrupt  ///< Ctrl-C, or another signal that asks the program to end
   };
   Kind kind = Kind::nothing;
   char character = 0;

@@ -6,10 +6,10 @@
 //   1. the pose moves on with these velocities, along their arc (exactly what pose_after(1 ms) says);
 //   2. motors, friction and grip change the velocities;
 //   3. walls, obstacles and other bodies push the outline out and take its velocity against them.
-// Velocities are therefore constant inside a tick: whatever sensors extrapolate from its start is what
+// Velocities are therefore constant inside a tick: what sensors extrapolate from its start is exactly what
 // happens.
 //
-// Each wheel, with all torques at the wheel's axle (what a motor's data sheet says becomes these five lines):
+// Each wheel, with all torques at the wheel's axle (from a motor's data sheet to these five figures):
 //   R    = nominal_volts / stall_current                                   terminal resistance
 //   k_t  = stall_torque / (stall_current - no_load_current)                torque for each ampere
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts for each rad/s

@@ -1,4 +1,4 @@
-// The floor a robot drives on: how dark it is, and how far the line.
+// The floor a robot drives on: how dark it is, and how far away the line is.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,10 @@ namespace robosim::world {
 /// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
 /// map says `floor = "raster"`): each painted line cell is dark as a whole.
 ///
-/// One byte a cell says what a query inside it can meet, so that most queries are one load and one square
+/// One byte per cell says what a query inside it can meet, so that most queries are one load and one square
 /// root:
-///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has, and
-///   whether
-///                   they are painted; no stripe of another cell is nearer than cell / 2
+///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
+///                   and whether they are painted; no stripe of another cell is nearer than cell / 2
 ///   round corners:  whether any stripe is near; if so, a list of those few, made at set-up
 ///   raster:         which cells of a 2x2 neighbourhood are dark
 class Floor {
@@ -56,7 +55,7 @@ class Floor {
       return std::min(dx * dx + y * y, x * x + dy * dy);
     }
   };
-  // What one value of a cell's byte stands for.
+  // What a value of a cell's byte stands for.
   struct Kind {
     Arms line;     // the centre lines in the cell, painted or not
     Arms painted;  // those that are painted: shorter towards a gap

@@ -1,4 +1,4 @@
-// What the parts of a body's step share.
+// Shared by the parts of a body's step.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -8,7 +8,7 @@ namespace robosim::world {
 /// A tick, s.
 constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
 
-// No motor reaches these; they keep a step finite for any parameters.
+// No motor reaches these limits; they keep a step finite for any parameters.
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s
 

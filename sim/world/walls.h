@@ -1,5 +1,5 @@
-// What stops a body: wall and obstacle cells, everything beyond the map's edge, round obstacles put down at
-// run time.
+// What stops a body: wall and obstacle cells, everything beyond the map's edge, and round obstacles put down
+// during a run.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Disc {
 
 class Walls {
  public:
-  /// A contact is reported, and thought to last, up to this gap, m.
+  /// A contact is reported, and counts as lasting, up to this gap, m.
   static constexpr double kNear = 0.001;
 
   /// The map must outlive it.
@@ -69,7 +69,7 @@ class Walls {
   Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
   int add(Vec2 centre, double radius_m);
-  /// Nothing happens if there is none such.
+  /// Does nothing if there is no such obstacle.
   void remove(int id);
   std::span<const Disc> discs() const { return discs_; }
   /// Whether a disc is closer than kNear to the circle.

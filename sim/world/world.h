@@ -25,10 +25,10 @@ class World {
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }
 
-  /// Puts a round obstacle on the floor: it stops bodies, sensors of the floor do not see it. Its number,
+  /// Puts a round obstacle on the floor: it stops bodies, and floor sensors do not see it. Gives its number,
   /// from 1.
   int add_obstacle(Vec2 centre, double radius_m) { return walls_.add(centre, radius_m); }
-  /// Takes it away; nothing happens if there is none such.
+  /// Takes it away; does nothing if there is no such obstacle.
   void remove_obstacle(int number) { walls_.remove(number); }
 
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.

@@ -1,6 +1,6 @@
 // type = "bumper": a collision sensor at the robot's front, a switch that closes while something presses
-// against the body from ahead (world::Body::pressed_ahead). Electrically it is a button, and a script can
-// press it by hand: it is pressed as long as either does.
+// against the body from ahead (world::Body::pressed_ahead). Electrically it is a button that a script can
+// press too: it is pressed while either holds it.
 #pragma once
 
 #include "sim/robot/parts/button.h"

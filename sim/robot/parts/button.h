@@ -26,14 +26,14 @@ class ButtonSpec : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// What a button's table says, into a spec of its own or of a part that is one, too.
+/// Reads a button's table, into its own spec or that of a part that contains a button.
 std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
 
 class ButtonPart : public Part, public PinSource, public Breakable {
  public:
   ButtonPart(const ButtonSpec&, PartContext&);
 
-  /// Held down from `t` on, or let go. Until it is settled() it wants begin_tick.
+  /// Pressed or released from `t` on. Wants begin_tick until it is settled().
   virtual void hold(bool down, SimTime t);
   bool settled() const { return announced_ == flips_.size(); }
 

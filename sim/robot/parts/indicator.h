@@ -1,4 +1,4 @@
-// type = "led" and "buzzer": what people see and hear. They act on nothing.
+// type = "led" and "buzzer": what people see and hear. They affect nothing else.
 #pragma once
 
 #include "sim/robot/part.h"

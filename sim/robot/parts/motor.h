@@ -1,4 +1,4 @@
-// type = "motor": a wheel's motor, wired to a half of the driver in one of the usual ways.
+// type = "motor": a wheel's motor, wired to one half of the driver in one of the usual ways.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -38,7 +38,7 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
     return command;
   }
 
-  /// Whether something holds its wheel.
+  /// Whether something blocks its wheel.
   bool blocked() const { return blocked_; }
 
   const std::string& name() const override { return spec_.name; }

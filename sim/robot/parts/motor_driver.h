@@ -7,7 +7,7 @@
 
 namespace robosim::robot {
 
-/// The share of time for which a pin is high. What nobody drives, the driver's own resistor pulls low.
+/// The share of time for which a pin is high. The driver's own resistor pulls an undriven pin low.
 double high_share(const PinDrive& drive);
 
 /// One half of a driver: shares of time for which its inputs are high.

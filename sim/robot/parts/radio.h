@@ -2,12 +2,14 @@
 // sketch reads. Scripts send: `at 20s send radio 3`.
 //
 // One message of n bits, each `bit` long:
-//   enable  ___/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\___     high from half a bit before the first to half a bit after the
-//   last data    ----< b1  >< b2  >< b3  >----     set for the whole bit; low between messages clock
-//   _______/‾‾\__/‾‾\__/‾‾\______     rises in the middle of each bit
-// A message that is sent while another one is on the air follows it, a bit's time after. 1 ms for a bit is
-// what 433 MHz modules for hobbyists are rated for (1 to 2 kbit/s). Range, other senders and damaged
-// preambles are not modelled; the fault `noisy` turns bits over.
+//
+//   enable  ___/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\___   high during the message, and half a bit before and after
+//   data    ----< b1  >< b2  >< b3  >----   set for the whole bit; low between messages
+//   clock   _______/‾‾\__/‾‾\__/‾‾\______   rises in the middle of each bit
+//
+// A message sent while another one is on the air follows it after one bit time. 1 ms for a bit is what 433
+// MHz modules for hobbyists are rated for (1 to 2 kbit/s). Range, other senders and damaged preambles are not
+// modelled; the fault `noisy` turns bits over.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -6,9 +6,8 @@
 // e: brightness of the emitter (1, or what its pin says); s = min(1, (3 mm / height)^2): light lost by
 // height; ambient: stray light; g: standard normal, a new sample for every read. Then, by `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
-//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its state
-//   between
-//            reads. black = "high" or "low" says what it answers over black
+//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its
+//            state between reads. black = "high" or "low" says what it answers over black
 //   rc       a capacitor: see reflectance_rc.h
 // Nothing happens unless firmware reads.
 #pragma once

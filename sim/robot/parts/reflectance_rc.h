@@ -1,10 +1,11 @@
 // read = "rc": a reflectance sensor that is read by timing the discharge of its capacitor.
 //
-//   pin an output, high   charges: full after 10 us (QTR-8RC: 10 nF through 220 ohm has a time constant
-//   of 2.2 us) pin an output, low    empties it in the same way pin an input          the phototransistor
-//   discharges it with a constant current; the pin reads high until the
-//                         voltage is at the input's threshold, half the supply. From full that takes
-//     T = 1 / (b / black_time + (1 - b) / white_time)
+//   pin an output, high   charges: full after 10 us (QTR-8RC: 10 nF through 220 ohm, time constant 2.2 us)
+//   pin an output, low    discharges in the same way
+//   pin an input          the phototransistor discharges it with a constant current; the pin reads high
+//                         until the voltage is at the input's threshold, half the supply. From full this
+//                         takes T = 1 / (b / black_time + (1 - b) / white_time)
+//
 // b, the blackness, is sampled once, when the pin becomes an input. The pin's own pull-up does not matter
 // beside the phototransistor's current. Times are exact in nanoseconds.
 #pragma once

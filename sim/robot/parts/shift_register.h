@@ -2,15 +2,15 @@
 //
 //   rising edge of clock   every bit moves on by one, from Q0 towards Q7; the level of data comes in at Q0
 //   rising edge of latch   the outputs Q0 .. Q7 become what has been shifted in
-//   enable (OE) high       the outputs are switched off: nobody drives them. Without that pin it is tied low
+//   enable (OE) high       the outputs are switched off: they are not driven. Without that pin it is tied low
 //
 // A register with `after` stands behind another one in a chain: what leaves that one comes in here, with the
 // same clock, latch and enable. So of several bytes the first one shifted ends up in the last register.
 // Other parts name the outputs as pins: "REG1.Q4".
 //
-// At power-on its memory holds anything (`typical`: drawn; `ideal`: zeros), until the sketch has shifted and
-// latched. It has the board's supply: while that is off, nobody drives the outputs. Propagation (about 20 ns)
-// and the reset input are not modelled.
+// At power-on its contents are undefined (`typical`: random; `ideal`: zeros) until the sketch has shifted and
+// latched. It shares the board's supply: while that is off, the outputs are not driven. Propagation (about 20
+// ns) and the reset input are not modelled.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -39,7 +39,7 @@ class ShiftRegisterSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// A whole chain: the part of the register at its beginning. Those behind it have nothing to do.
+/// A whole chain, as the part of its first register. The other registers' parts do nothing.
 class ShiftRegisterPart final : public Part, public PinWatcher {
  public:
   ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, PartContext&);

@@ -1,4 +1,4 @@
-// type = "voltage": a constant voltage on a pin: a battery's divider, a potentiometer, a jumper.
+// type = "voltage": a constant voltage on a pin: a battery divider, a potentiometer, a jumper.
 //
 //   volts = `volts`, or `share` of the battery ([motors] supply); at most the board's supply. Plus noise g.
 #pragma once

@@ -1,6 +1,5 @@
-// Tests in worlds by chance: maps, robots, faults and seeds that RapidCheck draws. What fails comes back as
-// the smallest world found that fails as well, kept as files with the command that replays it:
-// docs/testing.md.
+// Tests in random worlds: maps, robots, faults and seeds that RapidCheck draws. A failure is reduced to the
+// smallest world found that still fails, and kept as files with the command that replays it: docs/testing.md.
 //
 //   #include <robosim/random_worlds.h>   // beside <robosim/testing.h>; target robosim::random_worlds
 //
@@ -9,8 +8,8 @@
 //                    [](Simulation& robot) { EXPECT_THAT(robot.run_to_the_end(), Reaches("tour")); });
 //   }
 //
-// The generators are ordinary ones of RapidCheck, of texts that a Trial takes: they may be combined with its
-// own, and used with rc::check and RC_GTEST_PROP.
+// The generators are ordinary RapidCheck generators of the texts that a Trial takes: they may be combined
+// with RapidCheck's own, and used with rc::check and RC_GTEST_PROP.
 #pragma once
 
 #include <rapidcheck/Gen.h>

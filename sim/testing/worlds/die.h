@@ -1,4 +1,4 @@
-// Chance for those who need not know RapidCheck.
+// Random numbers for code that does not need to know RapidCheck.
 #pragma once
 
 #include <functional>

@@ -60,7 +60,7 @@ struct GrowthLimits {
   int cycles = 0;
   int obstacles = 0;
 };
-/// A sound network by chance, with at most so many pieces.
+/// A random sound network, with at most so many pieces.
 LineNetwork grow(const GrowthLimits& limits, const Die& die);
 
 }  // namespace robosim::testing

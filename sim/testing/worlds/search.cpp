@@ -46,7 +46,7 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// What is by chance in it.
+/// What is random in it.
 std::string description(const Trial& trial, const Worlds& worlds) {
   std::string text;
   const auto say = [&](const char* what, const std::string& value, const std::string& given) {

@@ -1,4 +1,4 @@
-// A stretch of a run: what happened between two moments. Matchers look at it.
+// A stretch of a run: what happened between two moments. Matchers check it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ class Drive {
   Duration begin() const { return begin_; }
   Duration end() const { return end_; }
 
-  /// Whether what it was run until has happened; true if it was run for a time, to the end.
+  /// Whether the event it was run until has happened; true if it was run for a time and did not end early.
   bool arrived() const { return complaint_.empty(); }
   explicit operator bool() const { return arrived(); }
   /// For ASSERT_TRUE and EXPECT_TRUE: with the reason.

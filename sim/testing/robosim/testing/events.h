@@ -35,8 +35,8 @@ class Event {
   std::vector<One> any_;
 };
 
-/// The sketch has sent this text. It reads on where the last such event, or the last deed (press, send, …),
-/// was: the answer to a question is looked for after the question.
+/// The sketch has sent this text. It reads on from the last such event, or the last action (press, send, …):
+/// the answer to a question is looked for after the question.
 Event serial_says(const std::string& text);
 /// A whole line that it has sent since then, without its end, matches this regular expression (ECMAScript's)
 /// somewhere.
@@ -61,8 +61,8 @@ Event motors_stop();
 Event stands_still(Duration time = 500_ms);
 /// It has met a wall, an obstacle or the map's edge.
 Event collides();
-/// The run has ended with this verdict, such as "lost" or "crashed" (docs/formats.md). Who waits for one does
-/// not fail because of it.
+/// The run has ended with this verdict, such as "lost" or "crashed" (docs/verdicts.md). A test that waits for
+/// one does not fail because of it.
 Event ends(const std::string& verdict);
 
 }  // namespace robosim::testing

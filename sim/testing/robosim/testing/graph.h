@@ -1,4 +1,4 @@
-// A floor's network of lines as a graph: to hold what firmware has explored against what is there.
+// A floor's network of lines as a graph, to compare what firmware has explored with what is there.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// A test at every place where the power can fail.
+// Repeats a test with the power failing at every possible place.
 #pragma once
 
 #include <functional>

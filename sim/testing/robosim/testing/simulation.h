@@ -24,7 +24,7 @@ struct Trial {
   std::uint64_t seed = 1;
   std::string profile = "typical";         ///< or "ideal": no noise, no spread
   std::string start;                       ///< "X,Y,DIR"; "" = the map's
-  std::string goal = "none";               ///< where the run ends by itself; docs/formats.md
+  std::string goal = "none";               ///< where the run ends by itself; docs/verdicts.md
   std::string script;                      ///< a scenario, from the beginning on
   Duration limit = std::chrono::hours(1);  ///< the run ends here, whatever happens
   Duration clock_start{};                  ///< what millis() begins with; chip targets only
@@ -34,15 +34,15 @@ struct Trial {
 class Simulation {
  public:
   /// Compiles the sketch and puts the robot on the map; time stands at 0. Throws std::exception with a
-  /// sentence for what cannot be: a wrong name, a sketch that does not compile, a missing tool.
+  /// sentence if that is not possible: a wrong name, a sketch that does not compile, a missing tool.
   explicit Simulation(Trial trial);
   /// Ends the run. If the test has failed, keeps what is needed to understand it (docs/testing.md).
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // --- Time. A run that is lost, stuck, hung, over budget or crashed fails the test then and there, unless
-  // the test waits for just that by ends().
+  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once, unless the test
+  // waits for exactly that by ends().
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
@@ -50,7 +50,7 @@ class Simulation {
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // --- Deeds; they happen now. Parts are called as in the robot file. Unknown names throw.
+  // Actions; they happen now. Parts have the names of the robot file. Unknown names throw.
   void press(const std::string& button, Duration time = 100_ms);
   void hold(const std::string& button);
   void release(const std::string& button);
@@ -63,7 +63,7 @@ class Simulation {
   /// Any line of the scenario language, without its time: "fault S2 stuck 1023".
   void act(const std::string& line);
 
-  // --- What there is.
+  // The present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
   bool is_on(const std::string& part) const;  ///< an LED, a button

@@ -1,4 +1,4 @@
-// Chance made testable: many runs that differ in their seed alone.
+// Success rates: many runs that differ only in their seed.
 //
 //   const Trial laps{.sketch = "MyFollower", .map = "oval", .goal = "laps:2"};
 //   EXPECT_SUCCESS_RATE(laps, at_least(0.99), seeds(1000));
