@@ -5,10 +5,10 @@
 // you name:
 //
 //   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
-//                              TB6612: the same, its PWM pin being `en`; its STBY pin must be HIGH (see
-//                              DriveMotors).
-//   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is forward, on
-//   IN2 backward.
+//                              TB6612: the same, its PWM pin being `en`; its STBY pin must be HIGH
+//                              (see DriveMotors).
+//   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is
+//                              forward, on IN2 backward.
 //
 // Pins that get PWM must have it: 3, 5, 6, 9, 10, 11 on an Uno.
 //

@@ -18,8 +18,8 @@
 //   nav/Navigator.h     drives to any node        round obstacles; nav/NextPlanners.h
 //   nav/Plan.h          seven planners            breadth-first search to Dijkstra's algorithm
 //
-// Nothing here waits, except for LineWalker, which drives until it is there, and for the sensors themselves
-// (a few hundred microseconds). Nothing allocates memory.
+// Nothing here waits, except LineWalker, which drives until it has arrived, and the sensors themselves (a few
+// hundred microseconds). Nothing allocates memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 

@@ -3,13 +3,13 @@
 // Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. Three kinds are sold,
 // which differ in how the chip reads them:
 //
-//   AnalogLineSensors    a voltage, by analogRead. Shades of grey, so the line's position is known between
-//   two sensors. RcLineSensors        a time: the pin charges a small capacitor, then the phototransistor
-//   drains it, quickly over white,
-//                        slowly over black. Shades of grey on any digital pin, but slower (up to `timeout_us`
-//                        per reading).
-//   DigitalLineSensors   a comparator's yes or no, by digitalRead. Robust, but the line is only "here" or
-//   "not here".
+//   AnalogLineSensors    a voltage, by analogRead. Shades of grey, so the line's position is known
+//                        between two sensors.
+//   RcLineSensors        a time: the pin charges a small capacitor, then the phototransistor drains it,
+//                        quickly over white, slowly over black. Shades of grey on any digital pin, but
+//                        slower (up to `timeout_us` per reading).
+//   DigitalLineSensors   a comparator's yes or no, by digitalRead. Robust, but the line is only "here"
+//                        or "not here".
 //
 // Pins are listed from the LEFT end of the robot to the RIGHT.
 //

@@ -30,7 +30,7 @@ void LineWalkerOf<S>::step(float left, float right) {
   if (wait <= step_us) {
     delayMicroseconds(static_cast<uint16_t>(wait));
   } else {
-    due_us_ = micros();  // somebody took longer than a step
+    due_us_ = micros();  // something took longer than a step
   }
   if (left != 0 || right != 0) ++steps_;
   sensors_.read();

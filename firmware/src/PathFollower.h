@@ -1,12 +1,11 @@
 // Follows lines that branch, with three digital sensors: left, middle, right.
 //
-//            |            What the robot can meet: a bend, a T, a crossing, the end of a line (a station).
-//            The rule is that of
-//      ------+------      the wall follower, who keeps one hand on the wall. With the left hand:
-//            |              - a branch on the left?  take it;
-//          [L M R]          - else the line goes on? follow it;
-//            ^              - else turn right until there is a line: the one of a bend, or the one it came
-//            on.
+//            |          What the robot can meet: a bend, a T, a crossing, the end of a line (a station).
+//            |          The rule is that of the wall follower, who keeps one hand on the wall.
+//      ------+------    With the left hand:
+//            |            - a branch on the left?  take it;
+//          [L M R]        - else the line goes on? follow it;
+//            ^            - else turn right until there is a line: that of a bend, or the one it came on.
 //
 // On lines without closed loops this visits every station and comes back to where it began, however the lines
 // branch, and it needs no memory at all. Prefer the right side, and everything is mirrored.

@@ -4,16 +4,16 @@
 //
 //   kp   reacts to how far off you are now. Too much of it and the robot swings.
 //   kd   reacts to how fast that changes, and damps the swing.
-//   ki   removes what stays, such as one motor being weaker than the other. Line followers need little or
-//   none.
+//   ki   removes an error that stays, such as that of one motor being weaker than the other. Line
+//        followers need little or none.
 //
 // Units: whatever the error has; time in seconds. With an error in sensor pitches and an output in PWM steps,
 // kp is PWM steps per pitch, ki PWM steps per pitch and second, kd PWM steps per pitch per second.
 //
 // Two things that a textbook formula forgets and a robot needs:
-// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or the
-// robot keeps turning
-//   long after the error is gone. Here the integral waits ("conditional integration").
+// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or
+//   the robot keeps turning long after the error is gone. Here the integral waits ("conditional
+//   integration").
 // - The first call has no previous error, so it has no derivative. Call reset() whenever control begins anew.
 //
 // Example: steer by the line's position every 5 ms.

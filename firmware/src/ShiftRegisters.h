@@ -1,4 +1,4 @@
-// A chain of 74HC595: eight outputs more for each of them, for three pins of the board.
+// A chain of 74HC595s: eight more outputs for each of them, using three pins of the board.
 //
 // Wiring: DATA to the first one's SER (DS), its QH' (Q7S) to the next one's SER, and so on; CLOCK to SRCLK
 // (SHCP) and LATCH to RCLK (STCP) of all; OE to ground, SRCLR (MR) to 5 V.

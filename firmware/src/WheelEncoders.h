@@ -6,7 +6,7 @@
 //
 //   mm = counts * pi * wheel diameter / (2 * periods per turn of the wheel)
 //
-// One pair of encoders a sketch.
+// One pair of encoders per sketch.
 //
 //   WheelEncoders encoders(2, 3);
 //   void setup() { encoders.begin(); }

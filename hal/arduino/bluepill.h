@@ -1,6 +1,5 @@
-// What sketches for a Blue Pill may name beyond what an Uno has, on every target: the chip's pins, as
-// STM32duino writes them (PA13 and PA14 are the debugger's, PB2 is BOOT1), and the resolution of analog
-// values.
+// Names for Blue Pill sketches that an Uno does not have, on every target: the chip's pins, as STM32duino
+// writes them (PA13 and PA14 are the debugger's, PB2 is BOOT1), and the resolution of analog values.
 #pragma once
 
 #include <stdint.h>

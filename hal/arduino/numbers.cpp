@@ -1,4 +1,4 @@
-// Numbers to text: avr-libc's itoa and kin, dtostrf, dtostre.
+// Numbers to text: avr-libc's itoa, ltoa, utoa and ultoa, dtostrf, dtostre.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 besides. On the host they are the Blue
-// Pill's, too, which has more.
+// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 in addition. On the host they are the
+// Blue Pill's too, which has more.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h

@@ -6,7 +6,7 @@ namespace robosim_hal {
 extern int read_bits;   ///< of analogRead's result
 extern int write_bits;  ///< of analogWrite's value
 
-/// A value of so many bits, not below 0, as one of other bits: what is too fine is cut off.
+/// Converts a value, not below 0, from one number of bits to another, rounding down.
 inline int with_bits(int value, int from_bits, int to_bits) {
   if (to_bits > from_bits) return value << (to_bits - from_bits);
   return value >> (from_bits - to_bits);

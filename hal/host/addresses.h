@@ -1,10 +1,10 @@
 // Address checks: which bytes of an image with --sanitize may be accessed. gcc's AddressSanitizer calls
-// before every access of the sketch, its libraries and the core; what it calls is here, in addresses.cpp, and
-// not gcc's own runtime, which would have to be the first in the process, and ends it.
+// before every access of the sketch, its libraries and the core; what it calls is in addresses.cpp. gcc's own
+// runtime is not used: it would have to be the first library in the process, and ends the process.
 //
 // One byte of the shadow stands for 8 bytes of memory: 0 = all may be accessed, 1..7 = so many of them, from
-// 0x80 on = none, and why. It lies where gcc expects it: functions write there themselves, about their own
-// frames.
+// 0x80 on = none, and why. It lies where gcc expects it, since functions write the shadow of their own frames
+// themselves.
 #pragma once
 
 #include <stddef.h>
@@ -47,7 +47,8 @@ HeapBlock block_around(uintptr_t address);
 void allow(const void* begin, size_t bytes);
 /// `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);
-/// Bytes that nobody has set yet look as in local variables (-ftrivial-auto-var-init=pattern).
+/// Bytes that have not been set yet hold the same pattern as local variables
+/// (-ftrivial-auto-var-init=pattern).
 void fill_unset(void* begin, size_t bytes);
 #else
 inline void allow(const void*, size_t) {}

@@ -1,5 +1,5 @@
-// What every function of the Arduino API begins with: the note of its call, for verdicts that say what
-// firmware waits for.
+// Every function of the Arduino API begins with one of these: it records the call, so that a verdict can say
+// what firmware waits for.
 #pragma once
 
 #include "hal/host/clock.h"

@@ -1,5 +1,5 @@
-// Firmware's time: every call and every basic block moves it on, and at its deadline interrupts are served
-// and the executor takes over.
+// Firmware's time: every call and every basic block advances it; at its deadline interrupts are served and
+// the executor takes over.
 #pragma once
 
 #include "hal/board/board.h"
@@ -12,7 +12,7 @@ namespace host {
 extern FirmwareState state;
 extern Board* board;
 extern Host* executor;
-/// When something has to be looked at: the limit, or an interrupt that is due before it.
+/// When something has to be done: the limit, or an interrupt that is due before it.
 extern SimTime deadline;
 
 /// Serves what is due, yields at the limit, and sets the next deadline.
@@ -33,13 +33,13 @@ void work(SimTime duration);
 /// longer. Costs nothing however long it is.
 void wait_until(SimTime time);
 
-/// The same for firmware that is in no call of the API: it hangs.
+/// The same for firmware that is not in a call of the API: it hangs.
 void idle_until(SimTime time);
 
 /// Waits for the next interrupt to be served. Interrupts must be enabled.
 void wait_for_interrupt(bool timer0_counts);
 
-/// Firmware has given up by itself; `how` as the sketch would write it. Does not return.
+/// Firmware has ended itself; `how` as the sketch would write it. Does not return.
 __attribute__((noreturn)) void stop_for_ever(const char* how);
 
 }  // namespace host

@@ -1,9 +1,9 @@
-// What every call of the Arduino API costs on an ATmega328P at 16 MHz, in CPU cycles (62.5 ns). The one table
-// of it.
+// What every call of the Arduino API costs on an ATmega328P at 16 MHz, in CPU cycles (62.5 ns). The only
+// place with these figures.
 //
 // Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6, cycles
-// between two writes of GPIOR0 around the call, less the empty pair's. A row holds the call with arguments
-// that are no constants.
+// between two writes of GPIOR0 around the call, less the empty pair's. Arguments of the calls are not
+// constants.
 #pragma once
 
 #include <stdint.h>

@@ -22,14 +22,14 @@ extern ExternalRegisters external;
 
 enum Edge : uint8_t { kAnyEdge = 1, kFalling = 2, kRising = 3 };
 
-/// Pins of which any edge, or one kind, interrupts on a board that has this beyond INT0 and INT1.
+/// Pins that interrupt on an edge, on boards that have more such pins than INT0 and INT1.
 struct Lines {
   uint32_t enabled = 0, flags = 0;  ///< one bit each pin
   uint8_t sense[kMostPins] = {};    ///< Edge
 };
 extern Lines lines;
 
-/// Whether this pin of the board interrupts by `lines`.
+/// Whether this pin of the board interrupts through `lines`.
 bool has_line(Pin pin);
 /// The lowest pin whose flag is raised and enabled, and clears the flag; kNoPin if there is none.
 Pin take_line();

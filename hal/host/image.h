@@ -1,4 +1,4 @@
-// What a firmware image and its executor know of each other. Nothing else crosses.
+// The interface between a firmware image and its executor; nothing else crosses it.
 //
 // An image is a shared object: sketch, libraries, Arduino core and hal/host. It exports one symbol,
 // `robosim_image`. The executor loads it from a private copy, runs `Image::run` on a fiber of its own, and
@@ -19,10 +19,10 @@
 namespace robosim {
 namespace host {
 
-/// Raised with every change of what is declared here: an image of another version is refused.
+/// Incremented with every change of what is declared here: an image of another version is refused.
 constexpr uint32_t kImageVersion = 5;
 
-/// Something reaches the chip from outside while firmware does not look.
+/// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
   enum class Kind : uint8_t { edge, byte };
   Kind kind = Kind::edge;

@@ -25,7 +25,7 @@ void robosim_write16(robosim_register address, uint16_t value);
 void robosim_enable_interrupts(void);
 void robosim_disable_interrupts(void);
 
-/// Spends that many CPU cycles in a busy loop (_delay_us and kin). Interrupts are served meanwhile.
+/// Spends that many CPU cycles in a busy loop (_delay_us and the like). Interrupts are served meanwhile.
 void robosim_spend_cycles(uint64_t cycles);
 /// The instruction SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
 void robosim_sleep(void);

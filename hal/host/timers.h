@@ -1,8 +1,7 @@
-// Timers 0, 1 and 2 (datasheet, chapters 15, 16 and 18): counters that are computed when somebody looks.
+// Timers 0, 1 and 2 (datasheet, chapters 15, 16 and 18): counters that are computed when they are read.
 //
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
-//   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, or 2 TOP - position on the
-//   way down
+//   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
 // A tick is `prescaler` CPU cycles. Not modelled: input capture, external clocks, double buffering of OCR.
 #pragma once

@@ -30,7 +30,7 @@ class Uart {
   int64_t sending() const;
   /// When at most `count` of them will be left.
   SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
-  /// Hands a byte over, whatever room there is: who wants the chip's limits asks sending() before.
+  /// Hands a byte over, however many are waiting: for the chip's limits, ask sending() first.
   void send(uint8_t byte);
 
   /// A byte has arrived.

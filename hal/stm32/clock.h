@@ -7,8 +7,8 @@ namespace robosim {
 namespace stm32 {
 
 /// Brings the chip to F_CPU: 72 MHz by PLL from the 8 MHz crystal (RM0008 7.2), or 8 MHz from the internal
-/// oscillator, as after a reset. All buses run at F_CPU, but APB1 at half of 72 MHz; its timers run at F_CPU
-/// again.
+/// oscillator, as after a reset. All buses run at F_CPU, except that at 72 MHz APB1 runs at half of it; its
+/// timers still run at F_CPU.
 void start_clocks();
 /// SysTick interrupts every millisecond (PM0056 4.5).
 void start_systick();

@@ -19,7 +19,7 @@ void* _sbrk(ptrdiff_t bytes) {
   return before;
 }
 
-/// Where exit() and a failed assert() end: for ever, with interrupts off, as on an Uno.
+/// Where exit() and a failed assert() end: an endless loop with interrupts off, as on an Uno.
 __attribute__((noreturn, noinline)) void robosim_stop_program() {
   __asm__ volatile("cpsid i");
   for (;;) __asm__ volatile("wfi");

@@ -1,5 +1,5 @@
-// Where Arduino's pin numbers are on the chip, and what else each can do (DS5319, table 5). The plan is that
-// of hal/board/board_spec.cpp, which says why.
+// Where Arduino's pin numbers are on the chip, and what else each can do (DS5319, table 5). The assignment is
+// that of hal/board/board_spec.cpp, which gives the reasons.
 #pragma once
 
 #include "hal/stm32/registers.h"

@@ -1,4 +1,4 @@
-// Pins of the Blue Pill: Arduino's numbers 0 to 19 where an Uno has them, then what is left.
+// Pins of the Blue Pill: Arduino's numbers 0 to 19 with the functions they have on an Uno, then the rest.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h

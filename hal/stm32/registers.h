@@ -1,5 +1,5 @@
-// How firmware touches a register, and the few instructions that C++ has no words for. On this machine, in
-// tests, both go to a model of the chip instead.
+// How firmware accesses a register, and the few instructions that C++ cannot express. In tests on a PC, both
+// go to a model of the chip instead.
 //
 //   at(kRccCr) |= kHseOn;
 #pragma once

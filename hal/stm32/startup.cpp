@@ -11,7 +11,7 @@ extern void (*__init_array_end[])();
 
 int main();
 
-/// Where an interrupt goes that nobody handles.
+/// The handler of interrupts without one.
 void Default_Handler() {
   for (;;) {
   }

@@ -21,7 +21,7 @@ class NodeHeap {
     heap_[size_++] = node;
     rise(node);
   }
-  /// After its distance has become less.
+  /// To be called when its distance has decreased.
   void rise(Id node) {
     Id at = position_[node];
     while (at > 0) {

@@ -1,4 +1,5 @@
-// Program memory. Here it is ordinary constant memory, and each *_P function is its plain kin.
+// Program memory. Here it is ordinary constant memory, and each *_P function is the same as the one without
+// _P.
 #pragma once
 
 #include <inttypes.h>

@@ -1,4 +1,4 @@
-// avr-libc's <stdlib.h>: what the C standard has, and itoa, dtostrf and random besides.
+// avr-libc's <stdlib.h>: the C standard's functions, and itoa, dtostrf and random.
 #pragma once
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-// Strings and memory: avr-libc's names, and none beside them (`index` and `rindex`, for one, stay the
-// sketch's own).
+// Strings and memory: avr-libc's names and no others (a sketch may have its own `index` and `rindex`, for
+// example).
 #pragma once
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// What of avr-libc's <avr/io.h> does not depend on an AVR's registers.
+// The part of avr-libc's <avr/io.h> that does not depend on an AVR's registers.
 #pragma once
 
 #include <stdint.h>
