@@ -65,9 +65,48 @@ std::string list_of_pins(const std::vector<int>& pins) {
   return text;
 }
 
+// "S2 was stuck at 1023 by the script"
+std::string told(const ScriptFault& fault) {
+  const std::string& kind = fault.arguments.front();
+  const std::string value = fault.arguments.size() > 1 ? fault.arguments[1] : "";
+  std::string what;
+  if (kind == "stuck") what = value.empty() ? "was stuck" : "was stuck at " + value;
+  if (kind == "pressed" || kind == "released") what = "was stuck " + kind;
+  if (kind == "dead" || kind == "reversed") what = "was made " + kind;
+  if (kind == "swapped") what = "was swapped with " + value;
+  if (what.empty()) what = fmt::format("got the fault \"{}\"", fmt::join(fault.arguments, " "));
+  return fmt::format("{} {} by the script", fault.part, what);
+}
+
+// The script's fault that was there at `t`, or had just ended; the last to begin if there were several.
+const ScriptFault* fault_at(const Evidence& e, SimTime t) {
+  constexpr SimTime kAfterEffect = kSecond;
+  const ScriptFault* last = nullptr;
+  for (const ScriptFault& fault : e.faults)
+    if (fault.began <= t && (fault.ended == kNever || fault.ended + kAfterEffect >= t)) last = &fault;
+  return last;
+}
+
+// ", 0.30 s after S2 was stuck at 1023 by the script"; empty if the script broke nothing then.
+std::string after_fault(const Evidence& e, SimTime t) {
+  const ScriptFault* fault = fault_at(e, t);
+  return fault ? fmt::format(", {} after {}", seconds(t - fault->began), told(*fault)) : "";
+}
+
+std::string sentence(const Evidence& e);
+
 }  // namespace
 
 std::string explain(const Evidence& e) {
+  std::string text = sentence(e);
+  if (e.verdict == Verdict::lost || e.verdict == Verdict::reached || text.empty()) return text;
+  text.pop_back();
+  return text + after_fault(e, e.t) + ".";
+}
+
+namespace {
+
+std::string sentence(const Evidence& e) {
   const std::string done = e.progress->summary();
   switch (e.verdict) {
     case Verdict::reached:
@@ -77,9 +116,10 @@ std::string explain(const Evidence& e) {
                                done);
     case Verdict::lost:
       return fmt::format(
-          "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near {} "
-          "({}).",
-          seconds(e.judge->line_last_seen()), cell_of(*e.map, e.judge->line_last_seen_at()), done);
+          "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near "
+          "{}{} ({}).",
+          seconds(e.judge->line_last_seen()), cell_of(*e.map, e.judge->line_last_seen_at()),
+          after_fault(e, e.judge->line_last_seen()), done);
     case Verdict::stuck:
       return fmt::format(
           "The robot is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
@@ -113,6 +153,8 @@ std::string explain(const Evidence& e) {
   }
   return "";
 }
+
+}  // namespace
 
 std::string next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";

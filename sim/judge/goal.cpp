@@ -115,12 +115,12 @@ bool Progress::is_visited(const std::string& station) const {
   return false;
 }
 
-void Progress::visit_places(const world::Body& body, std::vector<std::string>& notes) {
+void Progress::visit_places(const world::Body& body, Events& events) {
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     if (stations_[i].visited || !body.covers(stations_[i].centre)) continue;
     stations_[i].visited = true;
     visited_.push_back(static_cast<int>(i));
-    notes.push_back(fmt::format("station {} visited", stations_[i].name));
+    events.push_back(wire::StationVisited{stations_[i].name});
   }
   for (Target& junction : junctions_) {
     if (junction.visited || !body.covers(junction.centre)) continue;
@@ -129,8 +129,7 @@ void Progress::visit_places(const world::Body& body, std::vector<std::string>& n
   }
 }
 
-bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTime t,
-                       std::vector<std::string>& notes) {
+bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events) {
   const std::size_t count = loop_.size();
   const auto point = [&](std::size_t i) { return loop_[backwards ? (count - i) % count : i % count]; };
   while (lap.next <= count && body.covers(point(lap.next))) ++lap.next;
@@ -138,7 +137,7 @@ bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTim
   lap.next = 1;
   ++lap.complete;
   laps_s_.push_back(static_cast<double>(t - lap.began) * 1e-9);
-  notes.push_back(fmt::format("lap {} in {:.2f} s", lap.complete, laps_s_.back()));
+  events.push_back(wire::LapDone{lap.complete, laps_s_.back()});
   lap.began = t;
   return lap.complete >= goal_.laps;
 }
@@ -166,7 +165,7 @@ bool Progress::stands_still(const world::Body& body, SimTime t) {
   return has_moved_ && t - at_rest_since_ >= kStandsStill;
 }
 
-void Progress::update(const world::Body& body, SimTime t, std::vector<std::string>& notes) {
+void Progress::update(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
 
@@ -176,10 +175,10 @@ void Progress::update(const world::Body& body, SimTime t, std::vector<std::strin
     return;
   checked_at_ = pose.position;
   checked_heading_ = pose.heading;
-  visit_places(body, notes);
+  visit_places(body, events);
   if (!loop_.empty()) {
-    const bool forwards = advance(forwards_, false, body, t, notes);
-    const bool backwards = advance(backwards_, true, body, t, notes);
+    const bool forwards = advance(forwards_, false, body, t, events);
+    const bool backwards = advance(backwards_, true, body, t, events);
     if (goal_.kind == Goal::Kind::laps) reached_ = forwards || backwards;
   }
   if (goal_.kind == Goal::Kind::tour) reached_ = tour_done(body);

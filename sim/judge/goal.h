@@ -9,6 +9,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
+#include "sim/wire/events.h"
 
 namespace robosim::world {
 class Body;
@@ -42,6 +43,9 @@ struct Target {
   bool visited = false;
 };
 
+/// What has happened in a tick.
+using Events = std::vector<wire::RunEvent::What>;
+
 /// Watches a body and says when the goal is reached. Visited: the body's outline has covered the centre.
 class Progress {
  public:
@@ -50,8 +54,9 @@ class Progress {
   Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes, const grid::Network& network,
            const grid::Start& start);
 
-  /// Called once a tick with the time at its end. New notes ("station 2 visited") are appended to `notes`.
-  void update(const world::Body& body, SimTime t, std::vector<std::string>& notes);
+  /// Called once a tick with the time at its end. Stations visited and laps done are appended to
+  /// `events`.
+  void update(const world::Body& body, SimTime t, Events& events);
 
   bool reached() const { return reached_; }
   /// One clause: what is still missing, or what was done.
@@ -73,8 +78,8 @@ class Progress {
     int complete = 0;
   };
 
-  void visit_places(const world::Body& body, std::vector<std::string>& notes);
-  bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, std::vector<std::string>& notes);
+  void visit_places(const world::Body& body, Events& events);
+  bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
   bool tour_done(const world::Body& body);
   bool rests_at_station(const world::Body& body, SimTime t);
   bool stands_still(const world::Body& body, SimTime t);

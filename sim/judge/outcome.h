@@ -10,6 +10,7 @@
 #include "sim/base/vec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/judge/goal.h"
+#include "sim/wire/events.h"
 
 namespace robosim::judge {
 
@@ -40,12 +41,6 @@ struct Metrics {
   int junctions = 0;                  ///< different ones visited
 };
 
-/// Something worth telling that happened: "station 2 visited".
-struct Event {
-  SimTime t = 0;
-  std::string text;
-};
-
 struct Outcome {
   Verdict verdict = Verdict::timeout;
   std::string why;   ///< one sentence a first-year student understands
@@ -55,7 +50,7 @@ struct Outcome {
   Metrics metrics;
   std::optional<exec::Crash> crash;
   std::optional<exec::Resources> resources;  ///< of a chip
-  std::vector<Event> events;                 ///< the last few
+  std::vector<wire::RunEvent> events;        ///< the last few
   std::string serial;                        ///< all that the firmware sent, up to kSerialKept bytes
   Pose end;                                  ///< where the robot is
   std::uint64_t eeprom_writes = 0;           ///< bytes that the firmware wrote to its EEPROM

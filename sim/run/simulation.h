@@ -1,11 +1,14 @@
-// A simulation: the one place where firmware and world are kept in step.
+// A simulation is a clock, a world and agents: robots, each with its own firmware, script, goal and verdict.
+// This is the one place where firmware and world are kept in step.
 //
 // A tick is [t, t+1 ms):
 //   1. what the scenario does from outside at t; parts schedule their pin edges from the state at t;
 //   2. firmware runs to t+1 ms; what it reads inside the tick is extrapolated from the state at t;
 //   3. each motor's command becomes the time average of its pins over the tick;
 //   4. the world integrates to t+1 ms; then goal and judge look at it.
-// The same for every executor. Nothing here depends on wall time, threads or what is listened to.
+// Each step is taken by all agents, in the order of their numbers, before the next begins: what one does to
+// another in a tick is seen in the next. The same for every executor. Nothing here depends on wall time,
+// threads or what is listened to.
 #pragma once
 
 #include <atomic>
@@ -25,22 +28,6 @@
 namespace robosim::run {
 
 constexpr SimTime kDefaultLimit = 600 * kSecond;
-
-struct Setup {
-  const grid::Map* map = nullptr;
-  std::optional<grid::Start> start;  ///< else the map's
-  const robot::Description* robot = nullptr;
-  exec::Executor* executor = nullptr;
-  std::optional<judge::Goal> goal;  ///< else the map's
-  SimTime limit = kDefaultLimit;    ///< simulated
-  std::uint64_t seed = 1;
-  robot::Profile profile = robot::Profile::typical;
-  std::vector<scenario::Step> scenario;
-  SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
-  StepController* controller = nullptr;            ///< drives the run step by step; may be null
-  const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
-  std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
-};
 
 /// What was settled before the first tick.
 struct Beginning {
@@ -64,7 +51,7 @@ struct Sample {
   std::string at_station;  ///< whose centre the body covers; told to a controller only, "" = none
 };
 
-/// Listens to a run. Hearing more never changes what happens.
+/// Listens to one agent. Hearing more never changes what happens.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -78,10 +65,34 @@ class Listener {
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
-  virtual void noted(const judge::Event&) {}
+  virtual void happened(const wire::RunEvent&) {}
 };
 
-/// Runs to the verdict. Throws InputError if the set-up makes no sense (start off the line, unknown parts …).
-judge::Outcome simulate(const Setup& setup, Listener& listener);
+/// One robot: its firmware, where it starts, what it is for, and what happens to it.
+struct AgentSetup {
+  const robot::Description* robot = nullptr;
+  exec::Executor* executor = nullptr;  ///< of its own, and of this run only
+  std::optional<grid::Start> start;    ///< else the map's
+  std::optional<judge::Goal> goal;     ///< else the map's
+  std::vector<scenario::Step> scenario;
+  Listener* listener = nullptr;  ///< may be null
+};
+
+struct Setup {
+  const grid::Map* map = nullptr;
+  std::vector<AgentSetup> agents;  ///< at least one
+  SimTime limit = kDefaultLimit;   ///< simulated
+  std::uint64_t seed = 1;
+  robot::Profile profile = robot::Profile::typical;
+  SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
+  StepController* controller = nullptr;            ///< drives the run step by step; may be null
+  const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
+  std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
+};
+
+/// Runs until each agent has its verdict; theirs, in the order of the agents. One that is finished stays
+/// where it is, its firmware off, while others go on. Throws InputError if the set-up makes no sense (start
+/// off the line, unknown parts …).
+std::vector<judge::Outcome> simulate(const Setup& setup);
 
 }  // namespace robosim::run

@@ -22,7 +22,8 @@ struct Stop {
   enum class Kind {
     serial,   ///< the firmware has sent `text`, from byte number `from` on
     line,     ///< it has sent a line, from byte `from` on, in which the regular expression `text` is found
-    note,     ///< something happened that is told with `text` in it: "collision"
+    note,     ///< something happened whose text_of() holds `text`
+    event,    ///< something of this kind happened: "collision_began" (wire::event_kinds())
     visited,  ///< station `text` has been visited
     at,       ///< the body covers the centre of station `text`
     reading,  ///< the part `text` reads at least 0.5, or less: `level`
@@ -35,6 +36,7 @@ struct Stop {
   std::size_t from = 0;
   bool level = true;
   SimTime time = 0;
+  int agent = 0;  ///< whom it is about
 };
 
 /// What the controller wants next: on until the first of these, or to the end at once (`interrupted`).
@@ -44,7 +46,7 @@ struct Leg {
   bool end = false;
 };
 
-/// The state at the beginning of a tick.
+/// An agent's state at the beginning of a tick.
 struct State {
   SimTime t = 0;
   int stop = -1;  ///< which of the leg's stops was met; -1 = none, its time is up
@@ -62,13 +64,14 @@ struct State {
 /// A run that stands still.
 class Standstill {
  public:
-  virtual const State& state() const = 0;
-  virtual const Sample& sample() const = 0;
+  virtual int agent_count() const = 0;
+  virtual const State& state(int agent = 0) const = 0;
+  virtual const Sample& sample(int agent = 0) const = 0;
   /// The firmware's non-volatile memory, all of it.
-  virtual std::vector<std::uint8_t> eeprom() const = 0;
-  /// Adds steps to the script; what is due now happens as soon as the run goes on. Throws InputError, and
-  /// adds none, for names that do not exist.
-  virtual void add(std::vector<scenario::Step> steps) = 0;
+  virtual std::vector<std::uint8_t> eeprom(int agent = 0) const = 0;
+  /// Adds steps to an agent's script; what is due now happens as soon as the run goes on. Throws InputError,
+  /// and adds none, for names that do not exist.
+  virtual void add(std::vector<scenario::Step> steps, int agent = 0) = 0;
   /// Throws InputError if a stop makes no sense here.
   virtual void check(const Leg& leg) const = 0;
 

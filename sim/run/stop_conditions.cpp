@@ -64,6 +64,12 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
         throw InputError(fmt::format("\"{}\" is no regular expression (ECMAScript's)", stop.text));
       }
       break;
+    case Stop::Kind::event: {
+      const std::vector<std::string>& kinds = wire::event_kinds();
+      if (std::find(kinds.begin(), kinds.end(), stop.text) == kinds.end())
+        throw InputError(fmt::format("there is no event \"{}\"; those are {}", stop.text, one_of(kinds)));
+      break;
+    }
     default:
       break;
   }
@@ -73,14 +79,18 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
 }
 
 void StopConditions::check(const Leg& leg) const {
-  for (const Stop& stop : leg.stops) watch_for(stop);
+  for (const Stop& stop : leg.stops)
+    if (stop.agent == scene_.agent) watch_for(stop);
 }
 
 void StopConditions::begin(const Leg& leg, SimTime t) {
   watches_.clear();
-  for (const Stop& stop : leg.stops) {
+  for (std::size_t i = 0; i < leg.stops.size(); ++i) {
+    const Stop& stop = leg.stops[i];
+    if (stop.agent != scene_.agent) continue;
     watches_.push_back(watch_for(stop));
     Watch& watch = watches_.back();
+    watch.number = static_cast<int>(i);
     watch.rest_since = t;
     if (watch.pin != kNoPin) watch.met = matches(scene_.board.drive(watch.pin), stop.level);
   }
@@ -93,10 +103,13 @@ void StopConditions::pin_changed(Pin pin, const PinDrive& drive) {
     if (watch.pin == pin && matches(drive, watch.stop.level)) watch.met = true;
 }
 
-void StopConditions::noted(const std::string& text) {
-  for (Watch& watch : watches_)
-    if (watch.stop.kind == Stop::Kind::note && text.find(watch.stop.text) != std::string::npos)
+void StopConditions::happened(const wire::RunEvent& event) {
+  for (Watch& watch : watches_) {
+    if (watch.stop.kind == Stop::Kind::event && watch.stop.text == wire::kind_of(event)) watch.met = true;
+    if (watch.stop.kind == Stop::Kind::note &&
+        wire::text_of(event).find(watch.stop.text) != std::string::npos)
       watch.met = true;
+  }
 }
 
 bool StopConditions::says(Watch& watch) const {
@@ -141,6 +154,7 @@ bool StopConditions::is_met(Watch& watch, SimTime t) const {
         watch.rest_since = t;
       return t - watch.rest_since >= stop.time;
     case Stop::Kind::note:
+    case Stop::Kind::event:
     case Stop::Kind::pin:
       return watch.met;
   }
@@ -148,9 +162,8 @@ bool StopConditions::is_met(Watch& watch, SimTime t) const {
 }
 
 bool StopConditions::look(SimTime t) {
-  for (std::size_t i = 0; i < watches_.size(); ++i) {
-    if (met_ < 0 && is_met(watches_[i], t)) met_ = static_cast<int>(i);
-  }
+  for (Watch& watch : watches_)
+    if (met_ < 0 && is_met(watch, t)) met_ = watch.number;
   return met_ >= 0 || t >= until_;
 }
 

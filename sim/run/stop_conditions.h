@@ -1,4 +1,4 @@
-// Watches for the stops of a leg (controller.h).
+// Watches for the stops of a leg that are about one agent (step_controller.h).
 #pragma once
 
 #include <regex>
@@ -15,13 +15,14 @@ namespace robosim::run {
 
 class StopConditions {
  public:
-  /// What there is to look at; all of it outlives the lookout.
+  /// What there is to look at; all of it outlives this.
   struct Scene {
     const std::string& serial;
     const judge::Progress& progress;
     const world::Body& body;
     const robot::Robot& robot;
     const Board& board;
+    int agent;  ///< stops about others are left to theirs
   };
 
   explicit StopConditions(const Scene& scene) : scene_(scene) {}
@@ -31,15 +32,16 @@ class StopConditions {
   /// A checked leg begins at `t`.
   void begin(const Leg& leg, SimTime t);
   void pin_changed(Pin pin, const PinDrive& drive);
-  void noted(const std::string& text);
+  void happened(const wire::RunEvent& event);
   /// Called with the time at the end of a tick: whether the leg ends here.
   bool look(SimTime t);
-  /// Of the leg that has ended: the first stop that was met, or -1.
+  /// Of the leg that has ended: the number of the first stop that was met, or -1.
   int met() const { return met_; }
 
  private:
   struct Watch {
     Stop stop;
+    int number = 0;           ///< in the leg
     std::size_t station = 0;  ///< index into Progress::stations()
     Pin pin = kNoPin;
     std::regex line;

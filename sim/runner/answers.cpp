@@ -105,8 +105,8 @@ Json to_json(const judge::Outcome& outcome) {
   }
   if (outcome.resources) json["resources"] = resources(*outcome.resources);
   Json events = Json::array();
-  for (const judge::Event& event : outcome.events)
-    events.push_back({{"t_s", seconds(event.t)}, {"text", event.text}});
+  for (const wire::RunEvent& event : outcome.events)
+    events.push_back({{"t_s", seconds(event.t_ns)}, {"text", wire::text_of(event)}});
   json["events"] = std::move(events);
   json["serial"] = outcome.serial;
   json["end"] = {{"x", millimetres(outcome.end.position.x)},

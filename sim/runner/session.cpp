@@ -67,8 +67,8 @@ class Narrator final : public run::Listener {
     if (request_.gdb_port > 0) send("debugger_awaited", {{"port", request_.gdb_port}});
   }
   void sampled(const run::Sample& s) override { send("sample", to_json(s)); }
-  void noted(const judge::Event& event) override {
-    if (request_.stream_notes) send("note", {{"t_ns", event.t}, {"text", event.text}});
+  void happened(const wire::RunEvent& event) override {
+    if (request_.stream_notes) send("note", {{"t_ns", event.t_ns}, {"text", wire::text_of(event)}});
   }
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
     static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
@@ -166,14 +166,15 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
 
   run::Setup setup;
   setup.map = &map;
-  setup.robot = &robot;
-  setup.executor = executor.get();
-  if (!request.start.empty()) setup.start = grid::parse_start(map, request.start);
-  if (!request.goal.empty()) setup.goal = judge::parse_goal(request.goal);
+  run::AgentSetup& agent = setup.agents.emplace_back();
+  agent.robot = &robot;
+  agent.executor = executor.get();
+  if (!request.start.empty()) agent.start = grid::parse_start(map, request.start);
+  if (!request.goal.empty()) agent.goal = judge::parse_goal(request.goal);
+  agent.scenario = scenario::parse_scenario(request.script, request.script_file);
   setup.limit = request.limit;
   setup.seed = request.seed;
   setup.profile = request.profile;
-  setup.scenario = scenario::parse_scenario(request.script, request.script_file);
   setup.samples_every = request.samples_every;
   setup.interrupted = &interrupted;
   setup.reached = &reached;
@@ -181,10 +182,11 @@ void run_request(const Target& target, const RunRequest& request, const nlohmann
 
   if (request.source) executor->trace_bytes(request.source->first, request.source->second);
   Narrator narrator(id, request, *robot.board, *executor);
+  agent.listener = &narrator;
   RemoteController controller(id, request.script_file, interrupted,
                               [&](SimTime t) { narrator.flush_serial(t); });
   if (request.interactive) setup.controller = &controller;
-  const judge::Outcome outcome = run::simulate(setup, narrator);
+  const judge::Outcome outcome = run::simulate(setup).front();
   narrator.flush_serial(outcome.time);
   if (!request.counters.empty()) write_file(request.counters, pack(executor->counters()));
   if (debugger) debugger->ended(static_cast<int>(judge::exit_status(outcome.verdict)));

@@ -89,10 +89,11 @@ Bit parse_bit(const std::vector<std::string>& arguments, std::uint16_t bytes) {
 
 }  // namespace
 
-BoardFaults::BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed)
+BoardFaults::BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed,
+                         std::uint32_t number)
     : executor_(executor),
       robot_(robot),
-      noise_(seed, 0, "serial", "fault"),
+      noise_(seed, number, "serial", "fault"),
       chip_volts_(executor.board().spec().supply_volts) {
   executor.board().watch_eeprom(*this);
 }
@@ -196,13 +197,13 @@ void BoardFaults::update_power(SimTime t) {
   }
 }
 
-std::string BoardFaults::leave_half_written(const HalfWritten& what, SimTime t) {
-  if (!last_write_ || t >= last_write_->began + kEepromWriteTime) return "";
+std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,
+                                                                            SimTime t) {
+  if (!last_write_ || t >= last_write_->began + kEepromWriteTime) return std::nullopt;
   std::uint8_t& byte = executor_.board().eeprom()[last_write_->address];
   if (what.kind == HalfWritten::Kind::before) byte = last_write_->before;
   if (what.kind == HalfWritten::Kind::value) byte = what.value;
-  return fmt::format(", while byte {} of the EEPROM was being written: it holds 0x{:02X}",
-                     last_write_->address, byte);
+  return wire::PowerLost::HalfWritten{last_write_->address, byte};
 }
 
 void BoardFaults::send(const std::string& bytes, SimTime t) {

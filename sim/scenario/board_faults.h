@@ -19,6 +19,7 @@
 #include "sim/exec/core/executor.h"
 #include "sim/robot/robot.h"
 #include "sim/scenario/scenario.h"
+#include "sim/wire/events.h"
 
 namespace robosim::scenario {
 
@@ -28,7 +29,8 @@ constexpr double kLogicKeeps = 2.0;     ///< V: less than that, and a 74HC's reg
 
 class BoardFaults final : EepromWatcher {
  public:
-  BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed);
+  /// `number` is the robot's in its world.
+  BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed, std::uint32_t number = 0);
 
   static bool knows(const std::string& name);
   static const std::vector<std::string>& names();
@@ -44,8 +46,8 @@ class BoardFaults final : EepromWatcher {
   void switch_power(bool on, SimTime t);
   /// Whether the chip runs: it is switched on and has its voltage.
   bool powered() const { return powered_; }
-  /// Settles what the byte holds that is being written at `t`; says so, or nothing if none is.
-  std::string leave_half_written(const HalfWritten& what, SimTime t);
+  /// Settles what the byte holds that is being written at `t`; nothing if none is.
+  std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
   /// Bytes on their way to the firmware.
   void send(const std::string& bytes, SimTime t);

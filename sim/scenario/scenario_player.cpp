@@ -9,55 +9,9 @@
 namespace robosim::scenario {
 namespace {
 
-std::string fault_text(const Action& action) {
-  std::string text = action.part;
-  for (const std::string& argument : action.arguments) text += " " + argument;
-  return text;
-}
-
-/// What ends by itself, in words; nothing where nobody needs to know.
-std::string describe_end(const Action& action) {
-  switch (action.verb) {
-    case Action::Verb::lift:
-      return "robot put down";
-    case Action::Verb::obstacle:
-      return "obstacle on " + action.text + " taken away";
-    case Action::Verb::power:
-      return "power on";
-    case Action::Verb::fault:
-      return "fault over: " + fault_text(action);
-    default:
-      return "";
-  }
-}
-
-std::string describe(const Action& action) {
-  switch (action.verb) {
-    case Action::Verb::press:
-      return action.part + " pressed";
-    case Action::Verb::release:
-      return action.part + " released";
-    case Action::Verb::send:
-      return action.part.empty() ? fmt::format("\"{}\" sent to the sketch", action.text)
-                                 : fmt::format("{} sent to {}", action.text, action.part);
-    case Action::Verb::place:
-      return "robot placed at " + action.text;
-    case Action::Verb::lift:
-      return "robot lifted";
-    case Action::Verb::lower:
-      return "robot put down";
-    case Action::Verb::cover:
-      return action.part + " covered";
-    case Action::Verb::obstacle:
-      return "obstacle put on " + action.text;
-    case Action::Verb::clear:
-      return "obstacle on " + action.text + " taken away";
-    case Action::Verb::fault:
-      return "fault: " + fault_text(action);
-    case Action::Verb::power:
-      return "power " + action.part;
-  }
-  return "";
+wire::ScriptActed acted(const char* verb, const Action& action) {
+  const bool has_bytes = action.verb != Action::Verb::lift && action.verb != Action::Verb::lower;
+  return {verb, action.part, has_bytes ? action.text : ""};
 }
 
 /// Two of them about one thing: the later one counts, and the earlier one's end no more.
@@ -86,7 +40,7 @@ grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
 }  // namespace
 
 ScenarioPlayer::ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress)
-    : stage_(stage), board_(stage.executor, stage.robot, stage.seed) {
+    : stage_(stage), board_(stage.executor, stage.robot, stage.seed, stage.number) {
   add(std::move(steps), progress);
 }
 
@@ -165,7 +119,7 @@ bool ScenarioPlayer::met(const Pending& pending, SimTime t, const judge::Progres
   return false;
 }
 
-void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, std::vector<std::string>& notes) {
+void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
   for (std::size_t i = 0; i < undo_.size();) {
     if (t < undo_[i].at) {
       ++i;
@@ -173,8 +127,7 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, std::vector
     }
     const Action action = undo_[i].action;
     undo_.erase(undo_.begin() + static_cast<std::ptrdiff_t>(i));
-    end(action, t);
-    if (std::string note = describe_end(action); !note.empty()) notes.push_back(std::move(note));
+    if (auto event = end(action, t)) events.push_back(std::move(*event));
   }
   for (std::size_t i = 0; i < pending_.size();) {
     Pending& pending = pending_[i];
@@ -188,8 +141,7 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, std::vector
     const Action action = pending.step.action;
     pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
     std::erase_if(undo_, [&](const Undo& undo) { return replaces(action, undo.action); });
-    const std::string more = perform(action, t);
-    notes.push_back(describe(action) + more);
+    events.push_back(perform(action, t));
     if (action.duration) undo_.push_back({t + *action.duration, action});
   }
 }
@@ -211,87 +163,103 @@ void ScenarioPlayer::clear_obstacle(const std::string& text) {
   });
 }
 
-std::string ScenarioPlayer::perform(const Action& action, SimTime t) {
+void ScenarioPlayer::repaired(const std::string& part, SimTime t) {
+  for (judge::ScriptFault& fault : faults_)
+    if (fault.part == part && fault.ended == kNever) fault.ended = t;
+}
+
+wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, SimTime t) {
+  const bool ran = board_.powered();
+  if (is_of_board(action)) {
+    board_.fail(action.part, action.arguments, t);
+  } else {
+    stage_.robot.fault(action.part, action.arguments.front(),
+                       {action.arguments.begin() + 1, action.arguments.end()});
+  }
+  repaired(action.part, t);
+  if (action.arguments.front() == "ok") return wire::FaultEnded{action.part, action.arguments};
+  faults_.push_back({action.part, action.arguments, t});
+  return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
+}
+
+wire::RunEvent::What ScenarioPlayer::switch_power(const Action& action, SimTime t) {
+  const bool ran = board_.powered();
+  board_.switch_power(action.part == "on", t);
+  if (action.part == "on") return wire::PowerBack{};
+  if (!ran || board_.powered()) return wire::PowerLost{};
+  return wire::PowerLost{board_.leave_half_written(action.half_written, t)};
+}
+
+wire::RunEvent::What ScenarioPlayer::perform(const Action& action, SimTime t) {
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.press(action.part, t);
-      break;
+      return acted("press", action);
     case Action::Verb::release:
       stage_.robot.release(action.part, t);
-      break;
+      return acted("release", action);
     case Action::Verb::send:
       if (action.part.empty()) {
         board_.send(action.text, t);
       } else {
         stage_.robot.send(action.part, action.bits, t);
       }
-      break;
+      return acted("send", action);
     case Action::Verb::place: {
       const grid::Start where = grid::parse_start(stage_.map, action.text);
       stage_.body.place({stage_.stripes.point_of(where.cell), grid::heading(where.facing)});
-      break;
+      return acted("place", action);
     }
     case Action::Verb::lift:
       stage_.body.lift(true);
-      break;
+      return acted("lift", action);
     case Action::Verb::lower:
       stage_.body.lift(false);
-      break;
+      return acted("lower", action);
     case Action::Verb::obstacle:
       put_obstacle(action);
-      break;
+      return acted("obstacle", action);
     case Action::Verb::clear:
       clear_obstacle(action.text);
-      break;
+      return acted("clear", action);
     case Action::Verb::cover:
       stage_.robot.cover(action.part, true);
-      break;
+      return acted("cover", action);
     case Action::Verb::fault:
-      if (is_of_board(action)) {
-        const bool ran = board_.powered();
-        board_.fail(action.part, action.arguments, t);
-        if (ran && !board_.powered()) return ", which resets the chip";
-      } else {
-        stage_.robot.fault(action.part, action.arguments.front(),
-                           {action.arguments.begin() + 1, action.arguments.end()});
-      }
-      break;
-    case Action::Verb::power: {
-      const bool ran = board_.powered();
-      board_.switch_power(action.part == "on", t);
-      if (ran && !board_.powered()) return board_.leave_half_written(action.half_written, t);
-      break;
-    }
+      return break_or_repair(action, t);
+    case Action::Verb::power:
+      return switch_power(action, t);
   }
-  return "";
+  return {};
 }
 
-void ScenarioPlayer::end(const Action& action, SimTime t) {
+std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Action& action, SimTime t) {
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.release(action.part, t);
-      break;
+      return std::nullopt;
     case Action::Verb::lift:
       stage_.body.lift(false);
-      break;
+      return acted("lower", action);
     case Action::Verb::obstacle:
       clear_obstacle(action.text);
-      break;
+      return acted("clear", action);
     case Action::Verb::cover:
       stage_.robot.cover(action.part, false);
-      break;
+      return std::nullopt;
     case Action::Verb::fault:
       if (is_of_board(action)) {
         board_.fail(action.part, {"ok"}, t);
       } else {
         stage_.robot.fault(action.part, "ok", {});
       }
-      break;
+      repaired(action.part, t);
+      return wire::FaultEnded{action.part, action.arguments};
     case Action::Verb::power:
       board_.switch_power(true, t);
-      break;
+      return wire::PowerBack{};
     default:
-      break;
+      return std::nullopt;
   }
 }
 

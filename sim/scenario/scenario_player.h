@@ -1,13 +1,14 @@
 // Plays a scenario: fires each step when it is due, and undoes what has a duration.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
 #include "sim/judge/goal.h"
+#include "sim/judge/script_fault.h"
 #include "sim/robot/robot.h"
 #include "sim/scenario/board_faults.h"
 #include "sim/scenario/scenario.h"
@@ -24,6 +25,7 @@ struct Stage {
   world::Body& body;
   exec::Executor& executor;
   std::uint64_t seed;
+  std::uint32_t number;  ///< of the robot in its world
 };
 
 class ScenarioPlayer {
@@ -34,11 +36,13 @@ class ScenarioPlayer {
   /// Adds steps at the script's end; all or none. Throws as the constructor does.
   void add(std::vector<Step> steps, const judge::Progress& progress);
 
-  /// Carries out what is due at `t`, the beginning of a tick; each deed is appended to `notes`.
-  void act(SimTime t, const judge::Progress& progress, std::vector<std::string>& notes);
+  /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
+  void act(SimTime t, const judge::Progress& progress, judge::Events& events);
   /// The firmware has sent a byte.
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
+  /// What the script has broken so far, in the order of time.
+  const std::vector<judge::ScriptFault>& faults() const { return faults_; }
   /// Writes of the firmware to its EEPROM, so far.
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
@@ -59,9 +63,12 @@ class ScenarioPlayer {
   };
 
   bool met(const Pending& pending, SimTime t, const judge::Progress& progress) const;
-  /// Says what there is to say beside what the script does.
-  std::string perform(const Action& action, SimTime t);
-  void end(const Action& action, SimTime t);
+  wire::RunEvent::What perform(const Action& action, SimTime t);
+  wire::RunEvent::What break_or_repair(const Action& action, SimTime t);
+  wire::RunEvent::What switch_power(const Action& action, SimTime t);
+  /// Undoes what lasted for a time. Letting go of a button or a sensor is no event.
+  std::optional<wire::RunEvent::What> end(const Action& action, SimTime t);
+  void repaired(const std::string& part, SimTime t);
   void put_obstacle(const Action& action);
   void clear_obstacle(const std::string& cell);
   void check(const Step& step, const judge::Progress& progress) const;
@@ -73,6 +80,7 @@ class ScenarioPlayer {
   std::vector<Pending> pending_;
   std::vector<Undo> undo_;
   std::vector<Obstacle> obstacles_;
+  std::vector<judge::ScriptFault> faults_;
   std::string heard_;
   std::size_t longest_text_ = 0;
 };

@@ -113,6 +113,8 @@ class Body {
   double energy() const { return energy_; }  ///< J drawn from the battery by the motors
   /// Contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
   int collisions() const { return collisions_; }
+  /// Whether the last of them was with another body.
+  bool collided_with_body() const { return collided_with_body_; }
   bool in_contact() const { return in_contact_; }
   /// Whether something presses against it from ahead: within 60 degrees of straight on. What a bumper feels.
   bool pressed_ahead() const { return pressed_ahead_; }
@@ -192,6 +194,7 @@ class Body {
   bool touched_ = false, near_ = false, in_contact_ = false;
   bool near_ahead_ = false, pressed_ahead_ = false;
   int collisions_ = 0;
+  bool touched_body_ = false, collided_with_body_ = false;
   double distance_ = 0.0;
   double wheel_travel_ = 0.0;
   double energy_ = 0.0;

@@ -94,10 +94,13 @@ void Body::grip_after_contact() {
 }
 
 void Body::settle_contact() {
-  if (touched_ && !in_contact_) ++collisions_;
+  if (touched_ && !in_contact_) {
+    ++collisions_;
+    collided_with_body_ = touched_body_;
+  }
   in_contact_ = touched_ || (in_contact_ && near_);
   pressed_ahead_ = in_contact_ && near_ahead_;
-  touched_ = near_ = near_ahead_ = false;
+  touched_ = touched_body_ = near_ = near_ahead_ = false;
 }
 
 }  // namespace robosim::world

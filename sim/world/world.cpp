@@ -29,7 +29,7 @@ void World::collide_bodies() {
       if (square >= reach * reach) continue;
       a.near_ = b.near_ = true;
       if (square >= radii * radii) continue;
-      a.touched_ = b.touched_ = true;
+      a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
       const double away = std::sqrt(square);
       const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
       const double share = a.per_mass_ / (a.per_mass_ + b.per_mass_);

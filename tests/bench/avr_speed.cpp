@@ -34,12 +34,9 @@ void whole(benchmark::State& state, const std::filesystem::path& sketch) {
     exec::AvrExecutor executor(*robot.board, image);
     run::Setup setup;
     setup.map = &map;
-    setup.robot = &robot;
-    setup.executor = &executor;
-    setup.goal = judge::parse_goal("none");
+    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("none")}};
     setup.limit = kSimulated;
-    run::Listener nobody;
-    const judge::Outcome outcome = run::simulate(setup, nobody);
+    const judge::Outcome outcome = run::simulate(setup).front();
     if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
   }
   report(state);

@@ -19,12 +19,9 @@ void simulate(benchmark::State& state, exec::Executor& executor) {
   const robot::Description robot = robot::load_description("uno5");
   run::Setup setup;
   setup.map = &map;
-  setup.robot = &robot;
-  setup.executor = &executor;
-  setup.goal = judge::parse_goal("none");
+  setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("none")}};
   setup.limit = kSimulated;
-  run::Listener nobody;
-  const judge::Outcome outcome = run::simulate(setup, nobody);
+  const judge::Outcome outcome = run::simulate(setup).front();
   if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
 }
 

@@ -25,12 +25,9 @@ void whole(benchmark::State& state, const char* board) {
     exec::Stm32Executor executor(*robot.board, image);
     run::Setup setup;
     setup.map = &map;
-    setup.robot = &robot;
-    setup.executor = &executor;
-    setup.goal = judge::parse_goal("none");
+    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("none")}};
     setup.limit = kSimulated;
-    run::Listener nobody;
-    const judge::Outcome outcome = run::simulate(setup, nobody);
+    const judge::Outcome outcome = run::simulate(setup).front();
     if (outcome.verdict != judge::Verdict::reached) state.SkipWithError(outcome.why.c_str());
   }
   const double seconds = 1e-9 * static_cast<double>(kSimulated) * static_cast<double>(state.iterations());

@@ -17,15 +17,12 @@ judge::Outcome follow(const char* map_name, robot::Profile profile, std::uint64_
   test::BuiltInDriver driver;
   Setup setup;
   setup.map = &map;
-  setup.robot = &robot;
-  setup.executor = &driver;
-  setup.goal = judge::parse_goal("laps:2");
+  setup.agents = {{.robot = &robot, .executor = &driver, .goal = judge::parse_goal("laps:2")}};
   setup.limit = 60 * kSecond;
   setup.profile = profile;
   setup.seed = seed;
   setup.samples_every = samples_every;
-  Listener nobody;
-  return simulate(setup, nobody);
+  return simulate(setup).front();
 }
 
 TEST(Golden, TheBuiltInDriverLapsTheOval) {

@@ -119,16 +119,18 @@ TEST_F(BoardFaultsTest, ASagMovesNothingThatTheSwitchHasTurnedOff) {
 }
 
 TEST_F(BoardFaultsTest, AByteIsBeingWrittenFor3400Microseconds) {
-  EXPECT_EQ(faults.leave_half_written({HalfWritten::Kind::value, 0}, 0), "");
+  EXPECT_FALSE(faults.leave_half_written({HalfWritten::Kind::value, 0}, 0));
   probe.state.write_eeprom(12, 0x5A, 10 * ms);
   probe.state.write_eeprom(12, 0x33, 20 * ms);
   EXPECT_EQ(faults.eeprom_writes(), 2u);
-  EXPECT_THAT(faults.leave_half_written({HalfWritten::Kind::before}, 21 * ms),
-              HasSubstr("byte 12 of the EEPROM was being written: it holds 0x5A"));
+  const auto byte = faults.leave_half_written({HalfWritten::Kind::before}, 21 * ms);
+  ASSERT_TRUE(byte);
+  EXPECT_EQ(byte->address, 12);
+  EXPECT_EQ(byte->value, 0x5A);
   EXPECT_EQ(probe.state.eeprom()[12], 0x5A);
   faults.leave_half_written({HalfWritten::Kind::value, 0x77}, 23 * ms);
   EXPECT_EQ(probe.state.eeprom()[12], 0x77);
-  EXPECT_EQ(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms), "") << "it was done";
+  EXPECT_FALSE(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms)) << "it was done";
   EXPECT_EQ(probe.state.eeprom()[12], 0x77);
 }
 

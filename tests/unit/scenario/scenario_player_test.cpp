@@ -20,8 +20,8 @@ using testing::IsEmpty;
 /// Keeps what a run tells.
 struct Witness final : run::Listener {
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
-  void noted(const judge::Event& event) override {
-    notes.push_back(fmt::format("{} {}", event.t / kMillisecond, event.text));
+  void happened(const wire::RunEvent& event) override {
+    notes.push_back(fmt::format("{} {}", event.t_ns / kMillisecond, wire::text_of(event)));
   }
   const run::Sample& at(double seconds) const {
     return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
@@ -39,13 +39,14 @@ class Scripts : public testing::Test {
     test::BuiltInDriver driver;
     run::Setup setup;
     setup.map = &map;
-    setup.robot = &robot;
-    setup.executor = &driver;
-    setup.goal = judge::parse_goal("none");
+    setup.agents = {{.robot = &robot,
+                     .executor = &driver,
+                     .goal = judge::parse_goal("none"),
+                     .scenario = parse_scenario(script, "s.txt"),
+                     .listener = &seen}};
     setup.limit = static_cast<SimTime>(seconds * 1e9);
-    setup.scenario = parse_scenario(script, "s.txt");
     setup.samples_every = kTick;
-    return simulate(setup, seen);
+    return simulate(setup).front();
   }
   std::string error_of(const std::string& script) {
     try {

@@ -1,0 +1,18 @@
+// What a script has broken: a verdict names it where it was the cause.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::judge {
+
+struct ScriptFault {
+  std::string part;                    ///< a part of the robot, or power, serial, eeprom, clock
+  std::vector<std::string> arguments;  ///< the kind of fault, then its arguments: {"stuck", "1023"}
+  SimTime began = 0;
+  SimTime ended = kNever;  ///< repaired, or replaced by another fault of the same part
+};
+
+}  // namespace robosim::judge

@@ -1,0 +1,265 @@
+#include "sim/run/agent.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "hal/board/board_spec.h"
+#include "sim/robot/describe.h"
+
+namespace robosim::run {
+namespace {
+
+constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
+constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
+constexpr std::size_t kEventsKept = 8;
+constexpr SimTime kBudgetEvery = 100 * kMillisecond;
+
+std::string exceeded_budget(const robot::Budget& budget, const std::optional<exec::Resources>& used) {
+  if (!used) return "";
+  if (budget.stack_bytes > 0 && used->stack_bytes_max > budget.stack_bytes)
+    return fmt::format("its stack took {} bytes; the robot file allows {}", used->stack_bytes_max,
+                       budget.stack_bytes);
+  if (budget.loop_s > 0.0 && used->loop_us_max > 1e6 * budget.loop_s)
+    return fmt::format("a pass of loop() took {:.3f} ms; the robot file allows {:.3f} ms",
+                       1e-3 * used->loop_us_max, 1e3 * budget.loop_s);
+  return "";
+}
+
+Listener& nobody() {
+  static Listener listener;
+  return listener;
+}
+
+}  // namespace
+
+Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
+    : own_(own),
+      setup_(stage.setup),
+      number_(number),
+      listener_(own.listener ? own.listener : &nobody()),
+      executor_(*own.executor),
+      start_(own.start ? *own.start : grid::default_start(*setup_.map)),
+      network_(grid::trace_network(*setup_.map, start_)),
+      goal_(own.goal ? *own.goal : judge::default_goal(*setup_.map, network_)),
+      progress_(goal_, *setup_.map, stage.stripes, network_, start_),
+      world_(stage.world),
+      body_number_(stage.world.add_body(
+          robot::body_params(*own.robot, setup_.seed, setup_.profile, static_cast<std::uint32_t>(number)),
+          {stage.stripes.point_of(start_.cell), grid::heading(start_.facing)})),
+      body_(stage.world.body(body_number_)),
+      board_(executor_.board()),
+      robot_(*own.robot, stage.world, body_number_, board_, setup_.seed, setup_.profile,
+             static_cast<std::uint32_t>(number)),
+      player_(own.scenario,
+              {*setup_.map, stage.stripes, robot_, stage.world, body_, executor_, setup_.seed,
+               static_cast<std::uint32_t>(number)},
+              progress_),
+      judge_(robot_.has_line_sensors()),
+      sensor_midpoint_(robot_.sensor_midpoint()),
+      stops_({serial_, progress_, body_, robot_, board_, number}),
+      went_high_(board_.spec().pin_count),
+      was_output_(board_.spec().pin_count) {
+  for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
+  board_.watch_serial(*this);
+  if (listener_->wants_inputs()) board_.watch_inputs(*this);
+}
+
+void Agent::begin() {
+  const grid::Map& map = *setup_.map;
+  Beginning beginning{start_, goal_, network_.stations, {}, map.width, map.height, map.cell_m};
+  for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
+  listener_->began(beginning);
+  executor_.power_on(0);
+  if (setup_.samples_every > 0) listener_->sampled(sample_at(0));
+}
+
+void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  hash_.pin(pin, drive, t);
+  if (drive.mode == PinMode::output) {
+    was_output_[pin] = true;
+    if (drive.duty > 0.0) went_high_[pin] = true;
+  }
+  if (setup_.controller) stops_.pin_changed(pin, drive);
+  listener_->pin_changed(pin, drive, t);
+}
+
+void Agent::byte_sent(std::uint8_t byte, SimTime t) {
+  hash_.serial(byte, t);
+  if (serial_.size() < judge::kSerialKept) serial_ += static_cast<char>(byte);
+  player_.hear(byte);
+  listener_->byte_sent(byte, t);
+}
+
+std::vector<std::uint8_t> Agent::eeprom() const {
+  return {board_.eeprom(), board_.eeprom() + board_.spec().eeprom_bytes};
+}
+
+void Agent::tell_events(SimTime t) {
+  for (wire::RunEvent::What& what : happened_) {
+    events_.push_back({t, number_, std::move(what)});
+    listener_->happened(events_.back());
+    if (setup_.controller) stops_.happened(events_.back());
+    if (events_.size() > kEventsKept) events_.pop_front();
+  }
+  happened_.clear();
+}
+
+void Agent::observe(SimTime end) {
+  cross_track_ = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
+  if (end > kSettling) {
+    cross_track_squares_ += cross_track_ * cross_track_;
+    if (cross_track_ > cross_track_max_) cross_track_max_ = cross_track_;
+    ++cross_track_ticks_;
+  }
+  if (cross_track_ > state_.worst_cross_track) {
+    state_.worst_cross_track = cross_track_;
+    state_.worst_t = end;
+    state_.worst_at = body_.pose().position;
+  }
+  if (end / kTick % kLookEvery == 0) sees_line_ = robot_.sees_line();
+  if (!sees_line_ && !body_.lifted()) ++off_line_ticks_;
+  if (body_.collisions() > collisions_told_) {
+    collisions_told_ = body_.collisions();
+    happened_.push_back(wire::CollisionBegan{body_.collided_with_body()});
+  }
+}
+
+Sample Agent::sample_at(SimTime t) const {
+  Sample sample{t, body_.pose(), body_.speed(), cross_track_, robot_.left_command(), robot_.right_command(),
+                {}};
+  for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
+  if (setup_.controller) {
+    for (const judge::Target& station : progress_.stations())
+      if (body_.covers(station.centre)) sample.at_station = station.name;
+  }
+  return sample;
+}
+
+void Agent::begin_leg(const Leg& leg, SimTime t) {
+  stops_.begin(leg, t);
+  state_.worst_cross_track = 0.0;
+  state_.worst_t = t;
+  state_.worst_at = body_.pose().position;
+}
+
+void Agent::stand_still(SimTime t, int stop_met) {
+  state_.t = t;
+  state_.stop = stop_met;
+  state_.powered = player_.powered();
+  state_.driven = robot_.driven();
+  state_.serial_bytes = serial_.size();
+  state_.metrics = metrics();
+  state_.resources = executor_.resources();
+  sample_ = sample_at(t);
+}
+
+void Agent::act(SimTime t) {
+  if (!finished()) player_.act(t, progress_, happened_);
+  robot_.begin_tick(t);
+}
+
+void Agent::run_firmware(SimTime end) {
+  executor_.run_until(end);
+  robot_.end_tick(end);
+}
+
+bool Agent::look(SimTime end) {
+  hash_.pose(body_.pose());
+  progress_.update(body_, end, happened_);
+  observe(end);
+  if (!happened_.empty()) tell_events(end);
+  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) listener_->sampled(sample_at(end));
+  const std::optional<judge::Verdict> verdict = verdict_at(end);
+  if (verdict) finish(*verdict, end);
+  return verdict.has_value();
+}
+
+std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
+  if (progress_.reached()) return judge::Verdict::reached;
+  if (executor_.crash()) return judge::Verdict::crashed;
+  if (end % kBudgetEvery == 0) {
+    exceeded_ = exceeded_budget(own_.robot->budget, executor_.resources());
+    if (!exceeded_.empty()) return judge::Verdict::over_budget;
+  }
+  judge::Situation now{end,
+                       &body_.pose(),
+                       body_.wheel_travel(),
+                       sees_line_,
+                       robot_.driven(),
+                       body_.lifted(),
+                       player_.powered(),
+                       player_.powered() ? executor_.last_call() : end};
+  return judge_.look(now);
+}
+
+void Agent::time_out(SimTime limit) {
+  finish(goal_.kind == judge::Goal::Kind::none ? judge::Verdict::reached : judge::Verdict::timeout, limit);
+}
+
+void Agent::leave(SimTime t) {
+  listener_ = &nobody();
+  if (player_.powered()) executor_.power_off(t);
+}
+
+judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
+  judge::Evidence e;
+  e.verdict = verdict;
+  e.t = t;
+  e.limit = setup_.limit;
+  e.map = setup_.map;
+  e.goal = &goal_;
+  e.progress = &progress_;
+  e.judge = &judge_;
+  e.crash = executor_.crash();
+  e.exceeded = exceeded_;
+  e.int_bits = executor_.int_bits();
+  e.wiring = robot_.wiring();
+  e.went_high = went_high_;
+  e.was_output = was_output_;
+  e.in_contact = body_.in_contact();
+  e.faults = player_.faults();
+  e.moved = body_.wheel_travel() > 0.0;
+  if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
+  const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
+  if (looked_at != kNoPin) e.pin_level = board_.read_level(looked_at, t);
+  return e;
+}
+
+judge::Metrics Agent::metrics() const {
+  judge::Metrics m;
+  m.distance_m = body_.distance();
+  m.laps_s = progress_.laps_s();
+  if (cross_track_ticks_ > 0)
+    m.cross_track_rms_mm = 1e3 * std::sqrt(cross_track_squares_ / static_cast<double>(cross_track_ticks_));
+  m.cross_track_max_mm = 1e3 * cross_track_max_;
+  m.off_line_s = 1e-9 * static_cast<double>(off_line_ticks_ * kTick);
+  m.collisions = body_.collisions();
+  m.energy_j = body_.energy();
+  for (const int i : progress_.visited())
+    m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
+  m.junctions = progress_.junctions_visited();
+  return m;
+}
+
+void Agent::finish(judge::Verdict verdict, SimTime t) {
+  const judge::Evidence e = evidence(verdict, t);
+  if (setup_.controller && setup_.samples_every > 0 && t % setup_.samples_every != 0)
+    listener_->sampled(sample_at(t));
+  judge::Outcome& outcome = outcome_.emplace();
+  outcome.verdict = verdict;
+  outcome.why = explain(e);
+  outcome.next = next_step(e);
+  outcome.goal = goal_;
+  outcome.time = t;
+  outcome.crash = e.crash;
+  outcome.resources = executor_.resources();
+  outcome.events.assign(events_.begin(), events_.end());
+  outcome.serial = serial_;
+  outcome.end = body_.pose();
+  outcome.eeprom_writes = player_.eeprom_writes();
+  outcome.trace_hash = hash_.text();
+  outcome.metrics = metrics();
+}
+
+}  // namespace robosim::run

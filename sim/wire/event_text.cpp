@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "sim/wire/events.h"
+
+namespace robosim::wire {
+namespace {
+
+std::string fault_text(const std::string& part, const std::vector<std::string>& arguments) {
+  std::string text = part;
+  for (const std::string& argument : arguments) text += " " + argument;
+  return text;
+}
+
+struct Text {
+  std::string operator()(const StationVisited& e) const {
+    return fmt::format("station {} visited", e.station);
+  }
+  std::string operator()(const LapDone& e) const { return fmt::format("lap {} in {:.2f} s", e.lap, e.lap_s); }
+  std::string operator()(const CollisionBegan& e) const {
+    return e.with_robot ? "collision with another robot"
+                        : "collision with a wall, an obstacle or the map's edge";
+  }
+  std::string operator()(const ScriptActed& e) const {
+    if (e.verb == "press") return e.part + " pressed";
+    if (e.verb == "release") return e.part + " released";
+    if (e.verb == "send")
+      return e.part.empty() ? fmt::format("\"{}\" sent to the sketch", e.text)
+                            : fmt::format("{} sent to {}", e.text, e.part);
+    if (e.verb == "place") return "robot placed at " + e.text;
+    if (e.verb == "lift") return "robot lifted";
+    if (e.verb == "lower") return "robot put down";
+    if (e.verb == "cover") return e.part + " covered";
+    if (e.verb == "obstacle") return "obstacle put on " + e.text;
+    return "obstacle on " + e.text + " taken away";
+  }
+  std::string operator()(const FaultBegan& e) const {
+    return "fault: " + fault_text(e.part, e.arguments) + (e.resets_chip ? ", which resets the chip" : "");
+  }
+  std::string operator()(const FaultEnded& e) const {
+    const bool repaired = e.arguments == std::vector<std::string>{"ok"};
+    return (repaired ? "fault: " : "fault over: ") + fault_text(e.part, e.arguments);
+  }
+  std::string operator()(const PowerLost& e) const {
+    if (!e.byte) return "power off";
+    return fmt::format("power off, while byte {} of the EEPROM was being written: it holds 0x{:02X}",
+                       e.byte->address, e.byte->value);
+  }
+  std::string operator()(const PowerBack&) const { return "power on"; }
+};
+
+}  // namespace
+
+const std::vector<std::string>& event_kinds() {
+  static const std::vector<std::string> kinds{"station_visited", "lap_done",    "collision_began",
+                                              "script_acted",    "fault_began", "fault_ended",
+                                              "power_lost",      "power_back"};
+  return kinds;
+}
+
+const char* kind_of(const RunEvent& event) { return event_kinds()[event.what.index()].c_str(); }
+
+std::string text_of(const RunEvent& event) { return std::visit(Text{}, event.what); }
+
+}  // namespace robosim::wire

@@ -1,0 +1,190 @@
+// Several robots in one simulation: each has its own firmware, script, goal and verdict; they share clock and
+// floor.
+
+#include <gmock/gmock.h>
+
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "tests/support/built_in_driver.h"
+
+namespace robosim::run {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct Witness final : Listener {
+  void happened(const wire::RunEvent& event) override { events.push_back(event); }
+  std::vector<std::string> kinds() const {
+    std::vector<std::string> names;
+    for (const wire::RunEvent& event : events) names.push_back(wire::kind_of(event));
+    return names;
+  }
+  std::vector<wire::RunEvent> events;
+};
+
+/// Firmware that only waits: its robot stands where it was put.
+class Parked final : public exec::Executor {
+ public:
+  Board& board() override { return board_; }
+  void power_on(SimTime) override {}
+  void power_off(SimTime t) override { board_.reset(t); }
+  void run_until(SimTime t) override { now_ = t; }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return now_; }
+
+ private:
+  exec::BoardState board_{*find_board("uno")};
+  SimTime now_ = 0;
+  std::optional<exec::Crash> crash_;
+};
+
+class AgentsTest : public testing::Test {
+ protected:
+  AgentSetup agent(exec::Executor& firmware, const char* goal, const std::string& start = "",
+                   const std::string& script = "") {
+    AgentSetup setup;
+    setup.robot = &robot_;
+    setup.executor = &firmware;
+    setup.goal = judge::parse_goal(goal);
+    if (!start.empty()) setup.start = grid::parse_start(map_, start);
+    setup.scenario = scenario::parse_scenario(script, "s.txt");
+    return setup;
+  }
+  std::vector<judge::Outcome> run(std::vector<AgentSetup> agents, SimTime limit = 20 * kSecond) {
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = std::move(agents);
+    setup.limit = limit;
+    return simulate(setup);
+  }
+
+  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  robot::Description robot_ = robot::load_description("uno5");
+  test::BuiltInDriver driver_, other_;
+  Parked parked_;
+};
+
+TEST_F(AgentsTest, CollideOnOneFloorAndEachHasItsOwnGoalAndVerdict) {
+  const judge::Outcome alone = run({agent(other_, "laps:1")}).front();
+  Witness moving, standing;
+  AgentSetup first = agent(driver_, "laps:1");
+  AgentSetup second = agent(parked_, "laps:2", "20,2,E");
+  first.listener = &moving;
+  second.listener = &standing;
+
+  const std::vector<judge::Outcome> outcomes = run({first, second});
+
+  ASSERT_EQ(outcomes.size(), 2u);
+  EXPECT_EQ(outcomes[0].verdict, judge::Verdict::reached) << outcomes[0].why;
+  EXPECT_EQ(outcomes[1].verdict, judge::Verdict::timeout) << outcomes[1].why;
+  EXPECT_EQ(outcomes[1].time, 20 * kSecond) << "it goes on when the other has its verdict";
+  EXPECT_GT(outcomes[0].time, alone.time) << "it had to push the other out of its way";
+  EXPECT_GT(outcomes[1].metrics.distance_m, 0.01) << "it was pushed";
+  ASSERT_THAT(moving.kinds(), ElementsAre("collision_began", "lap_done"));
+  ASSERT_THAT(standing.kinds(), Contains("collision_began"));
+  EXPECT_EQ(moving.events[0].agent, 0);
+  EXPECT_EQ(standing.events[0].agent, 1);
+  EXPECT_EQ(moving.events[0].t_ns, standing.events[0].t_ns);
+  EXPECT_TRUE(std::get<wire::CollisionBegan>(moving.events[0].what).with_robot);
+  EXPECT_NE(outcomes[0].trace_hash, outcomes[1].trace_hash);
+}
+
+TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {
+  const judge::Outcome alone = run({agent(other_, "laps:1")}).front();
+  ASSERT_EQ(alone.verdict, judge::Verdict::reached) << alone.why;
+
+  // The second is in somebody's hand.
+  const std::vector<judge::Outcome> both =
+      run({agent(driver_, "laps:1"), agent(parked_, "none", "", "at 0s lift\n")});
+
+  EXPECT_EQ(both[0].trace_hash, alone.trace_hash);
+  EXPECT_EQ(both[0].time, alone.time);
+}
+
+TEST_F(AgentsTest, AreDifferentIndividualsWithTheirOwnNoise) {
+  const judge::Outcome first = run({agent(driver_, "none")}, kSecond).front();
+  const std::vector<judge::Outcome> both =
+      run({agent(parked_, "none", "", "at 0s lift\n"), agent(other_, "none")}, kSecond);
+  EXPECT_NE(both[1].trace_hash, first.trace_hash) << "robot 1 of a seed is not robot 0";
+}
+
+TEST_F(AgentsTest, HaveScriptsThatBreakTheirOwnPartsOnly) {
+  Witness broken, whole;
+  AgentSetup first = agent(driver_, "none", "", "at 100ms fault S1 stuck 1023\n");
+  AgentSetup second = agent(parked_, "none", "20,2,E");
+  first.listener = &broken;
+  second.listener = &whole;
+  run({first, second}, 200 * kMillisecond);
+  EXPECT_THAT(broken.kinds(), ElementsAre("fault_began"));
+  EXPECT_THAT(whole.kinds(), IsEmpty());
+}
+
+TEST_F(AgentsTest, GiveTheSameRunTwice) {
+  const auto race = [&] {
+    test::BuiltInDriver a, b;
+    return run({agent(a, "laps:1"), agent(b, "laps:1", "20,2,W")});
+  };
+  const std::vector<judge::Outcome> once = race(), again = race();
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].trace_hash, again[i].trace_hash);
+}
+
+/// Stops both robots' run when the second has collided.
+struct Referee final : StepController {
+  Leg next(Standstill& standstill) override {
+    agents = standstill.agent_count();
+    if (legs++ > 0) {
+      met = standstill.state(1).stop;
+      at = standstill.state(1).t;
+      return {.end = true};
+    }
+    Leg leg;
+    leg.stops.push_back({.kind = Stop::Kind::event, .text = "station_visited", .agent = 0});
+    leg.stops.push_back({.kind = Stop::Kind::event, .text = "collision_began", .agent = 1});
+    standstill.check(leg);
+    return leg;
+  }
+  int legs = 0, agents = 0, met = -1;
+  SimTime at = 0;
+};
+
+TEST_F(AgentsTest, AreDrivenStepByStepTogetherAndStopsSayWhomTheyAreAbout) {
+  Referee referee;
+  Witness standing;
+  run::Setup setup;
+  setup.map = &map_;
+  setup.agents = {agent(driver_, "laps:1"), agent(parked_, "none", "20,2,E")};
+  setup.agents[1].listener = &standing;
+  setup.controller = &referee;
+  const std::vector<judge::Outcome> outcomes = simulate(setup);
+  EXPECT_EQ(referee.agents, 2);
+  EXPECT_EQ(referee.met, 1) << "the second stop, which is about the second robot";
+  ASSERT_EQ(standing.events.size(), 1u);
+  EXPECT_EQ(referee.at, standing.events[0].t_ns);
+  for (const judge::Outcome& outcome : outcomes) EXPECT_EQ(outcome.verdict, judge::Verdict::interrupted);
+}
+
+TEST_F(AgentsTest, AStopThatWaitsForAnUnknownEventIsRefused) {
+  struct Curious final : StepController {
+    Leg next(Standstill& standstill) override {
+      try {
+        standstill.check({.stops = {{.kind = Stop::Kind::event, .text = "collision"}}});
+      } catch (const InputError& error) {
+        message = error.what();
+      }
+      return {.end = true};
+    }
+    std::string message;
+  } curious;
+  run::Setup setup;
+  setup.map = &map_;
+  setup.agents = {agent(driver_, "none")};
+  setup.controller = &curious;
+  simulate(setup);
+  EXPECT_THAT(curious.message, testing::HasSubstr("collision_began"));
+}
+
+}  // namespace
+}  // namespace robosim::run

@@ -1,0 +1,32 @@
+#include "sim/wire/events.h"
+
+#include <gtest/gtest.h>
+
+namespace robosim::wire {
+namespace {
+
+TEST(RunEvents, HaveOneTextEach) {
+  const auto text = [](RunEvent::What what) { return text_of({0, 0, std::move(what)}); };
+  EXPECT_EQ(text(StationVisited{"dock"}), "station dock visited");
+  EXPECT_EQ(text(LapDone{2, 8.5449}), "lap 2 in 8.54 s");
+  EXPECT_EQ(text(CollisionBegan{}), "collision with a wall, an obstacle or the map's edge");
+  EXPECT_EQ(text(CollisionBegan{true}), "collision with another robot");
+  EXPECT_EQ(text(ScriptActed{"send", "", "3\n"}), "\"3\n\" sent to the sketch");
+  EXPECT_EQ(text(ScriptActed{"send", "ir", "0b101"}), "0b101 sent to ir");
+  EXPECT_EQ(text(ScriptActed{"clear", "", "3,2"}), "obstacle on 3,2 taken away");
+  EXPECT_EQ(text(FaultBegan{"power", {"brown-out"}, true}), "fault: power brown-out, which resets the chip");
+  EXPECT_EQ(text(FaultEnded{"S2", {"stuck", "1023"}}), "fault over: S2 stuck 1023");
+  EXPECT_EQ(text(FaultEnded{"S2", {"ok"}}), "fault: S2 ok");
+  EXPECT_EQ(text(PowerLost{{{12, 0x5A}}}),
+            "power off, while byte 12 of the EEPROM was being written: it holds 0x5A");
+  EXPECT_EQ(text(PowerLost{}), "power off");
+  EXPECT_EQ(text(PowerBack{}), "power on");
+}
+
+TEST(RunEvents, AreOfAKindWhateverTheirTextSays) {
+  EXPECT_STREQ(kind_of({0, 0, StationVisited{"collision"}}), "station_visited");
+  EXPECT_STREQ(kind_of({0, 0, PowerBack{}}), event_kinds().back().c_str());
+}
+
+}  // namespace
+}  // namespace robosim::wire
