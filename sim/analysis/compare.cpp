@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
   return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
 }
 
-std::string came_to(const Mark& place) {
+std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
 }
 
@@ -42,7 +42,7 @@ std::string seconds(std::int64_t ns) {
 
 /// What there was before both had lost the line.
 History up_to(std::int64_t until, History history) {
-  const auto later = [&](const Mark& mark) { return mark.t_ns > until; };
+  const auto later = [&](const TimedText& text) { return text.t_ns > until; };
   std::erase_if(history.places, later);
   std::erase_if(history.lines, later);
   std::erase_if(history.stretches, [&](const Stretch& stretch) { return stretch.from_ns > until; });
@@ -128,8 +128,8 @@ class Comparer {
     std::array<std::vector<Said>, 2> all;
     std::map<std::string, std::array<std::size_t, 2>> count;
     for (std::size_t side = 0; side < 2; ++side)
-      for (const Mark& mark : sides_[side]->lines) {
-        all[side].push_back({mark.t_ns, mark.text, take_apart(mark.text), all[side].size()});
+      for (const TimedText& text : sides_[side]->lines) {
+        all[side].push_back({text.t_ns, text.text, take_apart(text.text), all[side].size()});
         ++count[all[side].back().parts.form][side];
       }
     for (std::size_t side = 0; side < 2; ++side)

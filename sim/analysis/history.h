@@ -13,7 +13,7 @@
 namespace robosim::analysis {
 
 /// A moment, and what happened then: a place's name, a line.
-struct Mark {
+struct TimedText {
   std::int64_t t_ns = 0;
   std::string text;
 };
@@ -35,8 +35,8 @@ struct Stretch {
 
 struct History {
   std::string target;
-  std::vector<Mark> places;        ///< in order; never the same one twice in a row
-  std::vector<Mark> lines;         ///< from its serial port, without line ends; the last may be unfinished
+  std::vector<TimedText> places;   ///< in order; never the same one twice in a row
+  std::vector<TimedText> lines;    ///< from its serial port, without line ends; the last may be unfinished
   std::vector<Stretch> stretches;  ///< one after the other
   std::string verdict;
   std::string why;

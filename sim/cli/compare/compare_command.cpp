@@ -138,14 +138,14 @@ class CompareCommand {
   void look_closer(Compared& compared, const std::array<std::size_t, 2>& lanes,
                    const std::array<const analysis::History*, 2>& histories) {
     const analysis::Difference& d = *compared.difference;
-    std::vector<analysis::Evidence> evidence;
+    std::vector<analysis::PinLog> pins;
     std::vector<wire::RunRequest> requests;
     std::vector<wire::OnEvent> listeners;
     std::vector<Lane*> both;
-    evidence.reserve(2);
+    pins.reserve(2);
     for (std::size_t side = 0; side < 2; ++side) {
       Lane& lane = lanes_[lanes[side]];
-      evidence.emplace_back(d.t_ns[side]);
+      pins.emplace_back(d.t_ns[side]);
       wire::RunRequest request = lane.combination.task.request;
       request.seed = compared.seed;
       const std::int64_t end = d.t_ns[side] + kBehind_ns;
@@ -153,26 +153,26 @@ class CompareCommand {
       request.pins = request.io = true;
       request.source_ns.emplace(std::max<std::int64_t>(0, d.t_ns[side] - kBefore_ns), end);
       requests.push_back(std::move(request));
-      listeners.emplace_back([&seen = evidence.back()](const wire::Event& event) { seen.add(event); });
+      listeners.emplace_back([&seen = pins.back()](const wire::Event& event) { seen.add(event); });
       both.push_back(&lane);
     }
     run_all(both, requests, listeners);
     for (std::size_t side = 0; side < 2; ++side)
-      compared.sides[side] = describe(compared, side, lanes[side], *histories[side], evidence[side]);
+      compared.sides[side] = describe(compared, side, lanes[side], *histories[side], pins[side]);
   }
 
   ComparedSide describe(const Compared& compared, std::size_t side, std::size_t lane,
-                        const analysis::History& history, const analysis::Evidence& evidence) {
+                        const analysis::History& history, const analysis::PinLog& pins) {
     const analysis::Difference& d = *compared.difference;
     ComparedSide result;
     result.target = arguments_.targets[lane];
     result.t_ns = d.t_ns[side];
     result.text = d.sides[side];
-    result.reads = evidence.reads();
-    result.writes = evidence.writes();
+    result.reads = pins.reads();
+    result.writes = pins.writes();
     const std::size_t line = d.line[side].value_or(0);
     for (std::size_t i = 0; i < history.lines.size(); ++i) {
-      const analysis::Mark& said = history.lines[i];
+      const analysis::TimedText& said = history.lines[i];
       const bool near = d.line[side]
                             ? i + kSaid >= line && i <= line
                             : said.t_ns <= d.t_ns[side] && said.t_ns > d.t_ns[side] - kLongestPart_ns;
@@ -182,11 +182,11 @@ class CompareCommand {
     const wire::RunResult& run = compared.runs[lane].result;
     if (d.line[side]) {
       const std::string& text = history.lines[line].text;
-      result.source = evidence.source_of(text, first_difference(compared, side, text));
+      result.source = pins.source_of(text, first_difference(compared, side, text));
     } else if (d.kind == analysis::Difference::Kind::verdict && run.crash) {
       result.source = {run.crash->function, run.crash->file, run.crash->line};
     } else if (d.kind == analysis::Difference::Kind::motors || d.kind == analysis::Difference::Kind::speed) {
-      if (const auto use = evidence.last_write()) result.source = use->source;
+      if (const auto use = pins.last_write()) result.source = use->source;
     }
     result.finding = look_with_checks(compared, side, lane);
     return result;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/analysis/compare.h"
-#include "sim/analysis/evidence.h"
+#include "sim/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
 

@@ -30,13 +30,13 @@ History with(Manoeuvre manoeuvre, std::int64_t from, std::int64_t to) {
   return h;
 }
 
-History places(std::vector<Mark> marks) {
+History places(std::vector<TimedText> marks) {
   History h = run();
   h.places = std::move(marks);
   return h;
 }
 
-History lines(std::vector<Mark> marks) {
+History lines(std::vector<TimedText> marks) {
   History h = run();
   h.lines = std::move(marks);
   return h;

@@ -20,10 +20,10 @@ struct PinUse {
   wire::Source source;
 };
 
-class Evidence {
+class PinLog {
  public:
   /// Keeps, for each pin, the last use before `moment_ns`, or else the first one after it.
-  explicit Evidence(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
+  explicit PinLog(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);
 

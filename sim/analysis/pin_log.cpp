@@ -1,4 +1,4 @@
-#include "sim/analysis/evidence.h"
+#include "sim/analysis/pin_log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +24,14 @@ std::string text_of(const wire::PinChange& change) {
 
 }  // namespace
 
-bool Evidence::take(Uses& uses, PinUse use) {
+bool PinLog::take(Uses& uses, PinUse use) {
   const auto known = uses.find(use.pin);
   if (known != uses.end() && use.t_ns > moment_ns_) return false;
   uses[use.pin] = std::move(use);
   return true;
 }
 
-void Evidence::add(const wire::Event& event) {
+void PinLog::add(const wire::Event& event) {
   if (const auto* level = std::get_if<wire::LevelSeen>(&event))
     take(reads_, {level->t_ns, level->pin, word_of(level->level), level->source});
   if (const auto* volts = std::get_if<wire::VoltsSeen>(&event))
@@ -51,13 +51,13 @@ void Evidence::add(const wire::Event& event) {
   }
 }
 
-std::vector<PinUse> Evidence::list(const Uses& uses) {
+std::vector<PinUse> PinLog::list(const Uses& uses) {
   std::vector<PinUse> all;
   for (const auto& [pin, use] : uses) all.push_back(use);
   return all;
 }
 
-wire::Source Evidence::source_of(const std::string& text, std::size_t at) const {
+wire::Source PinLog::source_of(const std::string& text, std::size_t at) const {
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
     if (line->text == text && !line->sources.empty())
       return line->sources[std::min(at, line->sources.size() - 1)];
