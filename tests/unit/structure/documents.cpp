@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <regex>
@@ -108,6 +109,22 @@ std::vector<std::string> dead_references(const Files& documents, const std::stri
     }
   }
   return checker.dead;
+}
+
+std::vector<std::string> dead_functions(const Files& documents, const Files& sources) {
+  static const std::regex function(R"(`(?:\w+::)*(\w+)\(\)`)");
+  std::set<std::string> dead;
+  for (const auto& [file, content] : documents) {
+    for (std::sregex_iterator it(content.begin(), content.end(), function), end; it != end; ++it) {
+      const std::string call = std::string((*it)[1]) + "(";
+      const bool found = call.find("NAME") != call.npos ||
+                         std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
+                           return source.second.find(call) != source.second.npos;
+                         });
+      if (!found) dead.insert(fmt::format("{}: names {}, and no source has that function", file, it->str()));
+    }
+  }
+  return {dead.begin(), dead.end()};
 }
 
 std::vector<std::string> dead_mentions(const Files& sources, const std::string& root) {

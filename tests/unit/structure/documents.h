@@ -13,6 +13,10 @@ namespace robosim::structure {
 /// are not looked at. `root` is the checkout's.
 std::vector<std::string> dead_references(const Files& documents, const std::string& root);
 
+/// The same for functions of ours, `read_map()` or `Floor::coverage()`, that these files name and no source
+/// has.
+std::vector<std::string> dead_functions(const Files& documents, const Files& sources);
+
 /// The same for the documents that sources name: docs/maps.md.
 std::vector<std::string> dead_mentions(const Files& sources, const std::string& root);
 

@@ -16,6 +16,14 @@ TEST(Documents, NameOnlyFilesAndHeadingsThatExist) {
   for (const std::string& sentence : dead_references(documents, kRoot)) ADD_FAILURE() << sentence;
 }
 
+TEST(Documents, NameOnlyFunctionsThatExist) {
+  Files guides = read_documents(kRoot);
+  std::erase_if(guides, [](const auto& file) {
+    return file.first != "CONTRIBUTING.md" && file.first != "docs/design.md";
+  });
+  for (const std::string& sentence : dead_functions(guides, read_sources(kRoot))) ADD_FAILURE() << sentence;
+}
+
 TEST(Documents, AreThereWhenSourcesNameThem) {
   Files sources = read_sources(kRoot);
   std::erase_if(sources, [](const auto& file) { return file.first.starts_with("tests/unit/structure/"); });
@@ -41,6 +49,12 @@ TEST(References, InBackticksAreDeadIfThePathDoesNotExist) {
   EXPECT_THAT(
       dead_references({{"README.md", "`docs/*.md`, `tests/`, `tests/NAME.cpp`, `tests/unit/ROOM`"}}, kRoot),
       ElementsAre("README.md:1: names tests/unit/ROOM, and there is no such file"));
+}
+
+TEST(References, ToAFunctionThatNoSourceHasAreDead) {
+  EXPECT_THAT(dead_functions({{"a.md", "`Floor::coverage()`, `gone()`, `read_NAME()`, not `sin(x)`"}},
+                             {{"sim/x.h", "double coverage(Vec2 p) const;"}}),
+              ElementsAre("a.md: names `gone()`, and no source has that function"));
 }
 
 TEST(References, OfSourcesAreDeadIfThePageIsGone) {
