@@ -38,7 +38,7 @@ const robot::Reading* find_reading(const std::vector<robot::Reading>& readings, 
 StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
   Watch watch;
   watch.stop = stop;
-  watch.searched = std::min(stop.from, scene_.serial.size());
+  watch.searched = stop.from;
   switch (stop.kind) {
     case Stop::Kind::visited:
     case Stop::Kind::at:

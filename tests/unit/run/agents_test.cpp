@@ -166,25 +166,5 @@ TEST_F(AgentsTest, AreDrivenStepByStepTogetherAndStopsSayWhomTheyAreAbout) {
   for (const judge::Outcome& outcome : outcomes) EXPECT_EQ(outcome.verdict, judge::Verdict::interrupted);
 }
 
-TEST_F(AgentsTest, AStopThatWaitsForAnUnknownEventIsRefused) {
-  struct Curious final : StepController {
-    Leg next(Standstill& standstill) override {
-      try {
-        standstill.check({.stops = {{.kind = Stop::Kind::event, .text = "collision"}}});
-      } catch (const InputError& error) {
-        message = error.what();
-      }
-      return {.end = true};
-    }
-    std::string message;
-  } curious;
-  run::Setup setup;
-  setup.map = &map_;
-  setup.agents = {agent(driver_, "none")};
-  setup.controller = &curious;
-  simulate(setup);
-  EXPECT_THAT(curious.message, testing::HasSubstr("collision_began"));
-}
-
 }  // namespace
 }  // namespace robosim::run

@@ -1,0 +1,51 @@
+// A verdict names the script's fault that came before it.
+
+#include <gmock/gmock.h>
+
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "tests/support/built_in_driver.h"
+
+namespace robosim::judge {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string why(const std::string& script, const char* goal = "laps:3", SimTime limit = 20 * kSecond) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description robot = robot::load_description("uno5");
+  test::BuiltInDriver driver;
+  run::Setup setup;
+  setup.map = &map;
+  setup.agents = {{.robot = &robot,
+                   .executor = &driver,
+                   .goal = parse_goal(goal),
+                   .scenario = scenario::parse_scenario(script, "s.txt")}};
+  setup.limit = limit;
+  return run::simulate(setup).front().why;
+}
+
+TEST(FaultsExplained, TheSensorThatWasStuckWhenTheLineWasLost) {
+  EXPECT_THAT(why("at 2s fault S5 stuck 1023\n"),
+              testing::ContainsRegex("lost the line.* near column .*, "
+                                     "[0-9.]+ s after S5 was stuck at 1023 by the "
+                                     "script"));
+}
+
+TEST(FaultsExplained, NotOneThatWasOverLongBefore) {
+  const std::string text = why("at 1s fault S5 stuck 1023 for 10ms\nat 5s fault right dead\n");
+  EXPECT_THAT(text, HasSubstr("after right was made dead by the script"));
+  EXPECT_THAT(text, Not(HasSubstr("S5")));
+}
+
+TEST(FaultsExplained, NotInARunThatReachedItsGoal) {
+  EXPECT_THAT(why("at 1s fault S5 noisy 1%\n", "none", 2 * kSecond), Not(HasSubstr("script")));
+}
+
+TEST(FaultsExplained, NoneWhereTheScriptBrokeNothing) {
+  EXPECT_THAT(why("at 2s lift\n", "laps:1", 5 * kSecond), Not(HasSubstr("by the script")));
+}
+
+}  // namespace
+}  // namespace robosim::judge
