@@ -15,7 +15,7 @@ struct BundledFile {
 };
 
 std::string pack(const std::vector<BundledFile>& files);
-/// Throws InputError for what was not packed.
+/// Throws InputError if the bytes are not a bundle.
 std::vector<BundledFile> unpack(std::string_view bundle);
 
 }  // namespace robosim

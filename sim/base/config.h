@@ -1,5 +1,5 @@
-// TOML as our own small tree, every value with its place, so that messages can point at it. The TOML library
-// is behind config.cpp alone: it takes 450 MB to compile.
+// TOML as our own small tree, every value with its place, so that messages can point to it. Only config.cpp
+// includes the TOML library, which takes 450 MB to compile.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ const char* to_string(ConfigValue::Kind kind);
 /// Throws InputError. `first_line` is the line of the file on which `text` begins (front matter).
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
 
-/// Reads one table key by key and refuses what nobody asked for.
+/// Reads one table key by key, and refuses keys that were not asked for.
 ///
 ///   TableReader reader(table, "[motors]");
 ///   const double gear = reader.quantity("gear", Dimension::ratio, 48.0);

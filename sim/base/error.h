@@ -1,4 +1,4 @@
-// Bad input, told in one sentence: where, what was found, what is allowed.
+// Bad input, reported in one sentence: where, what was found, what is allowed.
 #pragma once
 
 #include <stdexcept>
@@ -17,14 +17,14 @@ struct Place {
 /// "robot.toml:12:3", as compilers write it; the known parts only.
 std::string to_string(const Place& place);
 
-/// The process's exit statuses: one contract for every command.
+/// The process's exit statuses, the same for every command.
 enum class ExitStatus : int {
   ok = 0,            ///< goal reached, or the check holds
   failed = 1,        ///< lost, stuck, hung, ended, crashed, over_budget, or a difference found
   bad_input = 2,     ///< usage, bad file, sketch does not compile
-  internal = 3,      ///< a fault of Robosim's own
+  internal = 3,      ///< an internal error of Robosim
   timeout = 4,       ///< simulated time is up
-  tool_missing = 5,  ///< a tool is missing; its remedy is printed
+  tool_missing = 5,  ///< a tool is missing; how to install it is printed
   interrupted = 130,
 };
 

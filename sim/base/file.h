@@ -1,4 +1,4 @@
-// Files, whole.
+// Whole files: read, written, hashed; and where Robosim's own files are.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace robosim {
 /// The whole content. Throws InputError if it cannot be read ("no such file", a folder, permissions).
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes beside the target and renames, so that a reader or an interrupt never meets half a file. Throws
+/// Writes beside the target and renames, so that a reader or an interrupt never sees half a file. Throws
 /// InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 

@@ -1,5 +1,5 @@
-// What people and programs call a robot: a stock robot's name or the path of a robot file, and behind an @
-// the board that takes the place of its own, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/robots.md).
+// How people and programs name a robot: a stock robot's name or the path of a robot file, and after an @ the
+// board that replaces its own, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/robots.md).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct RobotName {
   std::string board;  ///< empty = the robot's own
 };
 
-/// An @ counts as the board's if nothing with a '/' or '.' comes behind it, so that folders may have one.
+/// An @ introduces a board only if no '/' or '.' follows it, so that names of folders may contain one.
 RobotName parse_robot_name(const std::string& text);
 /// The same robot with that board.
 std::string robot_with_board(const std::string& text, const std::string& board);

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// The text as a shell takes it for one word; in quotes only where it must be.
+/// The text as one word for a shell, quoted only where necessary.
 std::string shell_word(const std::string& text);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// Quantities as people write them: "150 mm", "7.4 V", "60s". Inside Robosim everything is SI.
+// Quantities as people write them: "150 mm", "7.4 V", "60s". Internally everything is SI.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 //
 // References: AVCC = the supply; AREF, where nothing is wired to it here, = the supply too; 1.1 V. Channels
 // 0-7, the bandgap (14) and ground (15); the temperature sensor (8) reads 0. Triggers other than software and
-// free running are not modelled, nor is the time that a reference needs to settle.
+// free running are not modelled, nor is the settling time of a reference.
 #pragma once
 
 #include <cstdint>

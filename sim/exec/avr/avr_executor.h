@@ -1,9 +1,9 @@
-// The target avr: the very ELF that is flashed, in an emulated ATmega328P (libsimavr, see avr/simavr.h about
+// The target avr: the same ELF that is flashed, in an emulated ATmega328P (libsimavr, see avr/simavr.h about
 // its licence), in lockstep with the world.
 //
 //   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► Board
 //
-// Time: one cycle is 62.5 ns. A tick runs to the first instruction that ends at or behind its end, up to 3
+// Time: one cycle is 62.5 ns. A tick runs to the first instruction that ends at or after its end, up to 3
 // cycles over; edges and bytes that the robot has scheduled reach the chip at their cycle, or at the end of
 // the instruction that is running then.
 #pragma once

@@ -1,5 +1,5 @@
-// What a check of an image that was built with --sanitize has found: gcc's data for it, read from the chip's
-// memory, where pointers and `unsigned` have 16 bits.
+// What a check in an image built for checking (build::Request::sanitize) has found: gcc's data for it, read
+// from the chip's memory, where pointers and `unsigned` have 16 bits.
 #pragma once
 
 #include <optional>

@@ -38,7 +38,7 @@ class DebugPort final : public gdb::DebugPort {
   void resume() override { chip().step_singly(steps_singly()); }
 
   std::uint32_t pc() const;
-  std::uint32_t flash_end() const;  ///< a --sanitize image may exceed the real chip's
+  std::uint32_t flash_end() const;  ///< an image built with checks may exceed the real chip's
   std::uint32_t data_end() const;
   Chip& chip() const { return machine_->chip(); }
 

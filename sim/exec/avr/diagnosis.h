@@ -1,4 +1,4 @@
-// What can be said about firmware from its chip's state and its debug information.
+// What can be found out about firmware from its chip's state and its debug information.
 #pragma once
 
 #include "sim/exec/avr/machine.h"

@@ -15,7 +15,7 @@
 namespace robosim::exec::avr {
 
 constexpr std::uint32_t kFlashBytes = 0x8000;  ///< of an ATmega328P, boot loader included
-/// What functions are called that gcc has checks call when they fail, before the check's name.
+/// Prefix of the functions that gcc's checks call when they fail; the check's name follows.
 constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
 struct Firmware {
@@ -25,8 +25,8 @@ struct Firmware {
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
   std::uint32_t ram_bytes = 0;      ///< variables
   Symbols symbols;                  ///< functions and variables: flash from 0, data memory from 0x800000
-  /// Last address of RAM, where the stack begins. An image with the checks of --sanitize is far larger than
-  /// the chip: it gets RAM up to where it has its stack begin, and 64 KB of flash.
+  /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip: it
+  /// gets RAM up to where it has its stack begin, and 64 KB of flash.
   std::uint16_t last_ram = reg::kLastRam;
   bool needs_larger_chip() const { return last_ram != reg::kLastRam; }
 

@@ -1,4 +1,4 @@
-// What the chip's peripherals need of each other: the chip, the board behind its pins, and the time.
+// What the chip's peripherals share: the chip, the board behind its pins, and the time.
 #pragma once
 
 #include <algorithm>

@@ -27,7 +27,7 @@ class Machine final : Peripherals {
   ~Machine();
 
   void run_until(SimTime t);
-  /// Whom to ask before and after instructions run; may be null.
+  /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
   /// What the firmware prints is told to `bytes`, which outlives this.
   void trace_bytes(WrittenBytes& bytes);

@@ -1,5 +1,5 @@
-// The UART, in place of libsimavr's: that one's bytes take 11 bits, it has room for 64 of them, and sends
-// only when the one before has left.
+// The UART, in place of libsimavr's, whose bytes take 11 bits, whose buffer holds 64 of them, and which sends
+// a byte only when the one before has left.
 //
 // A byte takes (1 + data + parity + stop bits) * (8 or 16) * (UBRR + 1) cycles. Sending: a shift register and
 // one byte waiting. Receiving: two bytes waiting, a further one is lost (DOR). Framing and parity errors do

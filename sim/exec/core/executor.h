@@ -32,7 +32,7 @@ struct Crash {
   std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
 };
 
-/// What the firmware did last: lets a verdict say what it waits for.
+/// What the firmware did last, so that a verdict can say what it waits for.
 struct Activity {
   SimTime last_call = 0;   ///< when it last called the API (on a chip: accessed I/O outside handlers)
   std::string call;        ///< that call as the sketch would write it: "digitalRead(2)"

@@ -1,5 +1,5 @@
-// Who has printed the byte that leaves the chip: between HardwareSerial::write() and the UART stands a
-// buffer, in which bytes keep their order.
+// Which line of the sketch printed the byte that leaves the chip: between HardwareSerial::write() and the
+// UART is a buffer that keeps the order of bytes.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct Symbol {
 class Symbols {
  public:
   void add(Symbol symbol) { all_.push_back(std::move(symbol)); }
-  /// After the last.
+  /// The address after the last byte.
   void sort();
 
   const Symbol* find(const std::string& name) const;

@@ -1,5 +1,5 @@
 // One debugger at a TCP port of this machine, and its packets: "$BODY#SUM", each answered by '+', until the
-// debugger says that TCP is sure enough ("Debugging with GDB", appendix E, Remote Protocol).
+// debugger says that TCP is reliable enough ("Debugging with GDB", appendix E, Remote Protocol).
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@ namespace robosim::exec::gdb {
 
 class Connection {
  public:
-  /// Listens at 127.0.0.1. Throws InputError if the port is taken or none for this user. `interrupted` ends
-  /// all waiting; a signal handler sets it.
+  /// Listens at 127.0.0.1. Throws InputError if the port is taken or not allowed for this user. `interrupted`
+  /// ends all waiting; a signal handler sets it.
   Connection(std::uint16_t port, const std::atomic<bool>& interrupted);
   ~Connection();
   Connection(const Connection&) = delete;

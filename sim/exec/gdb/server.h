@@ -1,5 +1,6 @@
-// gdb's remote protocol for any executor that can say what its processor holds. While the processor stands
-// still, nobody returns to the simulation: the world stands still with it, and no simulated time passes.
+// gdb's remote protocol for any executor that can say what its processor holds. While the processor is
+// halted, control does not return to the simulation: the world stands still with it, and no simulated time
+// passes.
 //
 //   executor ──── stand_still(processor, why) ───► Server ◄── packets ──► gdb
 //            ◄─── go, or one instruction ─────────
@@ -60,10 +61,10 @@ class Server {
 
   enum class Order { go, step };
   /// Waits for the debugger the first time, then tells it why `processor` stands still, and serves it until
-  /// it says how to go on. Nobody is attached any more if it has detached, killed, or gone: then the order is
-  /// go.
+  /// it says how to go on. If it has detached, killed the program, or gone, nothing is attached any more, and
+  /// the order is go.
   Order stand_still(Processor& processor, const Stop& stop);
-  /// Whether somebody debugs, or is still waited for.
+  /// Whether a debugger is attached, or still waited for.
   bool attached() const { return !met_ || connection_.open(); }
   /// Whether the debugger asks for a halt by Ctrl-C; does not wait, costs a system call.
   bool asks_to_halt() { return met_ && connection_.asks_to_halt(); }

@@ -1,5 +1,5 @@
-// What an address check has stopped, in words: which variable was meant, and how far beside it the access
-// was.
+// An access that an address check has stopped, in words: which variable was meant, and how far outside it the
+// access was.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 
 namespace robosim::exec {
 
-/// Memory between two pages that nobody may touch. Throws std::bad_alloc if there is none.
+/// Memory between two guard pages. Throws std::bad_alloc if there is none.
 class GuardedMemory {
  public:
   explicit GuardedMemory(std::size_t bytes);
@@ -36,9 +36,9 @@ class Fiber {
 
   /// `body` must not return. It starts with the first resume().
   Fiber(const GuardedMemory& stack, Body body, void* argument);
-  /// From the outside: continues the fiber until it suspends.
+  /// Called from outside: continues the fiber until it suspends.
   void resume();
-  /// From the inside: continues who resumed.
+  /// Called on the fiber: returns to whoever resumed it.
   void suspend();
 
  private:

@@ -1,5 +1,5 @@
-// The shadow of address checks (hal/host/addresses.h), mapped for the memory that firmware may access and for
-// no more: gcc's own runtime reserves 16 TB.
+// The shadow memory of address checks (hal/host/addresses.h), mapped only for memory that firmware may
+// access; gcc's own runtime would reserve 16 TB.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What a check of gcc's UndefinedBehaviorSanitizer has found, in words. gcc says it by a name and the data of
-// its handlers, which are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h describes them).
+// What a check of gcc's UndefinedBehaviorSanitizer has found, in words. gcc passes a name and the data of its
+// handlers, which are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h describes them).
 #pragma once
 
 #include <cstdint>

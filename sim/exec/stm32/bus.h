@@ -1,4 +1,4 @@
-// Everything behind the processor's loads and stores but flash and RAM: one address, one register of one
+// Everything behind the processor's loads and stores except flash and RAM: an address is one register of one
 // peripheral. An access to anything that is not modelled is remembered, by its name.
 //
 // It needs no processor: tests drive the functions of hal/stm32 against it.
@@ -36,7 +36,7 @@ class Bus {
 
   /// When a peripheral next does something by itself; kNoCycle if none will.
   Cycle next_event() const;
-  /// Lets all do what they would have done by now.
+  /// Brings all peripherals up to the present time.
   void update();
   /// Takes what the robot has sent by now.
   void take_inputs();

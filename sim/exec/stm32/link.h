@@ -1,5 +1,4 @@
-// What the chip's peripherals need of each other: the time, the interrupt controller, the board behind the
-// pins.
+// What the chip's peripherals share: the time, the interrupt controller, the board behind the pins.
 #pragma once
 
 #include "sim/exec/core/board_state.h"

@@ -26,7 +26,7 @@ class Machine {
   /// The firmware sleeps, and nothing will ever wake it.
   bool is_off() const { return off_; }
 
-  /// Whom to ask before and after instructions run; may be null.
+  /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
   /// A byte of the pages that hold the EEPROM.
   std::uint8_t eeprom_byte(Address address) const {

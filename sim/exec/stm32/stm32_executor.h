@@ -1,4 +1,4 @@
-// The target stm32: the very ELF that is flashed, in an emulated STM32F103 (libunicorn, see stm32/unicorn.h
+// The target stm32: the same ELF that is flashed, in an emulated STM32F103 (libunicorn, see stm32/unicorn.h
 // about its licence), in lockstep with the world.
 //
 //   ELF ──► Cpu (libunicorn) ──► Bus: Clocks, Ports, Adc, Timers, Usart, Flash ──► Board
