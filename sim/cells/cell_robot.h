@@ -46,7 +46,7 @@ struct OutOfMoves : std::runtime_error {
 
 /// Chances that something goes wrong, 0..1.
 struct CellNoise {
-  double miss = 0.0;  ///< at each sensing: that one of the four cells, drawn by chance, is not seen as line
+  double miss = 0.0;  ///< at each sensing: that one of the four cells, chosen at random, is not seen as line
   double slip = 0.0;  ///< at each move: that the robot stays as it is
   std::uint64_t seed = 1;
 };

@@ -123,7 +123,7 @@ Command parse_generate(const Words& words) {
   GenerateArguments generate;
   std::string stations, count = "1", first_seed = "1";
   Options options("map generate",
-                  "Draws maps by chance. The same family, number and seed give the same map.");
+                  "Generates random maps. The same family, number and seed give the same map.");
   options.text("--family", generate.family, "tree|cycles|grid",
                "junctions of three ways; with cycles; streets");
   options.text("--stations", stations, "N", "how many dead ends, up to a million");

@@ -1,4 +1,4 @@
-// The command line, read into values. The table of commands is in DESIGN.md and in `robosim --help`.
+// The command line, read into values. `robosim --help` lists the commands (sim/cli/help_text.h).
 #pragma once
 
 #include <cstddef>

@@ -26,7 +26,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   build [SKETCH]              compile a sketch as Arduino would, and say its size
   flash [SKETCH] --port PORT  write a sketch to the board, as tested on --target avr
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
-  map generate                make maps by chance: trees, cycles, streets
+  map generate                make random maps: trees, cycles, streets
   robot list|show|check       the robots; the text of one; check a robot file
   test [SKETCH…]              what the checks.toml beside a sketch asks for (in a checkout: Robosim's own tests)
   new NAME                    a project to begin with: sketch, robot, track, checks

@@ -1,4 +1,4 @@
-// Standard output, with its errors noticed.
+// Standard output, with its errors checked.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Verdicts in words.
+// The sentence that explains a verdict.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace robosim::judge {
 
-/// All that an explanation may rest on.
+/// Everything that an explanation may use.
 struct Evidence {
   Verdict verdict = Verdict::timeout;
   SimTime t = 0;
@@ -35,7 +35,7 @@ struct Evidence {
   std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
 };
 
-/// One sentence: why the run ended as it did.
+/// One sentence that says why the run ended as it did.
 std::string explain(const Evidence& evidence);
 /// What to look at next; empty where the verdict says it all.
 std::string next_step(const Evidence& evidence);

@@ -1,4 +1,4 @@
-// Goals: what a run is for, and how far it has come.
+// Goals: what a run has to achieve, and how far it has got.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Notices when a run has failed, before its time is up.
+// Detects that a run has failed, before its time is up.
 #pragma once
 
 #include <optional>

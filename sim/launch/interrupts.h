@@ -1,4 +1,4 @@
-// Ctrl-C and its kin while a run goes on.
+// Ctrl-C, SIGTERM and SIGHUP while a run goes on.
 #pragma once
 
 #include <signal.h>

@@ -209,16 +209,16 @@ void check_target(const std::string& target) {
   const auto& available = client::available_targets();
   if (is_one_of(target, available)) return;
   check_exists(target);
-  throw ToolMissing(fmt::format("this version of Robosim cannot run the target {} yet; there are {}", target,
-                                all_of(available)));
+  throw ToolMissing(
+      fmt::format("this build of Robosim cannot run the target {}; it has {}", target, all_of(available)));
 }
 
 void check_build_target(const std::string& target) {
   const auto available = build::targets();
   if (is_one_of(target, available)) return;
   check_exists(target);
-  throw ToolMissing(fmt::format("this version of Robosim does not build for the target {} yet; there are {}",
-                                target, all_of(available)));
+  throw ToolMissing(fmt::format("this build of Robosim does not build for the target {}; it has {}", target,
+                                all_of(available)));
 }
 
 }  // namespace robosim::launch

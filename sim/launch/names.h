@@ -1,4 +1,4 @@
-// Names that users type: what they stand for, and what was probably meant.
+// Names that users type: what they refer to, and what was probably meant.
 #pragma once
 
 #include <filesystem>

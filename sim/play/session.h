@@ -1,6 +1,6 @@
-// The session of the original program, for people of today: choose a map, place the robot, let it walk or
-// scan, see the graph, and send it from station to station. All of it is here, but for who moves the robot
-// and where maps come from: that is the SessionHost's part. docs/play.md describes what a person sees.
+// The original program's session: choose a map, place the robot, let it walk or scan, see the graph, and send
+// it from station to station. Moving the robot and finding maps are left to the SessionHost. docs/play.md
+// describes what a person sees.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Driving a run step by step, for tests and whoever else acts on what they see: the run stands still at the
-// beginning of a tick, its controller looks and acts, and sends it on until something happens. What is done
-// so is what a script with the same lines at the same times does: the trace is the same.
+// Driving a run step by step, for tests and other clients that react to what they see: the run pauses at the
+// beginning of a tick, its controller looks and acts, and lets it go on until something happens. A script
+// with the same lines at the same times gives the same trace.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robosim::run {
 
 struct Sample;
 
-/// What a run is sent on until; looked at at the end of each tick.
+/// What a run goes on until; checked at the end of each tick.
 struct Stop {
   enum class Kind {
     serial,   ///< the firmware has sent `text`, from byte number `from` on

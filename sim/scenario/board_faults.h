@@ -42,7 +42,7 @@ class BoardFaults final : EepromWatcher {
   /// `arguments` begin with the kind. A new fault of a thing replaces the one before; "ok" repairs.
   void fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t);
 
-  /// The switch between battery and board. What hangs on the board's supply forgets.
+  /// The switch between battery and board. Parts that share the board's supply lose their state.
   void switch_power(bool on, SimTime t);
   /// Whether the chip runs: it is switched on and has its voltage.
   bool powered() const { return powered_; }

@@ -156,7 +156,7 @@ int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   for (std::size_t i = 0; i < count && row - first < kMostReadingRows; ++i) {
     if (is_level(started_.readings[i])) item(started_.readings[i], s.readings[i], Ink::strong, "");
   }
-  // Buttons, LEDs and their kin are on or off.
+  // Buttons, LEDs and similar parts are on or off.
   if (column > 0) ++row;
   column = 0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// What came of the checks of a sketch, for reports to tell.
+// The results of a sketch's checks, for the reports.
 #pragma once
 
 #include <cstddef>
@@ -45,10 +45,10 @@ struct SketchResult {
   ExitStatus status() const;
 };
 
-/// The status that tells most: a fault of Robosim's own, a missing tool, bad input, a failure, time was up.
+/// The most important status: an internal error, a missing tool, bad input, a failure, time was up.
 ExitStatus worse(ExitStatus a, ExitStatus b);
 
-/// Why a run does not hold what the check asks for, in one sentence; nothing if it does.
+/// Why a run does not meet the check, in one sentence; nullopt if it does.
 std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// Plans the checks of sketches, and counts their runs as they end.
+// Plans the checks of sketches, and collects the results of their runs.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class CheckSession {
   std::size_t runs() const { return runs_.size(); }
   std::size_t runs_ended() const { return ended_; }
 
-  /// What came of it; checks with a run missing were interrupted.
+  /// The results; checks with a run missing were interrupted.
   std::vector<SketchResult> results();
 
  private:

@@ -1,4 +1,4 @@
-// checks.toml: what `robosim test` is to check. docs/checks.md teaches it, docs/formats.md lists the keys.
+// checks.toml: what `robosim test` is to check. docs/checks.md explains it and lists the keys.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace robosim::cli {
 
-/// What a figure may be; both ends belong to it.
+/// The allowed range of a figure, both ends included.
 struct FigureLimit {
   const Figure* figure;
   std::optional<double> min;

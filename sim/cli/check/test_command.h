@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// The process's exit status. Throws InputError for what no sketch is to blame for.
+/// The process's exit status. Throws InputError for errors that are not a sketch's.
 int test_command(const TestArguments& arguments);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// What `robosim test` says in the end.
+// What `robosim test` prints at the end.
 #pragma once
 
 #include <string>

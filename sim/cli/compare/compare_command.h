@@ -1,4 +1,4 @@
-// `robosim compare`: a sketch on several targets, and the first thing that they do differently.
+// `robosim compare`: a sketch on several targets, and the first difference in what they do.
 #pragma once
 
 #include "sim/cli/arguments.h"

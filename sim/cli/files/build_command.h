@@ -35,8 +35,8 @@ enum class Boards { own, fitting };
 /// error. Throws InputError or ToolMissing.
 Built build_sketch(const BuildArguments& arguments, Boards boards);
 
-/// Says on standard error in which ways an image for a chip is over the robot's budget: `failed` if it is.
-/// Throws build::CompileError for what does not fit the chip at all.
+/// Reports on standard error how an image for a chip exceeds the robot's budget; `failed` if it does. Throws
+/// build::CompileError for what does not fit the chip at all.
 ExitStatus check_size(const Built& built);
 
 /// Compiles for the board of the robot that `robosim run` would take. The compiler's warnings go to standard

@@ -11,7 +11,7 @@ namespace robosim::cli {
 /// A table of stations and one of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Schema robosim.graph/1, see docs/formats.md.
+/// Schema robosim.graph/1, see docs/maps.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
 /// Its members `stations`, `junctions` and `unreachable`, each with a comma before it.

@@ -1,4 +1,4 @@
-// `robosim new NAME`: a project that works at once, to be changed.
+// `robosim new NAME`: creates a working project, meant to be changed.
 #pragma once
 
 #include "sim/cli/arguments.h"

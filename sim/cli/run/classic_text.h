@@ -29,7 +29,7 @@ struct ClassicReport {
 };
 
 std::string classic_text(const ClassicReport& report);
-/// Schema robosim.classic/1, see docs/formats.md.
+/// Schema robosim.classic/1, see docs/classic.md.
 std::string classic_json(const ClassicReport& report);
 
 }  // namespace robosim::cli

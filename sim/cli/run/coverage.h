@@ -1,4 +1,4 @@
-// `run --coverage DIR`: from what a run has counted to the page in DIR.
+// `run --coverage DIR`: from a run's counters to the report in DIR.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // A second run of a sketch that has failed on a chip, now built with the checks of --sanitize: they may name
-// the line that is at fault, such as a product that no 16-bit int holds.
+// the line at fault, such as a product that does not fit a 16-bit int.
 #pragma once
 
 #include <optional>

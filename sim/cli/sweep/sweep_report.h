@@ -1,4 +1,4 @@
-// What a sweep says in the end.
+// What a sweep prints at the end.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The table of a sweep (--csv): docs/formats.md has its columns. It is written while the sweep goes on, so
-// that whatever ends it leaves whole rows, and can be gone on with.
+// The table of a sweep (--csv): docs/sweeps.md has its columns. It is written during the sweep, so that it
+// holds whole rows however the sweep ends, and can be resumed.
 #pragma once
 
 #include <cstdio>

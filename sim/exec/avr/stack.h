@@ -34,7 +34,7 @@ class Stack {
     bool by_pointer = false;  ///< icall
   };
   /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
-  /// Saved registers may look like one by chance.
+  /// Saved registers may happen to look like one.
   std::vector<Call> open_calls() const;
   /// The word that the last `ret` has taken, as a flash address.
   std::uint32_t last_return() const;

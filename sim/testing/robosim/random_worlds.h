@@ -71,7 +71,7 @@ rc::Gen<std::string> faults(const std::string& robot = "uno5", Faults limits = {
 
 /// Where a test takes place.
 struct Worlds {
-  Trial trial;                                       ///< what is not by chance
+  Trial trial;                                       ///< what is not random
   std::optional<rc::Gen<std::string>> maps = {};     ///< for Trial::map
   std::optional<rc::Gen<std::string>> robots = {};   ///< for Trial::robot
   std::optional<rc::Gen<std::string>> scripts = {};  ///< such as faults(); they follow Trial::script
