@@ -22,7 +22,7 @@ struct Situation {
   double wheel_travel_m = 0.0;  ///< mean of both wheels' |path| so far
   bool sees_line = false;       ///< any reflectance sensor's footprint on a line
   bool driven = false;          ///< a motor is commanded
-  bool lifted = false;          ///< in somebody's hand: neither lost nor stuck
+  bool lifted = false;          ///< picked up: neither lost nor stuck
   bool powered = true;
   SimTime last_call = 0;  ///< the firmware's last API call
 };

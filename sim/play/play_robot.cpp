@@ -41,7 +41,7 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Where AiNavigator waits for somebody: after "destination?" and "refused" for a destination, after "Put me
+/// Where AiNavigator waits for the user: after "destination?" and "refused" for a destination, after "Put me
 /// on a line" for a scan.
 bool waits(const std::string& line) {
   return begins(line, "destination?") || begins(line, "refused") || begins(line, "Put me on");
@@ -99,7 +99,7 @@ class Drive {
   }
 
  private:
-  /// Runs on from until_, to the end or until the sketch waits for somebody.
+  /// Runs on from until_, to the end or until the sketch waits for the user.
   void run(bool may_wait) {
     const std::int64_t from = until_;
     said_.clear();

@@ -193,7 +193,7 @@ void Body::accelerate() {
   }
 }
 
-// In somebody's hand: each wheel turns by itself.
+// Picked up: each wheel turns by itself.
 void Body::spin() {
   advance(kDt);
   for (const Side side : {left, right}) {

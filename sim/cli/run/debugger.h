@@ -7,7 +7,7 @@
 
 namespace robosim::cli {
 
-/// Throws InputError where nobody could debug.
+/// Throws InputError where debugging is not possible.
 void check_debugger(int port, const std::string& target);
 
 /// "avr-gdb -d /…/Blink /…/Blink.elf -ex 'target remote :3333'" for a shell, with the debugger that is

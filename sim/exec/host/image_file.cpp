@@ -173,7 +173,7 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // An instruction that belongs to no line has no folder either, so that nobody can tell whose it is.
+  // An instruction that belongs to no line has no folder either, so its owner is not known.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

@@ -63,12 +63,12 @@ class EncoderPart final : public Part, public Breakable {
   Channel b_;
   double quarters_per_rad_;
   double supply_;
-  // q at the start of the tick looked_at_, and its slope; brought up to date when somebody looks.
+  // q at the start of the tick looked_at_, and its slope; brought up to date when it is read.
   mutable double at_ = 1.5;
   mutable double per_ns_ = 0.0;
   mutable SimTime looked_at_ = -1;
   std::int64_t last_ = 1;  // quarter() up to which edges have been scheduled
-  bool followed_ = false;  // somebody wanted edges in the last tick
+  bool followed_ = false;  // edges were wanted in the last tick
   bool dead_ = false;
 };
 

@@ -55,7 +55,7 @@ rc::Gen<std::string> tracks(Tracks limits = {});
 /// needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
-/// What may break, and how badly at most; 0 = not at all. docs/robots.md says what each does.
+/// What may break, and how badly at most; 0 = never. docs/robots.md says what each does.
 struct Faults {
   int at_most = 1;               ///< in a run
   Duration from{};               ///< they begin between these times
