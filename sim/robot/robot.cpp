@@ -158,7 +158,7 @@ void Robot::begin_tick(SimTime t) {
 void Robot::end_tick(SimTime t) {
   for (const Side side : {world::left, world::right}) {
     MotorPart* motor = in_->roster.motor[side];
-    if (!motor) continue;
+    if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in_->view.tick_start, t);
     world::WheelCommand& last = in_->command[side];
     if (command.drive == last.drive && command.brake == last.brake) continue;

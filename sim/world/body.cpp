@@ -35,6 +35,7 @@ void Body::place(const Pose& pose) {
   pose_.heading = norm > 0.0 ? pose.heading * (1.0 / norm) : Vec2{1.0, 0.0};
   v_ = u_ = omega_ = 0.0;
   surface_[left] = surface_[right] = 0.0;
+  free_way_ = 0.0;
   lift(false);
   slips_ = touched_ = near_ = in_contact_ = near_ahead_ = pressed_ahead_ = false;
 }
@@ -221,13 +222,16 @@ void Body::step(const Walls& walls) {
   along_free_ = v_;
   side_free_ = u_;
   if (travel <= stride) {
+    free_way_ -= way_per_travel_ * travel;
     advance(kDt);
   } else {
     const int parts = static_cast<int>(std::min(travel / stride, 1e6)) + 1;
     for (int part = 0; part < parts; ++part) {
       advance(kDt / parts);
+      free_way_ = 0.0;
       if (part + 1 < parts) collide(walls);
     }
+    free_way_ = 0.0;
   }
   accelerate();
   draw_energy();
@@ -235,7 +239,7 @@ void Body::step(const Walls& walls) {
       std::fabs(surface_[0]) < kStill && std::fabs(surface_[1]) < kStill) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
   }
-  collide(walls);
+  if (!(free_way_ > 0.0) || !walls.discs().empty()) collide(walls);
 }
 
 }  // namespace robosim::world

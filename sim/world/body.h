@@ -188,6 +188,8 @@ class Body {
   double per_mass_ = 0.0, per_inertia_ = 0.0;
   double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;
+  double way_per_travel_ = 0.0;  // what the circle's centre moves at most, for each m of travel in step()
+  double free_way_ = 0.0;        // m that it may move before it can touch a wall, obstacles aside
   bool slips_ = false;
   bool lifted_ = false;
   bool blocked_[2] = {false, false};

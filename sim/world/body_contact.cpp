@@ -14,9 +14,11 @@ constexpr double kAhead = 0.5;     // cosine of 60 degrees
 }  // namespace
 
 void Body::collide(const Walls& walls) {
+  const bool obstacles = !walls.discs().empty();
   const Vec2 centre = circle_centre();
   const double reach = bound_radius_ + Walls::kNear;
-  if (walls.clearance(centre) > reach && !(walls.discs().size() && walls.near_disc(centre, reach))) return;
+  free_way_ = walls.clearance(centre) - reach;
+  if (free_way_ > 0.0 && !(obstacles && walls.near_disc(centre, reach))) return;
   Contacts contacts;
   if (params_.outline.empty()) {
     contacts = walls.touch(centre, bound_radius_);
@@ -35,6 +37,7 @@ void Body::collide(const Walls& walls) {
     for (const Contact& contact : contacts) pushed |= push_out(contact, pose_.position - from);
   }
   if (!pushed) return;
+  free_way_ = 0.0;
   touched_ = true;
   grip_after_contact();
 }
@@ -68,6 +71,7 @@ bool Body::push_out(const Contact& contact, Vec2 moved) {
 void Body::meet(Vec2 normal, double depth, double approach) {
   near_ahead_ |= dot(normal, pose_.heading) < -kAhead;
   pose_.position = pose_.position + normal * depth;
+  free_way_ = 0.0;
   if (!(approach > 0.0)) return;
   set_velocity(velocity() + normal * approach);
   grip_after_contact();

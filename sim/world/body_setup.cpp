@@ -125,6 +125,8 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     bound_centre_ = (low + high) * 0.5;
     for (const Vec2 p : params_.outline) bound_radius_ = std::max(bound_radius_, length(p - bound_centre_));
   }
+  constexpr double kCurve = 1.02;  // pose_after()'s polynomials
+  way_per_travel_ = kCurve * std::max(1.0, length(bound_centre_) / bound_radius_);
 }
 
 void Body::rub(Side side) {

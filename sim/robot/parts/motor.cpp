@@ -58,6 +58,7 @@ void MotorPart::join(Roster& roster) {
 void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) {
   account(t);
   update();
+  steady_ = false;
 }
 
 void MotorPart::update() {
@@ -109,6 +110,7 @@ void MotorPart::fail(const Fault& fault) {
   if (name == "weak") strength_ = fault.number;
   blocked_ = name == "stuck";
   broken_ = name != "ok";
+  steady_ = false;
 }
 
 }  // namespace robosim::robot

@@ -33,10 +33,14 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
   /// The command of the tick that ends at `t`.
   world::WheelCommand take(SimTime tick_start, SimTime t) {
     world::WheelCommand command = now_;
+    steady_ = !changed_;
     if (changed_) command = average(tick_start, t);
     if (broken_) spoil(command);
     return command;
   }
+
+  /// Whether take() would give what it gave last.
+  bool steady() const { return steady_; }
 
   /// Whether something blocks its wheel.
   bool blocked() const { return blocked_; }
@@ -56,6 +60,7 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
   world::WheelCommand now_;  // since `since_`
   world::WheelCommand sum_;  // times nanoseconds, before
   SimTime since_ = 0;
+  bool steady_ = false;   // nothing has happened since the last take()
   bool changed_ = false;  // since the tick began
   bool broken_ = false;
   double strength_ = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
