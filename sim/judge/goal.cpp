@@ -97,7 +97,7 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
   for (const grid::CellAt& cell : network.loop) loop_.push_back(stripes.point_of(cell));
   if (goal.kind == Goal::Kind::station && goal_station_ < 0) {
     std::vector<std::string> names;
-    for (const Target& station : stations_) names.push_back(station.name);
+    for (const Waypoint& station : stations_) names.push_back(station.name);
     throw InputError({map.file},
                      fmt::format("there is no station {} here; {}", goal.station,
                                  names.empty() ? "the map has none" : "the stations are " + one_of(names)));
@@ -110,8 +110,8 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
 }
 
 bool Progress::is_visited(const std::string& station) const {
-  for (const Target& target : stations_)
-    if (target.name == station) return target.visited;
+  for (const Waypoint& waypoint : stations_)
+    if (waypoint.name == station) return waypoint.visited;
   return false;
 }
 
@@ -122,7 +122,7 @@ void Progress::visit_places(const world::Body& body, Events& events) {
     visited_.push_back(static_cast<int>(i));
     events.push_back(wire::StationVisited{stations_[i].name});
   }
-  for (Target& junction : junctions_) {
+  for (Waypoint& junction : junctions_) {
     if (junction.visited || !body.covers(junction.centre)) continue;
     junction.visited = true;
     ++junctions_visited_;

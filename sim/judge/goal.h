@@ -36,8 +36,8 @@ std::string to_string(const Goal& goal);
 /// The map's own goal; else laps:1 on a single loop, else tour.
 Goal default_goal(const grid::Map& map, const grid::Network& network);
 
-/// A station as the goal sees it.
-struct Target {
+/// A station or junction to visit.
+struct Waypoint {
   std::string name;
   Vec2 centre;  ///< m
   bool visited = false;
@@ -62,7 +62,7 @@ class Progress {
   /// One clause: what is still missing, or what was done.
   std::string summary() const;
 
-  const std::vector<Target>& stations() const { return stations_; }
+  const std::vector<Waypoint>& stations() const { return stations_; }
   /// Indices into stations() in the order in which they were first visited.
   const std::vector<int>& visited() const { return visited_; }
   /// Duration of each complete lap, s.
@@ -85,8 +85,8 @@ class Progress {
   bool stands_still(const world::Body& body, SimTime t);
 
   Goal goal_;
-  std::vector<Target> stations_;
-  std::vector<Target> junctions_;
+  std::vector<Waypoint> stations_;
+  std::vector<Waypoint> junctions_;
   std::vector<Vec2> loop_;
   Vec2 start_;
   bool left_start_ = false;

@@ -130,7 +130,7 @@ Sample Agent::sample_at(SimTime t) const {
                 {}};
   for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
   if (setup_.controller) {
-    for (const judge::Target& station : progress_.stations())
+    for (const judge::Waypoint& station : progress_.stations())
       if (body_.covers(station.centre)) sample.at_station = station.name;
   }
   return sample;

@@ -17,7 +17,7 @@ bool matches(const PinDrive& drive, bool level) {
 }
 
 std::size_t station_index(const judge::Progress& progress, const std::string& name) {
-  const std::vector<judge::Target>& stations = progress.stations();
+  const std::vector<judge::Waypoint>& stations = progress.stations();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (stations[i].name == name || std::to_string(i + 1) == name) return i;

@@ -58,7 +58,7 @@ void ScenarioPlayer::check(const Step& step, const judge::Progress& progress) co
   try {
     if (step.trigger.kind == Trigger::Kind::station) {
       std::vector<std::string> names;
-      for (const judge::Target& station : progress.stations()) names.push_back(station.name);
+      for (const judge::Waypoint& station : progress.stations()) names.push_back(station.name);
       if (std::find(names.begin(), names.end(), step.trigger.text) == names.end())
         throw InputError(
             fmt::format("there is no station {}; {}", step.trigger.text,
