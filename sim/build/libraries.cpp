@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/source.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -32,11 +33,8 @@ std::vector<fs::path> children(const fs::path& folder) {
   return paths;
 }
 
-bool is_header(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".hpp"; }
-
-bool is_source(const fs::path& path) {
-  const fs::path extension = path.extension();
-  return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
+bool is_library_header(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".hpp";
 }
 
 void take_sources(Library& library, const fs::path& folder, bool deep) {
@@ -53,7 +51,8 @@ void take_sources(Library& library, const fs::path& folder, bool deep) {
 bool is_library(const fs::path& folder) {
   if (is_file(folder / "library.properties")) return true;
   const std::vector<fs::path> files = children(folder);
-  return std::any_of(files.begin(), files.end(), [](const fs::path& file) { return is_header(file); });
+  return std::any_of(files.begin(), files.end(),
+                     [](const fs::path& file) { return is_library_header(file); });
 }
 
 /// The value of a key in library.properties; empty if there is none.

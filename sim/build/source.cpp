@@ -11,14 +11,14 @@
 namespace robosim::build {
 namespace fs = std::filesystem;
 
-namespace {
-
-bool is_ino(const fs::path& path) { return path.extension() == ".ino" || path.extension() == ".pde"; }
-
 bool is_source(const fs::path& path) {
   const fs::path extension = path.extension();
   return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
 }
+
+namespace {
+
+bool is_ino(const fs::path& path) { return path.extension() == ".ino" || path.extension() == ".pde"; }
 
 bool is_header(const fs::path& path) {
   const fs::path extension = path.extension();

@@ -16,6 +16,9 @@ struct Sketch {
   std::vector<std::string> headers;    ///< further files that count as the sketch's own, sorted
 };
 
+/// Whether the file is compiled by itself: C or C++.
+bool is_source(const std::filesystem::path& path);
+
 /// Reads the folder by Arduino's rules. Throws InputError.
 Sketch read_sketch(const std::filesystem::path& path);
 

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <ostream>
 
+#include "sim/base/counted.h"
+
 namespace robosim::testing {
 namespace {
 
-std::string counted(int n, const char* noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
-
 std::string sizes(const Graph& graph) {
-  return counted(graph.stations(), "station") + ", " + counted(graph.junctions(), "junction");
+  return counted(static_cast<std::size_t>(graph.stations()), "station") + ", " +
+         counted(static_cast<std::size_t>(graph.junctions()), "junction");
 }
 
 /// Whether the graphs agree if arm 0 of `found`'s node 0 is arm `arm` of `truth`'s node `node`: both are

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "sim/base/counted.h"
 #include "sim/tui/text.h"
 
 namespace robosim::tui {
@@ -13,10 +14,6 @@ namespace {
 using grid::Arm;
 using grid::TrueGraph;
 using Behind = Arm::Behind;
-
-std::string counted(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
 
 std::string at(grid::CellAt cell) { return fmt::format("at {},{}", cell.x, cell.y); }
 

@@ -10,7 +10,7 @@ namespace robosim::tui {
 namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
-constexpr int kLook_ms = 200;  // at the end: how soon a resize or a signal is noticed
+constexpr int kEndLook_ms = 200;  // at the end: how soon a resize or a signal is noticed
 
 std::int64_t wall_now_us() {
   timespec now{};
@@ -58,7 +58,7 @@ void LiveView::finish(const wire::RunResult& result) {
   do {
     draw(wall_now_us());
     if (leaving() || !screen_.has_keys()) return;
-  } while (screen_.wait_key(kLook_ms) == Key::none);
+  } while (screen_.wait_key(kEndLook_ms) == Key::none);
 }
 
 void LiveView::handle(Key key) {

@@ -16,7 +16,7 @@ constexpr int kPictureRows = 20;
 constexpr std::size_t kMostTrailPoints = 8192;
 constexpr std::size_t kSerialLines = 5;
 // What a map cell must get for a picture of the whole map to be of use.
-constexpr double kLeastDotsPerCell = 2.0;
+constexpr double kLeastDotsPerPrintedCell = 2.0;
 
 /// Grows by a point.
 void include(Area& area, Vec2 p) {
@@ -59,7 +59,7 @@ Area content(const Trail& trail, const grid::Map& map) {
 std::string picture(const Report& report, const grid::Map& map, int columns, Look look) {
   const Trail& trail = report.trail;
   Window window = fit(map, content(trail, map), columns, kPictureRows);
-  const bool whole = map.cell_m / window.dot_m >= kLeastDotsPerCell;
+  const bool whole = map.cell_m / window.dot_m >= kLeastDotsPerPrintedCell;
   if (!whole) {
     if (trail.empty()) return "";
     window = fit(map, around(trail, map), columns, kPictureRows);

@@ -63,7 +63,7 @@ std::vector<std::string> words_at(TableReader& reader, const char* key) {
 }
 
 /// As a scenario, and so --send, writes it between its double quotes.
-std::string escaped(const std::string& text) {
+std::string with_escapes(const std::string& text) {
   std::string word;
   for (const char c : text) {
     switch (c) {
@@ -128,7 +128,7 @@ class CheckReader {
  private:
   /// As it is given to the flag: paths begin at the file's folder.
   std::string flag_word(const std::string& word, Text text) const {
-    if (text == Text::sent) return escaped(word);
+    if (text == Text::sent) return with_escapes(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
     if (folder_.empty() || fs::path(word).is_absolute()) return word;
     return (folder_ / word).lexically_normal().string();

@@ -17,7 +17,7 @@ std::string environment(const char* name) {
 }
 
 /// As GitHub wants data of its commands; in properties ':' and ',' too.
-std::string escaped(const std::string& text, const char* special) {
+std::string workflow_text(const std::string& text, const char* special) {
   std::string data;
   for (const char c : text) {
     const bool plain = std::string_view("%\r\n").find(c) == std::string_view::npos &&
@@ -39,9 +39,10 @@ std::string in_the_repository(const std::string& file) {
 
 std::string note(const Place& place, const std::string& title, const std::string& text) {
   std::string properties;
-  if (!place.file.empty()) properties += "file=" + escaped(in_the_repository(place.file), ":,") + ",";
+  if (!place.file.empty()) properties += "file=" + workflow_text(in_the_repository(place.file), ":,") + ",";
   if (place.line > 0) properties += fmt::format("line={},", place.line);
-  return fmt::format("::error {}title={}::{}\n", properties, escaped(title, ":,"), escaped(text, ""));
+  return fmt::format("::error {}title={}::{}\n", properties, workflow_text(title, ":,"),
+                     workflow_text(text, ""));
 }
 
 /// In a cell of a table.

@@ -10,7 +10,7 @@ namespace robosim::cli {
 namespace {
 
 /// Of text and of attributes. What XML 1.0 cannot hold becomes U+FFFD.
-std::string escaped(const std::string& text) {
+std::string xml_text(const std::string& text) {
   std::string xml;
   for (const char c : text) {
     switch (c) {
@@ -38,13 +38,13 @@ std::string escaped(const std::string& text) {
 }
 
 /// What a sketch sent, readable: with plain line ends.
-std::string escaped_log(const std::string& serial) {
+std::string xml_log(const std::string& serial) {
   std::string xml;
   for (std::size_t begin = 0; begin < serial.size();) {
     const std::size_t end = std::min(serial.find('\n', begin), serial.size());
     std::string line = serial.substr(begin, end - begin);
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    xml += escaped(line);
+    xml += xml_text(line);
     if (end < serial.size()) xml += '\n';
     begin = end + 1;
   }
@@ -52,7 +52,7 @@ std::string escaped_log(const std::string& serial) {
 }
 
 std::string property(const std::string& name, const std::string& value) {
-  return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, escaped(value));
+  return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, xml_text(value));
 }
 
 std::string properties(const CheckResult& result) {
@@ -75,20 +75,20 @@ bool is_failure(ExitStatus status) { return status == ExitStatus::failed || stat
 std::string verdict(const CheckResult& result) {
   if (result.ok()) return "";
   const char* element = is_failure(result.status) ? "failure" : "error";
-  return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element, escaped(result.why),
-                     escaped(result.replay.empty() ? result.why : result.why + "\n" + result.replay));
+  return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element, xml_text(result.why),
+                     xml_text(result.replay.empty() ? result.why : result.why + "\n" + result.replay));
 }
 
 std::string log(const CheckResult& result) {
   if (result.ok() || result.serial.empty()) return "";
-  return fmt::format("      <system-out>{}</system-out>\n", escaped_log(result.serial));
+  return fmt::format("      <system-out>{}</system-out>\n", xml_log(result.serial));
 }
 
 std::string test_case(const std::string& sketch, const CheckResult& result) {
   return fmt::format(
       "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" time=\"{:.3f}\">\n{}{}{}    "
       "</testcase>\n",
-      escaped(sketch), escaped(result.name), escaped(result.place.file), result.place.line, result.time_s,
+      xml_text(sketch), xml_text(result.name), xml_text(result.place.file), result.place.line, result.time_s,
       properties(result), verdict(result), log(result));
 }
 
@@ -124,12 +124,12 @@ std::string junit_xml(const std::vector<SketchResult>& sketches) {
     const Sums sums = sums_of(sketch);
     all = {all.tests + sums.tests, all.failures + sums.failures, all.errors + sums.errors,
            all.time_s + sums.time_s};
-    suites += fmt::format("  <testsuite name=\"{}\" {}>\n", escaped(sketch.name), sums.text());
+    suites += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_text(sketch.name), sums.text());
     if (sketch.problem) {
       suites += fmt::format(
           "    <testcase classname=\"{}\" name=\"can be checked\" time=\"0\">\n"
           "      <error message=\"{}\">{}</error>\n    </testcase>\n",
-          escaped(sketch.name), escaped(sketch.problem->line), escaped(sketch.problem->text));
+          xml_text(sketch.name), xml_text(sketch.problem->line), xml_text(sketch.problem->text));
     } else {
       for (const CheckResult& result : sketch.results) suites += test_case(sketch.name, result);
     }

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "sim/base/counted.h"
+
 namespace robosim::cli {
 namespace {
 
@@ -92,10 +94,6 @@ std::string arm_text(const Arm& arm) {
       break;
   }
   return "nothing";
-}
-
-std::string counted(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 // Within a string of the dot language.

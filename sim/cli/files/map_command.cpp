@@ -9,6 +9,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "sim/base/counted.h"
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/cli/output.h"
@@ -33,10 +34,6 @@ Survey survey(const std::string& name, const std::string& start) {
   s.start = start.empty() ? grid::default_start(s.map) : grid::parse_start(s.map, start);
   s.network = grid::trace_network(s.map, s.start);
   return s;
-}
-
-std::string counted(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 // The texts of the first few, and how many more there are.

@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "sim/base/counted.h"
 #include "sim/cli/files/graph_text.h"
 
 namespace robosim::cli {
@@ -118,9 +119,6 @@ std::string classic_text(const ClassicReport& r) {
     for (const TapedMove& move : r.trace) out += move_text(move);
     out += '\n';
   }
-  const auto counted = [](std::size_t n, const char* noun) {
-    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-  };
   const std::string from = fmt::format("{} from {}", r.map.name, pose_text({r.start.cell, r.start.facing}));
   if (r.scan) {
     fmt::format_to(end, "{}: scanned in {} s ({}), {}, {}; the robot is at {}\n", from, r.scan->time,

@@ -5,7 +5,6 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint32_t kData = 0x800000, kEeprom = 0x810000;
 constexpr unsigned kSregNumber = 32, kSpNumber = 33, kPcNumber = 34;
 
 }  // namespace
@@ -29,11 +28,11 @@ gdb::Signal DebugPort::fault() const {
 }
 
 bool DebugPort::has_ram(std::uint32_t address, std::size_t size) const {
-  return address >= kData && address + size <= data_end();
+  return address >= kDataSpace && address + size <= data_end();
 }
 
 void DebugPort::poke(std::uint32_t address, std::uint8_t value) {
-  machine_->poke(static_cast<reg::Address>(address - kData), value);
+  machine_->poke(static_cast<reg::Address>(address - kDataSpace), value);
 }
 
 void DebugPort::trap(std::uint32_t address, bool set) {
@@ -43,7 +42,7 @@ void DebugPort::trap(std::uint32_t address, bool set) {
     chip().clear_trap(Chip::kBreakpoint, address);
 }
 
-std::uint32_t DebugPort::data_end() const { return kData + firmware_.last_ram + 1u; }
+std::uint32_t DebugPort::data_end() const { return kDataSpace + firmware_.last_ram + 1u; }
 
 std::uint32_t DebugPort::flash_end() const {
   return std::max(kFlashBytes, static_cast<std::uint32_t>(firmware_.flash.size()));
@@ -87,10 +86,10 @@ std::string DebugPort::read_memory(std::uint32_t address, std::uint32_t size) co
   for (std::uint32_t at = address; bytes.size() < size; ++at) {
     if (at < flash_end()) {
       bytes += static_cast<char>(at < firmware_.flash.size() ? firmware_.flash[at] : 0xFF);
-    } else if (at >= kData && at < data_end()) {
-      bytes += static_cast<char>(machine_->peek(static_cast<reg::Address>(at - kData)));
-    } else if (at >= kEeprom && at < kEeprom + board_.spec().eeprom_bytes) {
-      bytes += static_cast<char>(board_.eeprom()[at - kEeprom]);
+    } else if (at >= kDataSpace && at < data_end()) {
+      bytes += static_cast<char>(machine_->peek(static_cast<reg::Address>(at - kDataSpace)));
+    } else if (at >= kEepromSpace && at < kEepromSpace + board_.spec().eeprom_bytes) {
+      bytes += static_cast<char>(board_.eeprom()[at - kEepromSpace]);
     } else {
       break;
     }

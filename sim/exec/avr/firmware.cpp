@@ -14,8 +14,6 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint32_t kDataSpace = 0x800000;     // avr-gcc's address of data memory
-constexpr std::uint32_t kEepromSpace = 0x810000;   // and of what is neither flash nor RAM
 constexpr std::uint32_t kEnlargedFlash = 0x10000;  // all that a data pointer reaches
 
 void load_segments(const FileReader& in, const Elf32_Ehdr& header, const BoardSpec& board,

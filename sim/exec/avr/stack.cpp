@@ -3,7 +3,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::size_t kMostCalls = 12;
+constexpr std::size_t kMostScannedCalls = 12;
 
 }  // namespace
 
@@ -46,7 +46,8 @@ bool Stack::find_call(std::uint32_t pc, Call& call) const {
 std::vector<Stack::Call> Stack::open_calls() const {
   std::vector<Call> calls;
   Call call;
-  for (std::uint32_t at = chip_.sp() + 1u; at < firmware_.last_ram && calls.size() < kMostCalls; ++at) {
+  for (std::uint32_t at = chip_.sp() + 1u; at < firmware_.last_ram && calls.size() < kMostScannedCalls;
+       ++at) {
     if (at < reg::kFirstRam || !find_call(return_address(at), call)) continue;
     calls.push_back(call);
     ++at;

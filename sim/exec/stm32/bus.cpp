@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr Address kBitBand = 0x42000000, kBitBandEnd = 0x44000000, kPeripherals = 0x40000000;
+constexpr Address kBitBandEnd = 0x44000000;
 constexpr Address kAhb = 0x40018000;  ///< from here on AHB, below APB
 
 struct Range {

@@ -18,6 +18,9 @@
 
 namespace robosim::exec::stm32 {
 
+constexpr Address kPeripherals = 0x40000000;
+constexpr Address kBitBand = 0x42000000;  ///< a word for each bit of the peripherals
+
 /// An access that the model has no answer to.
 struct Unmodelled {
   Address address = 0;

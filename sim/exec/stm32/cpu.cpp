@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kPage = 0x1000;  // the emulator's
 constexpr std::uint32_t kMappedFlash = kEepromFlash - kFlash;
-constexpr Address kPeripherals = 0x40000000, kBitBand = 0x42000000, kPrivate = 0xE0000000;
+constexpr Address kPrivate = 0xE0000000;
 constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000, kPrivateBytes = 0x100000;
 constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
 constexpr std::uint32_t kReturn = 0xFFFFFFF0;  // EXC_RETURN (PM0056 2.3.7)

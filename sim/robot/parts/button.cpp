@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kMostBounces = 4;
 
-constexpr FaultKind kFaults[] = {
+constexpr FaultKind kButtonFaults[] = {
     {"ok", "works again"},
     {"pressed", "its contact is always closed"},
     {"released", "its contact never closes"},
@@ -87,7 +87,7 @@ void ButtonPart::read(std::vector<Reading>& readings) const {
   readings.push_back({spec_.name, down_ ? 1.0 : 0.0});
 }
 
-std::span<const FaultKind> ButtonPart::fault_kinds() const { return kFaults; }
+std::span<const FaultKind> ButtonPart::fault_kinds() const { return kButtonFaults; }
 
 void ButtonPart::fail(const Fault& fault) {
   const std::string_view name = fault.kind.name;

@@ -7,7 +7,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr FaultKind kFaults[] = {
+constexpr FaultKind kEncoderFaults[] = {
     {"ok", "works again"},
     {"dead", "its levels never change"},
 };
@@ -99,7 +99,7 @@ void EncoderPart::read(std::vector<Reading>& readings) const {
   readings.push_back({spec_.name, a_.level_of(quarter(context_.view.tick_start)) ? 1.0 : 0.0});
 }
 
-std::span<const FaultKind> EncoderPart::fault_kinds() const { return kFaults; }
+std::span<const FaultKind> EncoderPart::fault_kinds() const { return kEncoderFaults; }
 
 void EncoderPart::fail(const Fault& fault) {
   const std::int64_t now = quarter(context_.view.tick_start);

@@ -8,7 +8,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr FaultKind kFaults[] = {
+constexpr FaultKind kMotorFaults[] = {
     {"ok", "works again"},
     {"dead", "a lead is off: it turns freely"},
     {"weak", "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0, 1.0},
@@ -100,7 +100,7 @@ void MotorPart::spoil(world::WheelCommand& command) const {
   if (dead_) command = {};
 }
 
-std::span<const FaultKind> MotorPart::fault_kinds() const { return kFaults; }
+std::span<const FaultKind> MotorPart::fault_kinds() const { return kMotorFaults; }
 
 void MotorPart::fail(const Fault& fault) {
   const std::string_view name = fault.kind.name;

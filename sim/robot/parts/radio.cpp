@@ -5,7 +5,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr FaultKind kFaults[] = {
+constexpr FaultKind kRadioFaults[] = {
     {"ok", "works again"},
     {"dead", "nothing arrives"},
     {"noisy", "this share of the bits arrives wrong, such as 0.1 or 10%", FaultKind::Argument::number, 0.0,
@@ -92,7 +92,7 @@ void RadioPart::read(std::vector<Reading>& readings) const {
   readings.push_back({spec_.name, level(enable, context_.view.tick_start) ? 1.0 : 0.0});
 }
 
-std::span<const FaultKind> RadioPart::fault_kinds() const { return kFaults; }
+std::span<const FaultKind> RadioPart::fault_kinds() const { return kRadioFaults; }
 
 void RadioPart::fail(const Fault& fault) {
   const std::string_view name = fault.kind.name;

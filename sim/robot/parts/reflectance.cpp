@@ -15,7 +15,7 @@ using Read = ReflectanceSpec::Read;
 constexpr double kBestHeight = 0.003;  // m: Pololu, QTR-8A and QTR-8RC user's guide
 constexpr std::size_t kMostElements = 16;
 
-constexpr FaultKind kFaults[] = {
+constexpr FaultKind kReflectanceFaults[] = {
     {"ok", "works again"},
     {"stuck", "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
      FaultKind::Argument::number, 0.0, 1e6},
@@ -182,7 +182,7 @@ double Sensor::shown() const {
   return clamp01(1.0 - light_ * emitter_.brightness() * (1.0 - (dark() ? 1.0 : coverage())) + shift_);
 }
 
-std::span<const FaultKind> Sensor::fault_kinds() const { return kFaults; }
+std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
 
 // Each sensor is in one exchange at most; the one before ends, for both.
 void Sensor::swap_with(Sensor* other) {

@@ -9,10 +9,6 @@ namespace {
 
 Piece between(Knot a, Knot b) { return {std::min(a, b), a.x == b.x}; }
 
-bool has(const std::vector<Piece>& pieces, const Piece& piece) {
-  return std::find(pieces.begin(), pieces.end(), piece) != pieces.end();
-}
-
 std::vector<Knot> around(Knot k) { return {{k.x + 1, k.y}, {k.x, k.y + 1}, {k.x - 1, k.y}, {k.x, k.y - 1}}; }
 
 std::set<Knot> knots_of(const std::vector<Piece>& pieces) {
@@ -151,6 +147,10 @@ void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& foun
 }
 
 }  // namespace
+
+bool has(const std::vector<Piece>& pieces, const Piece& piece) {
+  return std::find(pieces.begin(), pieces.end(), piece) != pieces.end();
+}
 
 std::vector<Knot> LineNetwork::neighbours(Knot knot) const {
   std::vector<Knot> found;

@@ -23,6 +23,8 @@ struct Piece {
   auto operator<=>(const Piece&) const = default;
 };
 
+bool has(const std::vector<Piece>& pieces, const Piece& piece);
+
 struct LineNetwork {
   int apart = 3;              ///< cells: the least distance of two knots; 2 at least, or lines would touch
   int most_ways = 4;          ///< of a knot

@@ -6,10 +6,6 @@
 namespace robosim::testing {
 namespace {
 
-bool has(const std::vector<Piece>& pieces, const Piece& piece) {
-  return std::find(pieces.begin(), pieces.end(), piece) != pieces.end();
-}
-
 /// Moves the squares to the lattice's corner, drops columns and rows without any, gaps that are not on the
 /// line, and puts a start that is not on it at the first piece.
 void tidy(Track& track) {
