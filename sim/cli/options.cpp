@@ -35,7 +35,8 @@ void Options::positionals(const char* name, std::vector<std::string>& values, co
 }
 
 void Options::text(const char* name, std::string& value, const char* meta, const char* what) {
-  app_->cli.add_option(name, value, what)->option_text(meta);
+  // parse() refuses a second value itself: CLI11's error for one has the type of that for a missing value.
+  app_->cli.add_option(name, value, what)->option_text(meta)->take_last();
 }
 
 void Options::texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
@@ -49,18 +50,20 @@ void Options::lists(const char* name, std::vector<std::string>& values, const ch
 void Options::flag(const char* name, bool& value, const char* what) { app_->cli.add_flag(name, value, what); }
 
 std::optional<std::string> Options::parse(std::vector<std::string> words) {
+  const std::string last = words.empty() ? "" : words.back();
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
     app_->cli.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     return app_->cli.help();
-  } catch (const CLI::ArgumentMismatch& error) {
-    const std::string text = error.what();
-    const std::string option = text.substr(0, text.find_first_of(": "));
-    throw InputError(text.find("received") == std::string::npos ? option + " needs a value after it"
-                                                                : option + " is given more than once");
+  } catch (const CLI::ArgumentMismatch&) {  // an option takes the word behind it, whatever that is
+    throw InputError(last.substr(0, last.find('=')) + " needs a value after it");
   } catch (const CLI::ParseError& error) {
     throw InputError(command_ + ": " + error.what());
+  }
+  for (const CLI::Option* option : std::as_const(app_->cli).get_options()) {
+    if (option->get_items_expected_max() == 1 && option->count() > 1)
+      throw InputError(option->get_name() + " is given more than once");
   }
   for (const std::string& extra : app_->cli.remaining()) refuse(extra);
   return std::nullopt;

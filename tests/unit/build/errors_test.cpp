@@ -18,6 +18,7 @@ TEST_F(SketchTest, ACompileErrorNamesTheInoAndItsLineAndNothingOfTheMachine) {
                            Not(HasSubstr(cache_folder().string())), Not(HasSubstr("stdin"))));
   try {
     build_here("Wrong");
+    FAIL() << "it compiles";
   } catch (const CompileError& compile_error) {
     EXPECT_EQ(compile_error.place().file, "Wrong.ino");
     EXPECT_EQ(compile_error.place().line, 4);
