@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "sim/base/error.h"
+#include "sim/base/spelling.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
 #include "sim/cli/help_text.h"
@@ -40,12 +41,12 @@ Command parse_run(const Words& words) {
   options.text("--robot", run.robot, "ROBOT",
                "file, or name of a stock robot; with @BOARD behind it, on that board");
   options.text("--target", run.target, "TARGET", "host, avr or stm32");
-  options.text("--start", run.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", run.goal, "GOAL", "tour, laps:N, station:N, still or none");
+  options.text("--start", run.request.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
+  options.text("--goal", run.request.goal, "GOAL", "tour, laps:N, station:N, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--seed", number, "N", "of all noise and spread; default: 1");
-  options.text("--profile", run.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", run.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
@@ -59,12 +60,12 @@ Command parse_run(const Words& words) {
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
   if (const auto help = options.parse(words)) return PrintText{*help};
-  if (!duration.empty()) run.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) run.clock_ns = simulated_time("--clock", clock);
-  if (!number.empty()) run.seed = seed_number(number);
-  if (!port.empty()) run.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
+  if (!duration.empty()) run.request.for_ns = simulated_time("--for", duration);
+  if (!clock.empty()) run.request.clock_ns = simulated_time("--clock", clock);
+  if (!number.empty()) run.request.seed = seed_number(number);
+  if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
-  check_choice("--profile", run.profile, {"ideal", "typical"});
+  check_choice("--profile", run.request.profile, {"ideal", "typical"});
   if (run.view && run.json)
     throw InputError("--view and --json both want the standard output; give one of them");
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
@@ -113,7 +114,7 @@ std::optional<std::string> take_action(const std::string& command, Words& words,
   if (action == "--help" || action == "-h") return std::nullopt;
   if (std::find(actions.begin(), actions.end(), action) == actions.end()) {
     throw InputError(
-        fmt::format("robosim {} cannot “{}”; {}", command, action, launch::guess_and_list(action, actions)));
+        fmt::format("robosim {} cannot “{}”; {}", command, action, guess_and_list(action, actions)));
   }
   words.erase(words.begin());
   return action;
@@ -275,9 +276,8 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);
-  if (first.starts_with('-'))
-    throw InputError(launch::unknown_name("option", first, {"--help", "--version"}));
-  throw InputError(launch::unknown_name("command", first, kCommands));
+  if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
+  throw InputError(unknown_name("command", first, kCommands));
 }
 
 }  // namespace robosim::cli

@@ -8,27 +8,16 @@
 #include <variant>
 #include <vector>
 
+#include "sim/launch/launch.h"
+
 namespace robosim::cli {
 
 /// `robosim run`. Names are as the user typed them; empty = not given.
-struct RunArguments {
-  std::string sketch;
-  std::string map;
-  std::string robot;
-  std::string target = "host";
-  std::string start;
-  std::string goal;
-  std::int64_t for_ns = 600'000'000'000;  ///< simulated time
-  std::uint64_t seed = 1;
-  std::int64_t clock_ns = 0;  ///< what millis() begins with
-  std::string profile = "typical";
-  std::string script;             ///< a file
-  std::vector<std::string> send;  ///< texts as a scenario writes them, between its double quotes
-  std::vector<std::string> libraries;
+struct RunArguments : launch::Launch {
+  std::string script;               ///< a file
+  std::vector<std::string> send;    ///< texts as a scenario writes them, between its double quotes
   std::vector<std::string> record;  ///< files
   std::string coverage;             ///< a folder; empty = nothing is counted
-  bool sanitize = false;            ///< the sketch checks itself
-  int gdb_port = 0;                 ///< where a debugger is waited for; 0 = nowhere
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;

@@ -18,7 +18,7 @@
 #include "sim/cli/run/play_command.h"
 #include "sim/cli/run/run_command.h"
 #include "sim/cli/sweep/sweep_command.h"
-#include "sim/launch/interrupts.h"
+#include "sim/client/interrupts.h"
 
 namespace robosim::cli {
 namespace {
@@ -59,7 +59,7 @@ int perform(int count, char** words) {
   } catch (const wire::Unstoppable& error) {
     return fail(ExitStatus::interrupted, "robosim: ", error.what());
   } catch (const std::exception& error) {
-    if (launch::Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
+    if (client::Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
     return fail(ExitStatus::internal, "robosim: internal error: ", error.what());
   }
 }

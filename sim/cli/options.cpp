@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/spelling.h"
 #include "sim/base/units.h"
-#include "sim/launch/names.h"
 
 namespace robosim::cli {
 
@@ -78,7 +78,7 @@ void Options::refuse(const std::string& word) const {
   for (const CLI::Option* option : std::as_const(app_->cli).get_options()) {
     for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
   }
-  const auto guess = launch::nearest(word.substr(0, word.find('=')), options);
+  const auto guess = nearest(word.substr(0, word.find('=')), options);
   throw InputError(fmt::format("{} has no option {}; {}", command_, word,
                                guess ? "did you mean " + *guess + "? (" + help + ")" : help));
 }

@@ -1,13 +1,18 @@
 #include "sim/launch/fit_robot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "sim/base/robot_name.h"
+#include "sim/build/sketch.h"
+#include "sim/wire/protocol.h"
 
 namespace robosim::launch {
 
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
-                      const std::function<wire::RobotInfo(const std::string&)>& describe) {
+                      const Describe& describe) {
   const auto will_do = [&](const wire::RobotInfo& info) {
     return boards.empty() || std::find(boards.begin(), boards.end(), info.board.name) != boards.end();
   };
@@ -22,6 +27,35 @@ FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& 
   fitted.robot = robot_with_board(robot, boards.front());
   fitted.info = describe(fitted.robot);
   return fitted;
+}
+
+const BoardSpec& board_of(const wire::RobotInfo& robot) {
+  const BoardSpec* board = find_board(robot.board.name.c_str());
+  if (!board)
+    throw wire::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
+  return *board;
+}
+
+std::string chip_target_of(const BoardSpec& board) {
+  for (const std::string& target : build::targets()) {
+    const std::vector<std::string> boards = build::boards_of(target);
+    if (std::find(boards.begin(), boards.end(), board.name) != boards.end()) return target;
+  }
+  return "";
+}
+
+Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe) {
+  FittedRobot fitted = fit_robot(robot.path.string(), build::boards_of(target), describe);
+  Carrier carrier{robot, std::move(fitted.info), ""};
+  if (fitted.own_board.empty()) return carrier;
+  const std::string& board = carrier.info.board.name;
+  carrier.robot.path = fitted.robot;
+  carrier.robot.name = parse_robot_name(fitted.robot).board.empty() ? parse_robot_name(robot.name).robot
+                                                                    : robot_with_board(robot.name, board);
+  carrier.announcement = fmt::format(
+      "on {} the robot is {}: its {} has no such chip, and a {} takes its place, on the same pins", target,
+      carrier.robot.name, fitted.own_board, board);
+  return carrier;
 }
 
 }  // namespace robosim::launch

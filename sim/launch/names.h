@@ -1,8 +1,7 @@
-// Names that users type: what they refer to, and what was probably meant.
+// Names that users type, and the files they refer to.
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,6 @@ std::string target_of_elf(const std::filesystem::path& file);
 
 /// A name with '/' or '.' is a path.
 bool is_path(const std::string& name);
-
-/// The candidate that differs least from `word`, if so few letters differ that it may be a slip.
-std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
-
-/// "did you mean oval? There are d, oval and tight"
-std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates);
-/// "there is no map “ovla”; did you mean oval? There are d, oval and tight". `what` as in "map".
-std::string unknown_name(const std::string& what, const std::string& name,
-                         const std::vector<std::string>& candidates);
 
 /// Names of the files with that ending in a folder, without the ending, sorted; none if there is no such
 /// folder.
@@ -53,6 +43,10 @@ Choice choose_map(const std::string& name, const std::filesystem::path& sketch_f
 /// for the target stm32. Throws InputError.
 Choice choose_robot(const std::string& name, const std::filesystem::path& sketch_folder,
                     const std::string& target = "host");
+
+/// The target named; else that of a finished .elf; else `host`. Throws InputError for one that there is none
+/// of, or that a finished .elf is not for.
+std::string choose_target(const std::string& name, const SketchChoice& sketch);
 
 /// Throws InputError for a target there is none of, ToolMissing for one that this version cannot run yet.
 void check_target(const std::string& target);

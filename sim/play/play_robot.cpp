@@ -9,8 +9,8 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/build/sketch.h"
+#include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
-#include "sim/launch/interrupts.h"
 #include "sim/tui/live_view.h"
 
 namespace robosim::play {
@@ -106,7 +106,7 @@ class Drive {
     waiting_ = false;
     int signal = 0;
     console_.lend([&] {
-      const launch::Interrupts interrupts(runner_);
+      const client::Interrupts interrupts(runner_);
       std::optional<tui::LiveScene> scene;
       std::optional<tui::LiveView> live;
       if (console_.is_live()) {
@@ -119,7 +119,7 @@ class Drive {
         if (scene && is_new && !waiting_) {
           if (!live)
             live.emplace(*scene, tui::LiveView::Options{1.0, console_.look(),
-                                                        [] { return launch::Interrupts::count() > 0; },
+                                                        [] { return client::Interrupts::count() > 0; },
                                                         [&] { quit_ = true, runner_.interrupt(); }});
           live->on_event(event);
         }
@@ -132,7 +132,7 @@ class Drive {
         runner_.interrupt();
       });
       if (live && !waiting_ && !quit_) live->finish(result_);
-      signal = launch::Interrupts::signal();
+      signal = client::Interrupts::signal();
     });
     if (signal == 0) return;
     ::raise(signal);  // for whoever noted signals before

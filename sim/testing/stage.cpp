@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
-#include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/grid/map.h"
 #include "sim/grid/true_graph.h"
-#include "sim/launch/fit_robot.h"
+#include "sim/launch/launch.h"
 #include "sim/testing/coverage.h"
 
 namespace robosim::testing {
@@ -27,8 +27,6 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 }
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
-bool is_path(const std::string& name) { return name.find_first_of("/.") != std::string::npos; }
-bool is_elf(const std::string& sketch) { return fs::path(sketch).extension() == ".elf"; }
 
 fs::path write_scratch(Stage& stage, const std::string& name, const std::string& text) {
   if (stage.scratch.empty()) {
@@ -40,51 +38,25 @@ fs::path write_scratch(Stage& stage, const std::string& name, const std::string&
   return stage.scratch / name;
 }
 
-/// The only file with that ending beside the sketch; empty if there is none, or more than one.
-fs::path only_one(const fs::path& folder, const char* ending) {
-  std::vector<fs::path> found;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ending) found.push_back(entry.path());
-  return found.size() == 1 ? found[0] : fs::path();
+/// A name as it is; the text itself as a file.
+std::string name_of(const std::string& name_or_text, const std::string& file, Stage& stage) {
+  return is_text(name_or_text) ? write_scratch(stage, file, name_or_text).string() : name_or_text;
 }
 
-void choose_map(const Trial& trial, const fs::path& folder, Stage& stage) {
-  stage.map = trial.map.empty() ? only_one(folder, ".map").string() : trial.map;
-  if (stage.map.empty()) stage.map = "oval";
-  stage.map_is_text = is_text(stage.map);
-  if (stage.map_is_text) stage.map = write_scratch(stage, "map.map", stage.map).string();
-  stage.request.map = grid::find_map(stage.map).string();
+launch::SketchChoice choose_sketch(const Trial& trial) {
+  if (trial.sketch.empty()) throw InputError("a Trial needs a sketch");
+  return launch::choose_sketch(trial.sketch);
 }
 
-void choose_robot(const Trial& trial, const fs::path& folder, client::Runner& runner, Stage& stage) {
-  std::error_code error;
-  stage.robot_name = trial.robot;
-  if (stage.robot_name.empty())
-    stage.robot_name =
-        fs::exists(folder / "robot.toml", error) ? (folder / "robot.toml").string() : std::string("uno5");
-  stage.robot_is_text = is_text(stage.robot_name);
-  if (stage.robot_is_text) stage.robot_name = write_scratch(stage, "robot.toml", trial.robot).string();
-  launch::FittedRobot fitted =
-      launch::fit_robot(stage.robot_name, build::boards_of(trial.target),
-                        [&](const std::string& name) { return runner.describe_robot(name); });
-  stage.robot = std::move(fitted.info);
-  stage.request.robot = stage.robot_name = fitted.robot;
+/// What the robosim command calls what was chosen.
+std::string word_for(const launch::Choice& choice) {
+  return launch::is_path(choice.name) ? choice.path.string() : choice.name;
 }
 
 /// Sketches are compiled once a process; after that even the cache on the disk is not asked.
-const Built& built_for(const Trial& trial, const fs::path& sketch, const std::string& board) {
-  static std::map<std::string, Built> built;
-  std::string key = fmt::format("{}\n{}\n{}", sketch.string(), board, trial.target);
-  for (const std::string& folder : trial.libraries) key += "\n" + folder;
-  const auto known = built.find(key);
-  if (known != built.end()) return known->second;
-  const BoardSpec* spec = find_board(board.c_str());
-  if (!spec) throw InputError("the robot's board is unknown: " + board);
-  build::Request request{sketch, *spec, trial.target, {}, build::Warnings::standard};
-  for (const std::string& folder : trial.libraries) request.libraries.emplace_back(folder);
-  request.coverage = !coverage_folder(trial.target).empty();
-  return built.emplace(key, Built{request, build::build(request)}).first->second;
+launch::Launcher& launcher() {
+  static launch::Launcher launcher;
+  return launcher;
 }
 
 }  // namespace
@@ -104,13 +76,8 @@ Borrowed::~Borrowed() {
 }
 
 std::string target_of(const Trial& trial) {
-  if (!is_elf(trial.sketch)) return trial.target;
-  // Byte 18 of an ELF file's header names the machine: 40 = ARM, 83 = AVR.
-  const std::string file = read_file(trial.sketch);
-  const int machine = file.size() > 18 ? static_cast<unsigned char>(file[18]) : 0;
-  if (machine != 83 && machine != 40)
-    throw InputError({trial.sketch}, "is no program for a chip that Robosim knows");
-  return machine == 83 ? "avr" : "stm32";
+  // "host" is what a Trial says that names no target.
+  return launch::choose_target(trial.target == "host" ? "" : trial.target, choose_sketch(trial));
 }
 
 Stage set_stage(const Trial& trial, client::Runner& runner) {
@@ -118,26 +85,19 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   stage.sketch = trial.sketch;
   stage.target = trial.target;
   stage.libraries = trial.libraries;
-  const fs::path sketch = is_elf(trial.sketch) ? fs::path(trial.sketch) : build::find_sketch(trial.sketch);
-  std::error_code error;
-  const fs::path folder = fs::is_directory(sketch, error) ? sketch : sketch.parent_path();
-  const fs::path whole = fs::absolute(sketch).lexically_normal();  // "." has a name, too
-  stage.sketch_title = (whole.has_filename() ? whole : whole.parent_path()).stem().string();
-  if (!is_path(trial.sketch)) stage.sketch_title = trial.sketch;
-  choose_map(trial, folder, stage);
-  choose_robot(trial, folder, runner, stage);
+  stage.map_is_text = is_text(trial.map);
+  stage.robot_is_text = is_text(trial.robot);
 
-  wire::RunRequest& request = stage.request;
-  if (is_elf(trial.sketch)) {
-    request.image = trial.sketch;
-  } else {
-    const Built& built = built_for(trial, sketch, stage.robot.board.name);
-    request.image = built.image.image.string();
-    if (built.request.coverage) {
-      stage.counted = &built;
-      request.counters = new_counter_file(coverage_folder(trial.target));
-    }
-  }
+  launch::Launch launch;
+  launch.sketch = trial.sketch;
+  launch.map = name_of(trial.map, "map.map", stage);
+  launch.robot = name_of(trial.robot, "robot.toml", stage);
+  launch.target = trial.target;
+  launch.libraries = trial.libraries;
+  launch::Chosen chosen = choose(launch);
+  launch.count_lines = chosen.sketch.elf_target.empty() && !coverage_folder(trial.target).empty();
+  wire::RunRequest& request = launch.request;
+  if (launch.count_lines) request.counters = new_counter_file(coverage_folder(trial.target));
   request.start = trial.start;
   request.goal = trial.goal;
   request.for_ns = trial.limit.count();
@@ -148,6 +108,18 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   request.script_file = "the Trial's script";
   request.samples_every_ns = 10'000'000;
   request.serial = request.notes = true;
+
+  launch::Prepared run = launcher().prepare(
+      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+  const fs::path whole = fs::absolute(run.sketch.path).lexically_normal();  // "." has a name, too
+  stage.sketch_title = launch::is_path(trial.sketch)
+                           ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()
+                           : trial.sketch;
+  stage.map = word_for(run.map);
+  stage.robot_name = run.request.robot;
+  stage.robot = std::move(run.robot_info);
+  if (launch.count_lines) stage.counted.emplace(Built{std::move(run.wanted), std::move(run.image)});
+  stage.request = std::move(run.request);
   return stage;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,8 @@ struct Stage {
   wire::RobotInfo robot;
   std::string sketch, map, robot_name, target;  ///< as the robosim command takes them
   std::vector<std::string> libraries;
-  std::string sketch_title;        ///< for messages: "PidFollower"
-  const Built* counted = nullptr;  ///< whose lines are counted, if they are; request.counters is set then
+  std::string sketch_title;      ///< for messages: "PidFollower"
+  std::optional<Built> counted;  ///< whose lines are counted, if they are; request.counters is set then
   bool map_is_text = false, robot_is_text = false;
   std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
 };

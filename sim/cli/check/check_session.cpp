@@ -144,7 +144,7 @@ void CheckSession::plan(const Check& check) {
 client::Batch CheckSession::batch() {
   return {runs_.size(),
           [this](std::size_t i) { return planned_[runs_[i].planned].plan.task_of(runs_[i].number); },
-          [this](std::size_t i, client::Answer answer) { answered(runs_[i], std::move(answer)); },
+          [this](std::size_t i, const client::Answer& answer) { answered(runs_[i], answer); },
           [this](std::size_t i) {
             Planned& planned = planned_[runs_[i].planned];
             if (result_of(planned).status != ExitStatus::interrupted) return false;  // it cannot be made
@@ -153,7 +153,7 @@ client::Batch CheckSession::batch() {
           }};
 }
 
-void CheckSession::answered(const Run& run, client::Answer answer) {
+void CheckSession::answered(const Run& run, const client::Answer& answer) {
   ++ended_;
   Planned& planned = planned_[run.planned];
   if (const auto* failure = std::get_if<client::Failure>(&answer)) {

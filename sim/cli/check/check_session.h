@@ -47,7 +47,7 @@ class CheckSession {
   };
 
   void plan(const Check& check);
-  void answered(const Run& run, client::Answer answer);
+  void answered(const Run& run, const client::Answer& answer);
   void judge(Planned& planned, std::size_t run, const wire::RunResult& result);
   void finish(Planned& planned);
   CheckResult& result_of(const Planned& planned) { return sketches_[planned.sketch].results[planned.result]; }

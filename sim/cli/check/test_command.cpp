@@ -12,17 +12,17 @@
 #include "sim/cli/check/junit.h"
 #include "sim/cli/check/test_report.h"
 #include "sim/cli/output.h"
-#include "sim/launch/interrupts.h"
-#include "sim/launch/progress.h"
+#include "sim/client/interrupts.h"
+#include "sim/tui/progress.h"
 
 namespace robosim::cli {
 namespace {
 
 /// True if all runs ended.
-bool make_runs(CheckSession& session, std::size_t jobs, launch::Progress& progress) {
+bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress) {
   if (session.runs() == 0) return true;
   client::Pool pool(std::min(jobs, session.runs()));
-  const launch::Interrupts interrupts(pool);
+  const client::Interrupts interrupts(pool);
   client::Batch batch = session.batch();
   batch.answered = [&, count = std::move(batch.answered)](std::size_t run, client::Answer answer) {
     count(run, std::move(answer));
@@ -37,7 +37,7 @@ int test_command(const TestArguments& arguments) {
   std::vector<std::string> sketches = arguments.sketches;
   if (sketches.empty()) sketches.emplace_back();
   const bool several = sketches.size() > 1;
-  launch::Progress progress(true);
+  tui::Progress progress(true);
   SweepPlanner planner(progress, {false, !several});
   CheckSession session(planner);
   for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);

@@ -21,12 +21,12 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.lists("--target", compare.targets, "TARGET...", "two or more; default: host,avr,stm32");
   options.text("--seed", seed, "N", "of all noise and spread; default: 1");
   options.text("--seeds", seeds, "A..B", "one after the other, until they differ");
-  options.text("--start", compare.each.start, "X,Y,DIR",
+  options.text("--start", compare.each.request.start, "X,Y,DIR",
                "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", compare.each.goal, "GOAL", "tour, laps:N, station:N, still or none");
+  options.text("--goal", compare.each.request.goal, "GOAL", "tour, laps:N, station:N, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with on the chips, as in 49.7d");
-  options.text("--profile", compare.each.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", compare.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", compare.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", compare.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
   options.texts("--libraries", compare.each.libraries, "DIR",
@@ -36,9 +36,9 @@ Command parse_compare(const std::vector<std::string>& words) {
   if (!seed.empty() && !seeds.empty()) throw InputError("--seed is one, --seeds are many; give one of them");
   compare.first_seed = compare.last_seed = seed.empty() ? 1 : seed_number(seed);
   if (!seeds.empty()) read_seeds(seeds, compare.first_seed, compare.last_seed);
-  if (!duration.empty()) compare.each.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) compare.each.clock_ns = simulated_time("--clock", clock);
-  check_choice("--profile", compare.each.profile, {"ideal", "typical"});
+  if (!duration.empty()) compare.each.request.for_ns = simulated_time("--for", duration);
+  if (!clock.empty()) compare.each.request.clock_ns = simulated_time("--clock", clock);
+  check_choice("--profile", compare.each.request.profile, {"ideal", "typical"});
   compare.targets = split_at_commas(compare.targets);
   if (compare.targets.empty()) compare.targets = {"host", "avr", "stm32"};
   if (compare.targets.size() < 2) throw InputError("--target: give two or more to compare, as in host,avr");

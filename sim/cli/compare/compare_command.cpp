@@ -11,13 +11,12 @@
 #include "sim/base/error.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/compare/compare_report.h"
+#include "sim/cli/launching.h"
 #include "sim/cli/output.h"
-#include "sim/cli/sweep/sweep_plan.h"
 #include "sim/client/runner.h"
 #include "sim/grid/places.h"
-#include "sim/launch/image.h"
-#include "sim/launch/names.h"
-#include "sim/launch/progress.h"
+#include "sim/launch/launch.h"
+#include "sim/tui/progress.h"
 
 namespace robosim::cli {
 namespace {
@@ -31,8 +30,8 @@ constexpr std::size_t kSaid = 3;  // lines before the one that differs
 
 /// One target: what it runs, and who runs it.
 struct Lane {
-  Combination combination;
   client::Runner runner;
+  launch::Prepared run;
 };
 
 /// Runs one request on each lane, all at a time.
@@ -55,23 +54,27 @@ std::vector<wire::RunResult> run_all(std::vector<Lane*> lanes, const std::vector
 
 class CompareCommand {
  public:
-  CompareCommand(const CompareArguments& arguments, launch::Progress& progress)
-      : arguments_(arguments), progress_(progress), sketch_(launch::choose_sketch(arguments.sketch)) {
-    if (!sketch_.elf_target.empty())
-      throw InputError({sketch_.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
-    SweepPlanner planner(progress, {true, false});
+  CompareCommand(const CompareArguments& arguments, tui::Progress& progress)
+      : arguments_(arguments), progress_(progress) {
+    launch::Launch launch = launch_of(arguments.each);
+    launch.sketch = arguments.sketch;
+    launch.map = arguments.map;
+    launch.robot = arguments.robot;
+    const launch::SketchChoice sketch = launch::choose_sketch(launch.sketch);
+    if (!sketch.elf_target.empty())
+      throw InputError({sketch.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
+    launch::Launcher launcher(listener_of(progress, {true, false}));
     for (const std::string& target : arguments.targets) {
-      SweepArguments one;
-      one.sketches = {arguments.sketch};
-      if (!arguments.map.empty()) one.maps = {arguments.map};
-      if (!arguments.robot.empty()) one.robots = {arguments.robot};
-      one.targets = {target};
-      one.each = arguments.each;
-      if (target == "host") one.each.clock_ns = 0;
-      lanes_.push_back({planner.plan(one).combinations.at(0), client::Runner(target)});
+      launch.target = target;
+      launch.request.clock_ns = target == "host" ? 0 : arguments.each.request.clock_ns;
+      launch::Chosen chosen = choose(launch);
+      client::Runner runner(target);
+      launch::Prepared run = launcher.prepare(
+          launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+      lanes_.push_back({std::move(runner), std::move(run)});
     }
-    map_.emplace(grid::read_map(lanes_[0].combination.task.request.map));
-    const std::string& start = arguments.each.start;
+    map_.emplace(grid::read_map(lanes_[0].run.request.map));
+    const std::string& start = arguments.each.request.start;
     places_.emplace(*map_, start.empty() ? grid::default_start(*map_) : grid::parse_start(*map_, start));
   }
 
@@ -114,9 +117,9 @@ class CompareCommand {
     std::vector<Lane*> lanes;
     recorders.reserve(lanes_.size());
     for (Lane& lane : lanes_) {
-      recorders.emplace_back(lane.combination.task.target,
+      recorders.emplace_back(lane.run.target,
                              [this](const wire::Sample& sample) { return place_of(sample); });
-      wire::RunRequest request = lane.combination.task.request;
+      wire::RunRequest request = lane.run.request;
       request.seed = seed;
       request.samples_every_ns = analysis::HistoryRecorder::kSampleEvery_ns;
       request.serial = request.notes = true;
@@ -129,7 +132,7 @@ class CompareCommand {
     std::vector<analysis::History> histories;
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       histories.push_back(recorders[i].finish(results[i]));
-      compared.runs.push_back({lanes_[i].combination.inputs, results[i]});
+      compared.runs.push_back({inputs_of(lanes_[i].run, lanes_[i].runner.hello().version), results[i]});
     }
     return histories;
   }
@@ -146,7 +149,7 @@ class CompareCommand {
     for (std::size_t side = 0; side < 2; ++side) {
       Lane& lane = lanes_[lanes[side]];
       pins.emplace_back(d.t_ns[side]);
-      wire::RunRequest request = lane.combination.task.request;
+      wire::RunRequest request = lane.run.request;
       request.seed = compared.seed;
       const std::int64_t end = d.t_ns[side] + kBehind_ns;
       request.for_ns = std::min(request.for_ns, (end / 1'000'000 + 1) * 1'000'000);
@@ -208,19 +211,15 @@ class CompareCommand {
     if (target == "stm32") return std::nullopt;
     const wire::RunResult& run = compared.runs[lane].result;
     Lane& with = lanes_[lane];
-    wire::RunRequest request = with.combination.task.request;
+    wire::RunRequest request = with.run.request;
     request.seed = compared.seed;
     request.for_ns = std::min(request.for_ns, compared.difference->t_ns[side] + kLongestPart_ns);
-    const wire::RobotInfo robot = with.runner.describe_robot(request.robot);
-    build::Request wanted{sketch_.path, launch::board_of(robot), target};
-    for (const std::string& folder : arguments_.each.libraries) wanted.libraries.emplace_back(folder);
     progress_.say("running it again on " + target + ", with checks …");
-    return look_again(with.runner, request, wanted, run);
+    return look_again(with.runner, request, with.run.wanted, run);
   }
 
   const CompareArguments& arguments_;
-  launch::Progress& progress_;
-  launch::SketchChoice sketch_;
+  tui::Progress& progress_;
   std::vector<Lane> lanes_;
   std::optional<grid::Map> map_;
   std::optional<grid::Places> places_;
@@ -229,8 +228,7 @@ class CompareCommand {
 }  // namespace
 
 int compare_command(const CompareArguments& arguments) {
-  for (const std::string& target : arguments.targets) launch::check_target(target);
-  launch::Progress progress(true);
+  tui::Progress progress(true);
   CompareCommand command(arguments, progress);
   for (std::uint64_t seed = arguments.first_seed;; ++seed) {
     const Compared compared = command.compare(seed);

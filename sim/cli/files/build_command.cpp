@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/client/runner.h"
-#include "sim/launch/image.h"
-#include "sim/launch/names.h"
-#include "sim/launch/progress.h"
+#include "sim/launch/launch.h"
+#include "sim/tui/progress.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -126,19 +126,15 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   launch::Carrier carrier = boards == Boards::own
                                 ? launch::Carrier{choice, describe(choice.path.string()), ""}
                                 : fit_to_target(choice, arguments.target, describe);
-  if (!carrier.announcement.empty()) fmt::print(stderr, "robosim: {}\n", carrier.announcement);
+  tui::Progress progress(true);
+  const launch::Listener listener = listener_of(progress);
+  if (!carrier.announcement.empty()) listener.chosen(carrier.announcement);
   wire::RobotInfo& robot = carrier.info;
   const BoardSpec& board = launch::board_of(robot);
   build::Request request{sketch.path,       board, arguments.target, {}, warnings_of(arguments.warnings),
                          arguments.sanitize};
   for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
-
-  launch::Progress progress(true);
-  progress.say("compiling " + sketch.name + " …");
-  build::Image image = build::build(request);
-  progress.clear();
-  fmt::print(stderr, "{}", image.messages);
-  return {std::move(image), board, std::move(robot)};
+  return {image_of(sketch, request, listener), board, std::move(robot)};
 }
 
 ExitStatus check_size(const Built& built) {

@@ -12,9 +12,9 @@
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/classic_text.h"
+#include "sim/cli/run/supervise.h"
 #include "sim/grid/map.h"
 #include "sim/launch/names.h"
-#include "sim/launch/supervise.h"
 
 namespace robosim::cli {
 namespace {
@@ -125,7 +125,7 @@ int classic_command(const ClassicArguments& arguments) {
         fmt::format("{}: an obstacle stands on the start, {},{}", map.file, start.cell.x, start.cell.y));
   if (!launch::is_path(arguments.algorithm)) return run_on(map, start, arguments, {}, nullptr);
   const build::Algorithm algorithm(arguments.algorithm);
-  return launch::supervise(arguments.algorithm, [&](launch::Progressed& progressed) {
+  return supervise(arguments.algorithm, [&](Progressed& progressed) {
     return run_on(map, start, arguments, algorithm.shared_object(), &progressed);
   });
 }

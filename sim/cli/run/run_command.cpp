@@ -9,24 +9,24 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
-#include "sim/base/file.h"
 #include "sim/build/sketch.h"
+#include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/coverage.h"
 #include "sim/cli/run/debugger.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
+#include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
-#include "sim/launch/image.h"
-#include "sim/launch/interrupts.h"
-#include "sim/launch/names.h"
-#include "sim/launch/progress.h"
+#include "sim/launch/launch.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_vcd.h"
 #include "sim/tui/live_view.h"
+#include "sim/tui/progress.h"
 #include "sim/tui/report.h"
 
 namespace robosim::cli {
@@ -54,7 +54,7 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.view) return tui::kViewEvery_ns;
   if (arguments.json && !progress) return 0;
   constexpr std::int64_t kTick = 1'000'000;
-  return std::max(kTrailEvery_ns, arguments.for_ns / kTrailSamples / kTick * kTick);
+  return std::max(kTrailEvery_ns, arguments.request.for_ns / kTrailSamples / kTick * kTick);
 }
 
 /// RAM that neither variables nor the deepest stack took.
@@ -89,7 +89,7 @@ bool is_vcd(const std::string& file) { return fs::path(file).extension() == ".vc
 /// Everything that listens to a run's events.
 class Listeners {
  public:
-  Listeners(const RunArguments& arguments, const BoardSpec& board, launch::Progress& progress)
+  Listeners(const RunArguments& arguments, const BoardSpec& board, tui::Progress& progress)
       : progress_(progress) {
     for (const std::string& file : arguments.record) {
       if (is_vcd(file)) {
@@ -98,7 +98,7 @@ class Listeners {
         tables_.emplace_back(file);
       }
     }
-    for_s_ = static_cast<double>(arguments.for_ns) * 1e-9;
+    for_s_ = static_cast<double>(arguments.request.for_ns) * 1e-9;
   }
 
   void watch(tui::LiveView* view) { view_ = view; }
@@ -127,7 +127,7 @@ class Listeners {
   const tui::Trail& trail() const { return trail_; }
 
  private:
-  launch::Progress& progress_;
+  tui::Progress& progress_;
   std::vector<record::CsvRecord> tables_;
   std::vector<record::VcdRecord> waves_;
   tui::LiveView* view_ = nullptr;
@@ -138,20 +138,20 @@ class Listeners {
 };
 
 /// Runs, in the live view if asked for.
-wire::RunResult simulate(client::Runner& runner, const wire::RunRequest& request,
-                         const RunArguments& arguments, const std::string& title,
-                         const wire::RobotInfo& robot, const fs::path& map, Listeners& listeners) {
-  const launch::Interrupts interrupts(runner);
+wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, const RunArguments& arguments,
+                         Listeners& listeners) {
+  const client::Interrupts interrupts(runner);
   const auto on_event = [&](const wire::Event& event) { listeners.on_event(event); };
-  if (!arguments.view) return runner.run(request, on_event);
+  if (!arguments.view) return runner.run(run.request, on_event);
 
   runner.keep_close();
-  const grid::Map floor = grid::read_map(map);
-  tui::LiveScene scene(title, floor, robot);
+  const grid::Map floor = grid::read_map(run.map.path);
+  const std::string title = fmt::format("{} · {} on {}", run.sketch.name, run.robot.name, run.map.name);
+  tui::LiveScene scene(title, floor, run.robot_info);
   tui::LiveView live(scene, {arguments.speed, tui::look_from_environment(true),
-                             [] { return launch::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
+                             [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
   listeners.watch(&live);
-  const wire::RunResult result = runner.run(request, on_event);
+  const wire::RunResult result = runner.run(run.request, on_event);
   live.finish(result);
   listeners.watch(nullptr);
   return result;
@@ -159,117 +159,76 @@ wire::RunResult simulate(client::Runner& runner, const wire::RunRequest& request
 
 }  // namespace
 
-std::string scenario_text(const RunArguments& arguments) {
-  std::string text;
-  if (!arguments.script.empty()) text = read_file(arguments.script);
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  for (const std::string& send : arguments.send) text += fmt::format("at 1s send \"{}\"\n", send);
-  return text;
-}
-
-int run_command(const RunArguments& given) {
-  RunArguments arguments = given;
-  launch::check_target(arguments.target);
+int run_command(const RunArguments& arguments) {
   for (const std::string& file : arguments.record) record::check_record_ending(file);
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
   }
-  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch);
-  if (!sketch.elf_target.empty()) {
-    if (arguments.target != "host" && arguments.target != sketch.elf_target) {
-      throw InputError({sketch.name, 0, 0}, fmt::format("is for the target {}, and --target asks for {}",
-                                                        sketch.elf_target, arguments.target));
-    }
-    arguments.target = sketch.elf_target;
-    launch::check_target(arguments.target);
-  }
-  check_debugger(arguments.gdb_port, arguments.target);
-  if (arguments.sanitize) build::check_can_sanitize(arguments.target);
-  arguments.coverage = coverage_folder(given.coverage, arguments.target);
+  launch::Launch launch = launch_of(arguments);
+  launch::Chosen chosen = choose(launch);
+  check_debugger(launch.request.gdb_port, chosen.target);
+  const std::string coverage = coverage_folder(arguments.coverage, chosen.target);
   std::optional<CounterFile> counters;
-  if (!arguments.coverage.empty()) counters.emplace(arguments.coverage);
-  const launch::Choice map = launch::choose_map(arguments.map, sketch.folder);
-  const launch::Choice robot_choice = launch::choose_robot(arguments.robot, sketch.folder, arguments.target);
-  for (const launch::Choice* choice : {&map, &robot_choice}) {
-    if (!choice->announcement.empty()) fmt::print(stderr, "robosim: {}\n", choice->announcement);
+  if (!coverage.empty()) {
+    counters.emplace(coverage);
+    launch.count_lines = true;
+    launch.request.counters = counters->path().string();
   }
-  wire::RunRequest request;
-  request.script = scenario_text(arguments);
-  request.script_file = arguments.script.empty() ? "--send" : arguments.script;
+  tui::Progress progress(!arguments.view);
+  launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
+  launch.request.serial = launch.request.notes = arguments.view;
+  launch.request.pins = launch.request.io =
+      std::any_of(arguments.record.begin(), arguments.record.end(), is_vcd);
 
-  launch::Progress progress(!arguments.view);
-  client::Runner runner(arguments.target);
-  const launch::Carrier carrier = fit_to_target(
-      robot_choice, arguments.target, [&](const std::string& name) { return runner.describe_robot(name); });
-  if (!carrier.announcement.empty()) fmt::print(stderr, "robosim: {}\n", carrier.announcement);
-  const launch::Choice& robot = carrier.robot;
-  const wire::RobotInfo& robot_info = carrier.info;
-  build::Request wanted{sketch.path, launch::board_of(robot_info), arguments.target};
-  for (const std::string& folder : arguments.libraries) wanted.libraries.emplace_back(folder);
-  wanted.sanitize = arguments.sanitize;
-  wanted.coverage = !arguments.coverage.empty();
-  const build::Image image = image_of(sketch, wanted, progress);
+  client::Runner runner(chosen.target);
+  launch::Launcher launcher(listener_of(progress));
+  const launch::Prepared run = launcher.prepare(
+      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+  const BoardSpec& board = launch::board_of(run.robot_info);
+  const bool is_built = run.sketch.elf_target.empty();
 
-  request.image = image.image.string();
-  if (counters) request.counters = counters->path().string();
-  request.map = map.path.string();
-  request.robot = robot.path.string();
-  request.start = arguments.start;
-  request.goal = arguments.goal;
-  request.for_ns = arguments.for_ns;
-  request.seed = arguments.seed;
-  request.clock_ns = arguments.clock_ns;
-  request.gdb_port = arguments.gdb_port;
-  request.profile = arguments.profile;
-  request.samples_every_ns = samples_every_ns(arguments, progress.active());
-  request.serial = request.notes = arguments.view;
-  request.pins = request.io = std::any_of(arguments.record.begin(), arguments.record.end(), is_vcd);
-
-  Listeners listeners(arguments, launch::board_of(robot_info), progress);
-  if (arguments.gdb_port > 0)
-    listeners.name_debugger(debugger_command(image.image, sketch.elf_target.empty() ? sketch.folder : "",
-                                             arguments.target, arguments.gdb_port));
+  Listeners listeners(arguments, board, progress);
+  if (run.request.gdb_port > 0)
+    listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
+                                             run.request.gdb_port));
   const double began_s = wall_now_s();
-  const std::string title = fmt::format("{} · {} on {}", sketch.name, robot.name, map.name);
-  wire::RunResult result = simulate(runner, request, arguments, title, robot_info, map.path, listeners);
+  wire::RunResult result = simulate(runner, run, arguments, listeners);
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   listeners.save();
   std::optional<Finding> finding;
-  if (arguments.target == "avr" && sketch.elf_target.empty() && deserves_second_look(result)) {
-    progress.say("running " + sketch.name + " again, with checks …");
-    finding = look_again(runner, request, wanted, result);
+  if (run.target == "avr" && is_built && deserves_second_look(result)) {
+    progress.say("running " + run.sketch.name + " again, with checks …");
+    finding = look_again(runner, run.request, run.wanted, result);
     progress.clear();
     result.next = next_after(result, finding);
   }
 
   const auto json = [&](std::optional<double> timing) {
-    return run_json({runner.hello().version, arguments.target, sketch.name, map.name, robot.name,
-                     image.sketch_sha256, image.compiler, arguments.sanitize},
-                    result, timing, finding);
+    return run_json(inputs_of(run, runner.hello().version), result, timing, finding);
   };
   if (arguments.json) {
     print(json(wall_s));
   } else {
     const auto size = tui::terminal_size(STDOUT_FILENO);
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
-    const auto drawn = map_to_draw(map.path);
-    const auto free = free_bytes(result, launch::board_of(robot_info));
+    const auto drawn = map_to_draw(run.map.path);
+    const auto free = free_bytes(result, board);
     print(tui::end_screen(
-        {sketch.name, map.name, robot.name, arguments.target, listeners.started(), result, listeners.trail(),
-         wall_s, free, rooms(image, free), launch::chip_target_of(launch::board_of(robot_info))},
+        {run.sketch.name, run.map.name, run.robot.name, run.target, listeners.started(), result,
+         listeners.trail(), wall_s, free, rooms(run.image, free), launch::chip_target_of(board)},
         drawn.get(), columns, tui::look_from_environment(size.has_value())));
   }
   if (counters) {
     // The same run counts once: what went into it, and what came out.
-    const std::string text = counters->keep(wanted, image, request.script + json(std::nullopt));
-    if (!given.coverage.empty())
+    const std::string text = counters->keep(run.wanted, run.image, run.request.script + json(std::nullopt));
+    if (!arguments.coverage.empty())
       fmt::print(arguments.json ? stderr : stdout, "{}{}", text, counters->make_page());
   }
-  if (launch::Interrupts::signal() == SIGTERM || launch::Interrupts::signal() == SIGHUP)
-    ::raise(launch::Interrupts::signal());
+  if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
+    ::raise(client::Interrupts::signal());
   return result.status;
 }
 

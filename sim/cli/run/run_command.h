@@ -8,7 +8,4 @@ namespace robosim::cli {
 /// The process's exit status. Throws InputError, ToolMissing and client::RunnerError.
 int run_command(const RunArguments& arguments);
 
-/// The scenario's text: the file of --script, then a line for each --send. Throws InputError.
-std::string scenario_text(const RunArguments& arguments);
-
 }  // namespace robosim::cli

@@ -80,6 +80,17 @@ std::string text_of(const Json& json, int indent) {
 
 }  // namespace
 
+RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim) {
+  return {robosim,
+          run.target,
+          run.sketch.name,
+          run.map.name,
+          run.robot.name,
+          run.image.sketch_sha256,
+          run.image.compiler,
+          run.wanted.sanitize};
+}
+
 std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
                      const std::optional<Finding>& finding) {
   return text_of(object_of(inputs, result, finding, wall_s), 2);

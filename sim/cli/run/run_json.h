@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/cli/run/second_look.h"
+#include "sim/launch/launch.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::cli {
@@ -20,6 +21,8 @@ struct RunInputs {
   std::string compiler;
   bool sanitize = false;
 };
+/// `robosim` is its version, as a runner says it.
+RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim);
 
 /// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
 std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/launch/interrupts.h"
+#include "sim/client/interrupts.h"
 
 namespace robosim::cli {
 namespace {
@@ -39,7 +39,7 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   request.pins = request.serial = request.notes = request.io = false;
   try {
     request.image = build::build(checked).image.string();
-    const launch::Interrupts interrupts(runner);
+    const client::Interrupts interrupts(runner);
     const wire::RunResult second = runner.run(request);
     if (!second.crash || second.crash->check.empty()) return std::nullopt;
     return Finding{*second.crash, second.time_s, second.next};

@@ -101,11 +101,12 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.flag("--stop-early", sweep.stop_early,
                "leave out runs that cannot change whether --min-rate is met");
   options.flag("--json", sweep.json, "print a line of JSON for each run");
-  options.text("--start", sweep.each.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", sweep.each.goal, "GOAL", "tour, laps:N, station:N, still or none");
+  options.text("--start", sweep.each.request.start, "X,Y,DIR",
+               "start cell (column, row) and heading: N, S, E or W");
+  options.text("--goal", sweep.each.request.goal, "GOAL", "tour, laps:N, station:N, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
-  options.text("--profile", sweep.each.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", sweep.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", sweep.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", sweep.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
   options.texts("--libraries", sweep.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
@@ -115,9 +116,9 @@ Command parse_sweep(const std::vector<std::string>& words) {
   if (!seeds.empty()) read_seeds(seeds, sweep.first_seed, sweep.last_seed);
   sweep.jobs = number_of_jobs(jobs);
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
-  if (!duration.empty()) sweep.each.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) sweep.each.clock_ns = simulated_time("--clock", clock);
-  check_choice("--profile", sweep.each.profile, {"ideal", "typical"});
+  if (!duration.empty()) sweep.each.request.for_ns = simulated_time("--for", duration);
+  if (!clock.empty()) sweep.each.request.clock_ns = simulated_time("--clock", clock);
+  check_choice("--profile", sweep.each.request.profile, {"ideal", "typical"});
   sweep.targets = split_at_commas(sweep.targets);
   refuse_sketches("--map", sweep.maps);
   refuse_sketches("--robot", sweep.robots);

@@ -13,9 +13,9 @@
 #include "sim/cli/sweep/sweep_plan.h"
 #include "sim/cli/sweep/sweep_report.h"
 #include "sim/cli/sweep/sweep_table.h"
+#include "sim/client/interrupts.h"
 #include "sim/client/pool.h"
-#include "sim/launch/interrupts.h"
-#include "sim/launch/progress.h"
+#include "sim/tui/progress.h"
 
 namespace robosim::cli {
 namespace {
@@ -51,7 +51,7 @@ void check_unchanged(const Combination& c, const wire::RunResult& result) {
 
 class Sweep {
  public:
-  Sweep(const SweepArguments& arguments, const SweepPlan& plan, launch::Progress& progress)
+  Sweep(const SweepArguments& arguments, const SweepPlan& plan, tui::Progress& progress)
       : arguments_(arguments), plan_(plan), progress_(progress), outcomes_(plan.runs()) {
     if (!arguments.csv.empty()) table_.emplace(arguments.csv, arguments.resume, plan, outcomes_);
     for (std::size_t i = 0; i < plan.combinations.size(); ++i) counters_.push_back(counter());
@@ -115,7 +115,7 @@ class Sweep {
 
   const SweepArguments& arguments_;
   const SweepPlan& plan_;
-  launch::Progress& progress_;
+  tui::Progress& progress_;
   std::vector<SweepOutcome> outcomes_;
   std::optional<SweepTable> table_;
   std::vector<analysis::Tally> counters_;  ///< without a demand unless runs may be left out
@@ -127,13 +127,13 @@ class Sweep {
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments) {
-  launch::Progress progress(true);
+  tui::Progress progress(true);
   const SweepPlan plan = SweepPlanner(progress, {}).plan(arguments);
   Sweep sweep(arguments, plan, progress);
   bool complete = false;
   {
     client::Pool pool(std::min(arguments.jobs, plan.runs()));
-    const launch::Interrupts interrupts(pool);
+    const client::Interrupts interrupts(pool);
     progress.say(fmt::format("{} runs …", plan.runs()));
     complete = pool.run(sweep.batch());
   }
@@ -150,8 +150,8 @@ int sweep_command(const SweepArguments& arguments) {
     fmt::print(stderr, "robosim: interrupted; {}\n",
                arguments.csv.empty() ? "the table is of what was finished"
                                      : "the same command with --resume goes on");
-    if (launch::Interrupts::signal() == SIGTERM || launch::Interrupts::signal() == SIGHUP)
-      ::raise(launch::Interrupts::signal());
+    if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
+      ::raise(client::Interrupts::signal());
     return static_cast<int>(ExitStatus::interrupted);
   }
   if (sweep.failed_itself()) return static_cast<int>(ExitStatus::internal);

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "sim/cli/arguments.h"
+#include "sim/cli/launching.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/client/pool.h"
-#include "sim/launch/progress.h"
+#include "sim/tui/progress.h"
 
 namespace robosim::cli {
 
@@ -54,12 +55,7 @@ class SweepSupplies;
 /// Finds the files, compiles the sketches. What several sweeps share is compiled, read and said once.
 class SweepPlanner {
  public:
-  /// What it says on standard error.
-  struct Says {
-    bool choices = true;   ///< made for the user
-    bool warnings = true;  ///< of the compiler
-  };
-  SweepPlanner(launch::Progress& progress, Says says);
+  SweepPlanner(tui::Progress& progress, Says says);
   ~SweepPlanner();
 
   /// Throws InputError, ToolMissing and client::RunnerError.

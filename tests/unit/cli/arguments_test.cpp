@@ -28,10 +28,10 @@ std::string refusal(const std::vector<std::string>& words) {
 TEST(Arguments, RunHasDefaultsForEverything) {
   const auto run = parsed<RunArguments>({"run"});
   EXPECT_EQ(run.sketch, "");
-  EXPECT_EQ(run.target, "host");
-  EXPECT_EQ(run.for_ns, 600'000'000'000);
-  EXPECT_EQ(run.seed, 1u);
-  EXPECT_EQ(run.profile, "typical");
+  EXPECT_EQ(run.target, "");
+  EXPECT_EQ(run.request.for_ns, 600'000'000'000);
+  EXPECT_EQ(run.request.seed, 1u);
+  EXPECT_EQ(run.request.profile, "typical");
   EXPECT_EQ(run.speed, 1.0);
   EXPECT_FALSE(run.view || run.json || run.timing);
 }
@@ -46,11 +46,11 @@ TEST(Arguments, RunTakesEveryOption) {
   EXPECT_EQ(run.map, "oval");
   EXPECT_EQ(run.robot, "uno3");
   EXPECT_EQ(run.target, "avr");
-  EXPECT_EQ(run.start, "1,2,E");
-  EXPECT_EQ(run.goal, "laps:3");
-  EXPECT_EQ(run.for_ns, 1'500'000'000);
-  EXPECT_EQ(run.seed, 7u);
-  EXPECT_EQ(run.profile, "ideal");
+  EXPECT_EQ(run.request.start, "1,2,E");
+  EXPECT_EQ(run.request.goal, "laps:3");
+  EXPECT_EQ(run.request.for_ns, 1'500'000'000);
+  EXPECT_EQ(run.request.seed, 7u);
+  EXPECT_EQ(run.request.profile, "ideal");
   EXPECT_EQ(run.script, "s.txt");
   EXPECT_THAT(run.send, ElementsAre("go\\n", "2"));
   EXPECT_THAT(run.libraries, ElementsAre("a", "b"));
@@ -154,7 +154,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"run", "--sed=3"}, "did you mean --seed?"},
         Refused{{"run", "-x"}, "run has no option -x; see"},
         Refused{{"run", "a", "b"}, "“b” is one word too many"},
-        Refused{{"run", "--map"}, "--map needs a value"},
+        Refused{{"run", "--map"}, "--map needs a value after it"},
+        Refused{{"run", "--map="}, "--map needs a value after it"},
+        Refused{{"sweep", "--target"}, "--target needs a value after it"},
+        Refused{{"run", "--map=a", "b", "c", "--map", "a"}, "--map is given more than once"},
         Refused{{"run", "--map", "a", "--map", "b"}, "--map is given more than once"},
         Refused{{"run", "--for", "60"},
                 "--for: “60” is not possible; it must be a time above 0 with its unit"},

@@ -50,13 +50,13 @@ stop-early = true
   EXPECT_THAT(sweep.maps, ElementsAre("oval", in_folder("own.map"))) << "paths are relative to the file";
   EXPECT_THAT(sweep.robots, ElementsAre(in_folder("robot.toml")));
   EXPECT_THAT(sweep.targets, ElementsAre("host", "avr"));
-  EXPECT_EQ(sweep.each.start, "2,2,E");
-  EXPECT_EQ(sweep.each.goal, "laps:2");
-  EXPECT_EQ(sweep.each.for_ns, 60'000'000'000);
-  EXPECT_EQ(sweep.each.clock_ns, 3'600'000'000'000);
+  EXPECT_EQ(sweep.each.request.start, "2,2,E");
+  EXPECT_EQ(sweep.each.request.goal, "laps:2");
+  EXPECT_EQ(sweep.each.request.for_ns, 60'000'000'000);
+  EXPECT_EQ(sweep.each.request.clock_ns, 3'600'000'000'000);
   EXPECT_EQ(sweep.first_seed, 3u);
   EXPECT_EQ(sweep.last_seed, 60u);
-  EXPECT_EQ(sweep.each.profile, "ideal");
+  EXPECT_EQ(sweep.each.request.profile, "ideal");
   EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
   EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "as scripts write it";
   EXPECT_THAT(sweep.each.libraries, ElementsAre(in_folder("libs")));
@@ -70,7 +70,7 @@ TEST_F(ChecksFile, WithoutKeysItIsOneRunThatMustReachItsGoal) {
   const Check check = read("[[check]]\nname = 'x'\n")[0];
   EXPECT_EQ(check.sweep.first_seed, 1u);
   EXPECT_EQ(check.sweep.last_seed, 1u);
-  EXPECT_EQ(check.sweep.each.for_ns, RunArguments().for_ns);
+  EXPECT_EQ(check.sweep.each.request.for_ns, RunArguments().request.for_ns);
   EXPECT_THAT(check.expect, ElementsAre("reached"));
   EXPECT_THAT(check.limits, IsEmpty());
   EXPECT_FALSE(check.sweep.min_rate);

@@ -25,8 +25,8 @@ TEST(SweepArguments, SketchesComeFirstAndListsAreWordsOrRepetitions) {
   EXPECT_THAT(sweep.targets, ElementsAre("host", "avr"));
   EXPECT_EQ(sweep.first_seed, 3u);
   EXPECT_EQ(sweep.last_seed, 5u);
-  EXPECT_EQ(sweep.each.for_ns, 5'000'000'000);
-  EXPECT_EQ(sweep.each.goal, "none");
+  EXPECT_EQ(sweep.each.request.for_ns, 5'000'000'000);
+  EXPECT_EQ(sweep.each.request.goal, "none");
   EXPECT_EQ(sweep.min_rate, 0.99);
 }
 

@@ -8,7 +8,7 @@
 
 #include "sim/cells/cell_robot.h"
 
-namespace robosim::launch {
+namespace robosim::cli {
 
 /// How far the other process has come: shared memory, which survives it.
 class Progressed final : public cells::MoveWatcher {
@@ -34,4 +34,4 @@ class Progressed final : public cells::MoveWatcher {
 /// on the standard error.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
-}  // namespace robosim::launch
+}  // namespace robosim::cli

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace robosim::launch {
+namespace robosim::tui {
 
 class Progress {
  public:
@@ -32,4 +32,4 @@ class Progress {
   std::int64_t next_us_;
 };
 
-}  // namespace robosim::launch
+}  // namespace robosim::tui

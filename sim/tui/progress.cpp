@@ -1,4 +1,4 @@
-#include "sim/launch/progress.h"
+#include "sim/tui/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 #include "sim/tui/text.h"
 
-namespace robosim::launch {
+namespace robosim::tui {
 namespace {
 
 constexpr std::int64_t kQuiet_us = 500'000;
@@ -48,8 +48,8 @@ void Progress::update(const std::string& text) {
 
 void Progress::advance(std::int64_t t_us, double for_s) {
   if (!due()) return;
-  say(fmt::format("simulated: {} of at most {}", tui::time_text(static_cast<double>(t_us) * 1e-6),
-                  tui::time_text(for_s)));
+  say(fmt::format("simulated: {} of at most {}", time_text(static_cast<double>(t_us) * 1e-6),
+                  time_text(for_s)));
 }
 
 void Progress::clear() {
@@ -59,4 +59,4 @@ void Progress::clear() {
   shown_ = false;
 }
 
-}  // namespace robosim::launch
+}  // namespace robosim::tui

@@ -8,15 +8,15 @@
 #include "sim/client/pool.h"
 #include "sim/client/runner.h"
 
-namespace robosim::launch {
+namespace robosim::client {
 
 /// From construction to destruction SIGINT, SIGTERM and SIGHUP end the runner's current run, which then
 /// answers with the verdict `interrupted`; a second one kills the runner. A pool ends its batch at the first.
 /// There can be one at a time.
 class Interrupts {
  public:
-  explicit Interrupts(client::Runner& runner);
-  explicit Interrupts(client::Pool& pool);
+  explicit Interrupts(Runner& runner);
+  explicit Interrupts(Pool& pool);
   ~Interrupts();
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
@@ -33,4 +33,4 @@ class Interrupts {
   std::array<struct sigaction, kSignals.size()> before_;
 };
 
-}  // namespace robosim::launch
+}  // namespace robosim::client

@@ -1,4 +1,4 @@
-#include "sim/launch/supervise.h"
+#include "sim/cli/run/supervise.h"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -16,7 +16,7 @@
 
 #include "sim/base/error.h"
 
-namespace robosim::launch {
+namespace robosim::cli {
 namespace {
 
 constexpr int kPatience_s = 5;
@@ -98,4 +98,4 @@ int supervise(const std::string& name, const std::function<int(Progressed&)>& wo
   return static_cast<int>(ExitStatus::failed);
 }
 
-}  // namespace robosim::launch
+}  // namespace robosim::cli

@@ -1,18 +1,18 @@
-#include "sim/launch/interrupts.h"
+#include "sim/client/interrupts.h"
 
-namespace robosim::launch {
+namespace robosim::client {
 namespace {
 
-client::Runner* volatile the_runner = nullptr;
-client::Pool* volatile the_pool = nullptr;
+Runner* volatile the_runner = nullptr;
+Pool* volatile the_pool = nullptr;
 volatile sig_atomic_t the_count = 0;
 volatile sig_atomic_t the_signal = 0;
 
 extern "C" void on_interrupt(int number) {
-  client::Runner* runner = the_runner;
+  Runner* runner = the_runner;
   the_count = the_count + 1;
   if (the_count == 1) the_signal = number;
-  if (client::Pool* pool = the_pool) {
+  if (Pool* pool = the_pool) {
     pool->interrupt();
   } else if (the_count == 1) {
     runner->interrupt();
@@ -23,13 +23,13 @@ extern "C" void on_interrupt(int number) {
 
 }  // namespace
 
-Interrupts::Interrupts(client::Runner& runner) {
+Interrupts::Interrupts(Runner& runner) {
   the_runner = &runner;
   the_pool = nullptr;
   catch_signals();
 }
 
-Interrupts::Interrupts(client::Pool& pool) {
+Interrupts::Interrupts(Pool& pool) {
   the_pool = &pool;
   catch_signals();
 }
@@ -51,4 +51,4 @@ Interrupts::~Interrupts() {
 int Interrupts::count() { return the_count; }
 int Interrupts::signal() { return the_signal; }
 
-}  // namespace robosim::launch
+}  // namespace robosim::client

@@ -1,0 +1,38 @@
+#include "sim/cli/launching.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "sim/base/file.h"
+
+namespace robosim::cli {
+
+std::string scenario_text(const RunArguments& arguments) {
+  std::string text;
+  if (!arguments.script.empty()) text = read_file(arguments.script);
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  for (const std::string& send : arguments.send) text += fmt::format("at 1s send \"{}\"\n", send);
+  return text;
+}
+
+launch::Launch launch_of(const RunArguments& arguments) {
+  launch::Launch launch = arguments;
+  launch.request.script = scenario_text(arguments);
+  launch.request.script_file = arguments.script.empty() ? "--send" : arguments.script;
+  return launch;
+}
+
+launch::Listener listener_of(tui::Progress& progress, Says says) {
+  launch::Listener listener;
+  if (says.choices)
+    listener.chosen = [](const std::string& sentence) { fmt::print(stderr, "robosim: {}\n", sentence); };
+  listener.compiling = [&progress](const std::string& sketch) { progress.say("compiling " + sketch + " …"); };
+  listener.compiled = [&progress, says](const build::Image& image) {
+    progress.clear();
+    if (says.warnings && !image.messages.empty()) fmt::print(stderr, "{}", image.messages);
+  };
+  return listener;
+}
+
+}  // namespace robosim::cli

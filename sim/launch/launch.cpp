@@ -1,0 +1,72 @@
+#include "sim/launch/launch.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "sim/base/file.h"
+
+namespace robosim::launch {
+
+Chosen choose(const Launch& launch) {
+  Chosen chosen;
+  chosen.sketch = choose_sketch(launch.sketch);
+  chosen.target = choose_target(launch.target, chosen.sketch);
+  if (launch.sanitize) build::check_can_sanitize(chosen.target);
+  chosen.map = choose_map(launch.map, chosen.sketch.folder);
+  chosen.robot = choose_robot(launch.robot, chosen.sketch.folder, chosen.target);
+  return chosen;
+}
+
+build::Image image_of(const SketchChoice& sketch, const build::Request& request, const Listener& listener) {
+  if (!sketch.elf_target.empty()) {
+    build::Image image;
+    image.name = sketch.name;
+    image.image = sketch.path;
+    image.sketch_sha256 = sha256_of_file(sketch.path);
+    return image;
+  }
+  if (listener.compiling) listener.compiling(sketch.name);
+  build::Image image = build::build(request);
+  if (listener.compiled) listener.compiled(image);
+  return image;
+}
+
+void Launcher::tell(const std::string& sentence) {
+  if (listener_.chosen && !sentence.empty() && told_.insert(sentence).second) listener_.chosen(sentence);
+}
+
+const build::Image& Launcher::image(const SketchChoice& sketch, const build::Request& request) {
+  std::string key = fmt::format("{}\n{}\n{}\n{}\n{}", sketch.path.string(), request.board.name,
+                                request.target, request.sanitize, request.coverage);
+  for (const std::filesystem::path& folder : request.libraries) key += "\n" + folder.string();
+  const auto known = images_.find(key);
+  if (known != images_.end()) return known->second;
+  return images_.emplace(key, image_of(sketch, request, listener_)).first->second;
+}
+
+Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& describe) {
+  tell(chosen.map.announcement);
+  tell(chosen.robot.announcement);
+  Carrier carrier = fit_to_target(chosen.robot, chosen.target, describe);
+  tell(carrier.announcement);
+  build::Request wanted{chosen.sketch.path, board_of(carrier.info), chosen.target};
+  wanted.libraries.assign(launch.libraries.begin(), launch.libraries.end());
+  wanted.sanitize = launch.sanitize;
+  wanted.coverage = launch.count_lines;
+  const build::Image& built = image(chosen.sketch, wanted);
+  Prepared run{std::move(chosen.sketch),
+               std::move(chosen.map),
+               std::move(carrier.robot),
+               std::move(chosen.target),
+               std::move(carrier.info),
+               std::move(wanted),
+               built,
+               launch.request};
+  run.request.image = run.image.image.string();
+  run.request.map = run.map.path.string();
+  run.request.robot = run.robot.path.string();
+  return run;
+}
+
+}  // namespace robosim::launch
