@@ -4,14 +4,16 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 
-#include "hal/board/board_spec.h"
-#include "sim/base/error.h"
-#include "sim/build/sketch.h"
+#include "sim/client/driven_run.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
+#include "sim/launch/launch.h"
 #include "sim/tui/live_view.h"
+#include "sim/wire/messages.h"
 
 namespace robosim::play {
 namespace {
@@ -41,97 +43,92 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Where AiNavigator waits for the user: after "destination?" and "refused" for a destination, after "Put me
-/// on a line" for a scan.
-bool waits(const std::string& line) {
-  return begins(line, "destination?") || begins(line, "refused") || begins(line, "Put me on");
-}
-
-std::int64_t time_of(const wire::Event& event) {
-  if (const auto* sample = std::get_if<wire::Sample>(&event)) return sample->t_us * 1000;
-  if (const auto* serial = std::get_if<wire::SerialText>(&event)) return serial->t_ns;
-  if (const auto* note = std::get_if<wire::Note>(&event)) return note->t_ns;
-  return 0;
-}
+/// Lines with which AiNavigator begins to wait for the user: for a destination after the first two, after the
+/// last for a scan.
+constexpr const char* kWaits = "^(destination\\?|refused|Put me on)";
 
 class Drive {
  public:
   Drive(const grid::Map& map, const grid::Start& start, const Act& act, tui::Console& console)
-      : map_(map), act_(act), console_(console), runner_("host"), robot_(runner_.describe_robot(act.robot)) {
-    const BoardSpec* board = find_board(robot_.board.name.c_str());
-    if (!board)
-      throw wire::RunnerError("the runner named a board that this program lacks: " + robot_.board.name);
-    request_.image = build::build({build::find_sketch(act.sketch), *board}).image.string();
-    request_.map = map.file;
-    request_.robot = act.robot;
-    request_.start = fmt::format("{},{},{}", start.cell.x, start.cell.y, grid::letter(start.facing));
-    request_.serial = true;
-    request_.notes = console.is_live();
-    request_.samples_every_ns = console.is_live() ? tui::kViewEvery_ns : 0;
+      : map_(map), act_(act), console_(console), runner_("host") {
+    launch_.sketch = act.sketch;
+    launch_.map = map.file;
+    launch_.robot = act.robot;
+    launch_.request.start = fmt::format("{},{},{}", start.cell.x, start.cell.y, grid::letter(start.facing));
+    launch_.request.serial = true;
+    launch_.request.notes = console.is_live();
+    launch_.request.samples_every_ns = console.is_live() ? tui::kViewEvery_ns : 0;
   }
 
   std::string tour() {
-    request_.goal = "tour";
-    run(false);
+    launch_.request.goal = "tour";
+    begin();
+    watch([&] { run_->finish(); });
     return sentence();
   }
 
   std::string navigate(const AskPerson& ask) {
-    request_.goal = "none";
-    request_.for_ns = kLongest_ns;
-    request_.script = "at 1s press start 100ms\n";
+    launch_.request.goal = "none";
+    launch_.request.for_ns = kLongest_ns;
+    launch_.request.script = "at 1s press start 100ms\n";
+    begin();
+    watch([&] {
+      if (run_->go_on(kPressed_ns)) go_on_until_it_waits();
+    });
     std::vector<std::string> told;
     for (;;) {
-      run(true);
       told.insert(told.end(), said_.begin(), said_.end());
-      if (!waiting_) return sentence();
+      if (run_->over()) return sentence();
       if (begins(said_.back(), "Put me on")) {
         told.pop_back();
         return fmt::format("The robot gave up: {}", told.empty() ? "" : told.back());
       }
       const std::string answer = ask_destination(ask, told);
+      const std::int64_t now_ns = run_->state().t_ns;
       if (answer.empty())
         return fmt::format("The robot has done its drives. Time: {:.2f} s.",
-                           static_cast<double>(until_) * 1e-9);
+                           static_cast<double>(now_ns) * 1e-9);
       told.push_back("> " + answer);
-      request_.script += fmt::format("at {}ms send \"{}\\n\"\n", (until_ + kThinking_ns) / kMs, answer);
+      watch([&] {
+        if (!run_->go_on(now_ns + kThinking_ns)) return;
+        run_->act(fmt::format("send \"{}\\n\"", answer));
+        go_on_until_it_waits();
+      });
     }
   }
 
  private:
-  /// Runs on from until_, to the end or until the sketch waits for the user.
-  void run(bool may_wait) {
-    const std::int64_t from = until_;
+  void begin() {
+    launch::Launcher launcher;
+    launch::Prepared prepared = launcher.prepare(
+        launch_, choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); });
+    if (console_.is_live()) {
+      runner_.keep_close();
+      scene_.emplace(fmt::format("{} · {} on {}", act_.sketch, act_.robot, map_.name), map_,
+                     prepared.robot_info);
+    }
+    run_.emplace(runner_, std::move(prepared.request), [&](const wire::Event& event) { take(event); });
+  }
+
+  void go_on_until_it_waits() {
+    run_->go_on(kLongest_ns, {wire::Stop::line(kWaits, run_->state().serial_bytes)});
+    if (!run_->over() && run_->state().stop < 0) run_->finish();
+  }
+
+  /// Lets the run go on, watched in the live view if there is one.
+  void watch(const std::function<void()>& go_on) {
     said_.clear();
-    waiting_ = false;
     int signal = 0;
     console_.lend([&] {
       const client::Interrupts interrupts(runner_);
-      std::optional<tui::LiveScene> scene;
-      std::optional<tui::LiveView> live;
-      if (console_.is_live()) {
-        runner_.keep_close();
-        scene.emplace(fmt::format("{} · {} on {}", act_.sketch, act_.robot, map_.name), map_, robot_);
-      }
-      result_ = runner_.run(request_, [&](const wire::Event& event) {
-        const bool is_new = time_of(event) > from || from == 0;
-        if (scene && !is_new) scene->add(event);  // seen before
-        if (scene && is_new && !waiting_) {
-          if (!live)
-            live.emplace(*scene, tui::LiveView::Options{1.0, console_.look(),
-                                                        [] { return client::Interrupts::count() > 0; },
-                                                        [&] { quit_ = true, runner_.interrupt(); }});
-          live->on_event(event);
-        }
-        const auto* serial = std::get_if<wire::SerialText>(&event);
-        if (!serial || !is_new || waiting_) return;
-        hear(*serial);
-        if (!may_wait || serial->t_ns <= kPressed_ns || !waits(said_.back())) return;
-        waiting_ = true;
-        until_ = serial->t_ns;
-        runner_.interrupt();
-      });
-      if (live && !waiting_ && !quit_) live->finish(result_);
+      bool quit = false;  // by q
+      if (scene_)
+        view_.emplace(*scene_, tui::LiveView::Options{1.0, console_.look(),
+                                                      [] { return client::Interrupts::count() > 0; },
+                                                      [&] { quit = true, runner_.interrupt(); }});
+      go_on();
+      if (view_ && run_->over() && !quit) view_->finish(run_->result());
+      view_.reset();
       signal = client::Interrupts::signal();
     });
     if (signal == 0) return;
@@ -139,8 +136,14 @@ class Drive {
     throw SessionQuit{true};
   }
 
-  void hear(const wire::SerialText& serial) {
-    std::string line = serial.text;
+  void take(const wire::Event& event) {
+    if (view_)
+      view_->on_event(event);
+    else if (scene_)
+      scene_->add(event);
+    const auto* serial = std::get_if<wire::SerialText>(&event);
+    if (!serial) return;
+    std::string line = serial->text;
     while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
     said_.push_back(std::move(line));
   }
@@ -160,21 +163,20 @@ class Drive {
   }
 
   std::string sentence() const {
-    return fmt::format("{}: {} Time: {:.2f} s, {:.2f} m.", result_.verdict, result_.why, result_.time_s,
-                       result_.metrics.distance_m);
+    const wire::RunResult& result = run_->result();
+    return fmt::format("{}: {} Time: {:.2f} s, {:.2f} m.", result.verdict, result.why, result.time_s,
+                       result.metrics.distance_m);
   }
 
   const grid::Map& map_;
   Act act_;
   tui::Console& console_;
   client::Runner runner_;
-  wire::RobotInfo robot_;
-  wire::RunRequest request_;
-  wire::RunResult result_;
-  std::vector<std::string> said_;  // by the sketch, in this run, after what had been heard before
-  bool waiting_ = false;
-  bool quit_ = false;       // by q in the view
-  std::int64_t until_ = 0;  // when the sketch last waited
+  launch::Launch launch_;
+  std::optional<tui::LiveScene> scene_;
+  std::optional<tui::LiveView> view_;
+  std::optional<client::DrivenRun> run_;
+  std::vector<std::string> said_;  // by the sketch, since the person was asked last
 };
 
 }  // namespace

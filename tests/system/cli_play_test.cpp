@@ -11,6 +11,7 @@
 namespace robosim::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -93,6 +94,28 @@ TEST(CliPlay, TheDrivenRobotScansAndGoesWhereItIsSent) {
   for (const char* text : {"scan complete: 4 stations, 2 junctions", "> 99\nrefused. Stations: 1",
                            "arrived at 2", "arrived at 1", "The robot has done its drives."})
     EXPECT_THAT(ended.out, HasSubstr(text));
+}
+
+TEST(CliPlay, TheDrivenRobotGoesOnFromWhereItAskedInOneRun) {
+  namespace fs = std::filesystem;
+  // An installation whose runner writes down what it is asked.
+  const Folder folder;
+  const fs::path asked = folder / "asked";
+  const fs::path runner =
+      folder.write("libexec/robosim/robosim-host", "#!/bin/sh\ntee -a '" + asked.string() + "' | '" +
+                                                       (helper_folder() / "robosim-host").string() + "'\n");
+  fs::permissions(runner, fs::perms::owner_all);
+  fs::create_directory(folder / "bin");
+  fs::copy_file(ROBOSIM_COMMAND, folder / "bin/robosim");
+  const fs::path typed = folder.write("typed", "\n2\n3\n2\n1\n\nq\n");
+  const Ended ended =
+      robosim_command({"play", "b"}, ".", nullptr, typed.c_str(), (folder / "bin/robosim").string());
+  ASSERT_THAT(ended.out, AllOf(HasSubstr("arrived at 2"), HasSubstr("arrived at 1"))) << ended.err;
+  std::istringstream lines(read_file(asked));
+  int runs = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("\"run\"") != std::string::npos) ++runs;
+  EXPECT_EQ(runs, 1);
 }
 
 TEST(CliPlay, TheDrivenRobotToursByTheLeftHand) {

@@ -58,10 +58,10 @@ inline int exit_status(int wait_status) {
 }
 
 /// Runs `robosim WORDS` in `folder` to its end, without a terminal. Files for its standard output (else it is
-/// in the result) and input.
+/// in the result) and input; another program than the command that was built.
 inline Ended robosim_command(std::vector<std::string> words, const std::filesystem::path& folder = ".",
-                             const char* standard_output = nullptr,
-                             const char* standard_input = "/dev/null") {
+                             const char* standard_output = nullptr, const char* standard_input = "/dev/null",
+                             const std::string& program = ROBOSIM_COMMAND) {
   const Folder files;
   const std::string out = standard_output ? standard_output : (files / "out").string();
   const std::string err = (files / "err").string();
@@ -71,14 +71,14 @@ inline Ended robosim_command(std::vector<std::string> words, const std::filesyst
   ::posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
   ::posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  words.insert(words.begin(), ROBOSIM_COMMAND);
+  words.insert(words.begin(), program);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t pid = -1;
-  const int error = ::posix_spawn(&pid, ROBOSIM_COMMAND, &actions, nullptr, arguments.data(), environ);
+  const int error = ::posix_spawn(&pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), ROBOSIM_COMMAND);
+  if (error != 0) throw std::system_error(error, std::generic_category(), program);
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
