@@ -1,0 +1,166 @@
+#include "sim/judge/explain.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::judge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// A run on a fork of three stations, with a button at pin 4 and a motor at the pins 5 and 7.
+class Explain : public ::testing::Test {
+ protected:
+  Explain() {
+    e.t = 12 * kSecond;
+    e.limit = 60 * kSecond;
+    e.map = &map_;
+    e.goal = &goal_;
+    e.progress = &progress_;
+    e.judge = &judge_;
+    e.wiring = {{"start", "button", "", 4}, {"left", "motor", "in1", 5}, {"left", "motor", "in2", 7}};
+    e.went_high.assign(20, false);
+    e.was_output.assign(20, false);
+  }
+  std::string why(Verdict verdict) {
+    e.verdict = verdict;
+    return explain(e);
+  }
+  std::string next(Verdict verdict) {
+    e.verdict = verdict;
+    return next_step(e);
+  }
+  /// The robot sees the line until it is in the middle of cell 3,1 at 2 s.
+  void lose_the_line() {
+    Pose pose{map_.centre({3, 1}), {1.0, 0.0}};
+    Situation now;
+    now.pose = &pose;
+    now.sees_line = true;
+    now.t = now.last_call = 2 * kSecond;
+    judge_.look(now);
+    e.moved = true;
+  }
+
+  Evidence e;
+
+ private:
+  grid::Map map_ = grid::parse_map("_______\n_S1111_\n___1___\n___1___\n_______\n", "fork.map");
+  grid::Start start_ = grid::default_start(map_);
+  grid::Network network_ = grid::trace_network(map_, start_);
+  grid::Stripes stripes_{map_, map_.cell_m};
+  Goal goal_ = parse_goal("tour");
+  Progress progress_{goal_, map_, stripes_, network_, start_};
+  Judge judge_{true};
+};
+
+TEST_F(Explain, EveryVerdictIsASentenceOfItsOwn) {
+  std::vector<std::string> all;
+  for (const Verdict verdict :
+       {Verdict::reached, Verdict::lost, Verdict::stuck, Verdict::hung, Verdict::ended, Verdict::crashed,
+        Verdict::timeout, Verdict::over_budget, Verdict::interrupted}) {
+    all.push_back(why(verdict));
+    EXPECT_THAT(all.back(), EndsWith(".")) << to_string(verdict);
+    EXPECT_EQ(std::count(all.begin(), all.end(), all.back()), 1) << all.back();
+  }
+}
+
+TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
+  e.activity.call = "digitalRead(4)";
+  e.activity.pin = 4;
+  e.activity.where = {"loop", "My.ino", 9};
+  e.pin_level = true;
+  EXPECT_EQ(why(Verdict::timeout),
+            "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the sketch "
+            "keeps reading pin 4 (button \"start\") with digitalRead(4) in loop, My.ino:9, and finds it "
+            "HIGH.");
+}
+
+TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
+  e.activity.polled = 11;
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr("pin 11 (nothing is wired to it)"));
+  e.moved = true;  // a robot that drives does not wait for what it read last
+  e.activity.call = "delay(1)";
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(1)."));
+}
+
+TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
+  lose_the_line();
+  EXPECT_THAT(why(Verdict::lost), HasSubstr("at 2.00 s near column 3, row 1 ("));
+}
+
+TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {
+  lose_the_line();
+  e.faults = {{"S2", {"stuck", "1023"}, 1700 * kMillisecond, kNever}};
+  EXPECT_THAT(why(Verdict::lost),
+              HasSubstr("column 3, row 1, 0.30 s after S2 was stuck at 1023 by the script"));
+  e.faults[0].began = 3 * kSecond;
+  EXPECT_THAT(why(Verdict::lost), Not(HasSubstr("S2"))) << "it came after the line was lost";
+  EXPECT_THAT(why(Verdict::stuck), EndsWith(", 9.00 s after S2 was stuck at 1023 by the script."));
+  e.faults[0].ended = 5 * kSecond;
+  EXPECT_THAT(why(Verdict::stuck), Not(HasSubstr("S2"))) << "it was over long before";
+  EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("S2")));
+}
+
+TEST_F(Explain, ACrashNamesItsReasonAndPlaceAsFarAsTheyAreKnown) {
+  EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: for an unknown reason.");
+  e.crash = exec::Crash{"division by zero", {}};
+  EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero.");
+  e.crash->where = {"", "My.ino", 3};
+  EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero at My.ino:3.");
+  e.crash->where = {"setup", "My.ino", 3};
+  EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero in setup, My.ino:3.");
+}
+
+TEST_F(Explain, ASketchThatStopsItselfIsToldApartFromOneThatFallsSilent) {
+  e.activity.where = {"loop", "My.ino", 4};
+  for (const Verdict verdict : {Verdict::hung, Verdict::ended}) {
+    e.activity.stopped_by = "exit(0)";
+    EXPECT_THAT(why(verdict), StartsWith("The sketch stopped itself by exit(0) in loop, My.ino:4"));
+    e.activity.stopped_by.clear();
+    EXPECT_THAT(why(verdict), HasSubstr("for 2 s it called no Arduino function"));
+  }
+}
+
+TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 were never set to OUTPUT");
+  e.was_output[5] = e.was_output[7] = e.went_high[7] = true;
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pin 5 stayed LOW");
+  e.went_high[5] = true;
+  EXPECT_THAT(next(Verdict::timeout), HasSubstr("not strongly or long enough"));
+}
+
+TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
+  e.activity.polled = 4;
+  e.pin_level = true;
+  EXPECT_THAT(next(Verdict::timeout),
+              EndsWith("the sketch waits for pin 4 (button \"start\"), which is HIGH: "
+                       "press it with --script FILE and the line: at 1s press start "
+                       "200ms"));
+}
+
+TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
+  EXPECT_EQ(next(Verdict::reached), "");
+  EXPECT_EQ(next(Verdict::interrupted), "");
+  e.moved = true;
+  EXPECT_EQ(next(Verdict::stuck), "");
+  EXPECT_NE(next(Verdict::lost), "");
+}
+
+TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
+  e.crash = exec::Crash{"1000 * 40 does not fit an int", {}};
+  e.crash->check = "mul_overflow";
+  e.int_bits = 16;
+  EXPECT_THAT(next(Verdict::crashed), HasSubstr("On the chip int has 16 bits"));
+  e.int_bits = 32;
+  EXPECT_EQ(next(Verdict::crashed), "");
+  e.int_bits = 16;
+  e.crash->check = "out_of_bounds";
+  EXPECT_EQ(next(Verdict::crashed), "");
+}
+
+}  // namespace
+}  // namespace robosim::judge
