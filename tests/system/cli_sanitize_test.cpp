@@ -70,6 +70,30 @@ TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
                                                 HasSubstr("\"file\": \"ChipSum.ino\",\n    \"line\": 9,\n")));
 }
 
+TEST(CliSanitize, ASketchThatCrashesOnTheHostRunsAgainWithChecksThatNameTheBadAccess) {
+  const Folder folder;
+  folder.write("Smash/Smash.ino",
+               "volatile int n = 200;\n"
+               "void fill() {\n"
+               "  int local[4];\n"
+               "  for (int i = 0; i < n; i++) local[i] = 0x41414141 + i;\n"
+               "  n = local[2];\n"
+               "}\n"
+               "void setup() { delay(5); fill(); }\n"
+               "void loop() {}\n");
+  std::vector<std::string> words = {"run", "Smash/", "--map", "oval", "--robot", "uno5", "--goal", "none"};
+  const Ended screen = robosim_command(words, folder.path());
+  EXPECT_EQ(screen.status, 1) << screen.err;
+  EXPECT_THAT(screen.out,
+              AllOf(HasSubstr("\ncrashed: "), HasSubstr("\nnext: index 4 is outside of the array"),
+                    HasSubstr("Smash.ino:4")));
+  words.push_back("--json");
+  EXPECT_THAT(robosim_command(words, folder.path()).out,
+              AllOf(HasSubstr("\"verdict\": \"crashed\""),
+                    HasSubstr("\"finding\": {\n    \"check\": \"out_of_bounds\""),
+                    HasSubstr("\"file\": \"Smash.ino\",\n    \"line\": 4,\n")));
+}
+
 TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

@@ -199,7 +199,7 @@ int run_command(const RunArguments& arguments) {
   progress.clear();
   listeners.save();
   std::optional<Finding> finding;
-  if (run.target == "avr" && is_built && deserves_second_look(result)) {
+  if (is_built && deserves_second_look(run.wanted, result)) {
     progress.say("running " + run.sketch.name + " again, with checks …");
     finding = look_again(runner, run.request, run.wanted, result);
     progress.clear();

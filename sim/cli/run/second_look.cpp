@@ -21,9 +21,11 @@ std::string place_of(const wire::Crash& fault) {
 
 }  // namespace
 
-bool deserves_second_look(const wire::RunResult& first) {
-  return first.verdict != "reached" && first.verdict != "interrupted" && first.verdict != "over_budget" &&
-         !(first.crash && !first.crash->check.empty());
+bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first) {
+  if (first.crash && !first.crash->check.empty()) return false;
+  if (sketch.target == "host") return !sketch.sanitize && first.verdict == "crashed";
+  return sketch.target == "avr" && first.verdict != "reached" && first.verdict != "interrupted" &&
+         first.verdict != "over_budget";
 }
 
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
@@ -31,6 +33,8 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   build::Request checked = sketch;
   checked.sanitize = true;
   checked.warnings = build::Warnings::none;
+  checked.coverage = false;
+  request.counters.clear();
   const double limit_s =
       first.verdict == "timeout" ? kLongest_s : std::max(kLongest_s, first.time_s + kMargin_s);
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s * 1e9));

@@ -1,5 +1,6 @@
-// A second run of a sketch that has failed on a chip, now built with the checks of --sanitize: they may name
-// the line at fault, such as a product that does not fit a 16-bit int.
+// A second run of a sketch that has failed, now built with the checks of --sanitize: they may name the line
+// at fault, such as a product that does not fit a 16-bit int, or an index that overwrote something else long
+// before.
 #pragma once
 
 #include <optional>
@@ -17,8 +18,8 @@ struct Finding {
   std::string advice;   ///< may be empty
 };
 
-/// Whether it makes sense: the sketch has failed, and had no checks.
-bool deserves_second_look(const wire::RunResult& first);
+/// Whether it makes sense: the sketch has failed on an AVR, or crashed on the host, and had no checks.
+bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first);
 
 /// Runs until shortly after the first run's end, of a timeout only the first minute. Nothing if no check
 /// failed, if the sketch with checks does not compile, or if the user interrupts it.

@@ -361,7 +361,9 @@ void HostExecutor::Instance::catch_faults() {
 void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context) {
   if (Instance* const self = running_) {
     const Fault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
+    // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
+                          self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
     if (firmware) {
       self->fault_ = fault;

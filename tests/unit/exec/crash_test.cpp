@@ -70,6 +70,16 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
          "faulty", 2);
 }
 
+// As a write beside an array may do to what lies there.
+TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
+  const Crash found = crash(
+      "namespace robosim { class Board; namespace host { extern Board* board; } } void* fake[64]; void "
+      "faulty() "
+      "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::Board*)fake; "
+      "digitalWrite(13, HIGH); ++n; }");
+  expect(found, "(null pointer)", "faulty", 2);
+}
+
 TEST_F(CrashTest, InAnInterruptHandler) {
   expect(crash("ISR(TIMER1_OVF_vect) { n = 1 / zero; }", "TCCR1B = 1; TIMSK1 = _BV(TOIE1); while (true);"),
          "division by zero", "__vector_13", 2);
