@@ -2,15 +2,15 @@
 // wrong.
 //
 // What libsimavr 1.6 does by itself, and what is done about it here:
-//   - sleeps in real time when the chip sleeps           -> its sleep function is replaced
+//   - sleeps in real time when the chip sleeps            -> its sleep function is replaced
 //   - polls a low D2 or D3 every cycle                    -> only where the sketch asked for level interrupts
 //   - lacks the phase correct modes of timers 1 and 2     -> filled in
-//   - goes on after an invalid opcode, writes past its own memory after a wild pointer -> caught, memory
-//   enlarged
-//   - restarts silently at a jump to address 0, runs on through erased flash -> a trap is put there
-//   - after the watchdog bites, starts the sketch with a 16 ms watchdog running -> switched off, as the Uno's
-//   boot
-//     loader (optiboot) does
+//   - goes on after an invalid opcode                     -> caught
+//   - writes past its own memory after a wild pointer     -> caught; its memory is enlarged
+//   - restarts silently at a jump to address 0            -> a trap is put there
+//   - runs on through erased flash                        -> a trap is put there
+//   - starts the sketch with a 16 ms watchdog running     -> switched off, as the Uno's boot loader does
+//     after the watchdog has reset the chip                  (optiboot)
 #pragma once
 
 #include <array>

@@ -156,8 +156,7 @@ class HostExecutor::Instance final : public host::Host {
     return known->second;
   }
 
-  // --- host::Host, called on the fiber
-  // ------------------------------------------------------------------------
+  // host::Host, called on the fiber.
   void yield() override { suspend(); }
 
   bool take_input(SimTime until, host::Input& input) override {
