@@ -30,7 +30,7 @@ class DrivenRun {
 
   /// The state where it stands, or stood last.
   const wire::Paused& state() const { return state_; }
-  /// Carries out deeds of the scenario language, one a line, without their times: `press start 100ms`. They
+  /// Carries out actions of the script language, one per line, without their times: `press start 100ms`. They
   /// happen as soon as the run goes on. Throws InputError, and does nothing, if one makes no sense.
   void act(const std::string& lines);
   /// The firmware's non-volatile memory.

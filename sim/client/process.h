@@ -1,4 +1,4 @@
-// A child process that is spoken with by lines.
+// A child process that is spoken to in lines.
 #pragma once
 
 #include <signal.h>

@@ -1,4 +1,4 @@
-// Starts a runner and speaks with it.
+// Starts a runner and talks to it.
 //
 //   robosim::client::Runner runner("host");
 //   const auto robot = runner.describe_robot("uno5");

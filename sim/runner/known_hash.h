@@ -1,4 +1,4 @@
-// SHA-256 of files that are asked for again and again.
+// SHA-256 of files, remembered for the next request.
 #pragma once
 
 #include <filesystem>
