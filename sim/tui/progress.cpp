@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t kQuiet_us = 500'000;
 constexpr std::int64_t kEvery_us = 100'000;
 
-std::int64_t wall_now_us() {
+std::int64_t monotonic_us() {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   return now.tv_sec * 1'000'000LL + now.tv_nsec / 1000;
@@ -23,7 +23,7 @@ std::int64_t wall_now_us() {
 }  // namespace
 
 Progress::Progress(bool wanted)
-    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_us_(active_ ? wall_now_us() + kQuiet_us : 0) {}
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_us_(active_ ? monotonic_us() + kQuiet_us : 0) {}
 
 Progress::~Progress() { clear(); }
 
@@ -36,7 +36,7 @@ void Progress::say(const std::string& text) {
 
 bool Progress::due() {
   if (!active_) return false;
-  const std::int64_t now = wall_now_us();
+  const std::int64_t now = monotonic_us();
   if (now < next_us_) return false;
   next_us_ = now + kEvery_us;
   return true;
