@@ -160,6 +160,7 @@ class LineWalkerOf {
 /// With the settings above: the robot uno5.
 typedef LineWalkerOf<LineWalkerSettings> LineWalker;
 
-#include "LineWalkerCode.h"
+#include "LineWalkerDriving.h"
+#include "LineWalkerLandmarks.h"
 
 #endif
