@@ -5,16 +5,15 @@
 #include <map>
 #include <utility>
 
+#include "sim/analysis/alignment.h"
+#include "sim/analysis/compare_motors.h"
 #include "sim/analysis/line_text.h"
 
 namespace robosim::analysis {
 namespace {
 
-constexpr std::size_t kStream = 20;  // a text that comes more often is a stream
-constexpr std::int64_t kSecond_ns = 1'000'000'000, kNear_ns = kSecond_ns;
-constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // manoeuvres
+constexpr std::size_t kStream = 20;                // a text that comes more often is a stream
 constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
-constexpr double kSpeed = 0.25;                    // of the full command
 constexpr std::size_t kLongestName = 60;
 
 /// A mark, and its number among all lines.
@@ -31,13 +30,6 @@ std::string quoted(const std::string& text) {
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
-}
-
-std::string seconds(std::int64_t ns) {
-  const std::int64_t ms = (ns + 500'000) / 1'000'000;
-  std::string text = std::to_string(ms / 1000) + ".";
-  const std::string rest = std::to_string(ms % 1000);
-  return text + std::string(3 - rest.size(), '0') + rest + " s";
 }
 
 /// What there was before both had lost the line.
@@ -57,39 +49,6 @@ bool is_astray(const History& history) {
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
 }
 
-/// From one side's time to the other's: common events, and between them evenly.
-class Clocks {
- public:
-  void add(std::int64_t a, std::int64_t b) { pairs_.emplace_back(a, b); }
-  void finish() {
-    pairs_.emplace_back(0, 0);
-    std::sort(pairs_.begin(), pairs_.end());
-    std::vector<std::pair<std::int64_t, std::int64_t>> rising;
-    for (const auto& pair : pairs_)
-      if (rising.empty() || (pair.first > rising.back().first && pair.second > rising.back().second))
-        rising.push_back(pair);
-    pairs_ = std::move(rising);
-  }
-  std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }
-  std::int64_t to_a(std::int64_t t) const { return map(t, &Pair::second, &Pair::first); }
-  const std::vector<std::pair<std::int64_t, std::int64_t>>& pairs() const { return pairs_; }
-
- private:
-  using Pair = std::pair<std::int64_t, std::int64_t>;
-
-  std::int64_t map(std::int64_t t, std::int64_t Pair::*from, std::int64_t Pair::*to) const {
-    std::size_t i = 0;
-    while (i + 1 < pairs_.size() && pairs_[i + 1].*from <= t) ++i;
-    const Pair& last = pairs_[i];
-    if (i + 1 == pairs_.size()) return last.*to + (t - last.*from);
-    const Pair& next = pairs_[i + 1];
-    const double share = static_cast<double>(t - last.*from) / static_cast<double>(next.*from - last.*from);
-    return last.*to + static_cast<std::int64_t>(share * static_cast<double>(next.*to - last.*to));
-  }
-
-  std::vector<Pair> pairs_;
-};
-
 class Comparer {
  public:
   Comparer(const History& a, const History& b, const Tolerance& tolerance)
@@ -101,9 +60,9 @@ class Comparer {
     compare_lines();
     clocks_.finish();
     compare_streams();
-    compare_motors(0);
-    compare_motors(1);
-    compare_speeds();
+    for (std::size_t side = 0; side < 2; ++side)
+      if (auto difference = missing_manoeuvre(sides_, side, clocks_)) report(std::move(*difference));
+    if (auto difference = speed_difference(sides_, clocks_)) report(std::move(*difference));
     compare_verdicts();
     return std::move(result_);
   }
@@ -115,10 +74,6 @@ class Comparer {
   void know(KnownDifference known) {
     if (std::find(result_.known.begin(), result_.known.end(), known) == result_.known.end())
       result_.known.push_back(std::move(known));
-  }
-  /// Until when what a side does counts.
-  std::int64_t seen_ns(std::size_t side) const {
-    return sides_[side]->lost_ns.value_or(sides_[side]->end_ns);
   }
   std::int64_t allowed(std::int64_t duration_ns) const {
     return tolerance_.time_ns + static_cast<std::int64_t>(tolerance_.time * static_cast<double>(duration_ns));
@@ -144,7 +99,7 @@ class Comparer {
 
   /// Whether `other` would have come to what happened `after_ns` after the last common event, at `since_ns`.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
-    return seen_ns(other) >= since_ns + after_ns + allowed(after_ns);
+    return seen_ns(*sides_[other]) >= since_ns + after_ns + allowed(after_ns);
   }
 
   /// What one side has and the other lacks, at the end of a lane.
@@ -346,59 +301,6 @@ class Comparer {
       }
     }
     return true;
-  }
-
-  /// Manoeuvres of `side` that the other does not make.
-  void compare_motors(std::size_t side) {
-    const std::size_t other = 1 - side;
-    const auto map = [&](std::int64_t t) { return side == 0 ? clocks_.to_b(t) : clocks_.to_a(t); };
-    for (const Stretch& stretch : sides_[side]->stretches) {
-      if (stretch.duration_ns() < kLong_ns) continue;
-      const std::int64_t from = map(stretch.from_ns), to = map(stretch.to_ns);
-      if (to > seen_ns(other)) break;
-      std::int64_t found = 0;
-      const Stretch* there = nullptr;
-      for (const Stretch& s : sides_[other]->stretches) {
-        if (s.from_ns <= from && s.to_ns > from) there = &s;
-        if (s.manoeuvre != stretch.manoeuvre) continue;
-        const std::int64_t overlap = std::min(s.to_ns, to + kNear_ns) - std::max(s.from_ns, from - kNear_ns);
-        found += std::max<std::int64_t>(overlap, 0);
-      }
-      if (found >= kShort_ns) continue;
-      Difference d{Difference::Kind::motors, "the motors", {}, {}, "", {}};
-      d.t_ns[side] = stretch.from_ns;
-      d.t_ns[other] = from;
-      d.sides[side] = std::string(name_of(stretch.manoeuvre)) + " for " + seconds(stretch.duration_ns());
-      d.sides[other] = there ? name_of(there->manoeuvre) : "does not";
-      return report(std::move(d));
-    }
-  }
-
-  double mean_command(std::size_t side, std::int64_t from, std::int64_t to) const {
-    double sum = 0.0;
-    for (const Stretch& s : sides_[side]->stretches) {
-      const std::int64_t overlap = std::min(s.to_ns, to) - std::max(s.from_ns, from);
-      if (overlap > 0) sum += static_cast<double>(overlap) * (s.left + s.right) / 2;
-    }
-    return sum / static_cast<double>(to - from);
-  }
-
-  void compare_speeds() {
-    auto pairs = clocks_.pairs();
-    const std::int64_t rest = std::min(seen_ns(0) - pairs.back().first, seen_ns(1) - pairs.back().second);
-    if (rest > 0) pairs.emplace_back(pairs.back().first + rest, pairs.back().second + rest);
-    for (std::size_t i = 1; i < pairs.size(); ++i) {
-      const std::array<std::int64_t, 2> from{pairs[i - 1].first, pairs[i - 1].second},
-          to{pairs[i].first, pairs[i].second};
-      if (std::min(to[0] - from[0], to[1] - from[1]) < kSecond_ns) continue;
-      const double a = mean_command(0, from[0], to[0]), b = mean_command(1, from[1], to[1]);
-      if (std::fabs(a - b) <= kSpeed) continue;
-      const auto text = [](double share) {
-        return "drives at " + std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % on average";
-      };
-      return report(
-          {Difference::Kind::speed, "the motors until " + seconds(to[0]), from, {text(a), text(b)}, "", {}});
-    }
   }
 
   void compare_verdicts() {

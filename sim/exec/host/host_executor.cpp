@@ -1,6 +1,5 @@
 #include "sim/exec/host/host_executor.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <setjmp.h>
 #include <signal.h>
@@ -16,6 +15,7 @@
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/host/bad_access.h"
 #include "sim/exec/host/fiber.h"
+#include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/image_file.h"
 #include "sim/exec/host/shadow.h"
 #include "sim/exec/host/undefined.h"
@@ -28,61 +28,6 @@ constexpr std::size_t kHeapBytes = 64 * 1024;
 constexpr std::size_t kNullPage = 4096;
 constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE};
-
-/// A fault of the firmware as the signal handler met it.
-struct Fault {
-  int signal = 0;
-  int code = 0;
-  const std::byte* address = nullptr;
-  const std::byte* pc = nullptr;
-  const std::byte* stack_pointer = nullptr;
-  const void* link = nullptr;  // where the innermost call returns to, if that is in a register
-  bool known_write = false;
-  bool known_read = false;
-};
-
-Fault describe(int signal, const siginfo_t& info, const ucontext_t& context) {
-  Fault fault;
-  fault.signal = signal;
-  fault.code = info.si_code;
-  fault.address = static_cast<const std::byte*>(info.si_addr);
-#if defined(__x86_64__)
-  const auto& registers = context.uc_mcontext.gregs;
-  fault.pc = reinterpret_cast<const std::byte*>(registers[REG_RIP]);
-  fault.stack_pointer = reinterpret_cast<const std::byte*>(registers[REG_RSP]);
-  fault.known_write = registers[REG_ERR] & 2;
-  fault.known_read = !fault.known_write;
-#elif defined(__aarch64__)
-  fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.pc);
-  fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.sp);
-  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.regs[30]);
-#elif defined(__arm__)
-  fault.pc = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_pc);
-  fault.stack_pointer = reinterpret_cast<const std::byte*>(context.uc_mcontext.arm_sp);
-  fault.link = reinterpret_cast<const void*>(context.uc_mcontext.arm_lr);
-#endif
-  return fault;
-}
-
-bool in_same_object(const void* a, const void* b) {
-  Dl_info first{}, second{};
-  return dladdr(a, &first) && dladdr(b, &second) && first.dli_fbase == second.dli_fbase;
-}
-
-/// A stack for signal handlers, unless the thread has one: the firmware's own may be what has overflowed.
-void ensure_signal_stack() {
-  stack_t present{};
-  if (sigaltstack(nullptr, &present) == 0 && !(present.ss_flags & SS_DISABLE)) return;
-  static thread_local const GuardedMemory memory(64 * 1024);
-  stack_t ours{};
-  ours.ss_sp = memory.begin();
-  ours.ss_size = memory.size();
-  sigaltstack(&ours, nullptr);
-}
-
-}  // namespace
-
-namespace {
 
 class Counters final : public host::CounterSink {
  public:
@@ -286,7 +231,7 @@ class HostExecutor::Instance final : public host::Host {
   static void on_fault(int signal, siginfo_t* info, void* context);
 
   void report_fault() {
-    const Fault& fault = fault_;
+    const HostFault& fault = fault_;
     std::vector<CodeAddress> addresses = {{fault.pc, false}};
     if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
     add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
@@ -294,7 +239,7 @@ class HostExecutor::Instance final : public host::Host {
     owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};
   }
 
-  std::string reason(const Fault& fault) const {
+  std::string reason(const HostFault& fault) const {
     const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
     if (fault.signal == SIGILL)
       return "an instruction that does not exist (a damaged stack or pointer to a function?)";
@@ -313,7 +258,7 @@ class HostExecutor::Instance final : public host::Host {
     return address >= heap_.end() && address < heap_.end() + kNullPage;
   }
 
-  static const char* access(const Fault& fault) {
+  static const char* access(const HostFault& fault) {
     return fault.known_write ? "write" : fault.known_read ? "read" : "access";
   }
 
@@ -332,7 +277,7 @@ class HostExecutor::Instance final : public host::Host {
   std::vector<host::GlobalRecord> globals_;
   const void* suspended_at_ = nullptr;
   std::map<std::vector<const void*>, SourceLine> sources_;
-  Fault fault_;
+  HostFault fault_;
   sigjmp_buf escape_;
 };
 
@@ -359,7 +304,7 @@ void HostExecutor::Instance::catch_faults() {
 
 void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context) {
   if (Instance* const self = running_) {
-    const Fault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
+    const HostFault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
     // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||

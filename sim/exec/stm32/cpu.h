@@ -116,6 +116,8 @@ class Cpu {
   void set_at(std::uint32_t pc, Address variable, std::uint32_t value);
 
  private:
+  static constexpr std::uint32_t kMappedFlash = robosim::stm32::kEepromFlash - robosim::stm32::kFlash;
+
   struct Hooks;
   struct Cached {
     Instruction instruction{};

@@ -1,0 +1,30 @@
+// A signal by which the processor refuses to run on, as its handler meets it.
+#pragma once
+
+#include <signal.h>
+#include <ucontext.h>
+
+#include <cstddef>
+
+namespace robosim::exec {
+
+struct HostFault {
+  int signal = 0;
+  int code = 0;
+  const std::byte* address = nullptr;
+  const std::byte* pc = nullptr;
+  const std::byte* stack_pointer = nullptr;
+  const void* link = nullptr;  // where the innermost call returns to, if that is in a register
+  bool known_write = false;
+  bool known_read = false;
+};
+
+HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context);
+
+/// Whether both addresses are in one executable or shared object.
+bool in_same_object(const void* a, const void* b);
+
+/// A stack for signal handlers, unless the thread has one: the firmware's own may be what has overflowed.
+void ensure_signal_stack();
+
+}  // namespace robosim::exec

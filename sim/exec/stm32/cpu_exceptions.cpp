@@ -1,0 +1,79 @@
+// Exceptions of the Cortex-M3: how the processor enters and leaves their handlers (PM0056 2.3.7).
+#include <cstring>
+
+#include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/unicorn.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr std::uint32_t kThumb = 1u << 24, kAligned = 1u << 9;
+constexpr Cycle kEntryCycles = 12, kExitCycles = 10, kTailChainCycles = 6;  // DDI 0337E, 5.5, 5.6
+
+}  // namespace
+
+void Cpu::take_exception() {
+  if (!nvic_.any_pending() || fault_) return;
+  std::uint32_t primask = 0, basepri = 0;
+  uc_reg_read(uc_, UC_ARM_REG_PRIMASK, &primask);
+  uc_reg_read(uc_, UC_ARM_REG_BASEPRI, &basepri);
+  if (const Exception exception = nvic_.next(primask & 1, basepri)) enter(exception);
+}
+
+// r0 to r3, r12, lr, pc, xpsr, on a stack aligned to 8.
+void Cpu::enter(Exception exception) {
+  const std::uint32_t sp = reg(kSp);
+  std::uint32_t psr = status() & ~kAligned;
+  if (sp & 4) psr |= kAligned;
+  const std::uint32_t frame_at = (sp - 32) & ~7u;
+  std::uint8_t* const frame = ram(frame_at, 32);
+  if (!frame) return fail(Fault::Kind::stack, next_);
+  const std::uint32_t words[8] = {reg(0), reg(1), reg(2), reg(3), reg(12), reg(kLr), next_, psr};
+  std::memcpy(frame, words, sizeof words);
+  std::uint32_t target = 0;
+  const Address vector = nvic_.vectors() + 4u * static_cast<Address>(exception);
+  const Address at = vector < kFlash ? vector : vector - kFlash;
+  if (at + 4 <= kMappedFlash) std::memcpy(&target, flash_.get() + at, 4);
+  if (const std::uint8_t* in_ram = ram(vector, 4)) std::memcpy(&target, in_ram, 4);
+  if ((target & 1) == 0) return fail(Fault::Kind::unhandled, next_, static_cast<std::uint32_t>(exception));
+  if (handlers_.empty()) {
+    handler_began_ = clock_.now;
+    interrupted_pc_ = next_;
+  }
+  set_reg(kSp, frame_at);
+  set_reg(kLr, handlers_.empty() ? 0xFFFFFFF9 : 0xFFFFFFF1);
+  const std::uint32_t entered = (psr & 0xF8000000) | kThumb | static_cast<std::uint32_t>(exception);
+  uc_reg_write(uc_, UC_ARM_REG_XPSR, &entered);
+  handlers_.push_back({exception, next_});
+  nvic_.enter(exception);
+  next_ = target & ~1u;
+  clock_.now += kEntryCycles;
+  asleep_ = false;
+  predicated_ = 0;
+  check_stack();
+}
+
+void Cpu::leave() {
+  returning_ = false;
+  std::uint32_t words[8];
+  const std::uint32_t sp = reg(kSp);
+  const std::uint8_t* const frame = ram(sp, 32);
+  if (!frame || handlers_.empty()) return fail(Fault::Kind::exception_return, pc_);
+  std::memcpy(words, frame, sizeof words);
+  for (int i = 0; i < 4; ++i) set_reg(i, words[i]);
+  set_reg(12, words[4]);
+  set_reg(kLr, words[5]);
+  next_ = words[6];
+  set_reg(kSp, sp + 32 + (words[7] & kAligned ? 4 : 0));
+  const std::uint32_t psr = words[7] & ~kAligned;
+  uc_reg_write(uc_, UC_ARM_REG_XPSR, &psr);
+  nvic_.leave(handlers_.back().exception);
+  handlers_.pop_back();
+  clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;
+  if (handlers_.empty()) handler_cycles_ += clock_.now - handler_began_;
+}
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,25 @@
+// A robot file with the robots that it is based on, as one tree: what the derived file says goes before what
+// its base says, key by key in [chassis], [motors], [driver] and [budget], part by part by their names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "sim/base/config.h"
+
+namespace robosim::robot {
+
+struct RobotSource {
+  ConfigValue tree;
+  std::string bytes;  ///< the file's own text, then those of its bases
+};
+
+/// Throws InputError: no TOML; a base that is not there, or more than 8 of them; a part to remove that there
+/// is not.
+RobotSource read_source(std::string_view text, const std::filesystem::path& file);
+
+/// The text that a key of a table has; empty if it has none.
+std::string text_of(const ConfigValue& table, const char* key);
+
+}  // namespace robosim::robot
