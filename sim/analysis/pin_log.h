@@ -17,7 +17,7 @@ struct PinUse {
   std::int64_t t_ns = 0;
   std::string pin;
   std::string value;
-  wire::Source source;
+  wire::SourceLine source;
 };
 
 class PinLog {
@@ -33,12 +33,12 @@ class PinLog {
   /// The last pin that the firmware drove before the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
   /// The line of the sketch that printed character number `at` of the last line `text`.
-  wire::Source source_of(const std::string& text, std::size_t at) const;
+  wire::SourceLine source_of(const std::string& text, std::size_t at) const;
 
  private:
   struct Printed {
     std::string text;
-    std::vector<wire::Source> sources;
+    std::vector<wire::SourceLine> sources;
   };
   using Uses = std::map<std::string, PinUse>;
 

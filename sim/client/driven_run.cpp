@@ -22,8 +22,8 @@ DrivenRun::~DrivenRun() {
   }
 }
 
-wire::Line DrivenRun::ask(const std::string& line) {
-  runner_.process_->write(line);
+wire::Line DrivenRun::ask(const wire::DrivenRequest& request) {
+  runner_.process_->write(wire::to_line(id_, request));
   return *runner_.answer(true, on_event_);
 }
 
@@ -43,7 +43,7 @@ bool DrivenRun::take(wire::Line line) {
 
 void DrivenRun::act(const std::string& lines) {
   if (over()) throw InputError("the run is over: nothing more can be done");
-  wire::Line line = ask(wire::act_line(id_, lines));
+  wire::Line line = ask(wire::Act{lines});
   if (const auto* accepted = std::get_if<wire::Accepted>(&line.content)) {
     script_ += accepted->lines;
     return;
@@ -53,7 +53,7 @@ void DrivenRun::act(const std::string& lines) {
 
 std::vector<std::uint8_t> DrivenRun::eeprom() {
   if (over()) throw InputError("the run is over: its memory is gone");
-  wire::Line line = ask(wire::eeprom_line(id_));
+  wire::Line line = ask(wire::ReadEeprom{});
   if (auto* memory = std::get_if<wire::Eeprom>(&line.content)) return std::move(memory->bytes);
   take(std::move(line));
   return {};
@@ -61,16 +61,16 @@ std::vector<std::uint8_t> DrivenRun::eeprom() {
 
 bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops) {
   if (over() || to_ns <= state_.t_ns) return !over();
-  return take(ask(go_on_line(id_, to_ns, stops)));
+  return take(ask(wire::GoOn{to_ns, stops}));
 }
 
 const wire::RunResult& DrivenRun::finish() {
-  while (!over()) take(ask(wire::go_on_line(id_, -1, {})));
+  while (!over()) take(ask(wire::GoOn{}));
   return *result_;
 }
 
 const wire::RunResult& DrivenRun::end() {
-  while (!over()) take(ask(wire::end_line(id_)));
+  while (!over()) take(ask(wire::End{}));
   return *result_;
 }
 

@@ -50,7 +50,7 @@ class DrivenRun {
   const std::string& script() const { return script_; }
 
  private:
-  wire::Line ask(const std::string& line);
+  wire::Line ask(const wire::DrivenRequest& request);
   bool take(wire::Line line);
 
   Runner& runner_;

@@ -12,7 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kProtocol = 1;
 // Wall time; generous, since a runner may be emulated itself (qemu-user).
 constexpr int kHelloPatience_ms = 30'000;
 
@@ -57,15 +56,7 @@ Runner::Runner(const Program& program) : name_(fs::path(program.path).filename()
   }
   const auto text = process_->read_line(kHelloPatience_ms);
   if (!text) throw wire::RunnerError("the runner " + name_ + " did not say hello: it " + process_->finish());
-  const wire::Line line = wire::parse_line(*text);
-  if (!std::holds_alternative<wire::Hello>(line.content))
-    throw wire::RunnerError("the runner " + name_ + " did not say hello");
-  hello_ = std::get<wire::Hello>(line.content);
-  if (hello_.protocol != kProtocol) {
-    throw wire::RunnerError("the runner " + name_ + " speaks protocol " + std::to_string(hello_.protocol) +
-                            ", and this program speaks " + std::to_string(kProtocol) +
-                            ": they are of different versions of Robosim");
-  }
+  hello_ = wire::parse_hello(*text, name_);
 }
 
 Runner::~Runner() = default;
@@ -90,6 +81,8 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (!text && !wait && !process_->silent()) return std::nullopt;
       if (!text) fail_silent();
       wire::Line line = wire::parse_line(*text);
+      const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
+      if (error && line.id < 0) throw wire::RunnerError(error->message);  // it could not even read the number
       if (line.id != last_id_) {
         throw wire::RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                                 " instead of " + std::to_string(last_id_));
@@ -100,7 +93,6 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       }
       answered = true;
       process_->forget_interrupt();
-      const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
       if (!error) return line;
       if (error->kind == "input") throw InputError(error->message);
       if (error->kind == "tool") throw ToolMissing(error->message);
@@ -121,7 +113,7 @@ std::optional<Answer> Runner::take(bool wait, const wire::OnEvent& on_event) {
 }
 
 wire::RobotInfo Runner::describe_robot(const std::string& robot) {
-  process_->write(wire::describe_robot_line(++last_id_, robot));
+  process_->write(wire::to_line(++last_id_, wire::Request(wire::DescribeRobot{robot})));
   return *take<wire::RobotInfo>(true, {});
 }
 
@@ -130,7 +122,9 @@ wire::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent
   return *take<wire::RunResult>(true, on_event);
 }
 
-void Runner::begin(const wire::RunRequest& request) { process_->write(run_line(++last_id_, request)); }
+void Runner::begin(const wire::RunRequest& request) {
+  process_->write(wire::to_line(++last_id_, wire::Request(request)));
+}
 
 std::optional<wire::RunResult> Runner::take(const wire::OnEvent& on_event) {
   return take<wire::RunResult>(false, on_event);

@@ -11,6 +11,7 @@
 #include "sim/exec/core/executor.h"
 #include "sim/judge/goal.h"
 #include "sim/wire/events.h"
+#include "sim/wire/run_result.h"
 
 namespace robosim::judge {
 
@@ -29,17 +30,7 @@ enum class Verdict {
 const char* to_string(Verdict verdict);
 ExitStatus exit_status(Verdict verdict);
 
-struct Metrics {
-  double distance_m = 0.0;          ///< path of the axle's centre
-  std::vector<double> laps_s;       ///< duration of each lap, on a loop
-  double cross_track_rms_mm = 0.0;  ///< midpoint of the reflectance sensors to the nearest centre line
-  double cross_track_max_mm = 0.0;  ///< both without the first 0.5 s
-  double off_line_s = 0.0;          ///< time with no sensor over a line
-  int collisions = 0;
-  double energy_j = 0.0;              ///< drawn by the motors
-  std::vector<std::string> stations;  ///< visited, in order
-  int junctions = 0;                  ///< different ones visited
-};
+using wire::Metrics;
 
 struct Outcome {
   Verdict verdict = Verdict::timeout;

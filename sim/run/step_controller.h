@@ -12,32 +12,13 @@
 #include "sim/exec/core/executor.h"
 #include "sim/judge/outcome.h"
 #include "sim/scenario/scenario.h"
+#include "sim/wire/driven.h"
 
 namespace robosim::run {
 
 struct Sample;
 
-/// What a run goes on until; checked at the end of each tick.
-struct Stop {
-  enum class Kind {
-    serial,   ///< the firmware has sent `text`, from byte number `from` on
-    line,     ///< it has sent a line, from byte `from` on, in which the regular expression `text` is found
-    note,     ///< something happened whose text_of() holds `text`
-    event,    ///< something of this kind happened: "collision_began" (wire::event_kinds())
-    visited,  ///< station `text` has been visited
-    at,       ///< the body covers the centre of station `text`
-    reading,  ///< the part `text` reads at least 0.5, or less: `level`
-    pin,      ///< the firmware drives pin `text` high, or with PWM; or low: `level`
-    motors,   ///< a motor is driven, or none is: `level`
-    rest,     ///< no wheel has turned for `time`, counted from here on
-  };
-  Kind kind = Kind::rest;
-  std::string text;
-  std::size_t from = 0;
-  bool level = true;
-  SimTime time = 0;
-  int agent = 0;  ///< whom it is about
-};
+using wire::Stop;
 
 /// What the controller wants next: on until the first of these, or to the end at once (`interrupted`).
 struct Leg {

@@ -152,7 +152,7 @@ bool StopConditions::is_met(Watch& watch, SimTime t) const {
     case Stop::Kind::rest:
       if (scene_.body.wheel_rate(world::left) != 0.0 || scene_.body.wheel_rate(world::right) != 0.0)
         watch.rest_since = t;
-      return t - watch.rest_since >= stop.time;
+      return t - watch.rest_since >= stop.rest_ns;
     case Stop::Kind::note:
     case Stop::Kind::event:
     case Stop::Kind::pin:

@@ -1,5 +1,6 @@
 #include "sim/runner/answers.h"
 
+#include "hal/board/board_spec.h"
 #include "sim/robot/netlist.h"
 
 namespace robosim::runner {
@@ -8,141 +9,91 @@ namespace {
 double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 double millimetres(double metres) { return metres * 1e3; }
 
-Json point(Vec2 p) { return Json::array({millimetres(p.x), millimetres(p.y)}); }
-
-Json metrics(const judge::Metrics& m) {
-  return {{"distance_m", m.distance_m},
-          {"laps_s", m.laps_s},
-          {"cross_track_rms_mm", m.cross_track_rms_mm},
-          {"cross_track_max_mm", m.cross_track_max_mm},
-          {"off_line_s", m.off_line_s},
-          {"collisions", m.collisions},
-          {"energy_j", m.energy_j},
-          {"stations", m.stations},
-          {"junctions", m.junctions}};
-}
-
-Json resources(const exec::Resources& r) {
-  Json json = {{"flash_bytes", r.flash_bytes},
-               {"ram_bytes", r.ram_bytes},
-               {"stack_bytes_max", r.stack_bytes_max},
-               {"interrupt_share", r.interrupt_share},
-               {"cpu_load", r.cpu_load}};
-  if (r.loops > 0) {
-    json["loops"] = r.loops;
-    json["loop_us_max"] = r.loop_us_max;
-    json["loop_us_mean"] = r.loop_us_mean;
-  }
-  return json;
-}
-
 }  // namespace
 
-Json to_json(const run::Beginning& beginning) {
-  Json stations = Json::array();
+wire::Started to_wire(const run::Beginning& beginning) {
+  wire::Started started;
+  started.x = beginning.start.cell.x;
+  started.y = beginning.start.cell.y;
+  started.facing = grid::letter(beginning.start.facing);
+  started.goal = judge::to_string(beginning.goal);
   for (const grid::Station& s : beginning.stations)
-    stations.push_back({{"id", s.id}, {"name", s.name}, {"x", s.cell.x}, {"y", s.cell.y}});
-  const grid::Start& start = beginning.start;
-  return {{"start", Json::array({start.cell.x, start.cell.y, std::string(1, grid::letter(start.facing))})},
-          {"goal", judge::to_string(beginning.goal)},
-          {"stations", std::move(stations)},
-          {"readings", beginning.readings},
-          {"width", beginning.width},
-          {"height", beginning.height},
-          {"cell", millimetres(beginning.cell_m)}};
+    started.stations.push_back({s.id, s.name, s.cell.x, s.cell.y});
+  started.readings = beginning.readings;
+  started.width = beginning.width;
+  started.height = beginning.height;
+  started.cell_mm = millimetres(beginning.cell_m);
+  return started;
 }
 
-Json to_json(const run::Sample& s) {
-  Json json = {{"t_us", s.t / kMicrosecond},
-               {"x", millimetres(s.pose.position.x)},
-               {"y", millimetres(s.pose.position.y)},
-               {"yaw", s.pose.yaw()},
-               {"speed_mm_s", millimetres(s.speed)},
-               {"cross_track", millimetres(s.cross_track)},
-               {"left", s.left},
-               {"right", s.right},
-               {"readings", s.readings}};
-  if (!s.at_station.empty()) json["at"] = s.at_station;
-  return json;
+wire::Sample to_wire(const run::Sample& s) {
+  return {s.t / kMicrosecond,
+          millimetres(s.pose.position.x),
+          millimetres(s.pose.position.y),
+          s.pose.yaw(),
+          millimetres(s.speed),
+          millimetres(s.cross_track),
+          s.left,
+          s.right,
+          s.readings,
+          s.at_station};
 }
 
-Json to_json(const run::State& state, const run::Sample& sample) {
-  Json json = {{"t_ns", state.t}, {"sample", to_json(sample)}};
-  if (state.stop >= 0) json["stop"] = state.stop;
-  json["worst"] = {{"cross_track", millimetres(state.worst_cross_track)},
-                   {"t_ns", state.worst_t},
-                   {"x", millimetres(state.worst_at.x)},
-                   {"y", millimetres(state.worst_at.y)}};
-  json["powered"] = state.powered;
-  json["driven"] = state.driven;
-  json["serial_bytes"] = state.serial_bytes;
-  json["metrics"] = metrics(state.metrics);
-  if (state.resources) json["resources"] = resources(*state.resources);
-  return json;
+wire::Paused to_wire(const run::State& state, const run::Sample& sample) {
+  wire::Paused paused;
+  paused.t_ns = state.t;
+  paused.sample = to_wire(sample);
+  paused.stop = state.stop;
+  paused.worst = {millimetres(state.worst_cross_track), state.worst_t, millimetres(state.worst_at.x),
+                  millimetres(state.worst_at.y)};
+  paused.powered = state.powered;
+  paused.driven = state.driven;
+  paused.serial_bytes = state.serial_bytes;
+  paused.metrics = state.metrics;
+  paused.resources = state.resources;
+  return paused;
 }
 
-Json to_json(const judge::Outcome& outcome) {
-  Json json = {{"verdict", judge::to_string(outcome.verdict)},
-               {"why", outcome.why},
-               {"next", outcome.next},
-               {"status", static_cast<int>(judge::exit_status(outcome.verdict))},
-               {"time_s", seconds(outcome.time)},
-               {"metrics", metrics(outcome.metrics)}};
-  if (outcome.crash) {
-    const exec::SourceLine& where = outcome.crash->where;
-    json["crash"] = {{"reason", outcome.crash->reason},
-                     {"function", where.function},
-                     {"file", where.file},
-                     {"line", where.line}};
-    if (!outcome.crash->check.empty()) json["crash"]["check"] = outcome.crash->check;
-    if (!outcome.crash->registers.empty()) {
-      Json calls = Json::array();
-      for (const exec::SourceLine& call : outcome.crash->calls)
-        calls.push_back({{"function", call.function}, {"file", call.file}, {"line", call.line}});
-      json["crash"]["calls"] = std::move(calls);
-      json["crash"]["registers"] = outcome.crash->registers;
-    }
-  }
-  if (outcome.resources) json["resources"] = resources(*outcome.resources);
-  Json events = Json::array();
+wire::RunResult to_wire(const judge::Outcome& outcome) {
+  wire::RunResult result;
+  result.verdict = judge::to_string(outcome.verdict);
+  result.why = outcome.why;
+  result.next = outcome.next;
+  result.status = static_cast<int>(judge::exit_status(outcome.verdict));
+  result.time_s = seconds(outcome.time);
+  result.metrics = outcome.metrics;
+  result.crash = outcome.crash;
+  result.resources = outcome.resources;
   for (const wire::RunEvent& event : outcome.events)
-    events.push_back({{"t_s", seconds(event.t_ns)}, {"text", wire::text_of(event)}});
-  json["events"] = std::move(events);
-  json["serial"] = outcome.serial;
-  json["end"] = {{"x", millimetres(outcome.end.position.x)},
-                 {"y", millimetres(outcome.end.position.y)},
-                 {"yaw", outcome.end.yaw()}};
-  json["eeprom_writes"] = outcome.eeprom_writes;
-  json["trace_hash"] = outcome.trace_hash;
-  return json;
+    result.events.push_back({seconds(event.t_ns), wire::text_of(event)});
+  result.serial = outcome.serial;
+  result.end = {millimetres(outcome.end.position.x), millimetres(outcome.end.position.y), outcome.end.yaw()};
+  result.eeprom_writes = outcome.eeprom_writes;
+  result.trace_hash = outcome.trace_hash;
+  result.goal = judge::to_string(outcome.goal);
+  return result;
 }
 
-Json to_json(const robot::Summary& robot) {
-  Json outline = Json::array(), sensors = Json::array(), parts = Json::array();
-  for (const Vec2 corner : robot.outline) outline.push_back(point(corner));
+wire::RobotInfo to_wire(const robot::Summary& robot) {
+  wire::RobotInfo info;
+  info.name = robot.name;
+  info.file = robot.file;
+  info.sha256 = robot.sha256;
+  info.board = {robot.board->name, robot.board->fqbn, robot.board->macro};
+  info.budget = {robot.budget.flash_bytes, robot.budget.ram_bytes};
+  for (const Vec2 corner : robot.outline)
+    info.outline_mm.push_back({millimetres(corner.x), millimetres(corner.y)});
   for (const robot::SensorPlace& s : robot.sensors)
-    sensors.push_back({{"name", s.name}, {"x", millimetres(s.at.x)}, {"y", millimetres(s.at.y)}});
-  for (const auto& part : robot.parts) {
-    Json pins = Json::object();
+    info.sensors.push_back({s.name, millimetres(s.at.x), millimetres(s.at.y)});
+  for (const robot::PartSummary& part : robot.parts) {
+    wire::RobotInfo::Part told{part.name, part.type, {}};
     for (const auto& [role, pin] : part.pins) {
-      if (robot::is_output(pin))
-        pins[role] = robot::output_name(robot.registers, pin);
-      else
-        pins[role] = pin;
+      told.pins.emplace_back(
+          role, robot::is_output(pin) ? robot::output_name(robot.registers, pin) : std::to_string(pin));
     }
-    parts.push_back({{"name", part.name}, {"type", part.type}, {"pins", std::move(pins)}});
+    info.parts.push_back(std::move(told));
   }
-  return {
-      {"name", robot.name},
-      {"file", robot.file},
-      {"sha256", robot.sha256},
-      {"board", {{"name", robot.board->name}, {"fqbn", robot.board->fqbn}, {"macro", robot.board->macro}}},
-      {"budget", {{"flash_bytes", robot.budget.flash_bytes}, {"ram_bytes", robot.budget.ram_bytes}}},
-      {"outline", std::move(outline)},
-      {"sensors", std::move(sensors)},
-      {"parts", std::move(parts)}};
+  return info;
 }
-
-std::string to_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace robosim::runner

@@ -1,24 +1,17 @@
-// Answers and events of the runner protocol, as JSON.
+// What a simulation comes to, in the units and words of the runner protocol.
 #pragma once
-
-#include <nlohmann/json.hpp>
-#include <string>
 
 #include "sim/robot/describe.h"
 #include "sim/run/simulation.h"
+#include "sim/wire/messages.h"
 
 namespace robosim::runner {
 
-/// Keys keep the order in which docs/runner-protocol.md lists them.
-using Json = nlohmann::ordered_json;
-
-Json to_json(const run::Beginning& beginning);
-Json to_json(const run::Sample& sample);
-Json to_json(const run::State& state, const run::Sample& sample);
-Json to_json(const judge::Outcome& outcome);
-Json to_json(const robot::Summary& robot);
-
-/// One line of text without its newline. Bytes that are no UTF-8 become U+FFFD.
-std::string to_line(const Json& json);
+wire::Started to_wire(const run::Beginning& beginning);
+wire::Sample to_wire(const run::Sample& sample);
+wire::Paused to_wire(const run::State& state, const run::Sample& sample);
+/// Without what the request and its files were.
+wire::RunResult to_wire(const judge::Outcome& outcome);
+wire::RobotInfo to_wire(const robot::Summary& robot);
 
 }  // namespace robosim::runner

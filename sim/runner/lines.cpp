@@ -6,8 +6,7 @@
 
 namespace robosim::runner {
 
-void write_line(const Json& json) {
-  const std::string line = to_line(json) + "\n";
+void write_line(const std::string& line) {
   for (std::size_t done = 0; done < line.size();) {
     const ssize_t n = ::write(STDOUT_FILENO, line.data() + done, line.size() - done);
     if (n < 0 && errno == EINTR) continue;
@@ -33,18 +32,6 @@ std::optional<std::string> read_line(const std::atomic<bool>* interrupted) {
     if (n <= 0) return std::nullopt;
     unread.append(chunk, static_cast<std::size_t>(n));
   }
-}
-
-Json with_id(const nlohmann::json& id) {
-  Json answer;
-  answer["id"] = id;
-  return answer;
-}
-
-void answer_error(const nlohmann::json& id, const char* kind, const std::string& message) {
-  Json answer = with_id(id);
-  answer["error"] = {{"kind", kind}, {"message", message}};
-  write_line(answer);
 }
 
 }  // namespace robosim::runner

@@ -3,17 +3,17 @@
 
 #include <atomic>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sim/run/simulation.h"
+#include "sim/wire/protocol.h"
 
 namespace robosim::runner {
 
 class RemoteController final : public run::StepController {
  public:
   /// `before_pause` is called with the time before the client is told that the run stands still.
-  RemoteController(nlohmann::json id, std::string script_file, const std::atomic<bool>& interrupted,
+  RemoteController(wire::Id id, std::string script_file, const std::atomic<bool>& interrupted,
                    std::function<void(SimTime)> before_pause)
       : id_(std::move(id)),
         script_file_(std::move(script_file)),
@@ -23,9 +23,12 @@ class RemoteController final : public run::StepController {
   run::Leg next(run::Standstill& standstill) override;
 
  private:
-  void add_lines(const nlohmann::json& request, run::Standstill& standstill) const;
+  /// Nothing, or how the run goes on.
+  std::optional<run::Leg> serve(const wire::DrivenRequest& request, run::Standstill& standstill) const;
+  void add_lines(const std::string& lines, run::Standstill& standstill) const;
+  void answer(const wire::Answer& answer) const;
 
-  nlohmann::json id_;
+  wire::Id id_;
   std::string script_file_;
   const std::atomic<bool>& interrupted_;
   std::function<void(SimTime)> before_pause_;

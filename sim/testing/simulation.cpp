@@ -117,10 +117,10 @@ void Simulation::Inside::go_on(std::int64_t to_ns, const std::vector<wire::Stop>
   } else {
     const wire::Paused& state = run->state();
     leg.end_ns = state.t_ns;
-    leg.worst_mm = state.worst_cross_track_mm;
-    leg.worst_ns = state.worst_t_ns;
-    leg.worst_x_mm = state.worst_x_mm;
-    leg.worst_y_mm = state.worst_y_mm;
+    leg.worst_mm = state.worst.cross_track_mm;
+    leg.worst_ns = state.worst.t_ns;
+    leg.worst_x_mm = state.worst.x_mm;
+    leg.worst_y_mm = state.worst.y_mm;
     leg.at_end = state.metrics;
     h.resources = state.resources;
     if (h.samples.back().t_us < state.sample.t_us) h.samples.push_back(state.sample);

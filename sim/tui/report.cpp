@@ -219,7 +219,7 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
   if (r.crash && !r.crash->calls.empty()) {
     out.line();
     out.line("calls that were open, the last first", Ink::strong);
-    for (const wire::Crash::Call& call : r.crash->calls)
+    for (const wire::SourceLine& call : r.crash->calls)
       out.line(call.file.empty() ? "  " + call.function
                                  : fmt::format("  {}, {}:{}", call.function, call.file, call.line));
     std::istringstream registers(r.crash->registers);

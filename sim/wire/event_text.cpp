@@ -51,13 +51,18 @@ struct Text {
 }  // namespace
 
 const std::vector<std::string>& event_kinds() {
-  static const std::vector<std::string> kinds{"station_visited", "lap_done",    "collision_began",
-                                              "script_acted",    "fault_began", "fault_ended",
-                                              "power_lost",      "power_back"};
+  static const std::vector<std::string> kinds = [] {
+    const auto names = []<class... What>(const std::variant<What...>*) {
+      return std::vector<std::string>{What::kKind...};
+    };
+    return names(static_cast<const RunEvent::What*>(nullptr));
+  }();
   return kinds;
 }
 
-const char* kind_of(const RunEvent& event) { return event_kinds()[event.what.index()].c_str(); }
+const char* kind_of(const RunEvent& event) {
+  return std::visit([](const auto& what) { return what.kKind; }, event.what);
+}
 
 std::string text_of(const RunEvent& event) { return std::visit(Text{}, event.what); }
 

@@ -8,48 +8,95 @@
 #include <variant>
 #include <vector>
 
+#include "sim/wire/fields.h"
+
 namespace robosim::wire {
 
 /// The body's outline has covered a station's centre for the first time.
 struct StationVisited {
+  static constexpr const char* kKind = "station_visited";
   std::string station;  ///< its name
 };
 
+template <class V>
+void fields(V& v, Same<V, StationVisited>& e) {
+  v("station", e.station, "`station_visited`: its name");
+}
+
 /// A lap of a loop is complete.
 struct LapDone {
+  static constexpr const char* kKind = "lap_done";
   int lap = 0;         ///< from 1; each direction counts its own
   double lap_s = 0.0;  ///< how long it took
 };
 
+template <class V>
+void fields(V& v, Same<V, LapDone>& e) {
+  v("lap", e.lap, "`lap_done`: its number from 1; each direction counts its own");
+  v("lap_s", e.lap_s, "`lap_done`: how long it took", {.unit = "s"});
+}
+
 /// The body has come up against something.
 struct CollisionBegan {
+  static constexpr const char* kKind = "collision_began";
   bool with_robot = false;  ///< else a wall, an obstacle or the map's edge
 };
+
+template <class V>
+void fields(V& v, Same<V, CollisionBegan>& e) {
+  v("with_robot", e.with_robot,
+    "`collision_began`: with another robot; else with a wall, an obstacle or the map's edge");
+}
 
 /// The script did something, or what it did for a while is over: a lifted robot is put down, an obstacle
 /// taken away.
 struct ScriptActed {
+  static constexpr const char* kKind = "script_acted";
   std::string
       verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle, clear
   std::string part;  ///< press, release, cover, and send to a radio; else empty
   std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
 };
 
+template <class V>
+void fields(V& v, Same<V, ScriptActed>& e) {
+  v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
+  v("part", e.part, "`script_acted`: of press, release, cover, and send to a radio; else empty");
+  v("argument", e.text, "`script_acted`: of send, place, obstacle and clear; else empty");
+}
+
 /// The script broke something.
 struct FaultBegan {
+  static constexpr const char* kKind = "fault_began";
   std::string part;                    ///< a part of the robot, or power, serial, eeprom, clock
   std::vector<std::string> arguments;  ///< the kind of fault, then its arguments: {"stuck", "1023"}
   bool resets_chip = false;            ///< the supply no longer suffices for the chip
 };
 
+template <class V>
+void fields(V& v, Same<V, FaultBegan>& e) {
+  v("part", e.part,
+    "`fault_began`: a part of the robot, or `\"power\"`, `\"serial\"`, `\"eeprom\"`, `\"clock\"`");
+  v("arguments", e.arguments, "`fault_began`: the kind of fault, then its arguments");
+  v("resets_chip", e.resets_chip, "`fault_began`: the supply no longer suffices for the chip");
+}
+
 /// It is whole again: its time was up, or the script repaired it.
 struct FaultEnded {
+  static constexpr const char* kKind = "fault_ended";
   std::string part;
   std::vector<std::string> arguments;  ///< of the fault; {"ok"} where the script said so
 };
 
+template <class V>
+void fields(V& v, Same<V, FaultEnded>& e) {
+  v("part", e.part, "`fault_ended`: as above");
+  v("arguments", e.arguments, "`fault_ended`: of the fault; `[\"ok\"]` where the script said so");
+}
+
 /// The script switched the board off.
 struct PowerLost {
+  static constexpr const char* kKind = "power_lost";
   /// A byte of EEPROM that was being written, and what it holds now.
   struct HalfWritten {
     int address = 0;
@@ -58,8 +105,24 @@ struct PowerLost {
   std::optional<HalfWritten> byte;
 };
 
+template <class V>
+void fields(V& v, Same<V, PowerLost::HalfWritten>& b) {
+  v("address", b.address, "of the byte");
+  v("value", b.value, "what it holds now");
+}
+
+template <class V>
+void fields(V& v, Same<V, PowerLost>& e) {
+  v("byte", e.byte, "`power_lost`: the byte of EEPROM that was being written; absent if none was");
+}
+
 /// The script switched it on, or the time that it was off is up: the firmware starts afresh.
-struct PowerBack {};
+struct PowerBack {
+  static constexpr const char* kKind = "power_back";
+};
+
+template <class V>
+void fields(V&, Same<V, PowerBack>&) {}
 
 /// One of these, with its simulated time and the robot that it is about.
 struct RunEvent {

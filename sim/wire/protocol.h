@@ -1,11 +1,13 @@
-// Lines of the runner protocol from and to values. Everything that knows JSON keys is in protocol.cpp.
+// Lines of the runner protocol from and to values, for both of its ends. Each line here has its line feed at
+// the end, and may be read with or without.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "sim/wire/messages.h"
 
@@ -23,29 +25,42 @@ class Unstoppable : public RunnerError {
   using RunnerError::RunnerError;
 };
 
-/// `{"id": 1, "error": …}`.
-struct ErrorAnswer {
-  std::string kind;  ///< "input", "tool" or "internal"
-  std::string message;
-};
+// The client's end.
+
+std::string to_line(long long id, const Request& request);
+/// To a run that stands still.
+std::string to_line(long long id, const DrivenRequest& request);
 
 /// One line of a runner.
 struct Line {
   long long id = -1;  ///< of the request that it answers; -1 = none (hello)
-  std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult, Paused, Accepted, Eeprom, Refused> content;
+  Answer content;
 };
 
-/// Throws RunnerError, quoting the line, if it is none of the protocol's.
+/// Throws RunnerError, quoting the line, if it is none of the protocol's. Keys that are not known are
+/// skipped.
 Line parse_line(std::string_view text);
 
-/// Each with its final line feed.
-std::string describe_robot_line(long long id, const std::string& robot);
-std::string run_line(long long id, const RunRequest& request);
-// To a run that stands still.
-std::string act_line(long long id, const std::string& lines);
-/// `to_ns` < 0: without end.
-std::string go_on_line(long long id, std::int64_t to_ns, const std::vector<Stop>& stops);
-std::string eeprom_line(long long id);
-std::string end_line(long long id);
+/// The first line of a runner, `program`. Throws RunnerError, with a sentence for people, if that is no
+/// runner of Robosim's or speaks another version of the protocol.
+Hello parse_hello(std::string_view text, const std::string& program);
+
+// The runner's end.
+
+/// Any number that a client has chosen for its request; monostate = it has chosen none.
+using Id = std::variant<std::monostate, std::int64_t, std::uint64_t, double>;
+
+/// What a client has asked: a request, or nothing and what is wrong with the line, in one sentence.
+template <class Any>
+struct Asked {
+  Id id;
+  std::optional<Any> request;
+  std::string fault;
+};
+
+Asked<Request> parse_request(std::string_view text);
+Asked<DrivenRequest> parse_driven_request(std::string_view text);
+
+std::string to_line(const Id& id, const Answer& answer);
 
 }  // namespace robosim::wire

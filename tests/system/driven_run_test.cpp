@@ -73,7 +73,7 @@ TEST(DrivenRunTest, StandsStillAtTheStartAndTellsItsState) {
   EXPECT_TRUE(run.state().driven);
   EXPECT_EQ(run.state().sample.at_station, "");
   EXPECT_THAT(run.state().metrics.stations, ElementsAre("1"));
-  EXPECT_GT(run.state().worst_cross_track_mm, 1.0);
+  EXPECT_GT(run.state().worst.cross_track_mm, 1.0);
 }
 
 TEST(DrivenRunTest, StopsWhereItWasAskedTo) {

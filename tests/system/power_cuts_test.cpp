@@ -80,7 +80,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
     }
     ++kept;
     EXPECT_THAT(line_of(text, "way:"), AnyOf(way, "way: station 2"));
-    EXPECT_LT(std::hypot(result->end_x_mm - station_2.x, result->end_y_mm - station_2.y), 25.0);
+    EXPECT_LT(std::hypot(result->end.x_mm - station_2.x, result->end.y_mm - station_2.y), 25.0);
   };
 
   client::Pool pool(2);

@@ -138,7 +138,7 @@ TEST_F(OnTheChip, ACrashHasItsCallsAndRegisters) {
   const wire::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
   EXPECT_EQ(r.verdict, "crashed");
   ASSERT_TRUE(r.crash);
-  EXPECT_EQ(r.crash->function, "call");
+  EXPECT_EQ(r.crash->where.function, "call");
   ASSERT_FALSE(r.crash->calls.empty());
   EXPECT_THAT(r.crash->registers, AllOf(HasSubstr("PC 0x"), HasSubstr("r31")));
 }

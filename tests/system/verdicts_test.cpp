@@ -56,10 +56,10 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
     EXPECT_EQ(r.verdict, "crashed") << c.sketch << ": " << r.why;
     ASSERT_TRUE(r.crash) << c.sketch;
     EXPECT_THAT(r.crash->reason, HasSubstr(c.reason));
-    EXPECT_THAT(r.crash->function, HasSubstr(c.function));
-    EXPECT_EQ(r.crash->file, std::string(c.sketch) + ".ino");
+    EXPECT_THAT(r.crash->where.function, HasSubstr(c.function));
+    EXPECT_EQ(r.crash->where.file, std::string(c.sketch) + ".ino");
     if (c.line) {
-      EXPECT_EQ(r.crash->line, c.line) << c.sketch;
+      EXPECT_EQ(r.crash->where.line, c.line) << c.sketch;
     }
     EXPECT_THAT(r.why, HasSubstr(std::string(c.sketch) + ".ino"));
   }

@@ -187,7 +187,7 @@ class CompareCommand {
       const std::string& text = history.lines[line].text;
       result.source = pins.source_of(text, first_difference(compared, side, text));
     } else if (d.kind == analysis::Difference::Kind::verdict && run.crash) {
-      result.source = {run.crash->function, run.crash->file, run.crash->line};
+      result.source = run.crash->where;
     } else if (d.kind == analysis::Difference::Kind::motors || d.kind == analysis::Difference::Kind::speed) {
       if (const auto use = pins.last_write()) result.source = use->source;
     }

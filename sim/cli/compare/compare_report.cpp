@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "sim/wire/json_writer.h"
 
 namespace robosim::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = wire::OrderedJson;
 
 double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
-std::string place_of(const wire::Source& source) {
+std::string place_of(const wire::SourceLine& source) {
   if (source.file.empty()) return "";
   const std::string place = fmt::format("{}:{}", source.file, source.line);
   return source.function.empty() ? place : fmt::format("{} in {}()", place, source.function);
@@ -52,14 +53,14 @@ std::string around_text(const ComparedSide& side) {
 std::string finding_text(const ComparedSide& side) {
   if (!side.finding) return "";
   const wire::Crash& fault = side.finding->fault;
-  const std::string place = place_of({fault.function, fault.file, fault.line});
+  const std::string place = place_of(fault.where);
   return fmt::format("checks    {}{}{} (on {}, built with --sanitize, at {:.2f} s)\n", fault.reason,
                      place.empty() ? "" : ", ", place, side.target, side.finding->time_s);
 }
 
-Json json_of(const wire::Source& source) {
+Json json_of(const wire::SourceLine& source) {
   if (source.file.empty()) return nullptr;
-  return {{"function", source.function}, {"file", source.file}, {"line", source.line}};
+  return wire::to_json(source);
 }
 
 Json json_of(const std::vector<analysis::PinUse>& uses) {
@@ -80,11 +81,7 @@ Json json_of(const ComparedSide& side) {
             {"reads", json_of(side.reads)},
             {"drives", json_of(side.writes)},
             {"said", side.said}};
-  if (side.finding) {
-    const wire::Crash& fault = side.finding->fault;
-    json["finding"] = {{"check", fault.check}, {"reason", fault.reason}, {"function", fault.function},
-                       {"file", fault.file},   {"line", fault.line},     {"time_s", side.finding->time_s}};
-  }
+  if (side.finding) json["finding"] = wire::to_json(*side.finding);
   return json;
 }
 

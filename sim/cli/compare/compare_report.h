@@ -18,8 +18,8 @@ namespace robosim::cli {
 struct ComparedSide {
   std::string target;
   std::int64_t t_ns = 0;
-  std::string text;     ///< what it did
-  wire::Source source;  ///< the sketch's line that did it; may be unknown
+  std::string text;         ///< what it did
+  wire::SourceLine source;  ///< the sketch's line that did it; may be unknown
   std::vector<analysis::PinUse> reads;
   std::vector<analysis::PinUse> writes;
   std::vector<std::string> said;   ///< its last lines before, and the one itself

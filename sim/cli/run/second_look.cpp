@@ -14,9 +14,10 @@ constexpr double kLongest_s = 60.0;
 constexpr double kMargin_s = 1.0;
 
 std::string place_of(const wire::Crash& fault) {
-  if (fault.file.empty()) return "";
-  const std::string place = fmt::format("{}:{}", fault.file, fault.line);
-  return fault.function.empty() ? " at " + place : fmt::format(" in {}, {}", fault.function, place);
+  if (fault.where.file.empty()) return "";
+  const std::string place = fmt::format("{}:{}", fault.where.file, fault.where.line);
+  return fault.where.function.empty() ? " at " + place
+                                      : fmt::format(" in {}, {}", fault.where.function, place);
 }
 
 }  // namespace

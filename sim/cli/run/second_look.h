@@ -18,6 +18,14 @@ struct Finding {
   std::string advice;   ///< may be empty
 };
 
+template <class V>
+void fields(V& v, wire::Same<V, Finding>& f) {
+  v("check", f.fault.check, "what was checked: `\"mul_overflow\"`");
+  v("reason", f.fault.reason, "a clause");
+  fields(v, f.fault.where);
+  v("time_s", f.time_s, "when it was found", {.unit = "s"});
+}
+
 /// Whether it makes sense: the sketch has failed on an AVR, or crashed on the host, and had no checks.
 bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first);
 

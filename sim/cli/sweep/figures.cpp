@@ -3,54 +3,58 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace robosim::cli {
 namespace {
 
-using wire::RunResult;
 using Values = std::vector<double>;
 
-template <auto Member>
-Values metric(const RunResult& result) {
-  return {static_cast<double>(result.metrics.*Member)};
+/// Visits the fields of a message for its numbers.
+class Numbers {
+ public:
+  static constexpr bool kReads = false;
+  static constexpr bool kDescribes = false;
+
+  template <class T>
+  void operator()(const char* key, const T& value, const char*, const wire::Rules& rules = {}) {
+    if constexpr (std::is_arithmetic_v<T>)
+      found.emplace_back(key, rules.presence.written ? Values{static_cast<double>(value)} : Values{});
+    else if constexpr (std::is_same_v<T, Values>)
+      found.emplace_back(key, value);
+  }
+
+  std::vector<std::pair<const char*, Values>> found;
+};
+
+template <class Message>
+auto numbers_of(const Message& message) {
+  Numbers numbers;
+  fields(numbers, message);
+  return numbers.found;
 }
 
-template <auto Member>
-Values resource(const RunResult& result) {
-  if (!result.resources) return {};
-  return {static_cast<double>((*result.resources).*Member)};
-}
-
-/// Of the passes of loop(), which the runner does not always find.
-template <auto Member>
-Values loop_figure(const RunResult& result) {
-  if (!result.resources || result.resources->loops == 0) return {};
-  return {(*result.resources).*Member};
-}
+constexpr const char* kTime = "time_s";
 
 }  // namespace
 
+Values Figure::values(const wire::RunResult& result) const {
+  if (name == std::string_view(kTime)) return {result.time_s};
+  if (chip_only && !result.resources) return {};
+  for (auto& [key, values] : chip_only ? numbers_of(*result.resources) : numbers_of(result.metrics))
+    if (name == std::string_view(key)) return values;
+  return {};
+}
+
 const std::vector<Figure>& figures() {
-  using wire::Metrics;
-  using wire::Resources;
-  static const std::vector<Figure> all{
-      {"time_s", false, [](const RunResult& result) { return Values{result.time_s}; }},
-      {"distance_m", false, metric<&Metrics::distance_m>},
-      {"laps_s", false, [](const RunResult& result) { return result.metrics.laps_s; }},
-      {"cross_track_rms_mm", false, metric<&Metrics::cross_track_rms_mm>},
-      {"cross_track_max_mm", false, metric<&Metrics::cross_track_max_mm>},
-      {"off_line_s", false, metric<&Metrics::off_line_s>},
-      {"collisions", false, metric<&Metrics::collisions>},
-      {"energy_j", false, metric<&Metrics::energy_j>},
-      {"junctions", false, metric<&Metrics::junctions>},
-      {"flash_bytes", true, resource<&Resources::flash_bytes>},
-      {"ram_bytes", true, resource<&Resources::ram_bytes>},
-      {"stack_bytes_max", true, resource<&Resources::stack_bytes_max>},
-      {"interrupt_share", true, resource<&Resources::interrupt_share>},
-      {"cpu_load", true, resource<&Resources::cpu_load>},
-      {"loop_us_max", true, loop_figure<&Resources::loop_us_max>},
-      {"loop_us_mean", true, loop_figure<&Resources::loop_us_mean>},
-  };
+  static const std::vector<Figure> all = [] {
+    std::vector<Figure> made{{kTime, false}};
+    for (const auto& number : numbers_of(wire::Metrics())) made.push_back({number.first, false});
+    for (const auto& number : numbers_of(wire::Resources())) made.push_back({number.first, true});
+    return made;
+  }();
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/cli/sweep/sweep_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,52 +11,45 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/cli/sweep/figures.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 namespace {
 
-enum Column : std::size_t {
-  kSketch,
-  kMap,
-  kRobot,
-  kTarget,
-  kSeed,
-  kVerdict,
-  kTime,
-  kInputs = 20,
-  kWhy,
-  kColumns,
-};
+enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTime };
 
-constexpr std::array<const char*, kColumns> kNames = {"sketch",
-                                                      "map",
-                                                      "robot",
-                                                      "target",
-                                                      "seed",
-                                                      "verdict",
-                                                      "time_s",
-                                                      "distance_m",
-                                                      "cross_track_rms_mm",
-                                                      "cross_track_max_mm",
-                                                      "off_line_s",
-                                                      "collisions",
-                                                      "energy_j",
-                                                      "laps",
-                                                      "lap_best_s",
-                                                      "lap_mean_s",
-                                                      "stations",
-                                                      "stack_bytes_max",
-                                                      "loop_us_max",
-                                                      "trace_hash",
-                                                      "inputs",
-                                                      "why"};
+/// Those of a run that have a column of their own, under their names. Laps have others, and the tables that
+/// are made so far, which `--resume` goes on with, hold no junctions.
+const std::vector<Figure>& figure_columns() {
+  static const std::vector<Figure> columns = [] {
+    std::vector<Figure> chosen;
+    for (const Figure& figure : figures()) {
+      const std::string_view name = figure.name;
+      if (!figure.chip_only && name != "laps_s" && name != "junctions") chosen.push_back(figure);
+    }
+    return chosen;
+  }();
+  return columns;
+}
+
+const std::vector<const char*>& columns() {
+  static const std::vector<const char*> names = [] {
+    std::vector<const char*> all{"sketch", "map", "robot", "target", "seed", "verdict"};
+    for (const Figure& figure : figure_columns()) all.push_back(figure.name);
+    all.insert(all.end(), {"laps", "lap_best_s", "lap_mean_s", "stations", "stack_bytes_max", "loop_us_max",
+                           "trace_hash", "inputs", "why"});
+    return all;
+  }();
+  return names;
+}
 
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
                                                "an option, or the version of Robosim,"};
@@ -112,7 +106,7 @@ class Reader {
   SweepRow row(const std::string& line, int number_of_line) {
     line_ = number_of_line;
     const auto fields = fields_of(line);
-    if (!fields || fields->size() != kColumns) fail("this is no row of a sweep");
+    if (!fields || fields->size() != columns().size()) fail("this is no row of a sweep");
     const auto& f = *fields;
     const auto seed = number<std::uint64_t>(f[kSeed]);
     const auto time = number<double>(f[kTime]);
@@ -124,11 +118,12 @@ class Reader {
                       "the options that the file was begun with, or name another file",
                       f[kSketch], f[kMap], f[kRobot], f[kTarget], *seed));
     }
-    check_inputs(plan_.combinations[place->second], f[kInputs]);
+    const std::string &inputs = f[f.size() - 2], &why = f.back();
+    check_inputs(plan_.combinations[place->second], inputs);
     const std::size_t run = place->second * plan_.seeds + (*seed - plan_.first_seed);
     if (seen_[run]) fail("this run has a row already");
     seen_[run] = true;
-    return {run, {f[kVerdict], *time, f[kWhy]}, line + "\n"};
+    return {run, {f[kVerdict], *time, why}, line + "\n"};
   }
 
  private:
@@ -164,25 +159,26 @@ std::string content_of(const std::vector<SweepRow>& rows) {
 
 }  // namespace
 
-std::string sweep_header() { return fmt::format("{}\n", fmt::join(kNames, ",")); }
+std::string sweep_header() { return fmt::format("{}\n", fmt::join(columns(), ",")); }
 
 std::string sweep_row(const Combination& c, const wire::RunResult& r) {
-  const wire::Metrics& m = r.metrics;
-  std::string best, mean, stack, loop;
-  if (!m.laps_s.empty()) {
-    best = fmt::format("{}", *std::min_element(m.laps_s.begin(), m.laps_s.end()));
-    mean = fmt::format(
-        "{}", std::accumulate(m.laps_s.begin(), m.laps_s.end(), 0.0) / static_cast<double>(m.laps_s.size()));
+  const std::vector<double>& laps = r.metrics.laps_s;
+  std::string measured, best, mean, stack, loop;
+  for (const Figure& figure : figure_columns())
+    measured += fmt::format("{},", fmt::join(figure.values(r), ""));
+  if (!laps.empty()) {
+    best = fmt::format("{}", *std::min_element(laps.begin(), laps.end()));
+    mean =
+        fmt::format("{}", std::accumulate(laps.begin(), laps.end(), 0.0) / static_cast<double>(laps.size()));
   }
   if (r.resources) {
     stack = std::to_string(r.resources->stack_bytes_max);
     if (r.resources->loops > 0) loop = fmt::format("{}", r.resources->loop_us_max);
   }
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                     field(c.inputs.sketch), field(c.inputs.map), field(c.inputs.robot), c.inputs.target,
-                     r.seed, r.verdict, r.time_s, m.distance_m, m.cross_track_rms_mm, m.cross_track_max_mm,
-                     m.off_line_s, m.collisions, m.energy_j, m.laps_s.size(), best, mean, m.stations.size(),
-                     stack, loop, r.trace_hash, c.fingerprint.text(), field(r.why));
+  return fmt::format("{},{},{},{},{},{},{}{},{},{},{},{},{},{},{},{}\n", field(c.inputs.sketch),
+                     field(c.inputs.map), field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured,
+                     laps.size(), best, mean, r.metrics.stations.size(), stack, loop, r.trace_hash,
+                     c.fingerprint.text(), field(r.why));
 }
 
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,

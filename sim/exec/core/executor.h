@@ -9,6 +9,7 @@
 #include "hal/board/board.h"
 #include "sim/base/bundle.h"
 #include "sim/base/error.h"
+#include "sim/wire/run_result.h"
 
 namespace robosim::exec {
 
@@ -16,21 +17,9 @@ namespace gdb {
 class Server;
 }
 
-/// A place in the user's sketch; empty and 0 where not known.
-struct SourceLine {
-  std::string function;
-  std::string file;  ///< as the user named it ("Blink.ino")
-  int line = 0;
-};
-
-/// Why firmware can run no further.
-struct Crash {
-  std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
-  SourceLine where;
-  std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
-  std::string registers;          ///< of a chip's processor, for people; else empty
-  std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
-};
+using wire::Crash;
+using wire::Resources;
+using wire::SourceLine;
 
 /// What the firmware did last, so that a verdict can say what it waits for.
 struct Activity {
@@ -40,18 +29,6 @@ struct Activity {
   Pin polled = kNoPin;     ///< the pin of its last digitalRead, if that was within the last second
   SourceLine where;        ///< where in the sketch the firmware is now
   std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
-};
-
-/// What firmware takes of its chip, as measured from power-on.
-struct Resources {
-  std::uint32_t flash_bytes = 0;      ///< code, constants, initial values of variables
-  std::uint32_t ram_bytes = 0;        ///< variables
-  std::uint32_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
-  std::uint64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
-  double loop_us_max = 0.0;           ///< longest time from one beginning of loop() to the next, or to now
-  double loop_us_mean = 0.0;
-  double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
-  double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load
 };
 
 class Executor {

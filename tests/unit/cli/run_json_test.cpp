@@ -76,7 +76,7 @@ TEST(RunJson, HasTheKeysOfTheSchemaInItsOrder) {
 
 TEST(RunJson, ACrashStandsBetweenMetricsAndSerial) {
   wire::RunResult r = result();
-  r.crash = wire::Crash{"division by zero", "loop", "A.ino", 7};
+  r.crash = wire::Crash{"division by zero", {"loop", "A.ino", 7}};
   EXPECT_THAT(run_json(inputs(), r, std::nullopt), HasSubstr(R"(
   },
   "crash": {

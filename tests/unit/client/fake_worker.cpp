@@ -7,33 +7,36 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <string>
 
-using Json = nlohmann::json;
+#include "sim/wire/protocol.h"
+
+using namespace robosim::wire;
 
 int main() {
-  std::cout << R"({"hello": "fake", "protocol": 1, "version": "0.1.0", "target": "host"})" << std::endl;
+  const auto say = [](const Id& id, const Answer& answer) { std::cout << to_line(id, answer) << std::flush; };
+  say({}, Hello{"fake", kProtocol, "0.1.0", "host"});
   for (std::string line; std::getline(std::cin, line);) {
-    const Json request = Json::parse(line);
-    const Json& id = request["id"];
-    const std::string what = request["image"];
+    const auto asked = parse_request(line);
+    const auto& request = std::get<RunRequest>(*asked.request);
+    const std::string& what = request.image;
     if (what == "die") return 7;
     if (what == "never") ::pause();
     if (what == "input") {
-      std::cout << Json{{"id", id}, {"error", {{"kind", "input"}, {"message", "no such map"}}}} << std::endl;
+      say(asked.id, ErrorAnswer{"input", "no such map"});
       continue;
     }
     for (int i = 0; what == "slow" && i < 5'000; ++i)
-      std::cout << Json{{"id", id}, {"event", "note"}, {"t_ns", i}, {"text", "still here"}} << '\n';
-    Json result{{"verdict", what},        {"why", ""},        {"status", 0},        {"time_s", 1},
-                {"goal", "tour"},         {"for_s", 600},     {"profile", "ideal"}, {"serial", ""},
-                {"trace_hash", "1:"},     {"map_sha256", ""}, {"robot_sha256", ""}, {"image_sha256", ""},
-                {"events", Json::array()}};
-    result["seed"] = request["seed"];
-    result["metrics"] = {{"distance_m", 1},         {"laps_s", Json::array()},   {"cross_track_rms_mm", 0},
-                         {"cross_track_max_mm", 0}, {"off_line_s", 0},           {"collisions", 0},
-                         {"energy_j", 0},           {"stations", Json::array()}, {"junctions", 0}};
-    std::cout << Json{{"id", id}, {"result", result}} << std::endl;
+      std::cout << to_line(asked.id, Event(SerialText{i, "still here"}));
+    RunResult result;
+    result.verdict = what;
+    result.time_s = 1.0;
+    result.goal = "tour";
+    result.for_s = 600.0;
+    result.seed = request.seed;
+    result.profile = "ideal";
+    result.trace_hash = "1:";
+    result.metrics.distance_m = 1.0;
+    say(asked.id, result);
   }
 }

@@ -15,6 +15,14 @@ namespace {
 using ::testing::ElementsAre;
 
 /// Answers as "run:verdict" or "run:kind of failure".
+Task task_of(const std::string& image) {
+  Task task{"host", {}};
+  task.request.image = image;
+  task.request.map = "oval";
+  task.request.robot = "uno5";
+  return task;
+}
+
 class PoolTest : public ::testing::TestWithParam<std::size_t> {
  protected:
   static Runner start(const std::string&) { return Runner::from_program(FAKE_WORKER); }
@@ -23,8 +31,7 @@ class PoolTest : public ::testing::TestWithParam<std::size_t> {
     Batch batch;
     batch.count = images.size();
     batch.task = [images](std::size_t i) {
-      Task task{"host", {}};
-      task.request.image = images[i];
+      Task task = task_of(images[i]);
       task.request.seed = i;
       return task;
     };
@@ -119,8 +126,7 @@ TEST(Pool, RunsThatFinishedBehindAMissingOneAreKeptWhenItIsInterrupted) {
   Batch work;
   work.count = 3;
   work.task = [&](std::size_t i) {
-    Task task{"host", {}};
-    task.request.image = i == 0 ? "never" : "reached";
+    Task task = task_of(i == 0 ? "never" : "reached");
     if (i == 2) pool.interrupt();  // asked for when run 1 has been answered
     return task;
   };

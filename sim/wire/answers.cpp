@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <charconv>
+
+#include "sim/wire/json_reader.h"
+#include "sim/wire/protocol.h"
+
+namespace robosim::wire {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kEeprom = "eeprom";
+constexpr const char* kRefused = "refused";
+
+// ---- Writing ----
+
+OrderedJson json_of(const Id& id) {
+  return std::visit(
+      [](const auto& number) -> OrderedJson {
+        if constexpr (std::is_same_v<std::decay_t<decltype(number)>, std::monostate>)
+          return nullptr;
+        else
+          return number;
+      },
+      id);
+}
+
+std::string hexadecimal(const std::vector<std::uint8_t>& bytes) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+struct Adder {
+  OrderedJson& line;
+
+  template <class T>
+  void operator()(const T& message) const {
+    line[T::kKey] = to_json(message);
+  }
+  void operator()(const Event& event) const {
+    std::visit(
+        [this](const auto& happened) {
+          line["event"] = happened.kEvent;
+          JsonWriter<OrderedJson>::add(line, happened);
+        },
+        event);
+  }
+  void operator()(const Hello& hello) const { line = to_json(hello); }
+  void operator()(const Eeprom& memory) const { line[kEeprom] = hexadecimal(memory.bytes); }
+  void operator()(const Refused& refused) const { line[kRefused] = refused.message; }
+};
+
+// ---- Reading ----
+
+template <class T>
+T read(const Json& object) {
+  T message;
+  JsonReader::read(object, message, JsonReader::Unknown::allowed);
+  return message;
+}
+
+/// A value that must be there and be text.
+const std::string& text_at(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw BadValue(key, "is missing; it must be a string");
+  if (!found->is_string()) throw BadValue(key, "must be a string");
+  return found->get_ref<const std::string&>();
+}
+
+template <std::size_t I = 0>
+Event event_named(const std::string& name, const Json& object) {
+  if constexpr (I == std::variant_size_v<Event>) {
+    throw BadValue("event", "is none that is known: " + excerpt(name));
+  } else {
+    using Kind = std::variant_alternative_t<I, Event>;
+    if (name == Kind::kEvent) return read<Kind>(object);
+    return event_named<I + 1>(name, object);
+  }
+}
+
+Eeprom eeprom_of(const std::string& digits) {
+  Eeprom memory;
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    std::uint8_t byte = 0;
+    const char* end = digits.data() + std::min(i + 2, digits.size());
+    const auto [read_to, error] = std::from_chars(digits.data() + i, end, byte, 16);
+    if (error != std::errc() || read_to != digits.data() + i + 2)
+      throw BadValue(kEeprom, "must be two hexadecimal digits a byte");
+    memory.bytes.push_back(byte);
+  }
+  return memory;
+}
+
+template <class... Kinds>
+std::optional<Answer> keyed(const Json& object) {
+  std::optional<Answer> answer;
+  const auto try_one = [&]<class T>(const T*) {
+    const auto found = object.find(T::kKey);
+    if (answer || found == object.end()) return;
+    try {
+      answer = read<T>(*found);
+    } catch (const BadValue& bad) {
+      throw bad.inside(T::kKey);
+    }
+  };
+  (try_one(static_cast<const Kinds*>(nullptr)), ...);
+  return answer;
+}
+
+Answer answer_of(const Json& object) {
+  if (object.contains("event")) return Answer(event_named(text_at(object, "event"), object));
+  if (auto answer = keyed<RunResult, RobotInfo, Paused, Accepted>(object)) return std::move(*answer);
+  if (object.contains(kEeprom)) return eeprom_of(text_at(object, kEeprom));
+  if (object.contains(kRefused)) return Refused{text_at(object, kRefused)};
+  if (auto answer = keyed<ErrorAnswer>(object)) return std::move(*answer);
+  throw BadValue("result", "is missing, and so is every other answer");
+}
+
+Line line_of(const Json& object) {
+  if (!object.is_object()) throw BadValue("line", "must be an object");
+  if (object.contains("hello")) return {-1, read<Hello>(object)};
+  const auto id = object.find("id");
+  if (id == object.end() || !(id->is_number_integer() || id->is_null()))
+    throw BadValue("id", "must be a whole number");
+  return {id->is_null() ? -1 : id->get<long long>(), answer_of(object)};
+}
+
+}  // namespace
+
+std::string to_line(const Id& id, const Answer& answer) {
+  OrderedJson line;
+  line["id"] = json_of(id);
+  std::visit(Adder{line}, answer);
+  return text_of(line) + "\n";
+}
+
+Hello parse_hello(std::string_view text, const std::string& program) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("hello") || !json.contains("protocol")) {
+    throw RunnerError(program + " is no runner of Robosim's: it says " + excerpt(text) +
+                      " where a runner says hello");
+  }
+  const Json& protocol = json["protocol"];
+  if (protocol != kProtocol) {
+    throw RunnerError("the runner " + program + " speaks protocol " +
+                      (protocol.is_number() ? text_of(protocol) : "of a kind unknown") +
+                      ", and this program speaks " + std::to_string(kProtocol) +
+                      ": they are of different versions of Robosim");
+  }
+  return std::get<Hello>(parse_line(text).content);
+}
+
+Line parse_line(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw RunnerError("the runner said something that is not JSON: " + excerpt(text));
+  try {
+    return line_of(json);
+  } catch (const BadValue& error) {
+    throw RunnerError(std::string("the runner said something unexpected (") + error.what() +
+                      "): " + excerpt(text));
+  }
+}
+
+}  // namespace robosim::wire

@@ -1,0 +1,97 @@
+#include <vector>
+
+#include "sim/wire/json_reader.h"
+#include "sim/wire/protocol.h"
+
+namespace robosim::wire {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Any>
+std::string line_of(long long id, const Any& any) {
+  return std::visit(
+      [&](const auto& request) {
+        Json json{{"id", id}, {"do", request.kDo}};
+        JsonWriter<Json>::add(json, request);
+        return text_of(json) + "\n";
+      },
+      any);
+}
+
+Id id_of(const Json& object) {
+  const auto found = object.find("id");
+  if (found == object.end() || !found->is_number()) return {};
+  if (found->is_number_unsigned()) return found->get<std::uint64_t>();
+  if (found->is_number_integer()) return found->get<std::int64_t>();
+  return found->get<double>();
+}
+
+// The first alternative of Any whose name is asked for, if any.
+template <class Any, std::size_t I = 0>
+std::optional<Any> read_named(const std::string& name, const Json& object) {
+  if constexpr (I == std::variant_size_v<Any>) {
+    return std::nullopt;
+  } else {
+    std::variant_alternative_t<I, Any> request;
+    if (name != request.kDo) return read_named<Any, I + 1>(name, object);
+    JsonReader::read(object, request, JsonReader::Unknown::refused, {"id", "do", "protocol"});
+    return request;
+  }
+}
+
+template <class Any, std::size_t... I>
+std::string names_of(std::index_sequence<I...>) {
+  const std::vector<std::string> names{"\"" + std::string(std::variant_alternative_t<I, Any>::kDo) +
+                                       "\"" ...};
+  return one_of(names);
+}
+
+template <class Any>
+Any request_of(const Json& object, const char* who) {
+  if (const auto spoken = object.find("protocol"); spoken != object.end() && *spoken != kProtocol)
+    throw InputError("this runner speaks version " + std::to_string(kProtocol) +
+                     " of the runner protocol, and the request is of another");
+  const auto what = object.find("do");
+  const std::string name = what != object.end() && what->is_string() ? what->get<std::string>() : "";
+  try {
+    if (auto request = read_named<Any>(name, object)) return std::move(*request);
+  } catch (const BadValue& bad) {
+    throw InputError(bad.in("the request"));
+  }
+  const std::string asked = name.empty() ? "its \"do\" is missing or no text" : "not " + excerpt(name);
+  throw InputError(std::string(who) + " is asked " +
+                   names_of<Any>(std::make_index_sequence<std::variant_size_v<Any>>()) + ", " + asked);
+}
+
+template <class Any>
+Asked<Any> parse(std::string_view text, const char* who) {
+  Asked<Any> asked;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) {
+    asked.fault = "this is a runner of Robosim's, and a request to it must be one JSON object a line, not " +
+                  excerpt(text);
+    return asked;
+  }
+  asked.id = id_of(json);
+  try {
+    if (std::holds_alternative<std::monostate>(asked.id))
+      throw InputError("a request needs a number as its \"id\"");
+    asked.request = request_of<Any>(json, who);
+  } catch (const InputError& error) {
+    asked.fault = error.what();
+  }
+  return asked;
+}
+
+}  // namespace
+
+std::string to_line(long long id, const Request& request) { return line_of(id, request); }
+std::string to_line(long long id, const DrivenRequest& request) { return line_of(id, request); }
+
+Asked<Request> parse_request(std::string_view text) { return parse<Request>(text, "a runner"); }
+Asked<DrivenRequest> parse_driven_request(std::string_view text) {
+  return parse<DrivenRequest>(text, "a run that stands still");
+}
+
+}  // namespace robosim::wire

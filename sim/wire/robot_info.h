@@ -1,0 +1,88 @@
+// A robot as a client may see it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/wire/fields.h"
+
+namespace robosim::wire {
+
+struct RobotInfo {
+  static constexpr const char* kKey = "robot";
+  struct Board {
+    std::string name;   ///< "uno"
+    std::string fqbn;   ///< "arduino:avr:uno"
+    std::string macro;  ///< "ARDUINO_AVR_UNO"
+  };
+  /// What firmware may take of the chip, at most; 0 = all there is.
+  struct Budget {
+    std::int64_t flash_bytes = 0;
+    std::int64_t ram_bytes = 0;
+  };
+  struct Sensor {
+    std::string name;
+    double x_mm = 0.0;  ///< forward of the axle's centre
+    double y_mm = 0.0;  ///< left of it
+  };
+  struct Part {
+    std::string name;
+    std::string type;  ///< "motor"
+    std::vector<std::pair<std::string, std::string>>
+        pins;  ///< what the pin is for, and the pin: {"in1", "8"}
+  };
+  std::string name;
+  std::string file;
+  std::string sha256;
+  Board board;
+  Budget budget;
+  std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
+  std::vector<Sensor> sensors;
+  std::vector<Part> parts;
+};
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo::Board>& b) {
+  v("name", b.name, "`\"uno\"`");
+  v("fqbn", b.fqbn, "`\"arduino:avr:uno\"`");
+  v("macro", b.macro, "`\"ARDUINO_AVR_UNO\"`");
+}
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo::Budget>& b) {
+  v("flash_bytes", b.flash_bytes, "at most; 0 means all there is");
+  v("ram_bytes", b.ram_bytes, "at most; 0 means all there is");
+}
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo::Sensor>& s) {
+  v("name", s.name, "as in `readings` of `started`");
+  v("x", s.x_mm, "forward of the axle's centre", {.unit = "mm"});
+  v("y", s.y_mm, "left of it", {.unit = "mm"});
+}
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo::Part>& p) {
+  v("name", p.name, "as the robot's file has it");
+  v("type", p.type, "`\"motor\"`");
+  v("pins", PinsByUse{p.pins},
+    "for each use of a pin its number on the board; an output of a shift register is told by its name, "
+    "`\"REG1.Q4\"`");
+}
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo>& r) {
+  v("name", r.name, "of the robot");
+  v("file", r.file, "path of its file");
+  v("sha256", r.sha256, "of the file");
+  v("board", r.board, "the board that it carries");
+  v("budget", r.budget, "what firmware may take of the chip", {.presence = kOptional});
+  v("outline", r.outline_mm, "corners, each `[forward, left]` of the axle's centre", {.unit = "mm"});
+  v("sensors", r.sensors, "those that look at the floor");
+  v("parts", r.parts, "all, with their pins");
+}
+
+}  // namespace robosim::wire

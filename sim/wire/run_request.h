@@ -1,0 +1,97 @@
+// What a client asks of a runner that runs nothing yet: about a robot, or for a run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "sim/wire/fields.h"
+
+namespace robosim::wire {
+
+/// What a robot is.
+struct DescribeRobot {
+  static constexpr const char* kDo = "describe_robot";
+  std::string robot;
+};
+
+template <class V>
+void fields(V& v, Same<V, DescribeRobot>& d) {
+  v("robot", d.robot, "a stock robot's name, or a path, either with `@BOARD` for another board",
+    {.not_empty = true});
+}
+
+/// One simulation.
+struct RunRequest {
+  static constexpr const char* kDo = "run";
+  std::string image;                      ///< path of the firmware image
+  std::string map;                        ///< path
+  std::string robot;                      ///< name or path
+  std::string start;                      ///< "X,Y,DIR"; empty = the map's
+  std::string goal;                       ///< empty = the map's
+  std::int64_t for_ns = 600'000'000'000;  ///< simulated time
+  std::uint64_t seed = 1;
+  std::string profile = "typical";     ///< or "ideal"
+  std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
+  int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = nowhere; chip targets only
+  std::string script;                  ///< text of a scenario
+  std::string script_file = "script";  ///< its name in messages
+  std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
+  bool pins = false;                   ///< stream pin changes
+  bool serial = false;                 ///< stream what the firmware prints
+  bool notes = false;                  ///< stream what happens: "station 2 visited"
+  bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
+  /// Of pins and bytes, stream only what happens from the one time to the other, and from which line of the
+  /// sketch.
+  std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
+  bool interactive = false;  ///< driven step by step: see driven_run.h
+  std::string counters;      ///< file for what an image built for coverage has counted; empty = none
+};
+
+template <class V>
+void fields(V& v, Same<V, RunRequest>& r) {
+  v("image", r.image, "path of the firmware image", {.not_empty = true});
+  v("map", r.map, "path", {.not_empty = true});
+  v("robot", r.robot, "name or path", {.not_empty = true});
+  v("start", r.start, "`\"X,Y,DIR\"`", {.otherwise = "the map's", .presence = when(!r.start.empty())});
+  v("goal", r.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!r.goal.empty())});
+  v("for_ns", r.for_ns, "simulated time", {.unit = "ns", .presence = kOptional, .least = 0});
+  v("seed", r.seed, "of the noise", {.presence = kOptional});
+  v("profile", r.profile, "how real the robot's parts are",
+    {.presence = kOptional, .one_of = {"ideal", "typical"}});
+  v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
+    {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
+  v("counters", r.counters,
+    "file that the runner writes at the end: what an image built for coverage has counted "
+    "(`sim/base/bundle.h`)",
+    {.otherwise = "none", .presence = when(!r.counters.empty())});
+  v("gdb_port", r.gdb_port,
+    "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "
+    "only (else an `input` error)",
+    {.presence = when(r.gdb_port > 0), .least = 0, .most = 65535});
+  v("script", r.script, "text of a scenario", {.otherwise = "empty", .presence = when(!r.script.empty())});
+  v("script_file", r.script_file, "its name, for messages", {.presence = when(!r.script.empty())});
+  v("samples_every_ns", r.samples_every_ns,
+    "how often a `sample` is sent; a multiple of the tick (1 ms); 0 = never",
+    {.unit = "ns", .presence = when(r.samples_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
+  v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
+    {.presence = when(r.interactive)});
+  v("source", r.source_ns,
+    "`[from, to]`: `pin`, `level`, `volts` and `byte` events are sent of this span only, and have the key "
+    "`source`: the line of the sketch that the event goes back to. Of a sent byte that is the line which has "
+    "printed it, however long it waited in the core's buffer",
+    {.unit = "ns", .otherwise = "none"});
+  v("stream",
+    NameList{std::array{Name{"pin", &r.pins}, Name{"serial", &r.serial}, Name{"note", &r.notes},
+                        Name{"io", &r.io}}},
+    "which further events are sent; `\"io\"` are `level`, `volts` and `byte` events",
+    {.otherwise = "none", .presence = when(r.pins || r.serial || r.notes || r.io)});
+}
+
+/// What a runner serves while no run stands still.
+using Request = std::variant<DescribeRobot, RunRequest>;
+
+}  // namespace robosim::wire

@@ -1,0 +1,182 @@
+// What a run came to: its figures, what it took of the chip, why it crashed. The simulation fills these in,
+// and every client reads them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/wire/fields.h"
+
+namespace robosim::wire {
+
+/// A line of the sketch; empty and 0 where not known.
+struct SourceLine {
+  std::string function;
+  std::string file;  ///< as the user named it ("Blink.ino")
+  int line = 0;
+};
+
+template <class V>
+void fields(V& v, Same<V, SourceLine>& s) {
+  v("function", s.function, "empty where not known", {.presence = kOptional});
+  v("file", s.file, "as the user named it; empty where not known", {.presence = kOptional});
+  v("line", s.line, "counted from 1; 0 where not known", {.presence = kOptional});
+}
+
+/// Why firmware can run no further.
+struct Crash {
+  std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
+  SourceLine where;
+  std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
+  std::string registers;          ///< of a chip's processor, for people; else empty
+  std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
+};
+
+template <class V>
+void fields(V& v, Same<V, Crash>& c) {
+  v("reason", c.reason, "a clause: \"division by zero\"");
+  fields(v, c.where);
+  v("check", c.check, "the check of `--sanitize` that has found it; absent if none has",
+    {.presence = when(!c.check.empty())});
+  v("calls", c.calls, "on a chip: the calls that led there, innermost first, the core's included",
+    {.presence = when(!c.registers.empty())});
+  v("registers", c.registers, "on a chip: its processor's registers, lines for people",
+    {.presence = when(!c.registers.empty())});
+}
+
+/// What firmware takes of its chip, as measured from power-on.
+struct Resources {
+  std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
+  std::int64_t ram_bytes = 0;        ///< variables
+  std::int64_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
+  std::int64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
+  double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next, or to now
+  double loop_us_mean = 0.0;
+  double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
+  double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load
+};
+
+template <class V>
+void fields(V& v, Same<V, Resources>& r) {
+  const Presence if_loops = when(r.loops > 0);
+  v("flash_bytes", r.flash_bytes, "code, constants and the variables' initial values");
+  v("ram_bytes", r.ram_bytes, "variables");
+  v("stack_bytes_max", r.stack_bytes_max,
+    "the deepest the stack was, interrupt handlers included: from the stack pointer at every change");
+  v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
+  v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; a loop that waits is load");
+  v("loops", r.loops,
+    "passes of `loop()`; absent, with the next two, where `loop()` is not found in the image's debug "
+    "information, or has not begun twice",
+    {.presence = if_loops});
+  v("loop_us_max", r.loop_us_max,
+    "longest time from one beginning of `loop()` to the next, or to the end of the run",
+    {.unit = "µs", .presence = if_loops});
+  v("loop_us_mean", r.loop_us_mean, "mean of these times", {.unit = "µs", .presence = if_loops});
+}
+
+/// Figures of a run.
+struct Metrics {
+  double distance_m = 0.0;          ///< path of the axle's centre
+  std::vector<double> laps_s;       ///< duration of each lap, on a loop
+  double cross_track_rms_mm = 0.0;  ///< midpoint of the reflectance sensors to the nearest centre line
+  double cross_track_max_mm = 0.0;  ///< both without the first 0.5 s
+  double off_line_s = 0.0;          ///< time with no sensor over a line
+  int collisions = 0;
+  double energy_j = 0.0;              ///< drawn by the motors
+  std::vector<std::string> stations;  ///< visited, in order
+  int junctions = 0;                  ///< different ones visited
+};
+
+template <class V>
+void fields(V& v, Same<V, Metrics>& m) {
+  v("distance_m", m.distance_m, "path of the axle's centre", {.unit = "m"});
+  v("laps_s", m.laps_s, "duration of each complete lap, on a loop", {.unit = "s"});
+  v("cross_track_rms_mm", m.cross_track_rms_mm,
+    "distance from the midpoint of the line sensors to the nearest centre line: root of the mean square over "
+    "all ticks after the first 0.5 s",
+    {.unit = "mm"});
+  v("cross_track_max_mm", m.cross_track_max_mm, "the same distance: its maximum", {.unit = "mm"});
+  v("off_line_s", m.off_line_s, "time with no sensor over a line", {.unit = "s"});
+  v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting one counts once");
+  v("energy_j", m.energy_j, "drawn from the battery by the motors", {.unit = "J"});
+  v("stations", m.stations, "names of the visited ones, in the order of the first visit");
+  v("junctions", m.junctions, "how many different ones were visited");
+}
+
+/// Where the robot is: the axle's centre, x east and y north of the map's bottom-left corner.
+struct Pose {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double yaw_rad = 0.0;  ///< from east, anticlockwise
+};
+
+template <class V>
+void fields(V& v, Same<V, Pose>& p) {
+  v("x", p.x_mm, "of the axle's centre, east of the map's left edge", {.unit = "mm"});
+  v("y", p.y_mm, "of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
+  v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
+}
+
+struct RunResult {
+  struct Entry {
+    double t_s = 0.0;
+    std::string text;
+  };
+  static constexpr const char* kKey = "result";
+
+  std::string verdict;  ///< "reached", "lost", …
+  std::string why;      ///< one sentence
+  std::string next;     ///< what to try next; may be empty
+  int status = 0;       ///< exit status that belongs to the verdict
+  double time_s = 0.0;
+  Metrics metrics;
+  std::optional<Crash> crash;
+  std::optional<Resources> resources;  ///< on a chip
+  std::vector<Entry> events;           ///< the last ones
+  std::string serial;
+  Pose end;                         ///< where the robot is
+  std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
+  std::string trace_hash;
+  std::string goal;
+  double for_s = 0.0;
+  std::uint64_t seed = 1;
+  std::string profile;
+  std::string map_sha256;
+  std::string robot_sha256;
+  std::string image_sha256;
+};
+
+template <class V>
+void fields(V& v, Same<V, RunResult::Entry>& e) {
+  v("t_s", e.t_s, "when", {.unit = "s"});
+  v("text", e.text, "what happened: `\"station 2 visited\"`");
+}
+
+template <class V>
+void fields(V& v, Same<V, RunResult>& r) {
+  v("verdict", r.verdict, "`\"reached\"`, `\"lost\"` …");
+  v("why", r.why, "one sentence");
+  v("next", r.next, "what to try next; may be empty", {.presence = kOptional});
+  v("status", r.status, "exit status that belongs to the verdict");
+  v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
+  v("metrics", r.metrics, "figures of the run");
+  v("crash", r.crash, "absent unless the firmware crashed");
+  v("resources", r.resources, "what the firmware took of its chip; absent on the host");
+  v("events", r.events, "the last ones, at most 8");
+  v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
+  v("end", r.end, "where the robot is", {.presence = kOptional});
+  v("eeprom_writes", r.eeprom_writes, "bytes that the firmware wrote to its EEPROM", {.presence = kOptional});
+  v("trace_hash", r.trace_hash, "fingerprint of the run: equal inputs give equal hashes");
+  v("goal", r.goal, "as on the command line");
+  v("for_s", r.for_s, "the most simulated time", {.unit = "s"});
+  v("seed", r.seed, "of the noise");
+  v("profile", r.profile, "`\"ideal\"` or `\"typical\"`");
+  v("map_sha256", r.map_sha256, "of the map's file");
+  v("robot_sha256", r.robot_sha256, "of the robot's file");
+  v("image_sha256", r.image_sha256, "of the firmware image");
+}
+
+}  // namespace robosim::wire

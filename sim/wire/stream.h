@@ -1,0 +1,230 @@
+// What a run tells while it lasts. Times are simulated, lengths millimetres, angles radians; world
+// coordinates have x east and y north, with the origin at the map's bottom-left corner.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "sim/wire/events.h"
+#include "sim/wire/run_result.h"
+
+namespace robosim::wire {
+
+/// Sent once, before everything else.
+struct Started {
+  static constexpr const char* kEvent = "started";
+  struct Station {
+    int id = 0;
+    std::string name;
+    int x = 0;  ///< column, from the left
+    int y = 0;  ///< row, from the top
+  };
+  int x = 0;  ///< start: column
+  int y = 0;  ///< start: row
+  char facing = 'E';
+  std::string goal;
+  std::vector<Station> stations;
+  std::vector<std::string> readings;  ///< names of Sample::readings
+  int width = 0;                      ///< of the map, in cells
+  int height = 0;
+  double cell_mm = 0.0;  ///< side of a cell
+};
+
+template <class V>
+void fields(V& v, Same<V, Started::Station>& s) {
+  v("id", s.id, "its number");
+  v("name", s.name, "its name; the number where it has none");
+  v("x", s.x, "its column, from the left");
+  v("y", s.y, "its row, from the top");
+}
+
+template <class V>
+void fields(V& v, Same<V, Started>& s) {
+  v("start", std::tie(s.x, s.y, s.facing), "column, row and direction that the robot begins with");
+  v("goal", s.goal, "as on the command line");
+  v("stations", s.stations, "the map's");
+  v("readings", s.readings, "names of the readings of a sample, in their order");
+  v("width", s.width, "of the map, in cells", {.presence = kOptional});
+  v("height", s.height, "of the map, in cells", {.presence = kOptional});
+  v("cell", s.cell_mm, "side of a cell", {.unit = "mm", .presence = kOptional});
+}
+
+/// The state at a moment, for people to look at.
+struct Sample {
+  static constexpr const char* kEvent = "sample";
+  std::int64_t t_us = 0;
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double yaw_rad = 0.0;
+  double speed_mm_s = 0.0;
+  double cross_track_mm = 0.0;
+  double left = 0.0;             ///< command of the left motor, -1..1
+  double right = 0.0;            ///< command of the right motor, -1..1
+  std::vector<double> readings;  ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
+  std::string at_station;        ///< of a driven run: whose centre the body covers; "" = none
+};
+
+template <class V>
+void fields(V& v, Same<V, Sample>& s) {
+  v("t_us", s.t_us, "when", {.unit = "µs"});
+  v("x", s.x_mm, "of the axle's centre, east of the map's left edge", {.unit = "mm"});
+  v("y", s.y_mm, "of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
+  v("yaw", s.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
+  v("speed_mm_s", s.speed_mm_s, "of the axle's centre, forward", {.unit = "mm/s"});
+  v("cross_track", s.cross_track_mm, "distance from the midpoint of the line sensors to the nearest line",
+    {.unit = "mm"});
+  v("left", s.left, "command of the left motor, -1..1");
+  v("right", s.right, "command of the right motor, -1..1");
+  v("readings", s.readings,
+    "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1");
+  v("at", s.at_station,
+    "of a run driven step by step: the station whose centre the body covers; absent if none",
+    {.presence = when(!s.at_station.empty())});
+}
+
+/// A pin is driven in another way than before.
+struct PinChange {
+  static constexpr const char* kEvent = "pin";
+  std::int64_t t_ns = 0;
+  std::string pin;   ///< "D5"
+  std::string mode;  ///< "input", "input_pullup" or "output"
+  bool level = false;
+  bool pwm = false;
+  double duty = 0.0;
+  std::uint32_t tone_hz = 0;  ///< 0 = none
+  SourceLine source;
+};
+
+/// The firmware looked at a pin, or an edge reached one of its interrupts.
+struct LevelSeen {
+  static constexpr const char* kEvent = "level";
+  std::int64_t t_ns = 0;
+  std::string pin;
+  bool level = false;
+  SourceLine source;
+};
+
+/// The ADC sampled a pin.
+struct VoltsSeen {
+  static constexpr const char* kEvent = "volts";
+  std::int64_t t_ns = 0;
+  std::string pin;
+  double volts = 0.0;
+  SourceLine source;
+};
+
+/// A byte at the UART.
+struct SerialByte {
+  static constexpr const char* kEvent = "byte";
+  std::int64_t t_ns = 0;
+  std::uint8_t value = 0;
+  bool sent = false;  ///< by the firmware; else received
+  SourceLine source;
+};
+
+template <class V>
+void source_field(V& v, Same<V, SourceLine>& source) {
+  v("source", source,
+    "line of the sketch that the event goes back to; absent where not known, or not asked for",
+    {.presence = when(!source.file.empty())});
+}
+
+template <class V>
+void fields(V& v, Same<V, PinChange>& p) {
+  v("t_ns", p.t_ns, "when", {.unit = "ns"});
+  v("pin", p.pin, "`\"D5\"`");
+  v("mode", p.mode, "what the firmware has made of it", {.one_of = {"input", "input_pullup", "output"}});
+  v("level", p.level, "of an output: whether it is high");
+  v("pwm", p.pwm, "whether it is driven by PWM");
+  v("duty", p.duty, "share of the time that it is high, 0..1");
+  v("tone_hz", p.tone_hz, "of `tone()`; 0 = none", {.unit = "Hz", .presence = kOptional});
+  source_field(v, p.source);
+}
+
+template <class V>
+void fields(V& v, Same<V, LevelSeen>& l) {
+  v("t_ns", l.t_ns, "when", {.unit = "ns"});
+  v("pin", l.pin, "`\"D2\"`");
+  v("level", l.level, "what the firmware found on the pin, or the edge that reached an interrupt");
+  source_field(v, l.source);
+}
+
+template <class V>
+void fields(V& v, Same<V, VoltsSeen>& s) {
+  v("t_ns", s.t_ns, "when", {.unit = "ns"});
+  v("pin", s.pin, "`\"A0\"`");
+  v("volts", s.volts, "what the ADC sampled", {.unit = "V"});
+  source_field(v, s.source);
+}
+
+template <class V>
+void fields(V& v, Same<V, SerialByte>& b) {
+  v("t_ns", b.t_ns, "when", {.unit = "ns"});
+  v("value", b.value, "of the byte");
+  v("sent", b.sent, "by the firmware; else it has received it");
+  source_field(v, b.source);
+}
+
+/// What the firmware has printed, a line or less.
+struct SerialText {
+  static constexpr const char* kEvent = "serial";
+  std::int64_t t_ns = 0;
+  std::string text;
+};
+
+template <class V>
+void fields(V& v, Same<V, SerialText>& s) {
+  v("t_ns", s.t_ns, "when the last of it was sent", {.unit = "ns"});
+  v("text", s.text, "a line with its end, or less");
+}
+
+/// Something worth telling that happened: an event of the run with its text. What happened is for programs to
+/// look at, the text for people.
+struct Note {
+  static constexpr const char* kEvent = "note";
+  std::int64_t t_ns = 0;
+  std::string text;
+  std::optional<RunEvent::What> what;  ///< nothing, from a newer runner = of a kind that is not known here
+  int agent = 0;                       ///< number of the robot that it is about
+
+  /// Whether it is of this kind: `note.is<StationVisited>()`.
+  template <class What>
+  const What* is() const {
+    return what ? std::get_if<What>(&*what) : nullptr;
+  }
+};
+
+inline Note note_of(const RunEvent& event) { return {event.t_ns, text_of(event), event.what, event.agent}; }
+
+template <class V>
+void fields(V& v, Same<V, Note>& n) {
+  v("t_ns", n.t_ns, "when", {.unit = "ns"});
+  v("text", n.text, "for people: `\"station 2 visited\"`");
+  v("agent", n.agent, "number of the robot that it is about, from 0; absent where 0",
+    {.presence = when(n.agent != 0)});
+  v.kinds("kind", n.what, "what happened; the keys below are there where their kind is named");
+}
+
+/// The run waits for a debugger before the firmware's first instruction.
+struct DebuggerAwaited {
+  static constexpr const char* kEvent = "debugger_awaited";
+  int port = 0;
+};
+
+template <class V>
+void fields(V& v, Same<V, DebuggerAwaited>& d) {
+  v("port", d.port, "of 127.0.0.1, where the runner listens now");
+}
+
+using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
+                           DebuggerAwaited>;
+/// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
+/// does not return, the runner is held up by the full pipe; no result depends on that.
+using OnEvent = std::function<void(const Event&)>;
+
+}  // namespace robosim::wire
