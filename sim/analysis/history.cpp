@@ -84,8 +84,8 @@ void HistoryRecorder::add(const wire::Event& event) {
   if (const auto* sample = std::get_if<wire::Sample>(&event)) add(*sample);
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) add(*serial);
   if (const auto* note = std::get_if<wire::Note>(&event)) {
-    if (note->text.starts_with("lap ")) visit(note->t_ns, note->text.substr(0, note->text.find(" in ")));
-    if (note->text.starts_with("collision ")) visit(note->t_ns, "a collision");
+    if (const auto* lap = note->is<wire::LapDone>()) visit(note->t_ns, "lap " + std::to_string(lap->lap));
+    if (note->is<wire::CollisionBegan>()) visit(note->t_ns, "a collision");
   }
 }
 

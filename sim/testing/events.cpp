@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/testing/history.h"
+#include "sim/wire/events.h"
 
 namespace robosim::testing {
 
@@ -41,7 +42,7 @@ Event motors_stop() { return Event({Kind::motors, "", false, {}, "no motor is dr
 Event stands_still(Duration time) {
   return Event({Kind::rest, "", true, time, "no wheel turns for " + seconds(time)});
 }
-Event collides() { return Event({Kind::note, "collision", true, {}, "the robot collides"}); }
+Event collides() { return Event({Kind::event, wire::CollisionBegan::kKind, true, {}, "the robot collides"}); }
 Event ends(const std::string& verdict) {
   return Event({Kind::end, verdict, true, {}, "the run ends as " + in_quotes(verdict)});
 }

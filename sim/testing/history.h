@@ -14,6 +14,7 @@ struct History {
   struct Entry {
     std::int64_t t_ns = 0;
     std::string text;
+    bool collision = false;  ///< it tells of one
   };
   /// Between two stands.
   struct Leg {

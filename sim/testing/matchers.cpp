@@ -186,7 +186,7 @@ Requirement NeverCollides() {
   return Requirement("never collides", "collides", [](const Drive& drive) -> Finding {
     if (drive.collisions() == 0) return {true, "it met nothing", drive.end()};
     for (const History::Entry& entry : drive.history().events) {
-      if (entry.t_ns <= drive.begin().count() || entry.text.find("collision") == std::string::npos) continue;
+      if (entry.t_ns <= drive.begin().count() || !entry.collision) continue;
       const Duration t(entry.t_ns);
       Moment there = drive.moments().front();
       for (const Moment& moment : drive.moments())

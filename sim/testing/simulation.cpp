@@ -80,7 +80,7 @@ void Simulation::Inside::take(const wire::Event& event) {
     if (h.samples.empty() || h.samples.back().t_us < sample->t_us) h.samples.push_back(*sample);
   }
   if (const auto* note = std::get_if<wire::Note>(&event))
-    h.events.push_back({note->t_ns, on_one_line(note->text)});
+    h.events.push_back({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) {
     h.serial += serial->text;
     h.said.push_back({serial->t_ns, h.serial.size()});
@@ -135,8 +135,8 @@ wire::Stop Simulation::Inside::stop_for(const Event::One& event) const {
       return wire::Stop::serial(event.text, read);
     case Kind::line:
       return wire::Stop::line(event.text, read);
-    case Kind::note:
-      return wire::Stop::note(event.text);
+    case Kind::event:
+      return wire::Stop::event(event.text);
     case Kind::visited:
       return wire::Stop::visited(event.text);
     case Kind::at:

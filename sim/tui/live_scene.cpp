@@ -43,9 +43,7 @@ void LiveScene::add(const wire::Event& event) {
     if (serial_.size() > 2 * kSerialKept) serial_.erase(0, serial_.size() - kSerialKept);
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
     note_ = fmt::format("{:.2f} s  {}", static_cast<double>(note->t_ns) * 1e-9, note->text);
-    for (const auto& station : started_.stations) {
-      if (note->text == "station " + station.name + " visited") visited_.push_back(station.name);
-    }
+    if (const auto* visit = note->is<wire::StationVisited>()) visited_.push_back(visit->station);
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
     started_ = *started;
   }

@@ -72,6 +72,12 @@ TEST(NeverCollides, TellsWhenAndWhereItDid) {
               HasSubstr("it met a wall, an obstacle or the map's edge, at column 1"));
 }
 
+TEST(Collides, IsNotWhatTheRobotIsToldInWords) {
+  Simulation robot(pid_on_oval());
+  robot.send("collision");
+  EXPECT_FALSE(robot.run_until(collides(), within(500_ms)));
+}
+
 TEST(EndsAs, DoesNotHoldWhileTheRunGoesOn) {
   Simulation robot(pid_on_oval());
   EXPECT_THAT(robot.run_for(100_ms), Not(EndsAs("lost")));

@@ -39,7 +39,7 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   scene.add(started());
   scene.add(sample(450, 50));
   scene.add(wire::SerialText{1, "Ready\nerror 5"});
-  scene.add(wire::Note{2'500'000'000, "station dock visited"});
+  scene.add(wire::note_of({2'500'000'000, 0, wire::StationVisited{"dock"}}));
   const std::string text = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
   EXPECT_THAT(text, StartsWith("t 1.23 s  0.31 m/s  ×1  PidFollower · uno5 on oval\n"));
   EXPECT_THAT(text, HasSubstr("left  ▕█████     ▏+0.50  right ▕██▌       ▏-0.25\n"));

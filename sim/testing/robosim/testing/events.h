@@ -12,10 +12,10 @@ namespace robosim::testing {
 /// Things that may happen; a || b is whichever comes first. Looked at every millisecond.
 class Event {
  public:
-  enum class Kind { serial, line, note, visited, at, reading, pin, motors, rest, end };
+  enum class Kind { serial, line, event, visited, at, reading, pin, motors, rest, end };
   struct One {
     Kind kind;
-    std::string text;    ///< text, regular expression, station, part, pin, or verdict
+    std::string text;    ///< text, regular expression, kind of event, station, part, pin, or verdict
     bool level = true;   ///< of reading, pin, motors
     Duration time{};     ///< of rest
     std::string clause;  ///< for messages: `the sketch says "Ready"`
