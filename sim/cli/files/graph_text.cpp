@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "sim/base/counted.h"
+#include "sim/cli/files/json_lines.h"
 
 namespace robosim::cli {
 namespace {
 
+using Json = JsonLines::Json;
 using grid::Arm;
 using grid::CellAt;
 using grid::TrueGraph;
@@ -45,42 +48,26 @@ void for_each_line(const TrueGraph& graph, Visit visit) {
   }
 }
 
-std::string place(CellAt cell) { return fmt::format("[{}, {}]", cell.x, cell.y); }
+Json place(CellAt cell) { return {cell.x, cell.y}; }
 
-std::string slot_json(const Arm& arm) {
+Json slot_json(const Arm& arm) {
   switch (arm.behind) {
     case Behind::station:
-      return fmt::format("{{\"station\": {}}}", arm.id);
+      return {{"station", arm.id}};
     case Behind::junction:
-      return fmt::format("{{\"junction\": {}}}", arm.id);
+      return {{"junction", arm.id}};
     case Behind::blocked:
-      return fmt::format("{{\"blocked\": {}}}", place(arm.obstacle));
+      return {{"blocked", place(arm.obstacle)}};
     case Behind::nothing:
       break;
   }
-  return "null";
+  return nullptr;
 }
 
-std::string end_json(Behind kind, int id, int slot) {
-  return kind == Behind::station ? fmt::format("{{\"station\": {}}}", id)
-                                 : fmt::format("{{\"junction\": {}, \"slot\": {}}}", id, slot);
+Json end_json(Behind kind, int id, int slot) {
+  if (kind == Behind::station) return {{"station", id}};
+  return {{"junction", id}, {"slot", slot}};
 }
-
-// Elements of a JSON list, one a line.
-class List {
- public:
-  List(std::string& out, const char* key) : out_(out) { out_ += fmt::format(",\n  \"{}\": [", key); }
-  void add(const std::string& element) {
-    out_ += empty_ ? "\n    " : ",\n    ";
-    out_ += element;
-    empty_ = false;
-  }
-  void end() { out_ += empty_ ? "]" : "\n  ]"; }
-
- private:
-  std::string& out_;
-  bool empty_ = true;
-};
 
 std::string arm_text(const Arm& arm) {
   switch (arm.behind) {
@@ -144,42 +131,37 @@ std::string graph_tables(const TrueGraph& graph) {
   return out;
 }
 
-std::string graph_members(const TrueGraph& graph) {
-  std::string out;
-  List stations(out, "stations");
+void add_graph(JsonLines& lines, const TrueGraph& graph) {
+  Json stations = Json::array(), junctions = Json::array(), unreachable = Json::array();
   for (int id = 0; const grid::GraphStation& station : graph.stations) {
-    const std::string name = station.name.empty() ? "" : fmt::format(", \"name\": \"{}\"", station.name);
-    stations.add(
-        fmt::format("{{\"id\": {}, \"x\": {}, \"y\": {}{}}}", ++id, station.cell.x, station.cell.y, name));
+    stations.push_back({{"id", ++id}, {"x", station.cell.x}, {"y", station.cell.y}});
+    if (!station.name.empty()) stations.back()["name"] = station.name;
   }
-  stations.end();
-  List junctions(out, "junctions");
   for (int id = 0; const grid::GraphJunction& junction : graph.junctions) {
-    std::string slots;
-    for (const Arm& arm : junction.arms) slots += (slots.empty() ? "" : ", ") + slot_json(arm);
-    junctions.add(fmt::format("{{\"id\": {}, \"x\": {}, \"y\": {}, \"slots\": [{}]}}", ++id, junction.cell.x,
-                              junction.cell.y, slots));
+    Json slots = Json::array();
+    for (const Arm& arm : junction.arms) slots.push_back(slot_json(arm));
+    junctions.push_back(
+        {{"id", ++id}, {"x", junction.cell.x}, {"y", junction.cell.y}, {"slots", std::move(slots)}});
   }
-  junctions.end();
-  List unreachable(out, "unreachable");
-  for (const CellAt cell : graph.unreachable) unreachable.add(place(cell));
-  unreachable.end();
-  return out;
+  for (const CellAt cell : graph.unreachable) unreachable.push_back(place(cell));
+  lines.add_list("stations", stations);
+  lines.add_list("junctions", junctions);
+  lines.add_list("unreachable", unreachable);
 }
 
 std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
-  std::string out = fmt::format("{{\n  \"schema\": \"robosim.graph/1\",\n  \"start\": [{}, {}, \"{}\"]",
-                                start.cell.x, start.cell.y, letter(start.facing));
-  out += graph_members(graph);
-  List edges(out, "edges");
+  JsonLines lines;
+  lines.add("schema", "robosim.graph/1");
+  lines.add("start", {start.cell.x, start.cell.y, std::string(1, letter(start.facing))});
+  add_graph(lines, graph);
+  Json edges = Json::array();
   for_each_line(graph, [&](const End& from, const Arm& arm) {
-    edges.add(fmt::format(
-        "{{\"from\": {}, \"to\": {}, \"length\": {}}}", end_json(from.kind, from.id, from.slot),
-        arm.behind == Behind::blocked ? slot_json(arm) : end_json(arm.behind, arm.id, arm.slot), arm.length));
+    Json to = arm.behind == Behind::blocked ? slot_json(arm) : end_json(arm.behind, arm.id, arm.slot);
+    edges.push_back(
+        {{"from", end_json(from.kind, from.id, from.slot)}, {"to", std::move(to)}, {"length", arm.length}});
   });
-  edges.end();
-  out += "\n}\n";
-  return out;
+  lines.add_list("edges", edges);
+  return lines.text();
 }
 
 std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {

@@ -8,14 +8,16 @@
 
 namespace robosim::cli {
 
+class JsonLines;
+
 /// A table of stations and one of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
 /// Schema robosim.graph/1, see docs/maps.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Its members `stations`, `junctions` and `unreachable`, each with a comma before it.
-std::string graph_members(const grid::TrueGraph& graph);
+/// Adds its members `stations`, `junctions` and `unreachable`.
+void add_graph(JsonLines& lines, const grid::TrueGraph& graph);
 /// The tables of graph_text alone.
 std::string graph_tables(const grid::TrueGraph& graph);
 

@@ -3,18 +3,21 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "sim/base/counted.h"
 #include "sim/cli/files/graph_text.h"
+#include "sim/cli/files/json_lines.h"
 
 namespace robosim::cli {
 namespace {
 
+using Json = JsonLines::Json;
 using cells::CellPose;
 using cells::Ending;
 
-std::string pose_json(const CellPose& pose) {
-  return fmt::format("[{}, {}, \"{}\"]", pose.cell.x, pose.cell.y, letter(pose.facing));
+Json pose_json(const CellPose& pose) {
+  return {pose.cell.x, pose.cell.y, std::string(1, letter(pose.facing))};
 }
 
 std::string pose_text(const CellPose& pose) {
@@ -43,12 +46,6 @@ std::string trouble(Ending ending, const std::string& why) {
   return "";
 }
 
-std::string scan_json(const cells::Scan& scan) {
-  return fmt::format(
-      ",\n  \"scan\": {{\n  \"time\": {}, \"moves\": {}, \"end\": {}, \"state\": \"{}\"{}\n  }}", scan.time,
-      scan.moves, pose_json(scan.end), name_of(scan.ending), graph_members(scan.graph));
-}
-
 const char* state_of(const cells::Walk& walk) {
   static constexpr const char* kNames[] = {"closed", "out_of_moves", "returned"};
   return kNames[static_cast<int>(walk.ending)];
@@ -60,22 +57,31 @@ const char* ending_of(const cells::Walk& walk) {
   return kTexts[static_cast<int>(walk.ending)];
 }
 
-std::string walk_json(const cells::Walk& walk) {
-  std::string cells;
-  for (const grid::CellAt cell : walk.dead_ends)
-    cells += fmt::format("{}[{}, {}]", cells.empty() ? "" : ", ", cell.x, cell.y);
-  return fmt::format(
-      ",\n  \"walk\": {{\"time\": {}, \"moves\": {}, \"end\": {}, \"state\": \"{}\", \"dead_ends\": [{}]}}",
-      walk.time, walk.moves, pose_json(walk.end), state_of(walk), cells);
+Json walk_json(const cells::Walk& walk) {
+  Json ends = Json::array();
+  for (const grid::CellAt cell : walk.dead_ends) ends.push_back({cell.x, cell.y});
+  return {{"time", number(walk.time)},
+          {"moves", walk.moves},
+          {"end", pose_json(walk.end)},
+          {"state", state_of(walk)},
+          {"dead_ends", std::move(ends)}};
 }
 
-std::string route_json(const cells::Route& route) {
-  return fmt::format(
-      "{{\"from\": {}, \"to\": {}, \"state\": \"{}\", \"junctions\": [{}], \"turns\": \"{}\", \"time\": {}, "
-      "\"end\": {}, "
-      "\"ratio_to_shortest\": {}}}",
-      route.from, route.to, name_of(route.ending), fmt::join(route.junctions, ", "), route.turns, route.time,
-      pose_json(route.end), route.ratio_to_shortest);
+Json route_json(const cells::Route& route) {
+  return {{"from", route.from},
+          {"to", route.to},
+          {"state", name_of(route.ending)},
+          {"junctions", route.junctions},
+          {"turns", route.turns},
+          {"time", number(route.time)},
+          {"end", pose_json(route.end)},
+          {"ratio_to_shortest", number(route.ratio_to_shortest)}};
+}
+
+Json move_json(const TapedMove& m) {
+  Json json = pose_json(m.pose);
+  json.insert(json.end(), {cells::name_of(m.sense), cells::name_of(m.move), number(m.clock)});
+  return json;
 }
 
 std::string move_text(const TapedMove& m) {
@@ -86,29 +92,31 @@ std::string move_text(const TapedMove& m) {
 }  // namespace
 
 std::string classic_json(const ClassicReport& r) {
-  std::string out = fmt::format(
-      "{{\n  \"schema\": \"robosim.classic/1\",\n  \"start\": {},\n  \"algorithm\": \"{}\",\n  \"speed\": {}",
-      pose_json({r.start.cell, r.start.facing}), r.arguments.algorithm, r.arguments.speed);
-  if (r.scan) out += scan_json(*r.scan);
-  if (r.walk) out += walk_json(*r.walk);
-  auto end = std::back_inserter(out);
+  JsonLines lines;
+  lines.add("schema", "robosim.classic/1");
+  lines.add("start", pose_json({r.start.cell, r.start.facing}));
+  lines.add("algorithm", r.arguments.algorithm);
+  lines.add("speed", number(r.arguments.speed));
+  if (r.scan) {
+    lines.open("scan", {{"time", number(r.scan->time)},
+                        {"moves", r.scan->moves},
+                        {"end", pose_json(r.scan->end)},
+                        {"state", name_of(r.scan->ending)}});
+    add_graph(lines, r.scan->graph);
+    lines.close();
+  }
+  if (r.walk) lines.add("walk", walk_json(*r.walk));
   if (!r.arguments.to.empty()) {
-    out += ",\n  \"routes\": [";
-    for (std::size_t i = 0; i < r.routes.size(); ++i)
-      fmt::format_to(end, "{}\n    {}", i ? "," : "", route_json(r.routes[i]));
-    out += "\n  ]";
+    Json routes = Json::array();
+    for (const cells::Route& route : r.routes) routes.push_back(route_json(route));
+    lines.add_list("routes", routes);
   }
   if (r.arguments.trace) {
-    out += ",\n  \"trace\": [";
-    for (std::size_t i = 0; i < r.trace.size(); ++i) {
-      const TapedMove& m = r.trace[i];
-      fmt::format_to(end, "{}\n    [{}, {}, \"{}\", \"{}\", \"{}\", {}]", i ? "," : "", m.pose.cell.x,
-                     m.pose.cell.y, letter(m.pose.facing), cells::name_of(m.sense), cells::name_of(m.move),
-                     m.clock);
-    }
-    out += "\n  ]";
+    Json moves = Json::array();
+    for (const TapedMove& move : r.trace) moves.push_back(move_json(move));
+    lines.add_list("trace", moves);
   }
-  return out + "\n}\n";
+  return lines.text();
 }
 
 std::string classic_text(const ClassicReport& r) {
