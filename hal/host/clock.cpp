@@ -8,7 +8,7 @@ namespace robosim {
 namespace host {
 
 FirmwareState state;
-Board* board;
+FirmwarePort* board;
 Host* executor;
 SimTime deadline;
 

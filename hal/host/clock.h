@@ -2,7 +2,7 @@
 // the executor takes over.
 #pragma once
 
-#include "hal/board/board.h"
+#include "hal/board/firmware_port.h"
 #include "hal/host/costs.h"
 #include "hal/host/image.h"
 
@@ -10,7 +10,7 @@ namespace robosim {
 namespace host {
 
 extern FirmwareState state;
-extern Board* board;
+extern FirmwarePort* board;
 extern Host* executor;
 /// When something has to be done: the limit, or an interrupt that is due before it.
 extern SimTime deadline;

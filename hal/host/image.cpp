@@ -26,7 +26,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-void run(Board& its_board, Host& its_executor, SimTime now) {
+void run(FirmwarePort& its_board, Host& its_executor, SimTime now) {
   board = &its_board;
   executor = &its_executor;
   state.now = now;

@@ -14,13 +14,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "hal/board/board.h"
+#include "hal/board/firmware_port.h"
 
 namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 5;
+constexpr uint32_t kImageVersion = 6;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -124,7 +124,7 @@ struct Image {
   uint32_t version;  ///< kImageVersion
   FirmwareState* state;
   /// Constructors, init(), setup(), then loop() for ever. Starts at `now`. Never returns.
-  void (*run)(Board& board, Host& host, SimTime now);
+  void (*run)(FirmwarePort& board, Host& host, SimTime now);
   /// Address checks: the byte at `address` / 8 + shadow says of 8 bytes how many may be accessed. 0 = the
   /// image has none; else its executor maps the shadow of [begin, end), heap and stack.
   uintptr_t shadow;

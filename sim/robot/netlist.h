@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 
 namespace robosim::robot {
 
@@ -27,14 +27,14 @@ static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 
 class Netlist {
  public:
-  Netlist(Board& board, std::size_t registers)
+  Netlist(RobotPort& board, std::size_t registers)
       : board_(board), outputs_(registers * kRegisterOutputs), watchers_(outputs_.size()) {}
 
   /// How a wire is driven. A shift register's output that is switched off is not driven.
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? outputs_[index_of(pin)] : board_.drive(pin);
   }
-  /// As Board::watch.
+  /// As RobotPort::watch.
   void watch(Pin pin, PinWatcher& watcher);
   /// For shift registers: drives an output. Watchers are told if it has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);
@@ -42,7 +42,7 @@ class Netlist {
  private:
   static std::size_t index_of(Pin output) { return static_cast<std::size_t>(output - kMaxPins); }
 
-  Board& board_;
+  RobotPort& board_;
   std::vector<PinDrive> outputs_;
   std::vector<std::vector<PinWatcher*>> watchers_;
 };

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/robot/description.h"
 #include "sim/robot/robot.h"
 

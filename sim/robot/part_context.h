@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/base/noise.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/number.h"
@@ -50,12 +50,12 @@ struct View {
 /// What a part is made with. Outlives the part.
 class PartContext {
  public:
-  PartContext(const Description& description_, Board& board_, Netlist& netlist_, const View& view_,
+  PartContext(const Description& description_, RobotPort& board_, Netlist& netlist_, const View& view_,
               const Individual& individual_)
       : description(description_), board(board_), netlist(netlist_), view(view_), individual(individual_) {}
 
   const Description& description;
-  Board& board;
+  RobotPort& board;
   Netlist& netlist;  ///< how a part sees what the firmware drives
   const View& view;
   const Individual& individual;

@@ -35,8 +35,8 @@ auto find_named(const Things& things, const std::string& name) {
 }  // namespace
 
 struct Robot::Inside {
-  Inside(const Description& d, world::World& world, std::size_t body_number, Board& board, std::uint64_t seed,
-         Profile profile, std::uint32_t number)
+  Inside(const Description& d, world::World& world, std::size_t body_number, RobotPort& board,
+         std::uint64_t seed, Profile profile, std::uint32_t number)
       : description(d),
         body(world.body(body_number)),
         individual(seed, profile, number),
@@ -134,7 +134,7 @@ Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_
   return fault;
 }
 
-Robot::Robot(const Description& description, world::World& world, std::size_t body, Board& board,
+Robot::Robot(const Description& description, world::World& world, std::size_t body, RobotPort& board,
              std::uint64_t seed, Profile profile, std::uint32_t number)
     : in_(std::make_unique<Inside>(description, world, body, board, seed, profile, number)) {
   for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->context));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/base/vec.h"
 
 namespace robosim::world {
@@ -46,7 +46,7 @@ class Robot {
   /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name). The
   /// description, the world and the board must outlive the robot. The body's parameters are body_params() of
   /// describe.h.
-  Robot(const Description&, world::World&, std::size_t body, Board&, std::uint64_t seed, Profile,
+  Robot(const Description&, world::World&, std::size_t body, RobotPort&, std::uint64_t seed, Profile,
         std::uint32_t number = 0);
   ~Robot();
   Robot(const Robot&) = delete;

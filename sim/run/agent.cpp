@@ -92,7 +92,8 @@ void Agent::byte_sent(std::uint8_t byte, SimTime t) {
 }
 
 std::vector<std::uint8_t> Agent::eeprom() const {
-  return {board_.eeprom(), board_.eeprom() + board_.spec().eeprom_bytes};
+  const auto memory = executor_.probe().memory();
+  return {memory.begin(), memory.end()};
 }
 
 void Agent::tell_events(SimTime t) {
@@ -222,7 +223,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.moved = body_.wheel_travel() > 0.0;
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
   const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
-  if (looked_at != kNoPin) e.pin_level = board_.read_level(looked_at, t);
+  if (looked_at != kNoPin) e.pin_level = executor_.probe().level(looked_at, t);
   return e;
 }
 

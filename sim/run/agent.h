@@ -93,7 +93,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   const world::World& world_;
   std::size_t body_number_;
   world::Body& body_;
-  Board& board_;
+  RobotPort& board_;
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/judge/goal.h"
 #include "sim/robot/robot.h"
 #include "sim/run/step_controller.h"
@@ -21,7 +21,7 @@ class StopConditions {
     const judge::Progress& progress;
     const world::Body& body;
     const robot::Robot& robot;
-    const Board& board;
+    const RobotPort& board;
     int agent;  ///< stops about others are left to theirs
   };
 

@@ -76,7 +76,7 @@ struct Bit {
   int number;
 };
 
-Bit parse_bit(const std::vector<std::string>& arguments, std::uint16_t bytes) {
+Bit parse_bit(const std::vector<std::string>& arguments, std::size_t bytes) {
   const auto address = parse_whole(arguments[1]);
   const auto bit = parse_whole(arguments[2]);
   if (!address || *address >= bytes || !bit || *bit > 7)
@@ -138,7 +138,7 @@ void BoardFaults::check(const std::string& name, const std::vector<std::string>&
   if (kind.argument == Argument::bytes) read_serial_fault(arguments);
   if (kind.argument == Argument::ppm) parse_ppm(arguments[1]);
   if (name == "clock" || name == "eeprom") check_chip(name);
-  if (kind.argument == Argument::bit) parse_bit(arguments, executor_.board().spec().eeprom_bytes);
+  if (kind.argument == Argument::bit) parse_bit(arguments, executor_.probe().memory().size());
 }
 
 void BoardFaults::check_chip(const std::string& what) const {
@@ -162,9 +162,9 @@ void BoardFaults::fail(const std::string& name, const std::vector<std::string>& 
   } else if (name == "clock") {
     executor_.set_clock_drift(kind == "ok" ? 0 : parse_ppm(arguments[1]), t);
   } else {
-    Board& board = executor_.board();
-    const Bit bit = parse_bit(arguments, board.spec().eeprom_bytes);
-    board.eeprom()[bit.address] = static_cast<std::uint8_t>(board.eeprom()[bit.address] ^ 1 << bit.number);
+    const std::span<std::uint8_t> eeprom = executor_.probe().memory();
+    const Bit bit = parse_bit(arguments, eeprom.size());
+    eeprom[bit.address] = static_cast<std::uint8_t>(eeprom[bit.address] ^ 1 << bit.number);
   }
 }
 
@@ -200,7 +200,7 @@ void BoardFaults::update_power(SimTime t) {
 std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,
                                                                             SimTime t) {
   if (!last_write_ || t >= last_write_->began + kEepromWriteTime) return std::nullopt;
-  std::uint8_t& byte = executor_.board().eeprom()[last_write_->address];
+  std::uint8_t& byte = executor_.probe().memory()[last_write_->address];
   if (what.kind == HalfWritten::Kind::before) byte = last_write_->before;
   if (what.kind == HalfWritten::Kind::value) byte = what.value;
   return wire::PowerLost::HalfWritten{last_write_->address, byte};
@@ -208,7 +208,7 @@ std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(cons
 
 void BoardFaults::send(const std::string& bytes, SimTime t) {
   using enum SerialFault::Kind;
-  Board& board = executor_.board();
+  RobotPort& board = executor_.board();
   for (const char c : bytes) {
     auto byte = static_cast<std::uint8_t>(c);
     const std::uint64_t n = bytes_++;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/base/noise.h"
 #include "sim/exec/core/executor.h"
 #include "sim/robot/robot.h"

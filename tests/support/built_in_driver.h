@@ -1,4 +1,4 @@
-// Firmware without a compiler: a line follower written against the Board itself. Its runs are pure Robosim,
+// Firmware without a compiler: a line follower written against the board itself. Its runs are pure Robosim,
 // and so bit-identical for every compiler and machine; what a sketch adds is its image, which is gcc's.
 #pragma once
 
@@ -14,7 +14,8 @@ class BuiltInDriver final : public exec::Executor {
   /// `period`: simulated time between two looks at all sensors.
   explicit BuiltInDriver(SimTime period = 5 * kMillisecond) : period_(period) {}
 
-  Board& board() override { return board_; }
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override;
   void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override;

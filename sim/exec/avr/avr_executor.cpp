@@ -26,7 +26,7 @@ AvrExecutor::~AvrExecutor() = default;
 
 void AvrExecutor::power_on(SimTime t) {
   power_off(t);
-  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, board_, clock_, t);
+  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, clocked_, clocked_.begin_tick(t));
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
   if (debug_port_) machine_->set_debug_port(debug_port_.get());
   if (written_) {
@@ -49,7 +49,7 @@ void AvrExecutor::power_off(SimTime t) {
 
 void AvrExecutor::run_until(SimTime t) {
   if (!machine_ || crash_) return;
-  machine_->run_until(t);
+  machine_->run_until(clocked_.begin_tick(t));
   reached_ = t;
   if (const auto& fault = machine_->chip().fault())
     crash_ = avr::Diagnosis(image_->firmware, image_->debug, *machine_).crash(*fault);
@@ -58,7 +58,9 @@ void AvrExecutor::run_until(SimTime t) {
 
 SimTime AvrExecutor::last_call() const {
   if (!machine_) return reached_;
-  return machine_->chip().is_asleep() ? reached_ : machine_->link().time_of(machine_->chip().last_io());
+  return machine_->chip().is_asleep()
+             ? reached_
+             : clocked_.to_world(machine_->link().time_of(machine_->chip().last_io()));
 }
 
 std::optional<Resources> AvrExecutor::resources() const {
@@ -80,7 +82,7 @@ void AvrExecutor::set_clock_start(SimTime start) {
 }
 
 void AvrExecutor::debug_with(gdb::Server& server) {
-  debug_port_ = std::make_unique<avr::DebugPort>(server, image_->firmware, board_);
+  debug_port_ = std::make_unique<avr::DebugPort>(server, image_->firmware, clocked_);
 }
 
 SourceLine AvrExecutor::source() {
@@ -98,6 +100,7 @@ Activity AvrExecutor::activity() {
     return activity;
   }
   Activity activity = avr::Diagnosis(image_->firmware, image_->debug, *machine_).activity();
+  activity.last_call = clocked_.to_world(activity.last_call);
   if (crash_) activity.where = crash_->where;
   return activity;
 }

@@ -1,7 +1,7 @@
 // The target avr: the same ELF that is flashed, in an emulated ATmega328P (libsimavr, see avr/simavr.h about
 // its licence), in lockstep with the world.
 //
-//   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► Board
+//   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► FirmwarePort
 //
 // Time: one cycle is 62.5 ns. A tick runs to the first instruction that ends at or after its end, up to 3
 // cycles over; edges and bytes that the robot has scheduled reach the chip at their cycle, or at the end of
@@ -13,9 +13,8 @@
 #include <optional>
 
 #include "hal/board/board_spec.h"
-#include "sim/exec/core/board_state.h"
+#include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/firmware_clock.h"
 #include "sim/exec/core/written_bytes.h"
 
 namespace robosim::exec {
@@ -31,7 +30,8 @@ class AvrExecutor final : public Executor {
   AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
   ~AvrExecutor() override;
 
-  Board& board() override { return board_; }
+  RobotPort& board() override { return board_; }
+  BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override;
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
@@ -42,7 +42,7 @@ class AvrExecutor final : public Executor {
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
   bool has_chip_faults() const override { return true; }
-  void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
+  void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
   void debug_with(gdb::Server& server) override;
   SourceLine source() override;
   void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
@@ -52,7 +52,7 @@ class AvrExecutor final : public Executor {
   struct Image;
 
   BoardState board_;
-  FirmwareClock clock_;
+  ClockedBoard clocked_{board_};
   std::unique_ptr<const Image> image_;
   std::unique_ptr<avr::DebugPort> debug_port_;  ///< null = nobody debugs
   std::unique_ptr<avr::Machine> machine_;

@@ -13,7 +13,7 @@ namespace robosim::exec::avr {
 
 class DebugPort final : public gdb::DebugPort {
  public:
-  DebugPort(gdb::Server& server, const Firmware& firmware, BoardState& board)
+  DebugPort(gdb::Server& server, const Firmware& firmware, ClockedBoard& board)
       : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
   /// At power-on.
@@ -30,7 +30,7 @@ class DebugPort final : public gdb::DebugPort {
   bool is_asleep() const override { return chip().is_asleep(); }
   std::size_t open_handlers() const override { return static_cast<std::size_t>(chip().open_handlers()); }
   std::uint64_t cycle() const override { return chip().cycle(); }
-  SimTime time() const override { return machine_->link().time_of(chip().cycle()); }
+  SimTime time() const override { return board_.to_world(machine_->link().now()); }
   bool has_code(std::uint32_t address) const override { return address < flash_end(); }
   bool has_ram(std::uint32_t address, std::size_t size) const override;
   void poke(std::uint32_t address, std::uint8_t value) override;
@@ -43,7 +43,7 @@ class DebugPort final : public gdb::DebugPort {
   Chip& chip() const { return machine_->chip(); }
 
   const Firmware& firmware_;
-  BoardState& board_;
+  ClockedBoard& board_;
   Machine* machine_ = nullptr;
 };
 

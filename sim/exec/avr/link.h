@@ -1,30 +1,25 @@
-// What the chip's peripherals share: the chip, the board behind its pins, and the time.
+// What the chip's peripherals share: the chip, the board behind its pins, and the time (by the chip's own
+// clock).
 #pragma once
-
-#include <algorithm>
 
 #include "hal/board/sim_time.h"
 #include "sim/exec/avr/chip.h"
-#include "sim/exec/core/board_state.h"
-#include "sim/exec/core/firmware_clock.h"
+#include "sim/exec/core/clocked_board.h"
 
 namespace robosim::exec::avr {
 
 struct Link {
   Chip& chip;
-  BoardState& board;
-  const FirmwareClock& clock;
-  SimTime began = 0;       ///< when the power came on, at cycle 0, by the chip's clock
-  SimTime limit = kNever;  ///< end of the tick: an instruction may begin before it and end behind it
+  ClockedBoard& board;
+  SimTime began = 0;  ///< when the power came on, at cycle 0
 
-  /// 16 MHz: a cycle is 62.5 ns by the chip's clock, converted from the absolute count.
-  SimTime time_of(Cycle cycle) const { return clock.to_world(began + static_cast<SimTime>(cycle) * 125 / 2); }
+  /// 16 MHz: a cycle is 62.5 ns, converted from the absolute count.
+  SimTime time_of(Cycle cycle) const { return began + static_cast<SimTime>(cycle) * 125 / 2; }
   /// The first cycle at or after `t`.
   Cycle cycle_at(SimTime t) const {
-    const SimTime own = clock.to_firmware(t);
-    return own <= began ? 0 : static_cast<Cycle>(((own - began) * 2 + 124) / 125);
+    return t <= began ? 0 : static_cast<Cycle>(((t - began) * 2 + 124) / 125);
   }
-  SimTime now() const { return std::min(time_of(chip.cycle()), limit); }
+  SimTime now() const { return time_of(chip.cycle()); }
 };
 
 }  // namespace robosim::exec::avr

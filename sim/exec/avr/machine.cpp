@@ -36,12 +36,11 @@ bool selects_interrupts(reg::Address address) {
 
 }  // namespace
 
-Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
-                 const FirmwareClock& clock, SimTime t)
+Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board, SimTime t)
     : firmware_(firmware),
       board_(board),
       chip_(firmware, board.spec(), *this),
-      link_{chip_, board, clock, clock.to_firmware(t)},
+      link_{chip_, board, t},
       stack_(chip_, firmware),
       ports_(link_),
       adc_(link_),
@@ -65,7 +64,8 @@ void Machine::io_write(reg::Address address, std::uint8_t value) {
     timer_written(address);
     if (selects_interrupts(address)) ports_.interrupts_changed();
   }
-  if (board_.next_input() != kNever) chip_.stop_at(link_.cycle_at(board_.next_input()));
+  const SimTime next = board_.next_input();
+  if (next != kNever) chip_.stop_at(link_.cycle_at(next));
 }
 
 std::uint8_t Machine::io_read(reg::Address address) {
@@ -178,7 +178,7 @@ void Machine::trace_bytes(WrittenBytes& bytes) {
 
 void Machine::write_called() {
   constexpr reg::Address kByte = 22;  // where avr-gcc passes it, `this` being in 24 and 25
-  written_->wrote(chip_.data(kByte), link_.time_of(chip_.cycle()));
+  written_->wrote(chip_.data(kByte), board_.to_world(link_.now()));
 }
 
 void Machine::set_clock(SimTime start) {
@@ -216,7 +216,6 @@ Resources Machine::resources() const {
 }
 
 void Machine::run_until(SimTime t) {
-  link_.limit = t;
   const Cycle end = link_.cycle_at(t);
   if (debug_port_) debug_port_->begin_tick();
   while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {

@@ -21,9 +21,9 @@ struct LoopTimes {
 
 class Machine final : Peripherals {
  public:
-  /// `loop`: the first instruction of loop(), if it is known.
-  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
-          const FirmwareClock& clock, SimTime t);
+  /// `loop`: the first instruction of loop(), if it is known. Here as everywhere in the chip, times are by
+  /// its own clock.
+  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);
@@ -61,7 +61,7 @@ class Machine final : Peripherals {
   void write_called();
 
   const Firmware& firmware_;
-  BoardState& board_;
+  ClockedBoard& board_;
   Chip chip_;
   Link link_;
   Stack stack_;

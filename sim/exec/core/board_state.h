@@ -1,12 +1,15 @@
-// The Board that every executor shares: how pins are driven, who watches, what is on its way to the chip.
+// The board that every executor shares, behind both views: how pins are driven, who watches, what is on its
+// way to the chip. All times are the world's.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "hal/board/board.h"
 #include "hal/board/board_spec.h"
+#include "hal/board/firmware_port.h"
+#include "hal/board/robot_port.h"
+#include "sim/exec/core/board_probe.h"
 
 namespace robosim::exec {
 
@@ -19,11 +22,13 @@ struct BoardInput {
   SimTime at = 0;          ///< when the chip has it
 };
 
-class BoardState final : public Board {
+class BoardState final : public FirmwarePort, public RobotPort, public BoardProbe {
  public:
   explicit BoardState(const BoardSpec& spec);
 
   const BoardSpec& spec() const override { return spec_; }
+
+  // --- FirmwarePort
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override;
   bool read_level(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
@@ -31,6 +36,7 @@ class BoardState final : public Board {
   std::uint8_t* eeprom() override { return eeprom_.data(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
+  // --- RobotPort
   const PinDrive& drive(Pin pin) const override { return pins_[pin % kMaxPins].drive; }
   void connect(Pin pin, PinSource& source) override;
   void watch(Pin pin, PinWatcher& watcher) override;
@@ -42,8 +48,11 @@ class BoardState final : public Board {
   void receive_byte(std::uint8_t byte, SimTime at) override;
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
+  // --- BoardProbe
+  std::span<std::uint8_t> memory() override { return eeprom_; }
+  bool level(Pin pin, SimTime t) override { return read_level(pin, t); }
+
   // --- for executors
-  // ----------------------------------------------------------------------------------------
   /// A reset: all pins become inputs, nobody wants edges, the receiver is off; what was on its way is lost.
   void reset(SimTime t);
   void set_wants_edges(Pin pin, bool wanted);

@@ -1,42 +1,57 @@
-// The board as firmware sees it whose clock differs from the world's: every time it gives is translated.
+// The board as firmware's side has it, by the firmware's own clock: the one place where its times become the
+// world's and the world's become its. Executors and what is inside them know no other clock.
 #pragma once
+
+#include <algorithm>
 
 #include "sim/exec/core/board_state.h"
 #include "sim/exec/core/firmware_clock.h"
 
 namespace robosim::exec {
 
-/// Only what firmware calls; what belongs to the robot's side is passed on as it is.
-class ClockedBoard final : public Board {
+class ClockedBoard final : public FirmwarePort {
  public:
-  ClockedBoard(BoardState& board, const FirmwareClock& clock) : board_(board), clock_(clock) {}
+  explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  const BoardSpec& spec() const override { return board_.spec(); }
-  void set_drive(Pin pin, const PinDrive& drive, SimTime t) override {
-    board_.set_drive(pin, drive, clock_.to_world(t));
+  // --- for what executes firmware; all times but those of the world are the firmware's
+  /// The firmware shall run to `end`, a time of the world; returns it by the firmware's clock. What an
+  /// instruction does that begins before and ends behind it, the world sees at `end`.
+  SimTime begin_tick(SimTime end) {
+    limit_ = end;
+    return clock_.to_firmware(end);
   }
-  bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, clock_.to_world(t)); }
-  double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, clock_.to_world(t)); }
-  void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, clock_.to_world(t)); }
+  SimTime to_firmware(SimTime world) const { return clock_.to_firmware(world); }
+  SimTime to_world(SimTime t) const { return clock_.to_world(t); }
+  /// From `world` on its clock runs so much too fast, in parts per million.
+  void drift(int ppm, SimTime world) { clock_.drift(ppm, world); }
+
+  bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }
+  void set_wants_edges(Pin pin, bool wanted) { board_.set_wants_edges(pin, wanted); }
+  void listen(SimTime byte_time, SimTime now) { board_.listen(byte_time, at(now)); }
+  SimTime next_input() const { return clock_.to_firmware(board_.next_input()); }
+  bool take_input(SimTime until, BoardInput& input) {
+    if (!board_.take_input(clock_.to_world(until), input)) return false;
+    input.at = clock_.to_firmware(input.at);
+    return true;
+  }
+
+  // --- FirmwarePort
+  const BoardSpec& spec() const override { return board_.spec(); }
+  void set_drive(Pin pin, const PinDrive& drive, SimTime t) override { board_.set_drive(pin, drive, at(t)); }
+  bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
+  double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
+  void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
   std::uint8_t* eeprom() override { return board_.eeprom(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override {
-    board_.write_eeprom(address, value, clock_.to_world(t));
+    board_.write_eeprom(address, value, at(t));
   }
 
-  const PinDrive& drive(Pin pin) const override { return board_.drive(pin); }
-  void connect(Pin pin, PinSource& source) override { board_.connect(pin, source); }
-  void watch(Pin pin, PinWatcher& watcher) override { board_.watch(pin, watcher); }
-  void watch_serial(SerialWatcher& watcher) override { board_.watch_serial(watcher); }
-  void watch_eeprom(EepromWatcher& watcher) override { board_.watch_eeprom(watcher); }
-  void schedule_edge(Pin pin, bool level, SimTime at) override { board_.schedule_edge(pin, level, at); }
-  bool wants_edges(Pin pin) const override { return board_.wants_edges(pin); }
-  bool wants_any_edges() const override { return board_.wants_any_edges(); }
-  void receive_byte(std::uint8_t byte, SimTime at) override { board_.receive_byte(byte, at); }
-  void watch_inputs(InputWatcher& watcher) override { board_.watch_inputs(watcher); }
-
  private:
+  SimTime at(SimTime t) const { return std::min(clock_.to_world(t), limit_); }
+
   BoardState& board_;
-  const FirmwareClock& clock_;
+  FirmwareClock clock_;
+  SimTime limit_ = kNever;
 };
 
 }  // namespace robosim::exec

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
+#include "hal/board/robot_port.h"
 #include "sim/base/bundle.h"
 #include "sim/base/error.h"
+#include "sim/exec/core/board_probe.h"
 #include "sim/wire/run_result.h"
 
 namespace robosim::exec {
@@ -36,7 +37,9 @@ class Executor {
   virtual ~Executor() = default;
 
   /// The seam to the robot. Valid for the executor's whole life, across power cycles.
-  virtual Board& board() = 0;
+  virtual RobotPort& board() = 0;
+  /// Past the seam, for the simulation itself.
+  virtual BoardProbe& probe() = 0;
 
   /// Loads the firmware afresh and starts it at `t`; all pins are inputs. EEPROM keeps its content.
   virtual void power_on(SimTime t) = 0;

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/exec/core/clocked_board.h"
 #include "sim/exec/host/bad_access.h"
 #include "sim/exec/host/fiber.h"
 #include "sim/exec/host/host_fault.h"
@@ -59,7 +58,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.heap_bytes = heap_.size();
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
-    state_.now = state_.wake = state_.last_call = owner.clock_.to_firmware(t);
+    state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
     catch_faults();
   }
 
@@ -71,8 +70,8 @@ class HostExecutor::Instance final : public host::Host {
 
   /// Runs the firmware to `t`; false if it has crashed.
   bool run_until(SimTime t) {
-    state_.limit = owner_.clock_.to_firmware(t);
-    state_.next_input = next_input();
+    state_.limit = owner_.clocked_.begin_tick(t);
+    state_.next_input = owner_.clocked_.next_input();
     if (std::min(state_.wake, state_.next_input) >= state_.limit) return true;
     running_ = this;
     if (sigsetjmp(escape_, 0) == 0) {
@@ -106,24 +105,24 @@ class HostExecutor::Instance final : public host::Host {
 
   bool take_input(SimTime until, host::Input& input) override {
     BoardInput taken;
-    const bool found = owner_.board_.take_input(owner_.clock_.to_world(until), taken);
-    state_.next_input = next_input();
+    const bool found = owner_.clocked_.take_input(until, taken);
+    state_.next_input = owner_.clocked_.next_input();
     if (!found) return false;
     input.kind = taken.kind == BoardInput::Kind::edge ? host::Input::Kind::edge : host::Input::Kind::byte;
     input.pin = taken.pin;
     input.value = taken.value;
-    input.at = owner_.clock_.to_firmware(taken.at);
+    input.at = taken.at;
     return true;
   }
 
   void want_edges(Pin pin, bool wanted) override {
-    owner_.board_.set_wants_edges(pin, wanted);
-    state_.next_input = next_input();
+    owner_.clocked_.set_wants_edges(pin, wanted);
+    state_.next_input = owner_.clocked_.next_input();
   }
 
   void listen(SimTime byte_time, SimTime now) override {
-    owner_.board_.listen(byte_time, owner_.clock_.to_world(now));
-    state_.next_input = next_input();
+    owner_.clocked_.listen(byte_time, now);
+    state_.next_input = owner_.clocked_.next_input();
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
@@ -153,7 +152,7 @@ class HostExecutor::Instance final : public host::Host {
  private:
   static void start(void* argument) {
     auto& self = *static_cast<Instance*>(argument);
-    self.image_.entry().run(self.board_, self, self.state_.now);
+    self.image_.entry().run(self.owner_.clocked_, self, self.state_.now);
   }
 
   std::vector<MemoryRange> checked_memory() const {
@@ -264,10 +263,7 @@ class HostExecutor::Instance final : public host::Host {
 
   static thread_local Instance* running_;
 
-  SimTime next_input() const { return owner_.clock_.to_firmware(owner_.board_.next_input()); }
-
   HostExecutor& owner_;
-  ClockedBoard board_{owner_.board_, owner_.clock_};
   LoadedImage image_;
   host::FirmwareState& state_;
   GuardedMemory heap_;
@@ -352,7 +348,7 @@ std::vector<BundledFile> HostExecutor::counters() {
 SimTime HostExecutor::last_call() const {
   if (!instance_) return reached_;
   const host::FirmwareState& state = instance_->state();
-  return state.waiting && !crash_ ? reached_ : clock_.to_world(state.last_call);
+  return state.waiting && !crash_ ? reached_ : clocked_.to_world(state.last_call);
 }
 
 SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
@@ -368,7 +364,7 @@ Activity HostExecutor::activity() {
   if (call.arguments == 1) activity.call += fmt::format("({})", call.argument[0]);
   if (call.arguments == 2) activity.call += fmt::format("({}, {})", call.argument[0], call.argument[1]);
   activity.pin = call.pin;
-  if (reached_ - clock_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
+  if (reached_ - clocked_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
   activity.where = crash_ ? crash_->where : instance_->place();
   if (state.stopped_by) activity.stopped_by = state.stopped_by;
   return activity;

@@ -10,9 +10,8 @@
 #include <optional>
 
 #include "hal/board/board_spec.h"
-#include "sim/exec/core/board_state.h"
+#include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/firmware_clock.h"
 
 namespace robosim::exec {
 
@@ -22,7 +21,8 @@ class HostExecutor final : public Executor {
   HostExecutor(const BoardSpec& spec, std::filesystem::path image);
   ~HostExecutor() override;
 
-  Board& board() override { return board_; }
+  RobotPort& board() override { return board_; }
+  BoardProbe& probe() override { return board_; }
   /// Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
   void power_off(SimTime t) override;
@@ -33,13 +33,13 @@ class HostExecutor final : public Executor {
   SimTime last_call() const override;
   std::vector<BundledFile> counters() override;
   bool has_chip_faults() const override { return true; }
-  void set_clock_drift(int ppm, SimTime t) override { clock_.drift(ppm, t); }
+  void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
   class Instance;
 
   BoardState board_;
-  FirmwareClock clock_;
+  ClockedBoard clocked_{board_};
   std::filesystem::path image_;
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;

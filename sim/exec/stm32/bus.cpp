@@ -55,7 +55,7 @@ const char* Bus::name_at(Address address) {
   return "";
 }
 
-Bus::Bus(BoardState& board, EepromPages& pages, SimTime began)
+Bus::Bus(ClockedBoard& board, EepromPages& pages, SimTime began)
     : link_{board, Clock(began)},
       clocks_(link_),
       flash_(link_, pages),

@@ -31,7 +31,7 @@ struct Unmodelled {
 
 class Bus {
  public:
-  Bus(BoardState& board, EepromPages& pages, SimTime began);
+  Bus(ClockedBoard& board, EepromPages& pages, SimTime began);
 
   /// `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);

@@ -1,4 +1,4 @@
-// The chip's time: processor cycles, whose length changes when firmware switches the clock.
+// The chip's time, by its own clock: processor cycles, whose length changes when firmware switches the clock.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,8 @@ namespace robosim::exec::stm32 {
 
 class DebugPort final : public gdb::DebugPort {
  public:
-  DebugPort(gdb::Server& server, const Firmware& firmware) : gdb::DebugPort(server), firmware_(firmware) {}
+  DebugPort(gdb::Server& server, const Firmware& firmware, const ClockedBoard& board)
+      : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
   /// At power-on.
   void plug_into(Machine& machine);
@@ -30,7 +31,7 @@ class DebugPort final : public gdb::DebugPort {
   bool is_asleep() const override { return cpu().is_asleep(); }
   std::size_t open_handlers() const override { return cpu().open_handlers(); }
   std::uint64_t cycle() const override { return machine_->bus().link().clock.now; }
-  SimTime time() const override { return machine_->time_of(cycle()); }
+  SimTime time() const override { return board_.to_world(machine_->time_of(cycle())); }
   bool has_code(std::uint32_t address) const override { return firmware_.has_code(address); }
   bool has_ram(std::uint32_t address, std::size_t size) const override;
   void poke(std::uint32_t address, std::uint8_t value) override { cpu().set_byte(address, value); }
@@ -41,6 +42,7 @@ class DebugPort final : public gdb::DebugPort {
   Cpu& cpu() const { return machine_->cpu(); }
 
   const Firmware& firmware_;
+  const ClockedBoard& board_;
   Machine* machine_ = nullptr;
 };
 

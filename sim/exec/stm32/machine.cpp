@@ -8,7 +8,7 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board,
+Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board,
                  EepromPages& pages, SimTime t)
     : firmware_(firmware),
       board_(board),
@@ -57,7 +57,7 @@ void Machine::trace_bytes(WrittenBytes& bytes) {
 
 void Machine::write_called(WrittenBytes& bytes) {
   constexpr int kByte = 1;  // the argument behind `this`
-  bytes.wrote(static_cast<std::uint8_t>(cpu_.reg(kByte)), bus_.link().clock.time());
+  bytes.wrote(static_cast<std::uint8_t>(cpu_.reg(kByte)), board_.to_world(bus_.link().clock.time()));
 }
 
 void Machine::look_at_heap() {

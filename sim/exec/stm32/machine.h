@@ -11,9 +11,10 @@ class DebugPort;
 
 class Machine {
  public:
-  /// `loop`: the first instruction of loop(), if it is known.
-  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, BoardState& board, EepromPages& pages,
-          SimTime t);
+  /// `loop`: the first instruction of loop(), if it is known. Here as everywhere in the chip, times are by
+  /// its own clock.
+  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board,
+          EepromPages& pages, SimTime t);
 
   void run_until(SimTime t);
   /// millis() begins with `start` when main() begins.
@@ -43,7 +44,7 @@ class Machine {
   void write_called(WrittenBytes& bytes);
 
   const Firmware& firmware_;
-  BoardState& board_;
+  ClockedBoard& board_;
   const EepromPages& eeprom_pages_;
   Bus bus_;
   Cpu cpu_;

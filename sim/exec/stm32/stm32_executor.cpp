@@ -27,7 +27,8 @@ Stm32Executor::~Stm32Executor() = default;
 
 void Stm32Executor::power_on(SimTime t) {
   power_off(t);
-  machine_ = std::make_unique<stm32::Machine>(image_->firmware, image_->loop, board_, eeprom_pages_, t);
+  machine_ = std::make_unique<stm32::Machine>(image_->firmware, image_->loop, clocked_, eeprom_pages_,
+                                              clocked_.begin_tick(t));
   if (clock_start_ > 0) machine_->set_clock(clock_start_);
   if (debug_port_) machine_->set_debug_port(debug_port_.get());
   if (written_) {
@@ -53,7 +54,7 @@ void Stm32Executor::power_off(SimTime t) {
 
 void Stm32Executor::run_until(SimTime t) {
   if (!machine_ || crash_) return;
-  machine_->run_until(t);
+  machine_->run_until(clocked_.begin_tick(t));
   reached_ = t;
   if (const auto& fault = machine_->cpu().fault())
     crash_ = stm32::Diagnosis(image_->firmware, image_->debug, *machine_).crash(*fault);
@@ -62,7 +63,8 @@ void Stm32Executor::run_until(SimTime t) {
 
 SimTime Stm32Executor::last_call() const {
   if (!machine_) return reached_;
-  return machine_->cpu().is_asleep() ? reached_ : machine_->time_of(machine_->cpu().last_io());
+  return machine_->cpu().is_asleep() ? reached_
+                                     : clocked_.to_world(machine_->time_of(machine_->cpu().last_io()));
 }
 
 std::optional<Resources> Stm32Executor::resources() const {
@@ -83,7 +85,7 @@ void Stm32Executor::set_clock_start(SimTime start) {
 }
 
 void Stm32Executor::debug_with(gdb::Server& server) {
-  debug_port_ = std::make_unique<stm32::DebugPort>(server, image_->firmware);
+  debug_port_ = std::make_unique<stm32::DebugPort>(server, image_->firmware, clocked_);
 }
 
 SourceLine Stm32Executor::source() {
@@ -101,6 +103,7 @@ Activity Stm32Executor::activity() {
     return activity;
   }
   Activity activity = stm32::Diagnosis(image_->firmware, image_->debug, *machine_).activity();
+  activity.last_call = clocked_.to_world(activity.last_call);
   if (crash_) activity.where = crash_->where;
   return activity;
 }

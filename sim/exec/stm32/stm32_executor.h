@@ -1,7 +1,7 @@
 // The target stm32: the same ELF that is flashed, in an emulated STM32F103 (libunicorn, see stm32/unicorn.h
 // about its licence), in lockstep with the world.
 //
-//   ELF ──► Cpu (libunicorn) ──► Bus: Clocks, Ports, Adc, Timers, Usart, Flash ──► Board
+//   ELF ──► Cpu (libunicorn) ──► Bus: Clocks, Ports, Adc, Timers, Usart, Flash ──► FirmwarePort
 //
 // Time: processor cycles, by a table (stm32/cycles.h). A tick runs to the first instruction that ends at or
 // behind its end; edges and bytes that the robot has scheduled reach the chip at the first instruction behind
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/exec/core/board_state.h"
+#include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/written_bytes.h"
 
@@ -31,7 +31,8 @@ class Stm32Executor final : public Executor {
   Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image);
   ~Stm32Executor() override;
 
-  Board& board() override { return board_; }
+  RobotPort& board() override { return board_; }
+  BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override;
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
@@ -49,6 +50,7 @@ class Stm32Executor final : public Executor {
   struct Image;
 
   BoardState board_;
+  ClockedBoard clocked_{board_};
   std::unique_ptr<const Image> image_;
   std::vector<std::uint8_t> eeprom_pages_;
   std::unique_ptr<stm32::DebugPort> debug_port_;  ///< null = nobody debugs

@@ -219,7 +219,7 @@ AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::E
   step_volts_ = supply_ / board.adc_steps;
 }
 
-void AnalogSensor::join(Board& board, Pin pin) { board.connect(pin, *this); }
+void AnalogSensor::join(RobotPort& board, Pin pin) { board.connect(pin, *this); }
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                              const PartContext& context, const Emitter& emitter)
@@ -232,7 +232,7 @@ DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec:
   falls_ = threshold - half;
 }
 
-void DigitalSensor::join(Board& board, Pin pin) {
+void DigitalSensor::join(RobotPort& board, Pin pin) {
   board_ = &board;
   pin_ = pin;
   board.connect(pin, *this);

@@ -79,7 +79,7 @@ class Sensor : public Breakable {
   }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
-  virtual void join(Board&, Pin) = 0;
+  virtual void join(RobotPort&, Pin) = 0;
   virtual void begin_tick(SimTime) {}
 
   std::span<const FaultKind> fault_kinds() const override;
@@ -127,7 +127,7 @@ class Sensor : public Breakable {
 class AnalogSensor final : public Sensor, public PinSource {
  public:
   AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(Board&, Pin) override;
+  void join(RobotPort&, Pin) override;
   double volts(SimTime t) override {
     if (stuck()) return (stuck_at() + 0.5) * step_volts_;
     const double v = white_ + span_ * blackness(t);
@@ -145,7 +145,7 @@ class AnalogSensor final : public Sensor, public PinSource {
 class DigitalSensor final : public Sensor, public PinSource {
  public:
   DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(Board&, Pin) override;
+  void join(RobotPort&, Pin) override;
   void begin_tick(SimTime) override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override {
@@ -161,7 +161,7 @@ class DigitalSensor final : public Sensor, public PinSource {
   bool black_high_;
   bool dark_ = false;
   bool last_level_ = false;
-  Board* board_ = nullptr;
+  RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
 };
 

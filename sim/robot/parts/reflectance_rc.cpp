@@ -18,7 +18,7 @@ RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& 
   black_rate_ = 1.0 / context.individual.draw(spec.black_time, name(), "black_time");
 }
 
-void RcSensor::join(Board& board, Pin pin) {
+void RcSensor::join(RobotPort& board, Pin pin) {
   board_ = &board;
   pin_ = pin;
   board.connect(pin, *this);

@@ -17,7 +17,7 @@ namespace robosim::robot {
 class RcSensor final : public Sensor, public PinSource, public PinWatcher {
  public:
   RcSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(Board&, Pin) override;
+  void join(RobotPort&, Pin) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   double volts(SimTime) override;
@@ -30,7 +30,7 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
 
   double white_rate_, black_rate_;  // 1/s: white_time and black_time, inverted
   double supply_;
-  Board* board_ = nullptr;
+  RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
   // The capacitor's charge, 0..1, at `since_`, and its slope from there on, in 1/ns.
   double charge_ = 0.0;

@@ -157,13 +157,13 @@ TEST_F(RunTest, ATimerInterruptCallsItsHandler) {
 TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
   const std::string first = run_sketch("EepromGains", 500 * kMillisecond);
   EXPECT_THAT(first, StartsWith("0.50\n"));
-  EXPECT_EQ(executor_->board().eeprom()[100], 42);
+  EXPECT_EQ(executor_->probe().memory()[100], 42);
   executor_->power_off(500 * kMillisecond);
   serial_.text.clear();
   executor_->power_on(600 * kMillisecond);
   executor_->run_until(kSecond);
   EXPECT_THAT(serial_.text, StartsWith("0.50\n"));
-  EXPECT_EQ(executor_->board().eeprom()[500], 2) << "counts its starts";
+  EXPECT_EQ(executor_->probe().memory()[500], 2) << "counts its starts";
 }
 
 TEST_F(RunTest, ASleepingSketchWakesForTheClockAndParksForGood) {

@@ -48,7 +48,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     now_ = t;
   }
 
-  Board& board() { return host_->board(); }
+  RobotPort& board() { return host_->board(); }
 
   /// Runs tick by tick for `duration`.
   void run(SimTime duration) {

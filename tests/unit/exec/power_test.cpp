@@ -27,7 +27,7 @@ void loop() {})");
   host_->power_on(now_);
   run(20 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(255, 155));
-  EXPECT_EQ(board().eeprom()[3], 55);
+  EXPECT_EQ(host_->probe().memory()[3], 55);
 }
 
 TEST_F(PowerTest, AnEepromWriteTakes3400Microseconds) {
@@ -59,7 +59,7 @@ void loop() {})");
   run(12 * kMillisecond);
   EXPECT_THAT(watcher.heard, ElementsAre(9, 255, 7));
   EXPECT_NEAR(static_cast<double>(watcher.at), 5e6, 1e6);
-  board().eeprom()[9] = 42;
+  host_->probe().memory()[9] = 42;
   run(20 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(7, 42));
 }

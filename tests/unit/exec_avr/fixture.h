@@ -62,7 +62,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 
   virtual void before_power_on() {}
 
-  Board& board() { return avr_->board(); }
+  RobotPort& board() { return avr_->board(); }
 
   void run(SimTime duration) {
     for (const SimTime end = now_ + duration; now_ < end;) avr_->run_until(now_ += kTick);

@@ -19,7 +19,7 @@ void setup() {
 }
 void loop() {})");
   run(20 * kMillisecond);
-  EXPECT_EQ(board().eeprom()[5], 7);
+  EXPECT_EQ(avr_->probe().memory()[5], 7);
   avr_->power_off(now_);
   EXPECT_EQ(board().drive(1).mode, PinMode::input);
   run(10 * kMillisecond);
@@ -56,7 +56,7 @@ void loop() {})");
   run(12 * kMillisecond);
   EXPECT_THAT(watcher.heard, ElementsAre(9, 255, 7));
   EXPECT_NEAR(static_cast<double>(watcher.at), 5e6, 1e6);
-  board().eeprom()[9] = 42;
+  avr_->probe().memory()[9] = 42;
   run(20 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(7, 42));
 }

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 /// Stands for the processor: time passes with every access, and handlers run when their interrupts are due.
 class Chip {
  public:
-  Chip(BoardState& board, EepromPages& pages) : bus(board, pages, 0) {}
+  Chip(BoardState& state, EepromPages& pages) : board(state), bus(board, pages, 0) {}
 
   void pass(Cycle cycles) {
     Clock& clock = bus.link().clock;
@@ -68,6 +68,7 @@ class Chip {
     settle();
   }
 
+  ClockedBoard board;
   Bus bus;
   bool interrupts_on = true, serving = false;
 };
@@ -395,8 +396,9 @@ TEST_F(HalTest, ShiftOutAndShiftInTakeTheOrderOfBits) {
 
 TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
   BoardState board(*find_board("bluepill"));
+  ClockedBoard clocked(board);
   EepromPages pages(4096, 0xFF);
-  Bus bus(board, pages, 0);
+  Bus bus(clocked, pages, 0);
   bus.load(0x40005404, 4);
   ASSERT_TRUE(bus.unmodelled());
   EXPECT_EQ(bus.unmodelled()->what, "register 0x40005404 (I2C1)");
@@ -404,8 +406,9 @@ TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
 
 TEST(BusTest, APeripheralWithoutItsClockTakesNothing) {
   BoardState board(*find_board("bluepill"));
+  ClockedBoard clocked(board);
   EepromPages pages(4096, 0xFF);
-  Bus bus(board, pages, 0);
+  Bus bus(clocked, pages, 0);
   bus.store(robosim::stm32::kGpioA + robosim::stm32::kCrl, 0x33333333, 4);
   EXPECT_EQ(board.drive(14).mode, PinMode::input);
   bus.store(robosim::stm32::kRccApb2Enr, robosim::stm32::kIopaEn, 4);

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "hal/board/board.h"
 #include "hal/board/board_spec.h"
+#include "hal/board/firmware_port.h"
+#include "hal/board/robot_port.h"
 
 namespace robosim::robot {
 
-class FakeBoard final : public Board {
+class FakeBoard final : public FirmwarePort, public RobotPort {
  public:
   explicit FakeBoard(const BoardSpec& spec) : spec_(spec) {}
 

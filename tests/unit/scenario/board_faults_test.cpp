@@ -23,7 +23,8 @@ constexpr SimTime ms = kMillisecond;
 /// Notes what is done to it.
 class Probe final : public exec::Executor {
  public:
-  Board& board() override { return state; }
+  RobotPort& board() override { return state; }
+  exec::BoardProbe& probe() override { return state; }
   void power_on(SimTime t) override {
     state.reset(t);
     state.listen(1, t);

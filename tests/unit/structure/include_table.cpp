@@ -93,6 +93,12 @@ std::vector<std::string> broken_rules(const IncludeTable& table, const Files& fi
       std::smatch match;
       if (!std::regex_search(line, match, include)) continue;
       const std::string header = match[2];
+      for (const auto& [start, folders] : table.alone) {
+        if (header.starts_with(start) && !is_below_any(file, folders)) {
+          broken.push_back(fmt::format("{}:{}: includes {}; only these may: {}", file, number, header,
+                                       fmt::join(folders, ", ")));
+        }
+      }
       if (const auto target = resolve(header, file, table, files)) {
         if (is_below(*target, row->first) || is_below_any(*target, row->second)) continue;
         broken.push_back(fmt::format(
@@ -102,12 +108,6 @@ std::vector<std::string> broken_rules(const IncludeTable& table, const Files& fi
       }
       if (match[1] == "\"" && is_below_any(header, {"sim", "hal", "firmware", "tests"})) {
         broken.push_back(fmt::format("{}:{}: includes {}, and there is no such file", file, number, header));
-      }
-      for (const auto& [start, folders] : table.alone) {
-        if (header.starts_with(start) && !is_below_any(file, folders)) {
-          broken.push_back(fmt::format("{}:{}: includes {}; only these may: {}", file, number, header,
-                                       fmt::join(folders, ", ")));
-        }
       }
     }
   }

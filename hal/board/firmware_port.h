@@ -1,0 +1,28 @@
+// The board as firmware sees it: executors call this, and images of the host target through theirs.
+#pragma once
+
+#include "hal/board/board.h"
+
+namespace robosim {
+
+class FirmwarePort {
+ public:
+  virtual const BoardSpec& spec() const = 0;
+  /// The firmware changes how it drives `pin`. Watchers hear of it if it differs from before.
+  virtual void set_drive(Pin pin, const PinDrive& drive, SimTime t) = 0;
+  /// What a digital read of `pin` gives: its source; an output reads back its own level; an unconnected pin
+  /// reads high with a pull-up and low without.
+  virtual bool read_level(Pin pin, SimTime t) = 0;
+  /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
+  virtual double read_volts(Pin pin, SimTime t) = 0;
+  virtual void send_byte(uint8_t byte, SimTime t) = 0;
+  /// Non-volatile memory, of spec().eeprom_bytes; 0xFF when new. Survives power cycles.
+  virtual uint8_t* eeprom() = 0;
+  /// The firmware begins to write a byte of it; `address` is below spec().eeprom_bytes.
+  virtual void write_eeprom(uint16_t address, uint8_t value, SimTime t) = 0;
+
+ protected:
+  ~FirmwarePort() = default;
+};
+
+}  // namespace robosim

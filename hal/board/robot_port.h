@@ -1,0 +1,89 @@
+// The board as the robot sees it: its parts, and the simulation around them, call this.
+#pragma once
+
+#include "hal/board/board.h"
+
+namespace robosim {
+
+/// What the robot puts on a pin. Asked only when firmware looks, with a time inside the current tick; the
+/// answer is extrapolated from the world's state at the tick's start.
+class PinSource {
+ public:
+  /// The voltage against ground, in volts. May consume a sample of noise.
+  virtual double volts(SimTime t) = 0;
+  /// The logic level. May consume a sample of noise.
+  virtual bool level(SimTime t) = 0;
+
+ protected:
+  ~PinSource() = default;
+};
+
+/// Told of every change in the way a pin is driven, in the order of time.
+class PinWatcher {
+ public:
+  virtual void pin_changed(Pin pin, const PinDrive& drive, SimTime t) = 0;
+
+ protected:
+  ~PinWatcher() = default;
+};
+
+/// Told of every byte that the firmware has sent by UART.
+class SerialWatcher {
+ public:
+  /// `t` is when the firmware handed the byte over.
+  virtual void byte_sent(uint8_t byte, SimTime t) = 0;
+
+ protected:
+  ~SerialWatcher() = default;
+};
+
+/// Told of every byte of EEPROM whose writing begins: it takes kEepromWriteTime.
+class EepromWatcher {
+ public:
+  virtual void eeprom_written(uint16_t address, uint8_t before, uint8_t value, SimTime t) = 0;
+
+ protected:
+  ~EepromWatcher() = default;
+};
+
+/// Told of what comes into the microcontroller: what its firmware finds when it looks at a pin, edges that
+/// reach an interrupt, bytes that reach the UART. Nearly, but not always, in the order of time.
+class InputWatcher {
+ public:
+  virtual void level_seen(Pin pin, bool level, SimTime t) = 0;
+  virtual void volts_seen(Pin pin, double volts, SimTime t) = 0;
+  virtual void byte_received(uint8_t byte, SimTime t) = 0;
+
+ protected:
+  ~InputWatcher() = default;
+};
+
+class RobotPort {
+ public:
+  virtual const BoardSpec& spec() const = 0;
+  virtual const PinDrive& drive(Pin pin) const = 0;
+  /// One source a pin; the source must outlive the board's use of it.
+  virtual void connect(Pin pin, PinSource& source) = 0;
+  /// Several watchers a pin are told in the order in which they were added.
+  virtual void watch(Pin pin, PinWatcher& watcher) = 0;
+  virtual void watch_serial(SerialWatcher& watcher) = 0;
+  /// One watcher at a time.
+  virtual void watch_eeprom(EepromWatcher& watcher) = 0;
+  /// One watcher at a time; hearing changes nothing.
+  virtual void watch_inputs(InputWatcher& watcher) = 0;
+  /// `pin` will change to `level` at `at`, within the tick that is about to run: this is what interrupts and
+  /// polling emulators see. The pin's source must agree with it. Per pin, times must not decrease.
+  virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
+  /// Whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's input
+  /// register must follow). Sources that are costly to evaluate ask first.
+  virtual bool wants_edges(Pin pin) const = 0;
+  /// Whether that holds for any pin: asked once a tick.
+  virtual bool wants_any_edges() const = 0;
+  /// A byte arrives at the UART. Bytes queue at the firmware's baud rate.
+  virtual void receive_byte(uint8_t byte, SimTime at) = 0;
+
+ protected:
+  ~RobotPort() = default;
+};
+
+}  // namespace robosim
