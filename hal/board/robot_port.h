@@ -71,8 +71,9 @@ class RobotPort {
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
   /// One watcher at a time; hearing changes nothing.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// `pin` will change to `level` at `at`, within the tick that is about to run: this is what interrupts and
-  /// polling emulators see. The pin's source must agree with it. Per pin, times must not decrease.
+  /// `pin` will have `level` from `at` on, a time within the tick that is about to run: this is what
+  /// interrupts and polling emulators see. The pin's source must agree with it. Per pin, times must not
+  /// decrease. Where the pin has that level already, there is no edge.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
   /// Whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's input
   /// register must follow). Sources that are costly to evaluate ask first.

@@ -36,13 +36,14 @@ Pin take_line() {
 }
 
 void refresh_external() {
-  for (Pin pin = kPortPins; pin < kMostPins; ++pin) executor->want_edges(pin, lines.enabled >> pin & 1);
+  for (Pin pin = kPortPins; pin < kMostPins; ++pin)
+    executor->want_edges(pin, lines.enabled >> pin & 1, state.now);
   for (Pin pin = 0; pin < kPortPins; ++pin) {
     const Port port = port_of(pin);
     bool wanted = external.change_control >> port & 1 && external.change_mask[port] & mask_of(pin);
     for (int number = 0; number < 2; ++number)
       wanted = wanted || (pin == kFirstPin + number && external.mask >> number & 1);
-    executor->want_edges(pin, wanted || lines.enabled >> pin & 1);
+    executor->want_edges(pin, wanted || lines.enabled >> pin & 1, state.now);
   }
   for (int number = 0; number < 2; ++number)
     low[number] = external.mask >> number & 1 && sense_of(number) == 0 &&

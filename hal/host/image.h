@@ -61,8 +61,8 @@ class Host {
   virtual void yield() = 0;
   /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
-  /// Edges on `pin` shall arrive as input.
-  virtual void want_edges(Pin pin, bool wanted) = 0;
+  /// Edges on `pin` shall arrive as input from `now` on; or no longer.
+  virtual void want_edges(Pin pin, bool wanted, SimTime now) = 0;
   /// The UART's receiver listens, and a byte takes `byte_time`; 0 = it does not listen, bytes are lost.
   virtual void listen(SimTime byte_time, SimTime now) = 0;
   /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells

@@ -99,6 +99,15 @@ TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
   EXPECT_EQ(r.serial, "went on\r\n");
 }
 
+TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
+  const wire::RunResult r = run({.sketch = "EdgesOverBlack",
+                                 .robot = (sketch_folder("EdgesOverBlack") / "robot.toml").string(),
+                                 .goal = "none",
+                                 .for_s = 0.5,
+                                 .target = GetParam()});
+  EXPECT_EQ(r.serial, "0\r\n");
+}
+
 class OnTheChip : public testing::Test {
  protected:
   void SetUp() override { needs_target("avr"); }

@@ -208,10 +208,8 @@ bool Ports::notices_edges(Pin pin) const {
 
 void Ports::want_edges(Pin pin, bool wanted) {
   if (link_.board.wants_edges(pin) == wanted) return;
-  link_.board.set_wants_edges(pin, wanted);
+  const bool level = link_.board.set_wants_edges(pin, wanted, link_.now());
   if (!wanted) return;
-  // From here on every edge counts; what was before is no edge.
-  const bool level = link_.board.read_level(pin, link_.now());
   avr_ioport_t& module = *modules_[static_cast<std::size_t>(port_of(pin))];
   const std::uint8_t mask = mask_of(pin);
   module.external.pull_value = static_cast<std::uint8_t>(level ? module.external.pull_value | mask
@@ -254,7 +252,7 @@ void Ports::deliver(const BoardInput& edge) {
 void Ports::was_reset() {
   for (Pin pin = 0; pin < 20; ++pin) {
     refresh(pin);
-    link_.board.set_wants_edges(pin, false);
+    link_.board.set_wants_edges(pin, false, link_.now());
   }
 }
 

@@ -11,6 +11,7 @@ void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
   PinState& state = pins_[pin];
   if (state.drive == drive) return;
   state.drive = drive;
+  if (state.wants_edges && drive.mode == PinMode::output) state.last_level = level_on(pin, t);
   for (PinWatcher* watcher : state.watchers) watcher->pin_changed(pin, drive, t);
 }
 
@@ -59,10 +60,13 @@ void BoardState::watch(Pin pin, PinWatcher& watcher) {
 
 void BoardState::schedule_edge(Pin pin, bool level, SimTime at) {
   if (pin >= kMaxPins) return;
+  PinState& state = pins_[pin];
+  if (state.wants_edges && level == state.last_level) return;
+  state.last_level = level;
   const BoardInput edge{BoardInput::Kind::edge, pin, level, at};
   const auto later = [](SimTime time, const BoardInput& other) { return time < other.at; };
   edges_.insert(std::upper_bound(edges_.begin(), edges_.end(), at, later), edge);
-  if (pins_[pin].wants_edges) next_input_ = std::min(next_input_, at);
+  if (state.wants_edges) next_input_ = std::min(next_input_, at);
 }
 
 void BoardState::receive_byte(std::uint8_t byte, SimTime at) {
@@ -83,11 +87,23 @@ void BoardState::reset(SimTime t) {
   next_input_ = kNever;
 }
 
-void BoardState::set_wants_edges(Pin pin, bool wanted) {
-  if (pin >= kMaxPins || pins_[pin].wants_edges == wanted) return;
-  pins_[pin].wants_edges = wanted;
+bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
+  if (pin >= kMaxPins || pins_[pin].wants_edges == wanted) return false;
+  PinState& state = pins_[pin];
+  state.wants_edges = wanted;
   wanted_pins_ += wanted ? 1 : -1;
+  const bool level = wanted && read_level(pin, now);
+  if (wanted) {
+    state.last_level = level;
+    std::erase_if(edges_, [&](const BoardInput& edge) {
+      if (edge.pin != pin) return false;
+      const bool changes = edge.at > now && (edge.value != 0) != state.last_level;
+      if (changes) state.last_level = edge.value != 0;
+      return !changes;
+    });
+  }
   refresh_next();
+  return level;
 }
 
 void BoardState::listen(SimTime byte_time, SimTime now) {

@@ -55,7 +55,9 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   // --- for executors
   /// A reset: all pins become inputs, nobody wants edges, the receiver is off; what was on its way is lost.
   void reset(SimTime t);
-  void set_wants_edges(Pin pin, bool wanted);
+  /// From `now` on edges on `pin` are wanted, or no longer: a change of the level that it has then. Where
+  /// they become wanted, firmware's side looks at the pin for that, and this is what it finds.
+  bool set_wants_edges(Pin pin, bool wanted, SimTime now);
   /// The receiver listens from `now` on, a byte taking `byte_time`; 0 = it does not. Bytes sent before are
   /// lost.
   void listen(SimTime byte_time, SimTime now);
@@ -73,6 +75,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     PinSource* source = nullptr;
     std::vector<PinWatcher*> watchers;
     bool wants_edges = false;
+    bool last_level = false;  ///< while edges are wanted: after the last one that is known
   };
   struct Byte {
     std::uint8_t value;

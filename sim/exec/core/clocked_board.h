@@ -26,7 +26,9 @@ class ClockedBoard final : public FirmwarePort {
   void drift(int ppm, SimTime world) { clock_.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }
-  void set_wants_edges(Pin pin, bool wanted) { board_.set_wants_edges(pin, wanted); }
+  bool set_wants_edges(Pin pin, bool wanted, SimTime now) {
+    return board_.set_wants_edges(pin, wanted, at(now));
+  }
   void listen(SimTime byte_time, SimTime now) { board_.listen(byte_time, at(now)); }
   SimTime next_input() const { return clock_.to_firmware(board_.next_input()); }
   bool take_input(SimTime until, BoardInput& input) {

@@ -115,8 +115,8 @@ class HostExecutor::Instance final : public host::Host {
     return true;
   }
 
-  void want_edges(Pin pin, bool wanted) override {
-    owner_.clocked_.set_wants_edges(pin, wanted);
+  void want_edges(Pin pin, bool wanted, SimTime now) override {
+    owner_.clocked_.set_wants_edges(pin, wanted, now);
     state_.next_input = owner_.clocked_.next_input();
   }
 

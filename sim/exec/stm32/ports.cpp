@@ -184,7 +184,7 @@ void Ports::interrupts_changed() {
       const Pin number = number_of({port, line});
       if (number == kNoPin) continue;
       const bool wanted = mask_ >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
-      link_.board.set_wants_edges(number, wanted);
+      link_.board.set_wants_edges(number, wanted, link_.clock.time());
     }
   for (const Irq irq : {kIrqExti0, kIrqExti1, kIrqExti2, kIrqExti3, kIrqExti4, kIrqExti9_5, kIrqExti15_10}) {
     bool high = false;

@@ -239,10 +239,7 @@ void DigitalSensor::join(RobotPort& board, Pin pin) {
 }
 
 void DigitalSensor::begin_tick(SimTime t) {
-  if (!board_->wants_edges(pin_)) return;
-  const bool now = level(t);
-  if (now != last_level_) board_->schedule_edge(pin_, now, t);
-  last_level_ = now;
+  if (board_->wants_edges(pin_)) board_->schedule_edge(pin_, level(t), t);
 }
 
 }  // namespace robosim::robot

@@ -160,7 +160,6 @@ class DigitalSensor final : public Sensor, public PinSource {
   double rises_, falls_, supply_;
   bool black_high_;
   bool dark_ = false;
-  bool last_level_ = false;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
 };

@@ -78,8 +78,8 @@ TEST_F(BoardStateTest, WatchersHearOfChangesOnlyInTheOrderInWhichTheyWereAdded) 
 }
 
 TEST_F(BoardStateTest, EdgesArriveInTheOrderOfTimeWhateverPinTheyAreOn) {
-  board_.set_wants_edges(2, true);
-  board_.set_wants_edges(3, true);
+  board_.set_wants_edges(2, true, 0);
+  board_.set_wants_edges(3, true, 0);
   board_.schedule_edge(2, true, 300);
   board_.schedule_edge(3, true, 100);
   board_.schedule_edge(3, false, 400);
@@ -92,9 +92,38 @@ TEST_F(BoardStateTest, EdgesThatNobodyWantsAreNoInput) {
   board_.schedule_edge(2, true, 100);
   EXPECT_EQ(board_.next_input(), kNever);
   EXPECT_FALSE(board_.wants_edges(2));
-  board_.set_wants_edges(2, true);
+  board_.set_wants_edges(2, true, 50);
   EXPECT_TRUE(board_.wants_edges(2));
   EXPECT_EQ(board_.next_input(), 100);
+}
+
+TEST_F(BoardStateTest, NoEdgeLeadsToTheLevelThatAPinHasAlready) {
+  FixedSource high(5.0);
+  board_.connect(2, high);
+  EXPECT_TRUE(board_.set_wants_edges(2, true, 100));
+  board_.schedule_edge(2, true, 200);
+  board_.schedule_edge(2, false, 300);
+  board_.schedule_edge(2, false, 400);
+  board_.schedule_edge(2, true, 500);
+  EXPECT_EQ(board_.next_input(), 300);
+  EXPECT_THAT(inputs(kSecond), ElementsAre(2, 2));
+}
+
+TEST_F(BoardStateTest, WhatWasBeforeEdgesWereWantedIsNoEdge) {
+  board_.schedule_edge(2, true, 100);
+  board_.schedule_edge(2, false, 300);
+  board_.schedule_edge(2, true, 400);
+  EXPECT_FALSE(board_.set_wants_edges(2, true, 200));
+  EXPECT_EQ(board_.next_input(), 400);
+  EXPECT_THAT(inputs(kSecond), ElementsAre(2));
+}
+
+TEST_F(BoardStateTest, AnOutputsOwnLevelIsWhatTheNextEdgeChanges) {
+  board_.set_wants_edges(2, true, 0);
+  board_.set_drive(2, output(true), 10);
+  board_.set_drive(2, PinDrive{}, 20);
+  board_.schedule_edge(2, false, 30);
+  EXPECT_THAT(inputs(kSecond), ElementsAre(2));
 }
 
 TEST_F(BoardStateTest, BytesArriveOneAfterTheOtherAtTheBaudRate) {
@@ -118,7 +147,7 @@ TEST_F(BoardStateTest, BytesSentBeforeTheReceiverListensAreLost) {
 
 TEST_F(BoardStateTest, AResetFreesPinsAndForgetsWhatIsOnItsWayButNotTheEeprom) {
   board_.set_drive(9, output(true), 0);
-  board_.set_wants_edges(2, true);
+  board_.set_wants_edges(2, true, 0);
   board_.schedule_edge(2, true, 100);
   board_.eeprom()[7] = 42;
   board_.reset(50);

@@ -41,6 +41,18 @@ void setup() { Serial.begin(115200); attachInterrupt(1, tick, )") +
   }
 }
 
+TEST_F(InterruptsTest, AttachingToAPinThatIsHighIsNoEdge) {
+  start(R"(volatile int count;
+void tick() { ++count; }
+void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5); Serial.println(count); } void loop() {})");
+  FixedSource high(5.0);
+  board().connect(2, high);
+  run(kMillisecond);
+  for (int i = 0; i < 3; ++i) board().schedule_edge(2, true, now_ + i * 100 * kMicrosecond);
+  run(20 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(0));
+}
+
 TEST_F(InterruptsTest, AHandlerRunsAtItsEdgeEvenInADelay) {
   prepare(R"(void mark() { digitalWrite(13, !digitalRead(13)); }
 void setup() { pinMode(13, OUTPUT); attachInterrupt(0, mark, CHANGE); delay(100000); }
@@ -140,7 +152,7 @@ TEST_F(InterruptsTest, AnEmptyLoopServesHandlersForEver) {
 void tick() { ++count; digitalWrite(13, count & 1); }
 void setup() { pinMode(13, OUTPUT); attachInterrupt(0, tick, RISING); for (;;); }
 void loop() {})");
-  for (int i = 0; i < 3; ++i) board().schedule_edge(2, true, now_ + (i + 1) * 200 * kMicrosecond);
+  for (int i = 0; i < 6; ++i) board().schedule_edge(2, i % 2 == 0, now_ + (i + 1) * 100 * kMicrosecond);
   run(kMillisecond);
   EXPECT_EQ(changes(13).size(), 4u);
   EXPECT_LT(host_->last_call(), 10 * kMillisecond);

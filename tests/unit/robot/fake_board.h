@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     SimTime at;
     bool operator==(const Edge&) const = default;
   };
-  std::vector<Edge> edges;    ///< all that were scheduled
+  std::vector<Edge> edges;    ///< all that were scheduled, but repeats of a level
   bool edges_wanted = false;  ///< what wants_edges answers
 
   void output(Pin pin, bool level, SimTime t) {
@@ -32,6 +33,11 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     PinDrive drive;
     drive.mode = pullup ? PinMode::input_pullup : PinMode::input;
     set_drive(pin, drive, t);
+  }
+  /// An interrupt is attached to `pin`, and the chip looks at it for that.
+  void want_edges(Pin pin, SimTime t) {
+    edges_wanted = true;
+    levels_[pin] = read_level(pin, t);
   }
   bool connected(Pin pin) const { return sources_[pin] != nullptr; }
 
@@ -55,7 +61,10 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   void watch(Pin pin, PinWatcher& watcher) override { watchers_[pin].push_back(&watcher); }
   void watch_serial(SerialWatcher&) override {}
   void watch_eeprom(EepromWatcher&) override {}
-  void schedule_edge(Pin pin, bool level, SimTime at) override { edges.push_back({pin, level, at}); }
+  void schedule_edge(Pin pin, bool level, SimTime at) override {
+    if (levels_[pin] != level) edges.push_back({pin, level, at});
+    levels_[pin] = level;
+  }
   bool wants_edges(Pin) const override { return edges_wanted; }
   bool wants_any_edges() const override { return edges_wanted; }
   void receive_byte(uint8_t, SimTime) override {}
@@ -65,6 +74,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   bool pulled_up(Pin pin) const { return drives_[pin].mode == PinMode::input_pullup; }
 
   const BoardSpec& spec_;
+  std::array<std::optional<bool>, kMaxPins> levels_{};  ///< as firmware's side knows it
   std::array<PinDrive, kMaxPins> drives_{};
   std::array<PinSource*, kMaxPins> sources_{};
   std::array<std::vector<PinWatcher*>, kMaxPins> watchers_;

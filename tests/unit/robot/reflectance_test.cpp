@@ -168,6 +168,29 @@ TEST(DigitalReflectance, InterruptsSeeItsEdges) {
   EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(Edge{kA0, true, kTick}, Edge{kA0, false, 2 * kTick}));
 }
 
+TEST(DigitalReflectance, AnInterruptAttachedOverBlackMeetsNoEdgeUntilTheLineEnds) {
+  BenchRobot bench(sensor("read = \"digital\"\n"));
+  bench.ticks(3);
+  bench.board.want_edges(kA0, bench.now);
+  bench.ticks(3);
+  EXPECT_THAT(bench.board.edges, ::testing::IsEmpty());
+  place_beside_line(bench, 0.03);
+  bench.tick();
+  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, bench.now}));
+}
+
+TEST(DigitalReflectance, AnInterruptAttachedAgainMeetsNoEdgeOfTheTimeBetween) {
+  BenchRobot bench(sensor("read = \"digital\"\n"));
+  bench.board.want_edges(kA0, bench.now);
+  bench.tick();
+  bench.board.edges_wanted = false;
+  place_beside_line(bench, 0.03);
+  bench.ticks(3);
+  bench.board.want_edges(kA0, bench.now);
+  bench.ticks(3);
+  EXPECT_THAT(bench.board.edges, ::testing::IsEmpty());
+}
+
 class RcReflectance : public ::testing::Test {
  protected:
   static std::string keys() {
