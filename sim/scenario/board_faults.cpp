@@ -137,16 +137,14 @@ void BoardFaults::check(const std::string& name, const std::vector<std::string>&
   if (kind.argument == Argument::volts) parse_volts(arguments[1]);
   if (kind.argument == Argument::bytes) read_serial_fault(arguments);
   if (kind.argument == Argument::ppm) parse_ppm(arguments[1]);
-  if (name == "clock" || name == "eeprom") check_chip(name);
+  if (name == "eeprom") check_eeprom();
   if (kind.argument == Argument::bit) parse_bit(arguments, executor_.probe().memory().size());
 }
 
-void BoardFaults::check_chip(const std::string& what) const {
-  if (!executor_.has_chip_faults())
+void BoardFaults::check_eeprom() const {
+  if (!executor_.has_boards_eeprom())
     throw InputError(
-        fmt::format("{}: on this target scripts can neither break nor follow it; they can on host "
-                    "and avr",
-                    what));
+        "eeprom: on this target scripts can neither break nor follow it; they can on host and avr");
 }
 
 void BoardFaults::fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t) {

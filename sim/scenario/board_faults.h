@@ -37,8 +37,8 @@ class BoardFaults final : EepromWatcher {
 
   /// Throws InputError unless fail() would accept this; `ends`: whether it is to last for a time.
   void check(const std::string& name, const std::vector<std::string>& arguments, bool ends) const;
-  /// Throws InputError where `what`, eeprom or clock, is out of reach on this target.
-  void check_chip(const std::string& what) const;
+  /// Throws InputError where the firmware's EEPROM is out of reach on this target.
+  void check_eeprom() const;
   /// `arguments` begin with the kind. A new fault of a thing replaces the one before; "ok" repairs.
   void fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t);
 

@@ -64,7 +64,7 @@ void ScenarioPlayer::check(const Step& step, const judge::Progress& progress) co
             fmt::format("there is no station {}; {}", step.trigger.text,
                         names.empty() ? "the map has none" : "the stations are " + one_of(names)));
     }
-    if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_chip("eeprom");
+    if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_eeprom();
     if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
       parse_cell(stage_.map, action.text);
     if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);

@@ -1,13 +1,12 @@
 #include "sim/exec/avr/avr_executor.h"
 
-#include <algorithm>
-
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
 
 namespace robosim::exec {
+namespace {
 
-struct AvrExecutor::Image {
+struct Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
       : firmware(avr::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
     if (!loop) loop = firmware.find("loop");
@@ -19,90 +18,65 @@ struct AvrExecutor::Image {
   std::optional<std::uint32_t> loop;
 };
 
+class RunningAvr final : public RunningChip {
+ public:
+  RunningAvr(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger)
+      : image_(image), machine_(image.firmware, image.loop, board, t), debugger_(debugger) {
+    if (debugger) machine_.set_debug_port(debugger);
+  }
+  ~RunningAvr() override {
+    if (debugger_) debugger_->unplug();
+  }
+
+  void run_until(SimTime t) override { machine_.run_until(t); }
+  bool has_crashed() const override { return machine_.chip().fault().has_value(); }
+  Crash crash() const override { return diagnosis().crash(*machine_.chip().fault()); }
+  Resources resources() const override { return machine_.resources(); }
+  bool is_asleep() const override { return machine_.chip().is_asleep(); }
+  SimTime last_io() const override { return machine_.link().time_of(machine_.chip().last_io()); }
+  Activity activity() const override { return diagnosis().activity(); }
+  SourceLine where_now() const override { return diagnosis().where_now(); }
+  SourceLine printing(const SourceLine&) const override {
+    return diagnosis().place_of_calls(machine_.stack().open_calls());
+  }
+  void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
+  void set_clock(SimTime start) override { machine_.set_clock(start); }
+
+ private:
+  avr::Diagnosis diagnosis() const { return {image_.firmware, image_.debug, machine_}; }
+
+  const Image& image_;
+  avr::Machine machine_;
+  avr::DebugPort* debugger_;  ///< null = nobody debugs
+};
+
+class AvrFirmware final : public ChipFirmware {
+ public:
+  AvrFirmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
+
+  const std::string& file() const override { return image_.firmware.file; }
+  int int_bits() const override { return 16; }
+  bool fits_chip() const override { return !image_.firmware.needs_larger_chip(); }
+  bool has_boards_eeprom() const override { return true; }
+  std::string why_clock_stays() const override {
+    const bool has_clock = image_.firmware.find_variable("timer0_millis") && image_.firmware.find("main");
+    return has_clock ? "" : "it never calls millis()";
+  }
+  void debug_with(gdb::Server& server, ClockedBoard& board) override {
+    debugger_ = std::make_unique<avr::DebugPort>(server, image_.firmware, board);
+  }
+  std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
+    return std::make_unique<RunningAvr>(image_, board, t, debugger_.get());
+  }
+
+ private:
+  const Image image_;
+  std::unique_ptr<avr::DebugPort> debugger_;
+};
+
+}  // namespace
+
 AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)
-    : board_(spec), image_(std::make_unique<Image>(image, spec)) {}
-
-AvrExecutor::~AvrExecutor() = default;
-
-void AvrExecutor::power_on(SimTime t) {
-  power_off(t);
-  machine_ = std::make_unique<avr::Machine>(image_->firmware, image_->loop, clocked_, clocked_.begin_tick(t));
-  if (clock_start_ > 0) machine_->set_clock(clock_start_);
-  if (debug_port_) machine_->set_debug_port(debug_port_.get());
-  if (written_) {
-    written_->begin([this](const SourceLine&) {
-      const avr::Diagnosis diagnosis(image_->firmware, image_->debug, *machine_);
-      return diagnosis.place_of_calls(machine_->stack().open_calls());
-    });
-    machine_->trace_bytes(*written_);
-  }
-}
-
-void AvrExecutor::power_off(SimTime t) {
-  before_ = resources();
-  if (debug_port_) debug_port_->unplug();
-  machine_.reset();
-  crash_.reset();
-  board_.reset(t);
-  reached_ = t;
-}
-
-void AvrExecutor::run_until(SimTime t) {
-  if (!machine_ || crash_) return;
-  machine_->run_until(clocked_.begin_tick(t));
-  reached_ = t;
-  if (const auto& fault = machine_->chip().fault())
-    crash_ = avr::Diagnosis(image_->firmware, image_->debug, *machine_).crash(*fault);
-  board_.forget_edges(t);
-}
-
-SimTime AvrExecutor::last_call() const {
-  if (!machine_) return reached_;
-  return machine_->chip().is_asleep()
-             ? reached_
-             : clocked_.to_world(machine_->link().time_of(machine_->chip().last_io()));
-}
-
-std::optional<Resources> AvrExecutor::resources() const {
-  if (image_->firmware.needs_larger_chip()) return std::nullopt;
-  if (!machine_) return before_;
-  Resources r = machine_->resources();
-  if (before_) {
-    r.stack_bytes_max = std::max(r.stack_bytes_max, before_->stack_bytes_max);
-    r.loop_us_max = std::max(r.loop_us_max, before_->loop_us_max);
-  }
-  return r;
-}
-
-void AvrExecutor::set_clock_start(SimTime start) {
-  if (!image_->firmware.find_variable("timer0_millis") || !image_->firmware.find("main"))
-    throw InputError({image_->firmware.file},
-                     "has no clock that --clock could set (it never calls millis())");
-  clock_start_ = start;
-}
-
-void AvrExecutor::debug_with(gdb::Server& server) {
-  debug_port_ = std::make_unique<avr::DebugPort>(server, image_->firmware, clocked_);
-}
-
-SourceLine AvrExecutor::source() {
-  return machine_ ? avr::Diagnosis(image_->firmware, image_->debug, *machine_).where_now() : SourceLine{};
-}
-
-SourceLine AvrExecutor::source_of(std::uint8_t byte) {
-  return written_ ? written_->take(byte) : SourceLine{};
-}
-
-Activity AvrExecutor::activity() {
-  if (!machine_) {
-    Activity activity;
-    activity.last_call = reached_;
-    return activity;
-  }
-  Activity activity = avr::Diagnosis(image_->firmware, image_->debug, *machine_).activity();
-  activity.last_call = clocked_.to_world(activity.last_call);
-  if (crash_) activity.where = crash_->where;
-  return activity;
-}
+    : ChipExecutor(spec, std::make_unique<AvrFirmware>(image, spec)) {}
 
 }  // namespace robosim::exec

@@ -170,7 +170,6 @@ std::string Diagnosis::stopped_by() const {
 Activity Diagnosis::activity() const {
   const Chip& chip = machine_.chip();
   Activity activity;
-  activity.last_call = machine_.link().time_of(chip.last_io());
   activity.call = api_call(chip.last_io_pc());
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
     activity.pin = machine_.ports().last_read();

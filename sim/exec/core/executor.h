@@ -78,10 +78,10 @@ class Executor {
   /// The line that has printed the byte which is being sent.
   virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
 
-  /// Whether scripts can break clock and EEPROM: set_clock_drift() is there, and the EEPROM is the board's.
-  virtual bool has_chip_faults() const { return false; }
-  /// From `t` on, which is now, the chip's clock runs so much too fast, in parts per million; also after a
-  /// power cycle.
+  /// Whether the firmware's EEPROM is the board's, so that scripts can break and follow it.
+  virtual bool has_boards_eeprom() const { return true; }
+  /// From `t` on, which is now, the firmware's clock runs so much too fast, in parts per million; also after
+  /// a power cycle.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
   /// From the next power-on, a debugger may halt the firmware: run_until() then does not return. `server`
   /// must outlive the executor's use. Throws InputError where that cannot be.

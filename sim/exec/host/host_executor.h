@@ -32,7 +32,6 @@ class HostExecutor final : public Executor {
   SourceLine source() override;
   SimTime last_call() const override;
   std::vector<BundledFile> counters() override;
-  bool has_chip_faults() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:

@@ -148,7 +148,6 @@ std::string Diagnosis::stopped_by() const {
 
 Activity Diagnosis::activity() const {
   Activity activity;
-  activity.last_call = machine_.time_of(cpu_.last_io());
   activity.call = api_call(cpu_.last_io_pc());
   const Ports& ports = machine_.bus().ports();
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))

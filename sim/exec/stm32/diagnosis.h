@@ -12,6 +12,7 @@ class Diagnosis {
       : firmware_(firmware), debug_(debug), machine_(machine), cpu_(machine.cpu()) {}
 
   Crash crash(const Fault& fault) const;
+  /// But for its last_call.
   Activity activity() const;
   SourceLine where_now() const;
   /// The first of these calls that is the user's.

@@ -1,13 +1,12 @@
 #include "sim/exec/stm32/stm32_executor.h"
 
-#include <algorithm>
-
 #include "sim/exec/stm32/debug_port.h"
 #include "sim/exec/stm32/diagnosis.h"
 
 namespace robosim::exec {
+namespace {
 
-struct Stm32Executor::Image {
+struct Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
       : firmware(stm32::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
     if (const Symbol* symbol = firmware.symbols.find("loop"); !loop && symbol) loop = symbol->address;
@@ -18,94 +17,72 @@ struct Stm32Executor::Image {
   std::optional<std::uint32_t> loop;
 };
 
-Stm32Executor::Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image)
-    : board_(spec),
-      image_(std::make_unique<Image>(image, spec)),
-      eeprom_pages_(robosim::stm32::kEepromPages * robosim::stm32::kPageBytes, 0xFF) {}
+class RunningStm32 final : public RunningChip {
+ public:
+  RunningStm32(const Image& image, ClockedBoard& board, stm32::EepromPages& pages, SimTime t,
+               stm32::DebugPort* debugger)
+      : image_(image), machine_(image.firmware, image.loop, board, pages, t), debugger_(debugger) {
+    if (debugger) machine_.set_debug_port(debugger);
+  }
+  ~RunningStm32() override {
+    if (debugger_) debugger_->unplug();
+  }
 
-Stm32Executor::~Stm32Executor() = default;
-
-void Stm32Executor::power_on(SimTime t) {
-  power_off(t);
-  machine_ = std::make_unique<stm32::Machine>(image_->firmware, image_->loop, clocked_, eeprom_pages_,
-                                              clocked_.begin_tick(t));
-  if (clock_start_ > 0) machine_->set_clock(clock_start_);
-  if (debug_port_) machine_->set_debug_port(debug_port_.get());
-  if (written_) {
+  void run_until(SimTime t) override { machine_.run_until(t); }
+  bool has_crashed() const override { return machine_.cpu().fault().has_value(); }
+  Crash crash() const override { return diagnosis().crash(*machine_.cpu().fault()); }
+  Resources resources() const override { return machine_.resources(); }
+  bool is_asleep() const override { return machine_.cpu().is_asleep(); }
+  SimTime last_io() const override { return machine_.time_of(machine_.cpu().last_io()); }
+  Activity activity() const override { return diagnosis().activity(); }
+  SourceLine where_now() const override { return diagnosis().where_now(); }
+  SourceLine printing(const SourceLine& before) const override {
     // The jump that led out of the sketch, as a function's last call leaves no trace on the stack.
-    written_->begin([this](const SourceLine& before) {
-      const stm32::Diagnosis diagnosis(image_->firmware, image_->debug, *machine_);
-      SourceLine line = diagnosis.place_of(machine_->cpu().last_jumps());
-      if (line.file.empty()) line = before;
-      return line.file.empty() ? diagnosis.place_of(machine_->open_calls()) : line;
-    });
-    machine_->trace_bytes(*written_);
+    SourceLine line = diagnosis().place_of(machine_.cpu().last_jumps());
+    if (line.file.empty()) line = before;
+    return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;
   }
-}
+  void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
+  void set_clock(SimTime start) override { machine_.set_clock(start); }
 
-void Stm32Executor::power_off(SimTime t) {
-  before_ = resources();
-  if (debug_port_) debug_port_->unplug();
-  machine_.reset();
-  crash_.reset();
-  board_.reset(t);
-  reached_ = t;
-}
+ private:
+  stm32::Diagnosis diagnosis() const { return {image_.firmware, image_.debug, machine_}; }
 
-void Stm32Executor::run_until(SimTime t) {
-  if (!machine_ || crash_) return;
-  machine_->run_until(clocked_.begin_tick(t));
-  reached_ = t;
-  if (const auto& fault = machine_->cpu().fault())
-    crash_ = stm32::Diagnosis(image_->firmware, image_->debug, *machine_).crash(*fault);
-  board_.forget_edges(t);
-}
+  const Image& image_;
+  stm32::Machine machine_;
+  stm32::DebugPort* debugger_;  ///< null = nobody debugs
+};
 
-SimTime Stm32Executor::last_call() const {
-  if (!machine_) return reached_;
-  return machine_->cpu().is_asleep() ? reached_
-                                     : clocked_.to_world(machine_->time_of(machine_->cpu().last_io()));
-}
+class Stm32Firmware final : public ChipFirmware {
+ public:
+  Stm32Firmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
 
-std::optional<Resources> Stm32Executor::resources() const {
-  if (!machine_) return before_;
-  Resources r = machine_->resources();
-  if (before_) {
-    r.stack_bytes_max = std::max(r.stack_bytes_max, before_->stack_bytes_max);
-    r.loop_us_max = std::max(r.loop_us_max, before_->loop_us_max);
+  const std::string& file() const override { return image_.firmware.file; }
+  int int_bits() const override { return 32; }
+  bool fits_chip() const override { return true; }
+  bool has_boards_eeprom() const override { return false; }
+  std::string why_clock_stays() const override {
+    const Symbols& symbols = image_.firmware.symbols;
+    return symbols.find("robosim_millis") && symbols.find("main") ? ""
+                                                                  : "it is not built with Robosim's core";
   }
-  return r;
-}
-
-void Stm32Executor::set_clock_start(SimTime start) {
-  if (!image_->firmware.symbols.find("robosim_millis") || !image_->firmware.symbols.find("main"))
-    throw InputError({image_->firmware.file},
-                     "has no clock that --clock could set (it is not built with Robosim's core)");
-  clock_start_ = start;
-}
-
-void Stm32Executor::debug_with(gdb::Server& server) {
-  debug_port_ = std::make_unique<stm32::DebugPort>(server, image_->firmware, clocked_);
-}
-
-SourceLine Stm32Executor::source() {
-  return machine_ ? stm32::Diagnosis(image_->firmware, image_->debug, *machine_).where_now() : SourceLine{};
-}
-
-SourceLine Stm32Executor::source_of(std::uint8_t byte) {
-  return written_ ? written_->take(byte) : SourceLine{};
-}
-
-Activity Stm32Executor::activity() {
-  if (!machine_) {
-    Activity activity;
-    activity.last_call = reached_;
-    return activity;
+  void debug_with(gdb::Server& server, ClockedBoard& board) override {
+    debugger_ = std::make_unique<stm32::DebugPort>(server, image_.firmware, board);
   }
-  Activity activity = stm32::Diagnosis(image_->firmware, image_->debug, *machine_).activity();
-  activity.last_call = clocked_.to_world(activity.last_call);
-  if (crash_) activity.where = crash_->where;
-  return activity;
-}
+  std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
+    return std::make_unique<RunningStm32>(image_, board, eeprom_pages_, t, debugger_.get());
+  }
+
+ private:
+  const Image image_;
+  stm32::EepromPages eeprom_pages_ =
+      stm32::EepromPages(robosim::stm32::kEepromPages * robosim::stm32::kPageBytes, 0xFF);
+  std::unique_ptr<stm32::DebugPort> debugger_;
+};
+
+}  // namespace
+
+Stm32Executor::Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image)
+    : ChipExecutor(spec, std::make_unique<Stm32Firmware>(image, spec)) {}
 
 }  // namespace robosim::exec

@@ -38,7 +38,7 @@ class Probe final : public exec::Executor {
   const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {}; }
   SimTime last_call() const override { return 0; }
-  bool has_chip_faults() const override { return can_drift; }
+  bool has_boards_eeprom() const override { return reaches_eeprom; }
   void set_clock_drift(int ppm, SimTime) override { drift = ppm; }
 
   std::string received() {
@@ -49,7 +49,7 @@ class Probe final : public exec::Executor {
 
   exec::BoardState state{*find_board("uno")};
   std::vector<SimTime> power;  // ms; negative: off
-  bool can_drift = true;
+  bool reaches_eeprom = true;
   int drift = 0;
 
  private:
@@ -196,9 +196,10 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
   EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("allowed is how much too fast it runs"));
   EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");
-  probe.can_drift = false;
-  EXPECT_THAT(refusal({"clock", "drift", "5ppm"}),
-              HasSubstr("clock: on this target scripts can neither break nor follow it"));
+  probe.reaches_eeprom = false;
+  EXPECT_EQ(refusal({"clock", "drift", "5ppm"}), "accepted");
+  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}),
+              HasSubstr("eeprom: on this target scripts can neither break nor follow it"));
   EXPECT_THAT(probe.power, IsEmpty());
 }
 

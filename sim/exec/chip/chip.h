@@ -1,0 +1,61 @@
+// What a target that emulates a chip has to provide; the rest is the same for all of them (chip_executor.h).
+// All times here are by the chip's own clock.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/exec/core/clocked_board.h"
+#include "sim/exec/core/executor.h"
+#include "sim/exec/core/written_bytes.h"
+
+namespace robosim::exec {
+
+/// A chip with its firmware, from power-on to power-off.
+class RunningChip {
+ public:
+  virtual ~RunningChip() = default;
+
+  /// Runs to the first instruction that ends at or behind `t`, or to the firmware's end.
+  virtual void run_until(SimTime t) = 0;
+  /// Whether the firmware can run no further.
+  virtual bool has_crashed() const = 0;
+  virtual Crash crash() const = 0;
+
+  virtual Resources resources() const = 0;
+  virtual bool is_asleep() const = 0;
+  /// When it last accessed I/O outside handlers.
+  virtual SimTime last_io() const = 0;
+  /// But for its last_call. Costly, as are the next two.
+  virtual Activity activity() const = 0;
+  virtual SourceLine where_now() const = 0;
+  /// While the firmware prints a byte: the line of the sketch that does; `before` is that of the byte before.
+  virtual SourceLine printing(const SourceLine& before) const = 0;
+  /// What the firmware prints is told to `bytes`, which outlives this.
+  virtual void trace_bytes(WrittenBytes& bytes) = 0;
+  /// millis() begins with `start` when main() begins.
+  virtual void set_clock(SimTime start) = 0;
+};
+
+/// Firmware for a chip, as read from its ELF file.
+class ChipFirmware {
+ public:
+  virtual ~ChipFirmware() = default;
+
+  virtual const std::string& file() const = 0;
+  /// How wide its int is.
+  virtual int int_bits() const = 0;
+  /// Whether the real chip could hold it, so that its size and speed mean something.
+  virtual bool fits_chip() const = 0;
+  /// Whether its EEPROM is the board's.
+  virtual bool has_boards_eeprom() const = 0;
+  /// Why set_clock() would do nothing: "it never calls millis()"; empty where it would work.
+  virtual std::string why_clock_stays() const = 0;
+
+  /// From the next power-on, a debugger may halt it. Both outlive this.
+  virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
+  /// One at a time; it ends before `board` and this do.
+  virtual std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) = 0;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,51 @@
+// The targets that run the very ELF that is flashed, in an emulated chip, in lockstep with the world.
+//
+//   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
+//
+// A tick runs to the first instruction that ends at or behind its end; edges and bytes that the robot has
+// scheduled reach the chip at their cycle, or at the end of the instruction that is running then.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "hal/board/board_spec.h"
+#include "sim/exec/chip/chip.h"
+
+namespace robosim::exec {
+
+class ChipExecutor : public Executor {
+ public:
+  ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> firmware);
+
+  RobotPort& board() override { return board_; }
+  BoardProbe& probe() override { return board_; }
+  void power_on(SimTime t) override;
+  void power_off(SimTime t) override;
+  void run_until(SimTime t) override;
+  const std::optional<Crash>& crash() const override { return crash_; }
+  Activity activity() override;
+  SimTime last_call() const override;
+  int int_bits() const override { return firmware_->int_bits(); }
+  std::optional<Resources> resources() const override;
+  void set_clock_start(SimTime start) override;
+  bool has_boards_eeprom() const override { return firmware_->has_boards_eeprom(); }
+  void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
+  void debug_with(gdb::Server& server) override { firmware_->debug_with(server, clocked_); }
+  SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
+  void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
+  SourceLine source_of(std::uint8_t byte) override { return written_ ? written_->take(byte) : SourceLine{}; }
+
+ private:
+  BoardState board_;
+  ClockedBoard clocked_{board_};
+  std::unique_ptr<ChipFirmware> firmware_;
+  std::unique_ptr<RunningChip> chip_;  ///< null while the power is off
+  std::optional<WrittenBytes> written_;
+  std::optional<Crash> crash_;
+  std::optional<Resources> before_;  ///< what was measured before the last power-on
+  SimTime clock_start_ = 0;
+  SimTime reached_ = 0;  ///< until when firmware has run
+};
+
+}  // namespace robosim::exec
