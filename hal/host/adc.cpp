@@ -1,6 +1,6 @@
 #include "hal/host/adc.h"
 
-#include "hal/board/board_spec.h"
+#include "hal/board/avr_adc.h"
 #include "hal/host/clock.h"
 
 namespace robosim {
@@ -10,36 +10,21 @@ Adc adc;
 
 namespace {
 constexpr uint8_t kEnable = 0x80, kStart = 0x40, kAuto = 0x20, kFlag = 0x10;
-constexpr double kBandgap = 1.1;
 }  // namespace
 
-SimTime Adc::clock() const {
-  const int exponent = control_ & 7;
-  return cycles(exponent == 0 ? 2 : 1 << exponent);
-}
+SimTime Adc::clock() const { return cycles(avr::adc_prescaler(control_)); }
 
 SimTime Adc::next_start() const {
   const SimTime past = state.now - clock_began_;
   return clock_began_ + (past + clock() - 1) / clock() * clock();
 }
 
-uint16_t Adc::sample() const {
-  const BoardSpec& spec = board->spec();
-  const int channel = multiplexer_ & 0xF;
-  double volts = 0.0;
-  if (channel < 8) {
-    const int pin = spec.analog_pin_0 + channel;
-    if (pin < spec.pin_count) volts = board->read_volts(static_cast<Pin>(pin), state.now);
-  } else if (channel == 14) {
-    volts = kBandgap;
-  }
-  return code_of(volts);
-}
+uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
+
+uint16_t Adc::sample() const { return avr::adc_sample(*board, multiplexer_, state.now); }
 
 uint16_t Adc::code_of(double volts) const {
-  const double reference = multiplexer_ >> 6 == 3 ? kBandgap : board->spec().supply_volts;
-  const double code = volts / reference * 1024.0;
-  return code <= 0.0 ? 0 : code >= 1023.0 ? 1023 : static_cast<uint16_t>(code);
+  return avr::adc_code(volts, avr::adc_reference_volts(multiplexer_, board->spec().supply_volts));
 }
 
 uint8_t Adc::control() const {
@@ -49,7 +34,7 @@ uint8_t Adc::control() const {
 void Adc::start() {
   converting_ = true;
   result_ = sample();
-  ready_ = next_start() + 13 * clock();
+  ready_ = next_start() + avr::adc_clocks(false) * clock();
 }
 
 void Adc::set_control(uint8_t value) {

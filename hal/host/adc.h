@@ -1,6 +1,4 @@
-// The analog to digital converter (datasheet, chapter 23): 13 ADC clocks a conversion, sampled after 1.5.
-//
-//   code = floor(volts / reference * 1024), 0..1023
+// The analog to digital converter (datasheet, chapter 24); what its registers mean is hal/board/avr_adc.h's.
 #pragma once
 
 #include <stdint.h>
@@ -19,7 +17,7 @@ class Adc {
   uint8_t control_b() const { return control_b_; }
   void set_control_b(uint8_t value) { control_b_ = value; }
   /// The result as the register ADC holds it: left-adjusted if ADLAR says so.
-  uint16_t data() const { return multiplexer_ & 0x20 ? static_cast<uint16_t>(code_ << 6) : code_; }
+  uint16_t data() const;
 
   /// Samples the selected channel now: for analogRead, which does its own waiting.
   uint16_t sample() const;

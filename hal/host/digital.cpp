@@ -2,6 +2,7 @@
 #include <Arduino.h>
 
 #include "hal/arduino/resolution.h"
+#include "hal/board/avr_adc.h"
 #include "hal/board/board_spec.h"
 #include "hal/host/adc.h"
 #include "hal/host/api.h"
@@ -111,10 +112,10 @@ int analogRead(uint8_t pin) {
   if (!host::adc.on()) return 0;
   const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
-  host::wait_until(start + 3 * clock / 2);
+  host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(false) * clock / 2);
   const uint16_t code =
       below ? host::adc.code_of(host::board->read_volts(number, host::state.now)) : host::adc.sample();
-  host::wait_until(start + 13 * clock);
+  host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
   host::adc.set_code(code);
   return robosim_hal::with_bits(code, kAdcBits, robosim_hal::read_bits);
 }

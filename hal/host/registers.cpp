@@ -1,5 +1,6 @@
 #include "hal/host/registers.h"
 
+#include "hal/board/avr_registers.h"
 #include "hal/host/adc.h"
 #include "hal/host/api.h"
 #include "hal/host/external.h"
@@ -14,81 +15,41 @@ namespace {
 // Registers that only keep what is written: SPI, TWI, watchdog, clock and power settings, GPIOR.
 uint8_t plain[256];
 
-enum Address : uint8_t {
-  kPinB = 0x23,
-  kPortD_ = 0x2B,
-  kTifr0 = 0x35,
-  kTifr2 = 0x37,
-  kPcifr = 0x3B,
-  kEifr = 0x3C,
-  kEimsk = 0x3D,
-  kTccr0a = 0x44,
-  kTccr0b = 0x45,
-  kTcnt0 = 0x46,
-  kOcr0a = 0x47,
-  kOcr0b = 0x48,
-  kSmcr = 0x53,
-  kSreg = 0x5F,
-  kPcicr = 0x68,
-  kEicra = 0x69,
-  kPcmsk0 = 0x6B,
-  kPcmsk2 = 0x6D,
-  kTimsk0 = 0x6E,
-  kTimsk2 = 0x70,
-  kAdcl = 0x78,
-  kAdch = 0x79,
-  kAdcsra = 0x7A,
-  kAdcsrb = 0x7B,
-  kAdmux = 0x7C,
-  kTccr1a = 0x80,
-  kTccr1b = 0x81,
-  kTcnt1 = 0x84,
-  kIcr1 = 0x86,
-  kOcr1a = 0x88,
-  kOcr1b = 0x8A,
-  kTccr2a = 0xB0,
-  kOcr2b = 0xB4,
-  kUcsr0a = 0xC0,
-  kUcsr0b = 0xC1,
-  kUcsr0c = 0xC2,
-  kUbrr0 = 0xC4,
-  kUbrr0h = 0xC5,
-  kUdr0 = 0xC6,
-};
+namespace reg = avr::reg;
 
 const char* name_of(uint8_t address) {
   switch (address) {
-    case 0x23:
+    case reg::kPinB:
       return "PINB";
-    case 0x24:
+    case reg::kDdrB:
       return "DDRB";
-    case 0x25:
+    case reg::kPortB:
       return "PORTB";
-    case 0x26:
+    case reg::kPinB + 3:
       return "PINC";
-    case 0x27:
+    case reg::kDdrB + 3:
       return "DDRC";
-    case 0x28:
+    case reg::kPortB + 3:
       return "PORTC";
-    case 0x29:
+    case reg::kPinB + 6:
       return "PIND";
-    case 0x2A:
+    case reg::kDdrB + 6:
       return "DDRD";
-    case 0x2B:
+    case reg::kPortB + 6:
       return "PORTD";
-    case kAdcl:
+    case reg::kAdcL:
       return "ADC";
-    case kAdcsra:
+    case reg::kAdcsra:
       return "ADCSRA";
-    case kTcnt0:
+    case reg::kTcnt0:
       return "TCNT0";
-    case kTcnt1:
+    case reg::kTcnt1L:
       return "TCNT1";
-    case 0xB2:
+    case reg::kTcnt2:
       return "TCNT2";
-    case kUcsr0a:
+    case reg::kUcsra:
       return "UCSR0A";
-    case kUdr0:
+    case reg::kUdr:
       return "UDR0";
     default:
       return "a register";
@@ -96,19 +57,20 @@ const char* name_of(uint8_t address) {
 }
 
 bool is_timer8(uint8_t address) {
-  return (address >= kTccr0a && address <= kOcr0b) || (address >= kTccr2a && address <= kOcr2b);
+  return (address >= reg::kTccr0a && address <= reg::kOcr0b) ||
+         (address >= reg::kTccr2a && address <= reg::kOcr2b);
 }
 
 uint8_t read_timer8(uint8_t address) {
-  const Timer& timer = address < kTccr2a ? timer0 : timer2;
-  switch (address < kTccr2a ? address : address - kTccr2a + kTccr0a) {
-    case kTccr0a:
+  const Timer& timer = address < reg::kTccr2a ? timer0 : timer2;
+  switch (address < reg::kTccr2a ? address : address - reg::kTccr2a + reg::kTccr0a) {
+    case reg::kTccr0a:
       return timer.control_a();
-    case kTccr0b:
+    case reg::kTccr0b:
       return timer.control_b();
-    case kTcnt0:
+    case reg::kTcnt0:
       return static_cast<uint8_t>(timer.count());
-    case kOcr0a:
+    case reg::kOcr0a:
       return static_cast<uint8_t>(timer.compare(0));
     default:
       return static_cast<uint8_t>(timer.compare(1));
@@ -116,39 +78,39 @@ uint8_t read_timer8(uint8_t address) {
 }
 
 void write_timer8(uint8_t address, uint8_t value) {
-  Timer& timer = address < kTccr2a ? timer0 : timer2;
-  switch (address < kTccr2a ? address : address - kTccr2a + kTccr0a) {
-    case kTccr0a:
+  Timer& timer = address < reg::kTccr2a ? timer0 : timer2;
+  switch (address < reg::kTccr2a ? address : address - reg::kTccr2a + reg::kTccr0a) {
+    case reg::kTccr0a:
       return timer.set_control_a(value);
-    case kTccr0b:
+    case reg::kTccr0b:
       return timer.set_control_b(value);
-    case kTcnt0:
+    case reg::kTcnt0:
       return timer.set_count(value);
-    case kOcr0a:
+    case reg::kOcr0a:
       timer.set_compare(0, value);
       break;
     default:
       timer.set_compare(1, value);
   }
-  refresh_timer_pins(address < kTccr2a ? 0 : 2);
+  refresh_timer_pins(address < reg::kTccr2a ? 0 : 2);
 }
 
 bool is_word(uint8_t address) {
-  return address == kAdcl || address == kTcnt1 || address == kIcr1 || address == kOcr1a ||
-         address == kOcr1b || address == kUbrr0;
+  return address == reg::kAdcL || address == reg::kTcnt1L || address == reg::kIcr1L ||
+         address == reg::kOcr1aL || address == reg::kOcr1bL || address == reg::kUbrrL;
 }
 
 uint16_t read_word(uint8_t address) {
   switch (address) {
-    case kAdcl:
+    case reg::kAdcL:
       return adc.data();
-    case kTcnt1:
+    case reg::kTcnt1L:
       return timer1.count();
-    case kIcr1:
+    case reg::kIcr1L:
       return timer1.capture();
-    case kOcr1a:
+    case reg::kOcr1aL:
       return timer1.compare(0);
-    case kOcr1b:
+    case reg::kOcr1bL:
       return timer1.compare(1);
     default:
       return uart.divider();
@@ -157,17 +119,17 @@ uint16_t read_word(uint8_t address) {
 
 void write_word(uint8_t address, uint16_t value) {
   switch (address) {
-    case kTcnt1:
+    case reg::kTcnt1L:
       return timer1.set_count(value);
-    case kIcr1:
+    case reg::kIcr1L:
       return timer1.set_capture(value);
-    case kOcr1a:
+    case reg::kOcr1aL:
       timer1.set_compare(0, value);
       return refresh_timer_pins(1);
-    case kOcr1b:
+    case reg::kOcr1bL:
       timer1.set_compare(1, value);
       return refresh_timer_pins(1);
-    case kUbrr0:
+    case reg::kUbrrL:
       return uart.set_divider(value);
     default:
       return;  // ADC is read-only
@@ -175,9 +137,9 @@ void write_word(uint8_t address, uint16_t value) {
 }
 
 uint8_t read(uint8_t address) {
-  if (address >= kPinB && address <= kPortD_) {
-    const auto port = static_cast<Port>((address - kPinB) / 3);
-    switch ((address - kPinB) % 3) {
+  if (address >= reg::kPinB && address <= reg::kPortD) {
+    const auto port = static_cast<Port>((address - reg::kPinB) / 3);
+    switch ((address - reg::kPinB) % 3) {
       case 0:
         return read_port(port);
       case 1:
@@ -189,39 +151,39 @@ uint8_t read(uint8_t address) {
   if (is_timer8(address)) return read_timer8(address);
   if (is_word(address)) return static_cast<uint8_t>(read_word(address));
   if (is_word(static_cast<uint8_t>(address - 1))) return static_cast<uint8_t>(read_word(address - 1) >> 8);
-  if (address >= kTifr0 && address <= kTifr2) return timer(address - kTifr0).flags();
-  if (address >= kTimsk0 && address <= kTimsk2) return timer(address - kTimsk0).enabled();
-  if (address >= kPcmsk0 && address <= kPcmsk2) return external.change_mask[address - kPcmsk0];
+  if (address >= reg::kTifr0 && address <= reg::kTifr2) return timer(address - reg::kTifr0).flags();
+  if (address >= reg::kTimsk0 && address <= reg::kTimsk2) return timer(address - reg::kTimsk0).enabled();
+  if (address >= reg::kPcmsk0 && address <= reg::kPcmsk2) return external.change_mask[address - reg::kPcmsk0];
   switch (address) {
-    case kSreg:
+    case reg::kSreg:
       return status_register;
-    case kPcifr:
+    case reg::kPcifr:
       return external.change_flags;
-    case kEifr:
+    case reg::kEifr:
       return external.flags;
-    case kEimsk:
+    case reg::kEimsk:
       return external.mask;
-    case kPcicr:
+    case reg::kPcicr:
       return external.change_control;
-    case kEicra:
+    case reg::kEicra:
       return external.sense;
-    case kAdcsra:
+    case reg::kAdcsra:
       return adc.control();
-    case kAdcsrb:
+    case reg::kAdcsrb:
       return adc.control_b();
-    case kAdmux:
+    case reg::kAdmux:
       return adc.multiplexer();
-    case kTccr1a:
+    case reg::kTccr1a:
       return timer1.control_a();
-    case kTccr1b:
+    case reg::kTccr1b:
       return timer1.control_b();
-    case kUcsr0a:
+    case reg::kUcsra:
       return uart.status();
-    case kUcsr0b:
+    case reg::kUcsrb:
       return uart.control();
-    case kUcsr0c:
+    case reg::kUcsrc:
       return uart.format();
-    case kUdr0:
+    case reg::kUdr:
       return uart.take();
     default:
       return plain[address];
@@ -229,9 +191,9 @@ uint8_t read(uint8_t address) {
 }
 
 void write(uint8_t address, uint8_t value) {
-  if (address >= kPinB && address <= kPortD_) {
-    const auto port = static_cast<Port>((address - kPinB) / 3);
-    switch ((address - kPinB) % 3) {
+  if (address >= reg::kPinB && address <= reg::kPortD) {
+    const auto port = static_cast<Port>((address - reg::kPinB) / 3);
+    switch ((address - reg::kPinB) % 3) {
       case 0:
         return set_output(port, ports[port].output ^ value);  // a one written to PINx toggles
       case 1:
@@ -245,49 +207,51 @@ void write(uint8_t address, uint8_t value) {
     return write_word(address, static_cast<uint16_t>((read_word(address) & 0xFF00) | value));
   if (is_word(static_cast<uint8_t>(address - 1)))
     return write_word(address - 1, static_cast<uint16_t>((read_word(address - 1) & 0xFF) | value << 8));
-  if (address >= kTifr0 && address <= kTifr2) return timer(address - kTifr0).clear_flags(value);
-  if (address >= kTimsk0 && address <= kTimsk2) return timer(address - kTimsk0).set_enabled(value);
+  if (address >= reg::kTifr0 && address <= reg::kTifr2)
+    return timer(address - reg::kTifr0).clear_flags(value);
+  if (address >= reg::kTimsk0 && address <= reg::kTimsk2)
+    return timer(address - reg::kTimsk0).set_enabled(value);
   switch (address) {
-    case kSreg:
+    case reg::kSreg:
       status_register = value;
       break;
-    case kPcifr:
+    case reg::kPcifr:
       external.change_flags &= static_cast<uint8_t>(~value);
       break;
-    case kEifr:
+    case reg::kEifr:
       external.flags &= static_cast<uint8_t>(~value);
       break;
-    case kEimsk:
+    case reg::kEimsk:
       external.mask = value;
       return refresh_external();
-    case kPcicr:
+    case reg::kPcicr:
       external.change_control = value;
       return refresh_external();
-    case kEicra:
+    case reg::kEicra:
       external.sense = value;
       return refresh_external();
-    case kPcmsk0:
-    case kPcmsk0 + 1:
-    case kPcmsk2:
-      external.change_mask[address - kPcmsk0] = value;
+    case reg::kPcmsk0:
+    case reg::kPcmsk1:
+    case reg::kPcmsk2:
+      external.change_mask[address - reg::kPcmsk0] = value;
       return refresh_external();
-    case kAdcsra:
+    case reg::kAdcsra:
       return adc.set_control(value);
-    case kAdcsrb:
+    case reg::kAdcsrb:
       return adc.set_control_b(value);
-    case kAdmux:
+    case reg::kAdmux:
       return adc.set_multiplexer(value);
-    case kTccr1a:
+    case reg::kTccr1a:
       return timer1.set_control_a(value);
-    case kTccr1b:
+    case reg::kTccr1b:
       return timer1.set_control_b(value);
-    case kUcsr0a:
+    case reg::kUcsra:
       return uart.set_status(value);
-    case kUcsr0b:
+    case reg::kUcsrb:
       return uart.set_control(value);
-    case kUcsr0c:
+    case reg::kUcsrc:
       return uart.set_format(value);
-    case kUdr0:
+    case reg::kUdr:
       return uart.send(value);
     default:
       plain[address] = value;
@@ -303,14 +267,14 @@ namespace host = robosim::host;
 extern "C" {
 
 uint8_t robosim_read8(robosim_register address) {
-  if (address != host::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
+  if (address != host::reg::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
   host::spend(host::cost::kRegister);
   host::sync_peripherals();
   return host::read(address);
 }
 
 void robosim_write8(robosim_register address, uint8_t value) {
-  if (address != host::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
+  if (address != host::reg::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
   host::spend(host::cost::kRegister);
   host::sync_peripherals();
   host::write(address, value);
@@ -353,7 +317,7 @@ void robosim_disable_interrupts() {
 
 void robosim_sleep() {
   constexpr uint8_t kSleepEnable = 1;
-  const uint8_t control = host::plain[host::kSmcr];
+  const uint8_t control = host::plain[host::reg::kSmcr];
   if (!(control & kSleepEnable)) return;
   host::note_call("sleep_cpu", robosim::kNoPin, 0);
   if (!host::interrupts_enabled()) host::stop_for_ever("sleep with interrupts off");

@@ -6,12 +6,6 @@
 
 namespace robosim {
 namespace host {
-namespace {
-
-constexpr int32_t kPrescalers01[8] = {0, 1, 8, 64, 256, 1024, 0, 0};
-constexpr int32_t kPrescalers2[8] = {0, 1, 8, 32, 64, 128, 256, 1024};
-
-}  // namespace
 
 Timer timer0(0), timer1(1), timer2(2);
 uint64_t timer0_millis;
@@ -57,42 +51,14 @@ int64_t Timer::position() const { return ticks() % period_; }
 
 uint16_t Timer::count() const {
   const int64_t at = position();
-  return static_cast<uint16_t>(dual_ && at > top_ ? period_ - at : at);
+  return static_cast<uint16_t>(counting_.dual_slope && at > top_ ? period_ - at : at);
 }
 
 void Timer::decode() {
-  const uint8_t clock = control_b_ & 7;
-  prescaler_ = number_ == 2 ? kPrescalers2[clock] : kPrescalers01[clock];
-  kind_ = Kind::pwm;
-  dual_ = top_is_compare_ = false;
-  if (number_ == 1) {
-    const int mode = (control_a_ & 3) | (control_b_ >> 1 & 0xC);
-    const bool by_capture = mode == 8 || mode == 10 || mode == 12 || mode == 14;
-    if (mode == 0 || mode == 13) {
-      kind_ = Kind::normal;
-    } else if (mode == 4 || mode == 12) {
-      kind_ = Kind::clear_on_match;
-    } else {
-      dual_ = mode < 4 || (mode >= 8 && mode < 12);
-    }
-    constexpr int64_t kTops[4] = {0xFFFF, 0xFF, 0x1FF, 0x3FF};
-    if (kind_ == Kind::normal) {
-      top_ = 0xFFFF;
-    } else if (mode < 8 && mode != 4) {
-      top_ = kTops[mode & 3];
-    } else {
-      top_is_compare_ = !by_capture;
-      top_ = by_capture ? capture_ : compare_[0];
-    }
-  } else {
-    const int mode = (control_a_ & 3) | (control_b_ >> 1 & 4);
-    if (mode == 0 || mode == 4 || mode == 6) kind_ = Kind::normal;
-    if (mode == 2) kind_ = Kind::clear_on_match;
-    dual_ = mode == 1 || mode == 5;
-    top_is_compare_ = mode == 2 || mode == 5 || mode == 7;
-    top_ = top_is_compare_ ? compare_[0] : 0xFF;
-  }
-  period_ = dual_ ? (top_ > 0 ? 2 * top_ : 1) : top_ + 1;
+  prescaler_ = avr::prescaler(number_, control_b_);
+  counting_ = avr::counting(number_, control_a_, control_b_);
+  top_ = avr::top_of(counting_, compare_[0], capture_);
+  period_ = avr::period_of(counting_, top_);
 }
 
 template <typename Change>
@@ -124,7 +90,7 @@ void Timer::set_connection(int channel, uint8_t bits) {
 }
 
 void Timer::set_compare(int channel, uint16_t value) {
-  const bool is_top = channel == 0 && top_is_compare_;
+  const bool is_top = channel == 0 && counting_.top == avr::Counting::Top::compare_a;
   const bool interrupts = enabled_ & (channel == 0 ? compare_a : compare_b);
   if (is_top || interrupts) {
     reconfigure([&] { compare_[channel] = value; });
@@ -167,7 +133,7 @@ uint8_t Timer::flags() {
 int Timer::matches(int channel, int64_t (&at)[2]) const {
   const int64_t value = compare_[channel];
   if (value > top_) return 0;
-  if (!dual_) {  // the flag follows one tick after the match
+  if (!counting_.dual_slope) {  // the flag follows one tick after the match
     at[0] = (value + 1) % period_;
     return 1;
   }
@@ -232,30 +198,7 @@ int64_t Timer::take_overflows() {
 }
 
 PinDrive Timer::drive(int channel) const {
-  PinDrive drive;
-  drive.mode = PinMode::output;
-  const uint8_t how = connection(channel);
-  if (prescaler_ == 0) return drive;
-  const bool toggles = how == 1;
-  if (toggles) {
-    drive.pwm = true;
-    drive.duty = 0.5;
-    drive.tone_hz =
-        static_cast<uint32_t>(kClockHz / (2 * prescaler_ * (dual_ ? top_ > 0 ? top_ : 1 : top_ + 1)));
-    return drive;
-  }
-  if (kind_ != Kind::pwm) {
-    drive.level = how == 3;
-    drive.duty = drive.level ? 1.0 : 0.0;
-    return drive;
-  }
-  // Fast PWM is high for OCR + 1 of TOP + 1 ticks, phase correct PWM for OCR of TOP.
-  const int64_t value = compare_[channel] < top_ ? compare_[channel] : top_;
-  const double high = dual_ ? (top_ > 0 ? static_cast<double>(value) / static_cast<double>(top_) : 0.0)
-                            : static_cast<double>(value + 1) / static_cast<double>(top_ + 1);
-  drive.pwm = true;
-  drive.duty = how == 3 ? 1.0 - high : high;
-  return drive;
+  return avr::timer_drive(counting_, prescaler_, top_, compare_[channel], connection(channel), kClockHz);
 }
 
 }  // namespace host

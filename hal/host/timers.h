@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "hal/board/avr_timer.h"
 #include "hal/board/board.h"
 #include "hal/host/clock.h"
 
@@ -52,14 +53,14 @@ class Timer {
   void acknowledge(uint8_t flag) { flags_ &= static_cast<uint8_t>(~flag); }
 
   /// The COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
-  uint8_t connection(int channel) const { return control_a_ >> (channel == 0 ? 6 : 4) & 3; }
+  uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
   /// Sets them; the caller refreshes the pin.
   void set_connection(int channel, uint8_t bits);
   /// How a connected channel drives its pin.
   PinDrive drive(int channel) const;
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
-  bool counts_bytes() const { return !dual_ && top_ == 255 && prescaler_ != 0; }
+  bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }
   /// The moment `ticks` timer ticks after the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
   /// Counts overflows until now, without raising the flag for them.
@@ -77,7 +78,9 @@ class Timer {
   void sync_disabled();
   void refresh_due();
   SimTime next(int flag, int64_t after) const;
-  bool overflows() const { return kind_ != Kind::clear_on_match || top_ == counter_max(); }
+  bool overflows() const {
+    return counting_.kind != avr::Counting::Kind::clear_on_match || top_ == counter_max();
+  }
   /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
   int matches(int channel, int64_t (&at)[2]) const;
   uint16_t counter_max() const { return number_ == 1 ? 0xFFFF : 0xFF; }
@@ -87,10 +90,7 @@ class Timer {
   uint16_t compare_[2] = {0, 0};
   uint16_t capture_ = 0;
   // What the registers mean:
-  enum class Kind : uint8_t { normal, clear_on_match, pwm };
-  Kind kind_ = Kind::normal;
-  bool dual_ = false;
-  bool top_is_compare_ = false;
+  avr::Counting counting_;
   int32_t prescaler_ = 0;  ///< 0 = stopped
   int64_t top_ = 0xFF;
   int64_t period_ = 0x100;

@@ -1,5 +1,7 @@
 #include "sim/exec/avr/ports.h"
 
+#include "hal/board/avr_timer.h"
+
 namespace robosim::exec::avr {
 namespace {
 
@@ -17,20 +19,11 @@ constexpr Pin kTimerPins[3][2] = {{6, 5}, {9, 10}, {11, 3}};
 constexpr reg::Address kControlA[3] = {reg::kTccr0a, reg::kTccr1a, reg::kTccr2a};
 constexpr reg::Address kCompare[3][2] = {
     {reg::kOcr0a, reg::kOcr0b}, {reg::kOcr1aL, reg::kOcr1bL}, {reg::kOcr2a, reg::kOcr2b}};
-constexpr int kPrescalers01[8] = {0, 1, 8, 64, 256, 1024, 0, 0};
-constexpr int kPrescalers2[8] = {0, 1, 8, 32, 64, 128, 256, 1024};
 constexpr std::int64_t kClock_hz = 16'000'000;
 
 constexpr std::uint8_t kAllPins = 0xFF;
 constexpr int kExternalClock = 6;
 constexpr std::uint8_t kInputCapture = 0x20;
-
-/// How a timer counts; the words are the datasheet's.
-struct Counting {
-  enum class Kind { normal, clear_on_match, pwm } kind = Kind::pwm;
-  bool dual_slope = false;  ///< phase correct
-  std::int64_t top = 0xFF;
-};
 
 }  // namespace
 
@@ -100,60 +93,24 @@ std::uint8_t Ports::read(reg::Address address) {
 }
 
 int Ports::connection(int timer, int channel) const {
-  return link_.chip.data(kControlA[timer]) >> (channel == 0 ? 6 : 4) & 3;
+  return robosim::avr::connection(link_.chip.data(kControlA[timer]), channel);
 }
 
 PinDrive Ports::timer_drive(int timer, int channel) const {
+  namespace avr = robosim::avr;
   const Chip& chip = link_.chip;
   const auto word = [&](reg::Address low) {
-    return chip.data(low) | chip.data(static_cast<reg::Address>(low + 1)) << 8;
+    return static_cast<std::uint16_t>(chip.data(low) | chip.data(static_cast<reg::Address>(low + 1)) << 8);
   };
-  const auto compare = [&](int c) -> std::int64_t {
+  const auto compare = [&](int c) -> std::uint16_t {
     return timer == 1 ? word(kCompare[1][c]) : chip.data(kCompare[timer][c]);
   };
-  const int control_a = chip.data(kControlA[timer]);
-  const int control_b = chip.data(static_cast<reg::Address>(kControlA[timer] + 1));
-  const int prescaler = (timer == 2 ? kPrescalers2 : kPrescalers01)[control_b & 7];
-  Counting counting;
-  if (timer == 1) {
-    const int mode = (control_a & 3) | (control_b >> 1 & 0xC);
-    const bool by_capture = mode == 8 || mode == 10 || mode == 12 || mode == 14;
-    counting.dual_slope = (mode > 0 && mode < 4) || (mode >= 8 && mode < 12);
-    if (mode == 0 || mode == 13) counting.kind = Counting::Kind::normal;
-    if (mode == 4 || mode == 12) counting.kind = Counting::Kind::clear_on_match;
-    constexpr std::int64_t kTops[4] = {0xFFFF, 0xFF, 0x1FF, 0x3FF};
-    counting.top = mode < 8 && mode != 4 ? kTops[mode & 3] : by_capture ? word(reg::kIcr1L) : compare(0);
-  } else {
-    const int mode = (control_a & 3) | (control_b >> 1 & 4);
-    if (mode == 0 || mode == 4 || mode == 6) counting.kind = Counting::Kind::normal;
-    if (mode == 2) counting.kind = Counting::Kind::clear_on_match;
-    counting.dual_slope = mode == 1 || mode == 5;
-    if (mode == 2 || mode == 5 || mode == 7) counting.top = compare(0);
-  }
-  PinDrive drive;
-  drive.mode = PinMode::output;
-  if (prescaler == 0) return drive;
-  const int how = connection(timer, channel);
-  const std::int64_t top = counting.top;
-  if (how == 1) {
-    const std::int64_t count = counting.dual_slope ? std::max<std::int64_t>(top, 1) : top + 1;
-    drive.pwm = true;
-    drive.duty = 0.5;
-    drive.tone_hz = static_cast<std::uint32_t>(kClock_hz / (2 * prescaler * count));
-    return drive;
-  }
-  if (counting.kind != Counting::Kind::pwm) {
-    drive.level = how == 3;
-    drive.duty = drive.level ? 1.0 : 0.0;
-    return drive;
-  }
-  const std::int64_t value = std::min(compare(channel), top);
-  const double high = !counting.dual_slope ? static_cast<double>(value + 1) / static_cast<double>(top + 1)
-                      : top > 0            ? static_cast<double>(value) / static_cast<double>(top)
-                                           : 0.0;
-  drive.pwm = true;
-  drive.duty = how == 3 ? 1.0 - high : high;
-  return drive;
+  const std::uint8_t control_a = chip.data(kControlA[timer]);
+  const std::uint8_t control_b = chip.data(static_cast<reg::Address>(kControlA[timer] + 1));
+  const avr::Counting how = avr::counting(timer, control_a, control_b);
+  const std::int64_t top = avr::top_of(how, compare(0), timer == 1 ? word(reg::kIcr1L) : std::uint16_t{0});
+  return avr::timer_drive(how, avr::prescaler(timer, control_b), top, compare(channel),
+                          avr::connection(control_a, channel), kClock_hz);
 }
 
 PinDrive Ports::drive_of(Pin pin) const {

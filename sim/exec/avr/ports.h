@@ -1,10 +1,7 @@
 // Ports B, C and D with what else drives their pins (timers) and what listens to them (interrupts).
 //
-// PWM is told as a duty, never as edges. With OCR the compare register and TOP the end of the count:
-//   fast PWM            duty = (OCR + 1) / (TOP + 1)
-//   phase correct PWM   duty = OCR / TOP
-// inverted where COM = 3; COM = 1 toggles: half, at the frequency that results. tone() and Servo switch pins
-// in interrupt handlers: these edges are told one by one.
+// PWM is told as a duty (hal/board/avr_timer.h), never as edges. tone() and Servo switch pins in interrupt
+// handlers: these edges are told one by one.
 #pragma once
 
 #include <array>

@@ -79,7 +79,7 @@ class Executor {
   virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
 
   /// Whether the firmware's EEPROM is the board's, so that scripts can break and follow it.
-  virtual bool has_boards_eeprom() const { return true; }
+  virtual bool has_boards_eeprom() const { return false; }
   /// From `t` on, which is now, the firmware's clock runs so much too fast, in parts per million; also after
   /// a power cycle.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }

@@ -32,6 +32,7 @@ class HostExecutor final : public Executor {
   SourceLine source() override;
   SimTime last_call() const override;
   std::vector<BundledFile> counters() override;
+  bool has_boards_eeprom() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:

@@ -1,0 +1,62 @@
+// What the registers of an AVR's analog-digital converter mean (ATmega328P, data sheet DS40002061B, chapter
+// 24). For the host target and for the emulated chip.
+//
+// A conversion takes 13 clocks of the ADC and samples after 1.5; the first one after it was switched on 12
+// more of each (table 24-1). References: AVCC is the supply; AREF, where nothing is wired to it here, the
+// supply too; 1.1 V. The temperature sensor (channel 8) reads 0.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/board_spec.h"
+#include "hal/board/firmware_port.h"
+
+namespace robosim {
+namespace avr {
+
+constexpr double kBandgap_volts = 1.1;
+
+/// The processor's cycles in a clock of the ADC, by ADCSRA: table 24-5.
+constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
+
+/// Half clocks of the ADC from a conversion's start to its sample, and clocks to its end.
+constexpr int adc_half_clocks_to_sample(bool first) { return first ? 27 : 3; }
+constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
+
+/// The channel that ADMUX selects: table 24-4.
+constexpr int adc_channel(uint8_t multiplexer) { return multiplexer & 0xF; }
+
+/// The reference that ADMUX selects, in volts: table 24-3.
+constexpr double adc_reference_volts(uint8_t multiplexer, double supply_volts) {
+  return multiplexer >> 6 == 3 ? kBandgap_volts : supply_volts;
+}
+
+/// The code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
+constexpr uint16_t adc_code(double volts, double reference_volts) {
+  return volts / reference_volts * 1024.0 <= 0.0 ? uint16_t{0}
+         : volts / reference_volts * 1024.0 >= 1023.0
+             ? uint16_t{1023}
+             : static_cast<uint16_t>(volts / reference_volts * 1024.0);
+}
+
+/// ADCH and ADCL together, as ADMUX has them adjusted (24.9.3).
+constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
+  return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
+}
+
+/// Samples the channel that ADMUX selects.
+inline uint16_t adc_sample(FirmwarePort& board, uint8_t multiplexer, SimTime t) {
+  const BoardSpec& spec = board.spec();
+  const int channel = adc_channel(multiplexer);
+  double volts = 0.0;
+  if (channel < 8) {
+    const int pin = spec.analog_pin_0 + channel;
+    if (pin < spec.pin_count) volts = board.read_volts(static_cast<Pin>(pin), t);
+  } else if (channel == 14) {
+    volts = kBandgap_volts;
+  }
+  return adc_code(volts, adc_reference_volts(multiplexer, spec.supply_volts));
+}
+
+}  // namespace avr
+}  // namespace robosim

@@ -1,0 +1,115 @@
+// What the registers of an AVR's timers mean: how they count, and how they drive their pins (ATmega328P, data
+// sheet DS40002061B: timer 0 in chapter 15, timer 1 in 16, timer 2 in 18). For the host target and for the
+// emulated chip.
+//
+//   tick       `prescaler` cycles of the processor
+//   period     TOP + 1 ticks, or 2 TOP where it counts up and down (phase correct)
+//   fast PWM            high for OCR + 1 of TOP + 1 ticks
+//   phase correct PWM   high for OCR of TOP ticks
+//   COM = 1             toggles at each match: half the time high, a match a period
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/board.h"
+
+namespace robosim {
+namespace avr {
+
+/// Of timer `timer` (0, 1, 2), by TCCRnB: tables 15-9, 16-5, 18-9. 0 = it stands, or counts an external
+/// clock.
+constexpr int32_t prescaler(int timer, uint8_t control_b) {
+  constexpr int32_t kOf01[8] = {0, 1, 8, 64, 256, 1024, 0, 0};
+  constexpr int32_t kOf2[8] = {0, 1, 8, 32, 64, 128, 256, 1024};
+  return timer == 2 ? kOf2[control_b & 7] : kOf01[control_b & 7];
+}
+
+/// How a timer counts.
+struct Counting {
+  enum class Kind : uint8_t { normal, clear_on_match, pwm };
+  enum class Top : uint8_t { fixed, compare_a, capture };  ///< where its TOP is kept
+
+  Kind kind = Kind::normal;
+  bool dual_slope = false;  ///< up and down: phase correct, phase and frequency correct
+  Top top = Top::fixed;
+  uint16_t fixed_top = 0xFF;  ///< where `top` is fixed
+};
+
+/// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal.
+constexpr Counting counting(int timer, uint8_t control_a, uint8_t control_b) {
+  using Kind = Counting::Kind;
+  using Top = Counting::Top;
+  constexpr Counting kOf02[8] = {{Kind::normal, false, Top::fixed, 0xFF},
+                                 {Kind::pwm, true, Top::fixed, 0xFF},
+                                 {Kind::clear_on_match, false, Top::compare_a, 0xFF},
+                                 {Kind::pwm, false, Top::fixed, 0xFF},
+                                 {Kind::normal, false, Top::fixed, 0xFF},
+                                 {Kind::pwm, true, Top::compare_a, 0xFF},
+                                 {Kind::normal, false, Top::fixed, 0xFF},
+                                 {Kind::pwm, false, Top::compare_a, 0xFF}};
+  constexpr Counting kOf1[16] = {{Kind::normal, false, Top::fixed, 0xFFFF},
+                                 {Kind::pwm, true, Top::fixed, 0xFF},
+                                 {Kind::pwm, true, Top::fixed, 0x1FF},
+                                 {Kind::pwm, true, Top::fixed, 0x3FF},
+                                 {Kind::clear_on_match, false, Top::compare_a, 0xFFFF},
+                                 {Kind::pwm, false, Top::fixed, 0xFF},
+                                 {Kind::pwm, false, Top::fixed, 0x1FF},
+                                 {Kind::pwm, false, Top::fixed, 0x3FF},
+                                 {Kind::pwm, true, Top::capture, 0xFFFF},
+                                 {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                 {Kind::pwm, true, Top::capture, 0xFFFF},
+                                 {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                 {Kind::clear_on_match, false, Top::capture, 0xFFFF},
+                                 {Kind::normal, false, Top::fixed, 0xFFFF},
+                                 {Kind::pwm, false, Top::capture, 0xFFFF},
+                                 {Kind::pwm, false, Top::compare_a, 0xFFFF}};
+  return timer == 1 ? kOf1[(control_a & 3) | (control_b >> 1 & 0xC)]
+                    : kOf02[(control_a & 3) | (control_b >> 1 & 4)];
+}
+
+/// The end of the count, given OCRnA and (of timer 1) ICR1.
+constexpr int64_t top_of(const Counting& how, uint16_t compare_a, uint16_t capture) {
+  return how.top == Counting::Top::compare_a ? compare_a
+         : how.top == Counting::Top::capture ? capture
+                                             : how.fixed_top;
+}
+
+/// Ticks from one overflow to the next.
+constexpr int64_t period_of(const Counting& how, int64_t top) {
+  return !how.dual_slope ? top + 1 : top > 0 ? 2 * top : 1;
+}
+
+/// COM of channel 0 (A) or 1 (B) in TCCRnA: 0 = the pin belongs to the port.
+constexpr uint8_t connection(uint8_t control_a, int channel) {
+  return control_a >> (channel == 0 ? 6 : 4) & 3;
+}
+
+/// How a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that channel's
+/// OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
+inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,
+                            uint8_t com, int64_t clock_hz) {
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  if (prescaler == 0) return drive;
+  if (com == 1) {
+    const int64_t count = how.dual_slope ? (top > 0 ? top : 1) : top + 1;
+    drive.pwm = true;
+    drive.duty = 0.5;
+    drive.tone_hz = static_cast<uint32_t>(clock_hz / (2 * prescaler * count));
+    return drive;
+  }
+  if (how.kind != Counting::Kind::pwm) {
+    drive.level = com == 3;
+    drive.duty = drive.level ? 1.0 : 0.0;
+    return drive;
+  }
+  const int64_t value = compare < top ? compare : top;
+  const double high = how.dual_slope ? (top > 0 ? static_cast<double>(value) / static_cast<double>(top) : 0.0)
+                                     : static_cast<double>(value + 1) / static_cast<double>(top + 1);
+  drive.pwm = true;
+  drive.duty = com == 3 ? 1.0 - high : high;
+  return drive;
+}
+
+}  // namespace avr
+}  // namespace robosim
