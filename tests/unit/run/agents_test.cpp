@@ -27,7 +27,8 @@ struct Witness final : Listener {
 /// Firmware that only waits: its robot stands where it was put.
 class Parked final : public exec::Executor {
  public:
-  Board& board() override { return board_; }
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime) override {}
   void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override { now_ = t; }

@@ -15,7 +15,8 @@ using testing::HasSubstr;
 class Talker final : public exec::Executor {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}
-  Board& board() override { return driver_.board(); }
+  RobotPort& board() override { return driver_.board(); }
+  exec::BoardProbe& probe() override { return driver_.probe(); }
   void power_on(SimTime t) override { driver_.power_on(t); }
   void power_off(SimTime t) override { driver_.power_off(t); }
   void run_until(SimTime t) override {
