@@ -36,12 +36,12 @@ auto numbers_of(const Message& message) {
   return numbers.found;
 }
 
-constexpr const char* kTime = "time_s";
+constexpr const char* kTimeName = "time_s";
 
 }  // namespace
 
 Values Figure::values(const wire::RunResult& result) const {
-  if (name == std::string_view(kTime)) return {result.time_s};
+  if (name == std::string_view(kTimeName)) return {result.time_s};
   if (chip_only && !result.resources) return {};
   for (auto& [key, values] : chip_only ? numbers_of(*result.resources) : numbers_of(result.metrics))
     if (name == std::string_view(key)) return values;
@@ -50,7 +50,7 @@ Values Figure::values(const wire::RunResult& result) const {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all = [] {
-    std::vector<Figure> made{{kTime, false}};
+    std::vector<Figure> made{{kTimeName, false}};
     for (const auto& number : numbers_of(wire::Metrics())) made.push_back({number.first, false});
     for (const auto& number : numbers_of(wire::Resources())) made.push_back({number.first, true});
     return made;
