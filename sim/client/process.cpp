@@ -141,10 +141,10 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
     next_ = 0;
     searched = buffer_.size();
     // In slices: a signal that arrives just before poll() does not wake it.
-    constexpr long long kSlice_ms = 200;
+    constexpr long long kPollSlice_ms = 200;
     const long long now = now_ms();
     if (interrupted_ && interrupt_seen < 0) interrupt_seen = now;
-    long long left = kSlice_ms;
+    long long left = kPollSlice_ms;
     if (timeout_ms >= 0) left = std::min(left, began + timeout_ms - now);
     if (interrupt_seen >= 0) left = std::min(left, interrupt_seen + kStopPatience_ms - now);
     pollfd ready{answers_, POLLIN, 0};

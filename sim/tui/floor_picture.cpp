@@ -40,9 +40,9 @@ Window fit(const grid::Map& map, Area area, int columns, int rows) {
 }
 
 char32_t arrow(double yaw_rad) {
-  constexpr char32_t kArrows[] = U"→↗↑↖←↙↓↘";
+  constexpr char32_t kEightArrows[] = U"→↗↑↖←↙↓↘";
   const long step = std::lround(yaw_rad / (std::numbers::pi / 4.0));
-  return kArrows[static_cast<std::size_t>((step % 8 + 8) % 8)];
+  return kEightArrows[static_cast<std::size_t>((step % 8 + 8) % 8)];
 }
 
 FloorPicture::FloorPicture(const grid::Map& map) : map_(map), stripes_(map, reach(map)) {}

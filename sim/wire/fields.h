@@ -56,16 +56,22 @@ struct Name {
   const char* name;
   Bool* holds;
 };
+template <class Bool>
+Name(const char*, Bool*) -> Name<Bool>;  // clang 14 deduces nothing for aggregates
 template <class Bool, std::size_t N>
 struct NameList {
   std::array<Name<Bool>, N> names;
 };
+template <class Bool, std::size_t N>
+NameList(std::array<Name<Bool>, N>) -> NameList<Bool, N>;
 
 /// Pairs of a use and a pin, written as an object; a pin that is a number ("8") is written as one.
 template <class List>
 struct PinsByUse {
   List& list;
 };
+template <class List>
+PinsByUse(List&) -> PinsByUse<List>;
 
 /// A member that a visitor can go into.
 template <class V, class T>

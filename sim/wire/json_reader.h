@@ -70,7 +70,7 @@ class JsonReader {
     using Value = std::remove_cvref_t<T>;
     const Json* found = find(key);
     if constexpr (detail::IsOptional<Value>::value) {
-      if (found && !found->is_null()) take(key, *found, value.emplace(), rules);
+      if (found && !found->is_null()) take(key, *found, *(value = typename Value::value_type{}), rules);
     } else if (found) {
       take(key, *found, value, rules);
     } else if (rules.presence.required) {

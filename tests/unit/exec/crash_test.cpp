@@ -73,11 +73,14 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
 // As a write beside an array may do to what lies there.
 TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
   const Crash found = crash(
-      "namespace robosim { class Board; namespace host { extern Board* board; } } void* fake[64]; void "
+      "namespace robosim { class FirmwarePort; namespace host { extern FirmwarePort* board; } } void* "
+      "fake[64]; void "
       "faulty() "
-      "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::Board*)fake; "
+      "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::FirmwarePort*)fake; "
       "digitalWrite(13, HIGH); ++n; }");
-  expect(found, "(null pointer)", "faulty", 2);
+  // What it is that goes wrong in there depends on the processor.
+  EXPECT_NE(found.reason, "none");
+  expect(found, "", "faulty", 2);
 }
 
 TEST_F(CrashTest, InAnInterruptHandler) {
