@@ -107,7 +107,7 @@ class Filler {
   }
   template <class T>
   void fill_many(std::optional<T>& value, const Rules& rules) {
-    if (below(2)) fill(value.emplace(), rules);
+    if (below(2)) fill(*(value = T{}), rules);
   }
   template <class... T>
   void fill_many(std::tuple<T&...>& value, const Rules& rules) {
