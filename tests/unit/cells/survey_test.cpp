@@ -83,7 +83,7 @@ grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
 // 1,000 maps, by families: trees, cycles, crossings of four ways, up to 200 junctions.
 class Generated : public ::testing::TestWithParam<grid::Family> {};
 
-TEST_P(Generated, FloorsAreFoundAsTheyAreAndNoEdgeIsUsedMoreThanTwiceInEachDirection) {
+TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
   std::size_t most_junctions = 0;
   for (std::uint64_t n = 0; n < test::rounds(334u); ++n) {
     const int most = GetParam() == grid::Family::tree ? 201 : GetParam() == grid::Family::cycles ? 140 : 80;

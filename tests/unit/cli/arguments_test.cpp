@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "tests/support/readable.h"
 
 namespace robosim::cli {
 namespace {
@@ -193,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"robot", "list", "x"}, "robot list: “x” is one word too many"},
         Refused{{"test", "--jobs", "0"}, "--jobs: “0” is not possible"},
         Refused{{"new"}, "robosim new needs a name"},
-        Refused{{"new", "a", "b"}, "new: “b” is one word too many"}));
+        Refused{{"new", "a", "b"}, "new: “b” is one word too many"}),
+    test::numbered(&Refused::words));
 
 }  // namespace
 }  // namespace robosim::cli

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/file.h"
+#include "tests/support/readable.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
@@ -145,7 +146,8 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedChecks{"[[check]]\nname = 'x'\ncollisions = { max = '0' }\n",
                       "3:22: max of collisions is a string"},
         RefusedChecks{"[[check]]\nname = 'x'\ncpu_load = { max = 1 }\n",
-                      "3:12: cpu_load is known on a chip only"}));
+                      "3:12: cpu_load is known on a chip only"}),
+    test::numbered(&RefusedChecks::says));
 
 }  // namespace
 }  // namespace robosim::cli

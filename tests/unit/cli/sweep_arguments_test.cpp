@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "tests/support/readable.h"
 
 namespace robosim::cli {
 namespace {
@@ -86,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                      "--map: “PidFollower” is a sketch; sketches stand before"},
         RefusedSweep{{"--robot", "uno5", "."}, "--robot: “.” is a sketch"},
         RefusedSweep{{"--profile", "real"}, "must be ideal or typical"},
-        RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}));
+        RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}),
+    test::numbered(&RefusedSweep::words));
 
 }  // namespace
 }  // namespace robosim::cli

@@ -57,7 +57,8 @@ class PoolTest : public ::testing::TestWithParam<std::size_t> {
   std::vector<std::string> answers_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Workers, PoolTest, ::testing::Values(1, 2, 5));
+INSTANTIATE_TEST_SUITE_P(Workers, PoolTest, ::testing::Values(1, 2, 5),
+                         [](const auto& workers) { return std::to_string(workers.param); });
 
 TEST_P(PoolTest, HandsResultsOverInTheOrderOfTheRequestsHoweverLongEachTakes) {
   {

@@ -85,7 +85,7 @@ TEST_P(PathFollowerTest, TakesABranchOnItsSide) {
   EXPECT_EQ(path.ends(), 0);
 }
 
-TEST_P(PathFollowerTest, DoesNotTurnIntoTheLineItCameOnWhichItCrossesWhenItStoodAslant) {
+TEST_P(PathFollowerTest, DoesNotTurnIntoTheLineItCameOnWhereItStoodAslant) {
   see(kLine, 300);
   see(kBranch, 70);
   while (path.state() != State::turning) see(kOffTheEdge, 2);

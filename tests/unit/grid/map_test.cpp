@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/file.h"
+#include "tests/support/readable.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::grid {
@@ -186,6 +187,8 @@ struct Refused {
 
 void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.what; }
 
+std::string name_of(const testing::TestParamInfo<Refused>& test) { return test::readable(test.param.what); }
+
 class RefusedMap : public testing::TestWithParam<Refused> {};
 
 TEST_P(RefusedMap, SaysWhereAndWhat) {
@@ -229,7 +232,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"a digit without legend", "151\n", "m.map:1:2: ", "no [legend]"},
         Refused{"a second S", "S1\n1S\n", "m.map:2:2: ", "a second `S`; the first is in line 1, column 1"},
         Refused{"a second G", "GG\n", "m.map:1:2: ", "a second `G`"},
-        Refused{". and # swapped", "......\n.####.\n......\n", "m.map:1:1: ", "were `.` and `#` swapped?"}));
+        Refused{". and # swapped", "......\n.####.\n......\n", "m.map:1:1: ", "were `.` and `#` swapped?"}),
+    name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     FrontMatter, RefusedMap,
@@ -266,7 +270,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"a station of one number", "+++\n[stations]\ndock = [1]\n+++\n_1\n",
                 "m.map:3:", "[column, row]"},
         Refused{"two stations on a cell", "+++\n[stations]\na = [1, 0]\nb = [1, 0]\n+++\n_1\n",
-                "m.map:4:", "same cell"}));
+                "m.map:4:", "same cell"}),
+    name_of);
 
 TEST(RefusedMap, AbsurdSizesEndSoon) {
   EXPECT_THAT(complaint(std::string(300'000, '1')), HasSubstr("longer than 100000 cells"));

@@ -11,6 +11,7 @@
 #include "sim/base/file.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/parts/reflectance.h"
+#include "tests/support/readable.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/robot/bench_robot.h"
 
@@ -115,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"base = \"uno5\"\nremove = [\"horn\"]\n", "which the base does not have; it has left"},
         Case{"remove = [\"horn\"]\n" + kBareRobot, "remove needs a base"},
         Case{"base = \"uno5\"\nbroad = \"uno\"\n", "unknown key broad"},
-        Case{"board = \n", "not valid TOML"}));
+        Case{"board = \n", "not valid TOML"}),
+    test::numbered(&Case::message));
 
 TEST(Description, TwoPartsOnOnePinAreRefusedNamingBoth) {
   const std::string message = message_of(kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 13\n") +

@@ -35,6 +35,11 @@ BodyParams fast(double rate_factor) {
 
 enum class Shape { circle, small_circle, box, triangle };
 
+std::string name_of(Shape shape) {
+  static constexpr const char* kNames[] = {"circle", "small_circle", "box", "triangle"};
+  return kNames[static_cast<int>(shape)];
+}
+
 BodyParams shaped(BodyParams p, Shape shape) {
   if (shape == Shape::small_circle) p.radius_m = 0.004;
   if (shape == Shape::box) p.outline = {{-0.06, -0.07}, {0.11, -0.07}, {0.11, 0.07}, {-0.06, 0.07}};
@@ -67,7 +72,8 @@ double inside_walls(const grid::Map& map, const Body& body) {
 
 class OfEveryShape : public testing::TestWithParam<Shape> {};
 INSTANTIATE_TEST_SUITE_P(Contact, OfEveryShape,
-                         testing::Values(Shape::circle, Shape::small_circle, Shape::box, Shape::triangle));
+                         testing::Values(Shape::circle, Shape::small_circle, Shape::box, Shape::triangle),
+                         [](const auto& shape) { return name_of(shape.param); });
 
 TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   std::vector<std::string> rows(30, std::string(30, ' '));

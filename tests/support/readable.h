@@ -1,0 +1,39 @@
+// Names of a test's parameters.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::test {
+
+/// The words of a text as gtest allows them in a name, the first 30 letters: "3:7: no unit" is 3_7NoUnit.
+inline std::string readable(std::string_view text) {
+  std::string name;
+  bool begins = true;
+  for (const char c : text) {
+    const bool lower = c >= 'a' && c <= 'z', upper = c >= 'A' && c <= 'Z', digit = c >= '0' && c <= '9';
+    if (digit && begins && !name.empty() && name.back() <= '9') name += '_';
+    if (lower || upper || digit) name += lower && begins ? static_cast<char>(c - 'a' + 'A') : c;
+    begins = !lower && !upper && !digit;
+  }
+  return name.substr(0, 30);
+}
+
+inline std::string readable(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + ' ';
+  return readable(text);
+}
+
+/// Names parameters by their numbers and by what this member of theirs says: numbered(&Refused::says).
+template <class Parameter, class Text>
+auto numbered(Text Parameter::*text) {
+  return [text](const testing::TestParamInfo<Parameter>& test) {
+    return std::to_string(test.index) + "_" + readable(test.param.*text);
+  };
+}
+
+}  // namespace robosim::test
