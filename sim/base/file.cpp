@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 
 // Defined in tests that toolchain/cmake/robosim_functions.cmake makes: the prefix of an installed Robosim; ""
@@ -25,13 +26,6 @@ namespace {
   throw InputError({path.string()}, std::string("cannot be ") + verb + ": " + std::strerror(error));
 }
 
-struct Descriptor {
-  int fd;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-};
-
 /// Of the installed Robosim whose libraries a program links that is not itself installed with it; else empty.
 fs::path linked_installation() {
   return robosim_installation ? fs::path(robosim_installation()) : fs::path();
@@ -45,16 +39,16 @@ fs::path executable_folder() {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.fd < 0) fail(path, "read", errno);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail(path, "read", errno);
   struct stat info {};
-  if (::fstat(file.fd, &info) != 0) fail(path, "read", errno);
+  if (::fstat(file.get(), &info) != 0) fail(path, "read", errno);
   if (S_ISDIR(info.st_mode)) fail(path, "read", EISDIR);
   std::string content(static_cast<std::size_t>(info.st_size), '\0');
   std::size_t got = 0;
   for (;;) {
     if (got == content.size()) content.resize(got + (S_ISREG(info.st_mode) ? 1 : 65536));
-    const ssize_t n = ::read(file.fd, content.data() + got, content.size() - got);
+    const ssize_t n = ::read(file.get(), content.data() + got, content.size() - got);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail(path, "read", errno);
     if (n == 0) break;
@@ -67,10 +61,10 @@ std::string read_file(const fs::path& path) {
 void write_file(const fs::path& path, std::string_view content) {
   const fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
   {
-    const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-    if (file.fd < 0) fail(path, "written", errno);
+    const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open()) fail(path, "written", errno);
     while (!content.empty()) {
-      const ssize_t n = ::write(file.fd, content.data(), content.size());
+      const ssize_t n = ::write(file.get(), content.data(), content.size());
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) {
         const int error = errno;
@@ -98,13 +92,13 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string sha256_of_file(const fs::path& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.fd < 0) fail(path, "read", errno);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail(path, "read", errno);
   SHA2_CTX context;
   SHA256Init(&context);
   std::vector<std::uint8_t> chunk(256 * 1024);
   for (;;) {
-    const ssize_t n = ::read(file.fd, chunk.data(), chunk.size());
+    const ssize_t n = ::read(file.get(), chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail(path, "read", errno);
     if (n == 0) break;

@@ -1,6 +1,6 @@
 #include "sim/base/shell_word.h"
 
-namespace robosim::cli {
+namespace robosim {
 
 std::string shell_word(const std::string& text) {
   constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+-@%";
@@ -10,4 +10,4 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-}  // namespace robosim::cli
+}  // namespace robosim

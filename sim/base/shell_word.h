@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace robosim::cli {
+namespace robosim {
 
 /// The text as one word for a shell, quoted only where necessary.
 std::string shell_word(const std::string& text);
 
-}  // namespace robosim::cli
+}  // namespace robosim

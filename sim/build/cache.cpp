@@ -207,14 +207,10 @@ fs::path Cache::work_folder() const {
 }
 
 CacheLock::CacheLock(const Cache& cache)
-    : descriptor_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    : lock_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
   // Without a lock the work may be done twice, no more.
-  while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+  while (lock_.is_open() && ::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
   }
-}
-
-CacheLock::~CacheLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 WorkFolder::~WorkFolder() {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/descriptor.h"
+
 namespace robosim::build {
 
 struct Inputs {
@@ -52,12 +54,9 @@ class Cache {
 class CacheLock {
  public:
   explicit CacheLock(const Cache& cache);
-  ~CacheLock();
-  CacheLock(const CacheLock&) = delete;
-  CacheLock& operator=(const CacheLock&) = delete;
 
  private:
-  int descriptor_;
+  Descriptor lock_;
 };
 
 /// A folder that is removed with all that is in it.

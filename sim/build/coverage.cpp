@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "sim/base/bundle.h"
+#include "sim/base/descriptor.h"
 #include "sim/base/file.h"
 #include "sim/build/cache.h"
 #include "sim/build/process.h"
@@ -62,17 +63,14 @@ void add_report(Coverage& coverage, const Sketch& sketch, const std::string& rep
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
-      : descriptor_(::open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) throw InputError({folder.string()}, "cannot be written");
-    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+      : lock_(::open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    if (!lock_.is_open()) throw InputError({folder.string()}, "cannot be written");
+    while (::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
     }
   }
-  ~FolderLock() { ::close(descriptor_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  int descriptor_;
+  Descriptor lock_;
 };
 
 std::vector<fs::path> info_files(const fs::path& folder) {

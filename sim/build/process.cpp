@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +12,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+
+#include "sim/base/child.h"
 
 extern char** environ;
 
@@ -49,49 +49,28 @@ std::vector<std::string> clean_environment() {
   return kept;
 }
 
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
-}
-
 struct Running {
-  std::size_t index = 0;
-  pid_t pid = 0;
-  int output = -1;
+  std::size_t index;
+  Descriptor output;
+  Child child;
 };
 
-Running start(const Command& command, std::size_t index, std::vector<char*>& environment) {
-  int pipe_ends[2];
-  if (::pipe2(pipe_ends, O_CLOEXEC) != 0)
-    throw std::runtime_error("no pipe: " + std::string(std::strerror(errno)));
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDERR_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO,
-                                   command.input.empty() ? "/dev/null" : command.input.c_str(), O_RDONLY, 0);
-  if (!command.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, command.folder.c_str());
-  std::vector<std::string> words = command.words;
-  std::vector<char*> arguments = pointers(words);
-  Running running{index, 0, pipe_ends[0]};
-  const int error =
-      ::posix_spawn(&running.pid, words[0].c_str(), &actions, nullptr, arguments.data(), environment.data());
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(pipe_ends[1]);
-  if (error) {
-    ::close(pipe_ends[0]);
-    throw std::runtime_error(words[0] + " cannot be started: " + std::strerror(error));
+Running start(const Command& command, std::size_t index, const std::vector<std::string>& environment) {
+  Pipe pipe;
+  Descriptor input;
+  ChildStart start;
+  start.words = command.words;
+  start.folder = command.folder;
+  start.environment = environment;
+  start.input = ChildStart::kNothing;
+  if (!command.input.empty()) {
+    input = Descriptor(::open(command.input.c_str(), O_RDONLY | O_CLOEXEC));
+    if (input.get() < 0)
+      throw std::runtime_error(command.input.string() + " cannot be read: " + std::strerror(errno));
+    start.input = input.get();
   }
-  return running;
-}
-
-int wait_for(pid_t pid) {
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  start.output = start.errors = pipe.write.get();
+  return {index, std::move(pipe.read), Child(start)};
 }
 
 /// False at the end of the output.
@@ -105,8 +84,7 @@ bool read_some(int descriptor, std::string& output) {
 }  // namespace
 
 std::vector<Outcome> run(const std::vector<Command>& commands) {
-  std::vector<std::string> variables = clean_environment();
-  std::vector<char*> environment = pointers(variables);
+  const std::vector<std::string> environment = clean_environment();
   // Each compiler takes some 100 MB: no more than four, so that 1 GB of memory is enough.
   const std::size_t at_once = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
   std::vector<Outcome> outcomes(commands.size());
@@ -118,14 +96,14 @@ std::vector<Outcome> run(const std::vector<Command>& commands) {
       ++next;
     }
     std::vector<pollfd> waiting;
-    for (const Running& one : running) waiting.push_back({one.output, POLLIN, 0});
+    for (const Running& one : running) waiting.push_back({one.output.get(), POLLIN, 0});
     if (::poll(waiting.data(), waiting.size(), -1) < 0) continue;
     for (std::size_t i = running.size(); i-- > 0;) {
       if (!waiting[i].revents) continue;
       Outcome& outcome = outcomes[running[i].index];
-      if (read_some(running[i].output, outcome.output)) continue;
-      ::close(running[i].output);
-      outcome.status = wait_for(running[i].pid);
+      if (read_some(running[i].output.get(), outcome.output)) continue;
+      const Ending ending = running[i].child.wait();
+      outcome.status = ending.signal > 0 ? 128 + ending.signal : ending.status;
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }

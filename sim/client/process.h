@@ -2,12 +2,13 @@
 #pragma once
 
 #include <signal.h>
-#include <sys/types.h>
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "sim/base/child.h"
 
 namespace robosim::client {
 
@@ -29,7 +30,7 @@ class Process {
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
   /// Readable, as poll(2) has it, when the program has said something or ended.
-  int descriptor() const { return answers_; }
+  int descriptor() const { return answers_.get(); }
   /// read_line() came to the end of the output.
   bool silent() const { return silent_; }
 
@@ -52,10 +53,13 @@ class Process {
   std::string finish();
 
  private:
-  std::string ending_;
-  pid_t pid_ = -1;
-  int requests_ = -1;  // socket to its standard input
-  int answers_ = -1;   // pipe from its standard output
+  struct Ends;
+  explicit Process(Ends ends);
+
+  Descriptor requests_;  // socket to its standard input
+  Descriptor answers_;   // pipe from its standard output
+  Child child_;
+  bool finished_ = false;
   volatile sig_atomic_t interrupted_ = 0;
   bool silent_ = false;
   std::string buffer_;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "sim/base/descriptor.h"
 #include "sim/base/file.h"
 #include "sim/grid/map_parser.h"
 
@@ -22,18 +23,12 @@ constexpr std::size_t kChunk = 256 * 1024;  // stays in the second-level cache
 
 class MapFile {
  public:
-  explicit MapFile(const fs::path& path) : path_(path), fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  explicit MapFile(const fs::path& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat info {};
-    if (fd_ < 0 || ::fstat(fd_, &info) != 0) fail(errno);
-    if (S_ISDIR(info.st_mode)) {
-      ::close(fd_);
-      fail(EISDIR);
-    }
+    if (!file_.is_open() || ::fstat(file_.get(), &info) != 0) fail(errno);
+    if (S_ISDIR(info.st_mode)) fail(EISDIR);
     size_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
   }
-  MapFile(const MapFile&) = delete;
-  MapFile& operator=(const MapFile&) = delete;
-  ~MapFile() { ::close(fd_); }
 
   /// 0 = not known.
   std::size_t size() const { return size_; }
@@ -42,7 +37,7 @@ class MapFile {
   std::string_view read(std::vector<char>& buffer) {
     std::size_t got = 0;
     while (got < buffer.size()) {
-      const ssize_t n = ::read(fd_, buffer.data() + got, buffer.size() - got);
+      const ssize_t n = ::read(file_.get(), buffer.data() + got, buffer.size() - got);
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) fail(errno);
       if (n == 0) break;
@@ -57,7 +52,7 @@ class MapFile {
   }
 
   fs::path path_;
-  int fd_;
+  Descriptor file_;
   std::size_t size_ = 0;
 };
 

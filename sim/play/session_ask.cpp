@@ -1,6 +1,7 @@
 // How a session asks: one page, one question, a line or a key.
 #include <fmt/format.h>
 
+#include "sim/base/utf8.h"
 #include "sim/play/session.h"
 
 namespace robosim::play {
@@ -9,12 +10,6 @@ namespace {
 using Kind = tui::Press::Kind;
 
 constexpr std::size_t kLongestAnswer = 1000;
-
-// One character, which may be several bytes.
-void erase_last(std::string& text) {
-  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-  if (!text.empty()) text.pop_back();
-}
 
 }  // namespace
 
@@ -46,7 +41,7 @@ std::string Session::ask(const Body& body, const std::string& question,
         if (typed == "q" || typed == "quit") throw SessionQuit{};
         return typed;
       case Kind::erase:
-        erase_last(typed);
+        erase_last_character(typed);
         break;
       case Kind::character:
         if (typed.size() < kLongestAnswer) typed += press.character;

@@ -5,26 +5,15 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim/base/csv.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 
 namespace robosim::record {
-namespace {
-
-/// As RFC 4180 has it.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
 void CsvRecord::add(const wire::Event& event) {
   if (const auto* started = std::get_if<wire::Started>(&event)) {
     text_ = "t_us,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right";
-    for (const std::string& name : started->readings) text_ += "," + field(name);
+    for (const std::string& name : started->readings) text_ += "," + csv_field(name);
     text_ += "\n";
   } else if (const auto* s = std::get_if<wire::Sample>(&event)) {
     auto out = std::back_inserter(text_);

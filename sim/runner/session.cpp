@@ -4,16 +4,15 @@
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/time.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
 #include <csignal>
 #include <cstring>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/bundle.h"
+#include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/exec/gdb/server.h"
@@ -191,29 +190,29 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   }
 }
 
-// In the fork. The process ends here, without the parent's exit handlers.
-[[noreturn]] void run_in_child(const Target& target, const wire::RunRequest& request, const wire::Id& id) {
+// In the fork.
+int run_in_child(const Target& target, const wire::RunRequest& request, const wire::Id& id) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
   write_line(wire::to_line(id, *answer_of([&] { return run_request(target, request, id); })));
-  ::_exit(0);
+  return 0;
 }
 
-std::string cause_of_death(int status) {
-  if (WIFSIGNALED(status))
-    return fmt::format("it took its process down by signal {} ({})", WTERMSIG(status),
-                       ::strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) == kWatchdogStatus) return "it loops without end inside a library function";
-  return fmt::format("it took its process down with exit status {}", WEXITSTATUS(status));
+std::string cause_of_death(const Ending& ending) {
+  if (ending.signal > 0)
+    return fmt::format("it took its process down by signal {} ({})", ending.signal,
+                       ::strsignal(ending.signal));
+  if (ending.status == kWatchdogStatus) return "it loops without end inside a library function";
+  return fmt::format("it took its process down with exit status {}", ending.status);
 }
 
 // Firmware ended its process in a way that no handler could catch.
-wire::RunResult result_of_death(const wire::RunRequest& request, int status) {
+wire::RunResult result_of_death(const wire::RunRequest& request, const Ending& ending) {
   judge::Outcome outcome;
   outcome.verdict = judge::Verdict::crashed;
-  outcome.crash = exec::Crash{cause_of_death(status), {}};
+  outcome.crash = exec::Crash{cause_of_death(ending), {}};
   outcome.why = "The sketch crashed: " + outcome.crash->reason + ".";
   if (!request.goal.empty()) outcome.goal = judge::parse_goal(request.goal);
   return result_of(outcome, request, robot::load_description(request.robot));
@@ -223,14 +222,9 @@ wire::RunResult result_of_death(const wire::RunRequest& request, int status) {
 std::optional<wire::Answer> serve_run(const Target& target, const wire::RunRequest& request,
                                       const wire::Id& id) {
   known_sha256(request.image);
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
-  if (child == 0) run_in_child(target, request, id);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
-  return result_of_death(request, status);
+  const Ending ending = Child([&] { return run_in_child(target, request, id); }).wait();
+  if (ending.ok()) return std::nullopt;
+  return result_of_death(request, ending);
 }
 
 void serve_line(const Target& target, const std::string& line) {

@@ -10,6 +10,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/shell_word.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_vcd.h"
 #include "sim/testing/rehearsal.h"
@@ -23,18 +24,6 @@ std::string as_word(const std::string& text) {
   std::string word;
   for (const char c : text) word += c == '/' ? '.' : c;
   return word;
-}
-
-/// For a POSIX shell.
-std::string shell_word(const std::string& text) {
-  const bool plain = !text.empty() && text.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyz"
-                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./:,=+@") == std::string::npos;
-  if (plain) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
 }
 
 }  // namespace

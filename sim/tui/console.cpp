@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "sim/base/error.h"
+#include "sim/base/wall_clock.h"
 
 namespace robosim::tui {
 namespace {
@@ -54,11 +55,7 @@ Press ScreenConsole::wait(int timeout_ms) {
   return {};
 }
 
-std::int64_t ScreenConsole::now_us() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1'000'000LL + now.tv_nsec / 1000;
-}
+std::int64_t ScreenConsole::now_us() { return wall_us(); }
 
 void ScreenConsole::lend(const std::function<void()>& use) {
   screen_.reset();

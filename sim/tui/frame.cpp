@@ -3,35 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/base/utf8.h"
+
 namespace robosim::tui {
 namespace {
 
 constexpr char32_t kBad = U'?';
-
-/// Decodes one character at the front of `text` and removes it.
-char32_t take(std::string_view& text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = lead < 0x80       ? 1
-                             : lead >> 5 == 6  ? 2
-                             : lead >> 4 == 14 ? 3
-                             : lead >> 3 == 30 ? 4
-                                               : 0;
-  if (length == 0 || length > text.size()) {
-    text.remove_prefix(1);
-    return kBad;
-  }
-  char32_t c = length == 1 ? lead : lead & (0x7Fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    const auto next = static_cast<unsigned char>(text[i]);
-    if (next >> 6 != 2) {
-      text.remove_prefix(1);
-      return kBad;
-    }
-    c = c << 6 | (next & 0x3Fu);
-  }
-  text.remove_prefix(length);
-  return c;
-}
 
 /// One column wide in every terminal: Latin to Cyrillic without combining marks, punctuation, arrows, boxes,
 /// braille.
@@ -118,23 +95,19 @@ int Frame::put(int column, int row, std::string_view text, Ink ink) {
 std::u32string printable(std::string_view utf8) {
   std::u32string characters;
   while (!utf8.empty()) {
-    const char32_t c = take(utf8);
+    const auto [code, length] = first_character(utf8);
+    const char32_t c = length > 0 ? code : kBad;
+    utf8.remove_prefix(std::max<std::size_t>(length, 1));
     characters += is_narrow(c) ? c : c == U'\t' ? U' ' : kBad;
   }
   return characters;
 }
 
 void append(std::string& bytes, char32_t c, bool utf8) {
-  if (c < 0x80 || !utf8) {
+  if (utf8)
+    append_utf8(bytes, c);
+  else
     bytes += ascii(c);
-  } else if (c < 0x800) {
-    bytes += static_cast<char>(0xC0 | c >> 6);
-    bytes += static_cast<char>(0x80 | (c & 0x3F));
-  } else {
-    bytes += static_cast<char>(0xE0 | c >> 12);
-    bytes += static_cast<char>(0x80 | (c >> 6 & 0x3F));
-    bytes += static_cast<char>(0x80 | (c & 0x3F));
-  }
 }
 
 std::string select(Ink ink, Look look) {

@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <ctime>
 
+#include "sim/base/wall_clock.h"
+
 namespace robosim::tui {
 namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
 constexpr int kEndLook_ms = 200;  // at the end: how soon a resize or a signal is noticed
-
-std::int64_t wall_now_us() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1'000'000LL + now.tv_nsec / 1000;
-}
 
 std::string speed_text(const Pacer& pacer) {
   if (pacer.paused()) return "paused";
@@ -37,7 +33,7 @@ void LiveView::on_event(const wire::Event& event) {
   const auto* sample = std::get_if<wire::Sample>(&event);
   if (!sample) return;
   while (!leaving()) {
-    const std::int64_t now = wall_now_us();
+    const std::int64_t now = wall_us();
     const std::int64_t wait = pacer_.paused() ? kFrame_us : pacer_.wait_us(sample->t_us, now);
     changed_ |= screen_.take_resized();
     const std::int64_t next_frame = std::max<std::int64_t>(last_drawn_us_ + kFrame_us - now, 0);
@@ -56,7 +52,7 @@ void LiveView::on_event(const wire::Event& event) {
 void LiveView::finish(const wire::RunResult& result) {
   scene_.finish(result);
   do {
-    draw(wall_now_us());
+    draw(wall_us());
     if (leaving() || !screen_.has_keys()) return;
   } while (screen_.wait_key(kEndLook_ms) == Key::none);
 }

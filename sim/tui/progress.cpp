@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <ctime>
 
+#include "sim/base/wall_clock.h"
 #include "sim/tui/text.h"
 
 namespace robosim::tui {
@@ -14,16 +14,10 @@ namespace {
 constexpr std::int64_t kQuiet_us = 500'000;
 constexpr std::int64_t kEvery_us = 100'000;
 
-std::int64_t monotonic_us() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1'000'000LL + now.tv_nsec / 1000;
-}
-
 }  // namespace
 
 Progress::Progress(bool wanted)
-    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_us_(active_ ? monotonic_us() + kQuiet_us : 0) {}
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_us_(active_ ? wall_us() + kQuiet_us : 0) {}
 
 Progress::~Progress() { clear(); }
 
@@ -36,7 +30,7 @@ void Progress::say(const std::string& text) {
 
 bool Progress::due() {
   if (!active_) return false;
-  const std::int64_t now = monotonic_us();
+  const std::int64_t now = wall_us();
   if (now < next_us_) return false;
   next_us_ = now + kEvery_us;
   return true;

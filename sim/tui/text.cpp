@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/utf8.h"
+
 namespace robosim::tui {
 
-int width_of(std::string_view utf8) {
-  return static_cast<int>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
+int width_of(std::string_view utf8) { return static_cast<int>(count_characters(utf8)); }
 
 std::vector<std::string> wrap(std::string_view text, int columns) {
   std::vector<std::string> lines;

@@ -2,19 +2,17 @@
 #pragma once
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <stdlib.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "sim/base/child.h"
 #include "sim/base/file.h"
-
-extern char** environ;
 
 namespace robosim::test {
 
@@ -47,15 +45,17 @@ class Folder {
   std::filesystem::path path_;
 };
 
+inline Descriptor open_file(const std::string& path, int flags) {
+  Descriptor file(::open(path.c_str(), flags | O_CLOEXEC, 0600));
+  if (file.get() < 0) throw std::system_error(errno, std::generic_category(), path);
+  return file;
+}
+
 struct Ended {
   int status = -1;  ///< exit status; 128 + signal if one ended it
   std::string out;
   std::string err;
 };
-
-inline int exit_status(int wait_status) {
-  return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
-}
 
 /// Runs `robosim WORDS` in `folder` to its end, without a terminal. Files for its standard output (else it is
 /// in the result) and input; another program than the command that was built.
@@ -65,24 +65,19 @@ inline Ended robosim_command(std::vector<std::string> words, const std::filesyst
   const Folder files;
   const std::string out = standard_output ? standard_output : (files / "out").string();
   const std::string err = (files / "err").string();
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, 0, standard_input, O_RDONLY, 0);
-  ::posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  ::posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  const Descriptor input = open_file(standard_input, O_RDONLY);
+  const Descriptor output = open_file(out, O_WRONLY | O_CREAT);
+  const Descriptor errors = open_file(err, O_WRONLY | O_CREAT);
   words.insert(words.begin(), program);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t pid = -1;
-  const int error = ::posix_spawn(&pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), program);
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {exit_status(status), standard_output ? "" : read_file(out), read_file(err)};
+  ChildStart start;
+  start.words = std::move(words);
+  start.folder = folder;
+  start.input = input.get();
+  start.output = output.get();
+  start.errors = errors.get();
+  const Ending ending = Child(start).wait();
+  return {ending.signal > 0 ? 128 + ending.signal : ending.status, standard_output ? "" : read_file(out),
+          read_file(err)};
 }
 
 }  // namespace robosim::test

@@ -5,6 +5,7 @@
 #include <pty.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -82,7 +83,7 @@ class OnTerminal {
     int status = 0;
     ::waitpid(pid_, &status, 0);
     pid_ = -1;
-    return exit_status(status);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   const std::string& seen() const { return seen_; }
 

@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
-#include <cerrno>
-#include <cstring>
-#include <stdexcept>
-
+#include "sim/base/child.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/build/process.h"
 #include "sim/cli/files/build_command.h"
 #include "sim/cli/output.h"
 #include "sim/launch/names.h"
-
-extern char** environ;
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -54,37 +47,24 @@ class LeftToAvrdude {
   struct sigaction before_ {};
 };
 
-/// Runs it with this process's input, output and environment, and gives what waitpid says.
-int run_avrdude(const fs::path& program, std::vector<std::string> words) {
+/// Runs it with this process's input, output and environment.
+Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   const LeftToAvrdude guard;
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  sigset_t defaults;
-  ::sigemptyset(&defaults);
-  ::sigaddset(&defaults, SIGINT);
-  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  pid_t pid = -1;
-  const int error = ::posix_spawn(&pid, program.c_str(), nullptr, &attributes, pointers.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  if (error) throw std::runtime_error(program.string() + " cannot be started: " + std::strerror(error));
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
+  ChildStart start;
+  start.words = std::move(words);
+  start.words[0] = program.string();
+  start.default_signals = {SIGINT};
+  return Child(start).wait();
 }
 
-ExitStatus judge(int wait_status, const FlashArguments& arguments) {
-  if (WIFSIGNALED(wait_status) && WTERMSIG(wait_status) == SIGINT) return ExitStatus::interrupted;
-  if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0) return ExitStatus::ok;
+ExitStatus judge(const Ending& ending, const FlashArguments& arguments) {
+  if (ending.signal == SIGINT) return ExitStatus::interrupted;
+  if (ending.ok()) return ExitStatus::ok;
   fmt::print(stderr,
              "robosim: avrdude failed ({}). Is the board at {}? May you write there (group dialout)? Does "
              "another program hold it? A Nano with the old boot loader needs --baud 57600\n",
-             WIFEXITED(wait_status) ? fmt::format("exit status {}", WEXITSTATUS(wait_status))
-                                    : fmt::format("signal {}", WTERMSIG(wait_status)),
+             ending.signal > 0 ? fmt::format("signal {}", ending.signal)
+                               : fmt::format("exit status {}", ending.status),
              arguments.port);
   return ExitStatus::failed;
 }

@@ -13,6 +13,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
+#include "sim/base/wall_clock.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
@@ -42,11 +43,7 @@ constexpr std::int64_t kTrailSamples = 20'000;
 // Above this a picture of the map takes longer than the run.
 constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 
-double wall_now_s() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
+double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
 /// How often samples are needed, as a multiple of 1 ms; 0 = not at all.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {

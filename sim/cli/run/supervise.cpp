@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/time.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,6 +13,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "sim/base/child.h"
 #include "sim/base/error.h"
 
 namespace robosim::cli {
@@ -44,8 +44,8 @@ void start_watchdog(const Progressed& progressed) {
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
-[[noreturn]] void run_in_child(const std::string& name, const std::function<int(Progressed&)>& work,
-                               Progressed& progressed) {
+int run_in_child(const std::string& name, const std::function<int(Progressed&)>& work,
+                 Progressed& progressed) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // The parent tells of a crash: a sanitizer's handlers would turn it into an exit of their own.
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
@@ -62,15 +62,14 @@ void start_watchdog(const Progressed& progressed) {
     fmt::print(stderr, "robosim: {} threw something that is no std::exception\n", name);
   }
   progressed.finish();
-  std::fflush(nullptr);
-  ::_exit(status);
+  return status;
 }
 
-std::string cause_of_death(int status) {
-  if (WIFSIGNALED(status)) return fmt::format("crashed ({})", ::strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) == kLoopsStatus)
+std::string cause_of_death(const Ending& ending) {
+  if (ending.signal > 0) return fmt::format("crashed ({})", ::strsignal(ending.signal));
+  if (ending.status == kLoopsStatus)
     return fmt::format("loops without end: no move in {} s of processor time", kPatience_s);
-  return fmt::format("ended the program by itself, with exit status {}", WEXITSTATUS(status));
+  return fmt::format("ended the program by itself, with exit status {}", ending.status);
 }
 
 }  // namespace
@@ -80,21 +79,15 @@ int supervise(const std::string& name, const std::function<int(Progressed&)>& wo
       ::mmap(nullptr, sizeof(Progressed), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::runtime_error(std::string("no memory: ") + std::strerror(errno));
   auto& progressed = *new (memory) Progressed;
-  std::fflush(nullptr);
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
-  if (child == 0) run_in_child(name, work, progressed);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && progressed.finished()) return WEXITSTATUS(status);
+  const Ending ending = Child([&] { return run_in_child(name, work, progressed); }).wait();
+  if (ending.signal == 0 && progressed.finished()) return ending.status;
   const cells::CellPose& pose = progressed.pose();
   const std::string where =
       progressed.moves() == 0
           ? "before its first move"
           : fmt::format("after {} move{}, the last from {},{},{}", progressed.moves(),
                         progressed.moves() == 1 ? "" : "s", pose.cell.x, pose.cell.y, letter(pose.facing));
-  fmt::print(stderr, "robosim: {} {}, {}\n", name, cause_of_death(status), where);
+  fmt::print(stderr, "robosim: {} {}, {}\n", name, cause_of_death(ending), where);
   return static_cast<int>(ExitStatus::failed);
 }
 

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "sim/base/csv.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/cli/sweep/figures.h"
@@ -54,35 +55,12 @@ const std::vector<const char*>& columns() {
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
                                                "an option, or the version of Robosim,"};
 
-/// As RFC 4180 has it, in one line.
+/// A field without line feeds: each row is one line.
 std::string field(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r') c = ' ';
   }
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-/// Nothing if the quotes do not match.
-std::optional<std::vector<std::string>> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += line[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  if (quoted) return std::nullopt;
-  return fields;
+  return csv_field(text);
 }
 
 template <typename Number>
@@ -105,7 +83,7 @@ class Reader {
 
   SweepRow row(const std::string& line, int number_of_line) {
     line_ = number_of_line;
-    const auto fields = fields_of(line);
+    const auto fields = csv_fields(line);
     if (!fields || fields->size() != columns().size()) fail("this is no row of a sweep");
     const auto& f = *fields;
     const auto seed = number<std::uint64_t>(f[kSeed]);

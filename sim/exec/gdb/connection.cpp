@@ -27,37 +27,25 @@ int checksum(std::string_view body) {
   return static_cast<int>(sum & 0xFF);
 }
 
-void close_and_forget(int& descriptor) {
-  if (descriptor >= 0) ::close(descriptor);
-  descriptor = -1;
-}
-
 }  // namespace
 
 Connection::Connection(std::uint16_t port, const std::atomic<bool>& interrupted) : interrupted_(interrupted) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  listener_ = Descriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   const int yes = 1;
-  ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  ::setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const bool bound = ::bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  if (bound && ::listen(listener_, 1) == 0) return;
+  const bool bound =
+      ::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  if (bound && ::listen(listener_.get(), 1) == 0) return;
   const int error = errno;
-  close_and_forget(listener_);
   if (error == EADDRINUSE)
     throw InputError(fmt::format("--gdb: port {} is in use by another program; take another, as in --gdb {}",
                                  port, port < 65535 ? port + 1 : port - 1));
   throw InputError(fmt::format("--gdb: cannot listen at port {}: {}", port, std::strerror(error)));
 }
-
-Connection::~Connection() {
-  close();
-  close_and_forget(listener_);
-}
-
-void Connection::close() { close_and_forget(peer_); }
 
 bool Connection::wait(int descriptor) {
   while (!interrupted_.load(std::memory_order_relaxed)) {
@@ -68,20 +56,20 @@ bool Connection::wait(int descriptor) {
 }
 
 bool Connection::accept() {
-  while (wait(listener_)) {
-    peer_ = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (peer_ < 0) continue;
+  while (wait(listener_.get())) {
+    peer_ = Descriptor(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    if (!open()) continue;
     const int yes = 1;
-    ::setsockopt(peer_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    ::setsockopt(peer_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     break;
   }
-  close_and_forget(listener_);
+  listener_.close();
   return open();
 }
 
 bool Connection::fill() {
   char bytes[4096];
-  const ssize_t n = ::recv(peer_, bytes, sizeof bytes, MSG_DONTWAIT);
+  const ssize_t n = ::recv(peer_.get(), bytes, sizeof bytes, MSG_DONTWAIT);
   if (n < 0 && (errno == EAGAIN || errno == EINTR)) return false;
   if (n <= 0 || received_.size() > kLongestPacket) {
     close();
@@ -93,7 +81,7 @@ bool Connection::fill() {
 
 void Connection::write(std::string_view bytes) {
   while (open() && !bytes.empty()) {
-    const ssize_t n = ::send(peer_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t n = ::send(peer_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return close();
     bytes.remove_prefix(static_cast<std::size_t>(n));
@@ -130,7 +118,7 @@ std::optional<std::string> Connection::take_packet() {
 std::optional<std::string> Connection::receive() {
   while (open()) {
     if (auto packet = take_packet()) return packet;
-    if (!wait(peer_)) close();
+    if (!wait(peer_.get())) close();
     if (open()) fill();
   }
   return std::nullopt;

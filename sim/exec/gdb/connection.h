@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/descriptor.h"
+
 namespace robosim::exec::gdb {
 
 class Connection {
@@ -15,14 +17,13 @@ class Connection {
   /// Listens at 127.0.0.1. Throws InputError if the port is taken or not allowed for this user. `interrupted`
   /// ends all waiting; a signal handler sets it.
   Connection(std::uint16_t port, const std::atomic<bool>& interrupted);
-  ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
   /// Waits for a debugger; from then on nobody else can connect. False when interrupted.
   bool accept();
-  bool open() const { return peer_ >= 0; }
-  void close();
+  bool open() const { return peer_.is_open(); }
+  void close() { peer_.close(); }
 
   /// Waits for the next packet. Nothing when the debugger has gone, or when interrupted: closed then.
   std::optional<std::string> receive();
@@ -40,8 +41,7 @@ class Connection {
   std::optional<std::string> take_packet();
 
   const std::atomic<bool>& interrupted_;
-  int listener_ = -1;
-  int peer_ = -1;
+  Descriptor listener_, peer_;
   bool trusted_ = false;
   std::string received_;
 };

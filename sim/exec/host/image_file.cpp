@@ -4,49 +4,18 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <link.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <charconv>
 #include <sstream>
 
+#include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 
-extern char** environ;
-
 namespace robosim::exec {
 namespace {
-
-/// What a program writes to its standard output; empty if it cannot be started.
-std::string output_of(const std::vector<std::string>& command) {
-  int pipe_ends[2];
-  if (pipe2(pipe_ends, O_CLOEXEC) != 0) return "";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipe_ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pid_t child = -1;
-  const int failed = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(pipe_ends[1]);
-  std::string output;
-  if (!failed) {
-    char buffer[4096];
-    ssize_t got = 0;
-    while ((got = read(pipe_ends[0], buffer, sizeof buffer)) > 0)
-      output.append(buffer, static_cast<std::size_t>(got));
-    waitpid(child, nullptr, 0);
-  }
-  close(pipe_ends[0]);
-  return output;
-}
 
 /// "f(int) const" -> "f"; names without parameters stay.
 std::string without_parameters(const std::string& name) {
@@ -99,26 +68,22 @@ LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
   const std::string content = read_file(file);
   // A copy without a name: the loader knows files by their identity, and gives one that it knows already
   // again.
-  descriptor_ = memfd_create("robosim-firmware", MFD_CLOEXEC);
-  if (descriptor_ < 0 || ftruncate(descriptor_, static_cast<off_t>(content.size())) != 0)
+  copy_ = Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC));
+  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(content.size())) != 0)
     throw std::runtime_error("no memory for a copy of " + file.string());
   for (std::size_t done = 0; done < content.size();) {
-    const ssize_t wrote = write(descriptor_, content.data() + done, content.size() - done);
-    if (wrote <= 0) {
-      close(descriptor_);
-      throw std::runtime_error("no memory for a copy of " + file.string());
-    }
+    const ssize_t wrote = write(copy_.get(), content.data() + done, content.size() - done);
+    if (wrote <= 0) throw std::runtime_error("no memory for a copy of " + file.string());
     done += static_cast<std::size_t>(wrote);
   }
   // The descriptor stays open while the image is loaded, because the loader also knows files by this name.
-  const std::string name = fmt::format("/proc/self/fd/{}", descriptor_);
+  const std::string name = fmt::format("/proc/self/fd/{}", copy_.get());
   handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
   const std::string error = handle_ ? "" : dlerror();
   if (handle_) entry_ = static_cast<const host::Image*>(dlsym(handle_, "robosim_image"));
   if (!entry_ || entry_->version != host::kImageVersion) {
     const bool other_version = entry_ != nullptr;
     if (handle_) dlclose(handle_);
-    close(descriptor_);
     if (other_version)
       throw InputError({file.string()}, "was built for another version of Robosim; build the sketch again");
     throw InputError({file.string()},
@@ -133,10 +98,7 @@ LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
   code_end_ = range.end;
 }
 
-LoadedImage::~LoadedImage() {
-  dlclose(handle_);
-  close(descriptor_);
-}
+LoadedImage::~LoadedImage() { dlclose(handle_); }
 
 bool LoadedImage::has_code(const void* address) const {
   const auto value = reinterpret_cast<std::uintptr_t>(address);

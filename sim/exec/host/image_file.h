@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/host/image.h"
+#include "sim/base/descriptor.h"
 #include "sim/exec/core/executor.h"
 
 namespace robosim::exec {
@@ -35,7 +36,7 @@ class LoadedImage {
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor copy_;  ///< in memory, without a name
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;

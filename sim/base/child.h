@@ -1,0 +1,73 @@
+// Child processes: how one is started, and how it ended.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/descriptor.h"
+
+namespace robosim {
+
+/// A pipe that no child inherits by itself.
+struct Pipe {
+  Descriptor read, write;
+  /// Throws std::system_error.
+  Pipe();
+};
+
+/// How a child process has ended.
+struct Ending {
+  int status = 0;  ///< exit status, unless a signal has ended it
+  int signal = 0;  ///< 0 = none
+
+  bool ok() const { return status == 0 && signal == 0; }
+  /// "ended with status 3", "was ended by signal 11 (Segmentation fault)".
+  std::string text() const;
+};
+
+struct ChildStart {
+  static constexpr int kOurs = -1, kNothing = -2;  ///< besides a descriptor; kNothing is /dev/null
+
+  std::vector<std::string> words;  ///< the program and its arguments; without a / it is looked for on $PATH
+  std::filesystem::path folder;    ///< in which it works; empty = ours
+  std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = ours
+  int input = kOurs, output = kOurs, errors = kOurs;
+  std::vector<int>
+      default_signals;     ///< these are not ignored, even if we do; where there are any, none is blocked
+  bool own_group = false;  ///< a process group of its own: Ctrl-C in a terminal does not reach it
+};
+
+/// A program, or a copy of this process. A program inherits what its start names, and descriptors without
+/// FD_CLOEXEC. The destructor kills what still runs, and leaves no zombie.
+class Child {
+ public:
+  /// Throws std::system_error if the program cannot be started.
+  explicit Child(const ChildStart& start);
+  /// A copy of this process, which ends with what `work` returns as its exit status, and is aborted if it
+  /// throws. Throws std::system_error.
+  explicit Child(const std::function<int()>& work);
+  Child(Child&& other) noexcept;
+  Child& operator=(Child&& other) noexcept;
+  ~Child();
+
+  /// To all of its group, if it has its own; without effect when it has been waited for. Async-signal-safe.
+  void send(int signal) const;
+  /// Whether it has ended; until wait() nobody else gets its number.
+  bool has_ended() const;
+  Ending wait();
+
+ private:
+  pid_t pid_ = -1;
+  bool own_group_ = false;
+  Ending ending_;
+};
+
+/// What a program writes to its standard output; empty if it cannot be started.
+std::string output_of(const std::vector<std::string>& words);
+
+}  // namespace robosim
