@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/escaped.h"
 #include "sim/client/driven_run.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
@@ -91,7 +92,7 @@ class Drive {
       told.push_back("> " + answer);
       watch([&] {
         if (!run_->go_on(now_ns + kThinking_ns)) return;
-        run_->act(fmt::format("send \"{}\\n\"", answer));
+        run_->act(fmt::format("send \"{}\"", escaped(answer + "\n")));
         go_on_until_it_waits();
       });
     }

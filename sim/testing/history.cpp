@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/escaped.h"
+
 namespace robosim::testing {
 
 std::string seconds(std::int64_t ns) {
@@ -27,22 +29,7 @@ std::string on_one_line(const std::string& text) {
   return result;
 }
 
-std::string in_quotes(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      result += std::string("\\") + c;
-    else if (c == '\n')
-      result += "\\n";
-    else if (c == '\r')
-      result += "\\r";
-    else if (c == '\t')
-      result += "\\t";
-    else
-      result += c;
-  }
-  return result + "\"";
-}
+std::string in_quotes(const std::string& text) { return '"' + escaped(text) + '"'; }
 
 Moment moment_of(const History& history, const wire::Sample& sample) {
   Moment moment;

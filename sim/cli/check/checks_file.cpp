@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/config.h"
+#include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
@@ -62,31 +63,6 @@ std::vector<std::string> words_at(TableReader& reader, const char* key) {
   return value ? words_of(*value, key) : std::vector<std::string>{};
 }
 
-/// As a scenario, and so --send, writes it between its double quotes.
-std::string with_escapes(const std::string& text) {
-  std::string word;
-  for (const char c : text) {
-    switch (c) {
-      case '\n':
-        word += "\\n";
-        break;
-      case '\r':
-        word += "\\r";
-        break;
-      case '\t':
-        word += "\\t";
-        break;
-      case '"':
-      case '\\':
-        word += '\\';
-        [[fallthrough]];
-      default:
-        word += c;
-    }
-  }
-  return word;
-}
-
 /// "--min-rate" in a message becomes "min-rate".
 std::string without_hyphens(const std::string& text) {
   std::string plain;
@@ -128,7 +104,7 @@ class CheckReader {
  private:
   /// As it is given to the flag: paths begin at the file's folder.
   std::string flag_word(const std::string& word, Text text) const {
-    if (text == Text::sent) return with_escapes(word);
+    if (text == Text::sent) return escaped(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
     if (folder_.empty() || fs::path(word).is_absolute()) return word;
     return (folder_ / word).lexically_normal().string();
