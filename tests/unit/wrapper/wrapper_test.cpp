@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -37,7 +38,8 @@ class Wrapper : public testing::Test {
     const fs::path source = ROBOSIM_SOURCE_DIR;
     for (const char* part : {"checkout/toolchain", "checkout/hal", "checkout/sim", "bin", "elsewhere"})
       fs::create_directories(folder_ / part);
-    for (const char* file : {"robosim", "CMakeLists.txt", "CMakePresets.json", "toolchain/packages.sh"})
+    for (const char* file : {"robosim", "CMakeLists.txt", "CMakePresets.json", "toolchain/packages.sh",
+                             "toolchain/run_tests.sh"})
       fs::copy(source / file, checkout() / file);
     write_file(checkout() / "toolchain/packages.txt",
                "[host]\nplenty\nscarce  # why\n[test]\ncheck-kit\n[avr]\nchip\n[stm32]\narm-kit\n");
@@ -181,13 +183,82 @@ TEST_F(Wrapper, BuildsTheRunnersThatACompareIsFor) {
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
   run("../checkout/robosim");
   calls();
-  const Result result = run("../checkout/robosim test -R Golden");
+  const Result result = run("../checkout/robosim test -N -R Golden");
   EXPECT_EQ(result.out, checkout().string() + "\n");
   const std::string asked = calls();
   EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit chip arm-kit\n"));
   EXPECT_THAT(asked, HasSubstr("cmake --preset release -DROBOSIM_TESTS=ON\n"));
   EXPECT_THAT(asked, Not(HasSubstr("--target")));
-  EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -R Golden\n"));
+  EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -N -R Golden\n"));
+}
+
+// As ctest -V writes it: what two tests write is mixed, and a failed test's output comes a second time.
+constexpr const char* kFourTests = R"(cat <<'END'
+Test project here
+test 1
+    Start 1: Line.IsFollowed
+
+1: Test command: line_test
+1: Working Directory: there
+1: Test timeout computed to be: 300
+test 2
+    Start 2: On/Line.IsLost/avr
+
+2: Test command: line_test
+1: followed
+2: line_test.cpp:7: Failure
+2: 2/4 Test #4: Line.IsBlack ... Passed 0.01 sec
+1/4 Test #1: Line.IsFollowed ..........   Passed    0.01 sec
+test 3
+    Start 3: Line.IsOnAChip
+
+3: [ RUN      ] Line.IsOnAChip
+3: line_test.cpp:9: Skipped
+3: the host has no chip's memory
+3:
+3: [  SKIPPED ] Line.IsOnAChip (0 ms)
+2/4 Test #2: On/Line.IsLost/avr .......***Failed    0.02 sec
+line_test.cpp:7: Failure
+2/4 Test #4: Line.IsBlack ... Passed 0.01 sec
+
+3/4 Test #3: Line.IsOnAChip ...........***Skipped   0.01 sec
+    Start 4: Line.IsStraight
+4: going
+4/4 Test #4: Line.IsStraight ..........***Exception: SegFault  0.01 sec
+
+50% tests passed, 2 tests failed out of 4
+END
+exit 8)";
+
+TEST_F(Wrapper, SumsUpTheTestsAndShowsEachFailureWithTheCommandThatRepeatsIt) {
+  tool("ctest", kFourTests);
+  const Result result = run("ROBOSIM_PRESET=ci ../checkout/robosim test");
+  EXPECT_EQ(result.status, 8) << "ctest's own";
+  EXPECT_THAT(result.out, HasSubstr("FAILED  On/Line.IsLost/avr  (Failed 0.02 sec)\n"
+                                    "line_test.cpp:7: Failure\n"
+                                    "2/4 Test #4: Line.IsBlack ... Passed 0.01 sec\n"
+                                    "repeat:  ROBOSIM_PRESET=ci ./robosim test -R '^On/Line.IsLost/avr$'\n"));
+  EXPECT_THAT(result.out, HasSubstr("FAILED  Line.IsStraight  (Exception: SegFault 0.01 sec)\ngoing\n"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("1 passed, 2 failed, 1 skipped, in [0-9]+ s\n"
+                                                 "  1 skipped: the host has no chip's memory\n"));
+  EXPECT_THAT(result.out, EndsWith("all that they wrote:  build/ci/tests.log\n"));
+  EXPECT_THAT(read_file(checkout() / "build/ci/tests.log"), HasSubstr("1: followed\n"));
+}
+
+TEST_F(Wrapper, TellsOfTheTestsProgressInALineForEachTenth) {
+  tool("ctest", "for i in $(seq 200); do echo \"$i/200 Test #$i: A.Test ...   Passed  0.01 sec\"; done");
+  const Result result = run("../checkout/robosim test");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, StartsWith("  20 of 200  ·  0 failed  ·  "));
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 9 + 2) << result.out;
+}
+
+TEST_F(Wrapper, ShowsWhatCtestSaysWhereItRunsNoTest) {
+  tool("ctest", "echo 'No tests were found!!!'; exit 8");
+  const Result result = run("../checkout/robosim test -R Nothing");
+  EXPECT_EQ(result.status, 8);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "No tests were found!!!\n");
 }
 
 TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserHasChecks) {
