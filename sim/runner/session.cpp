@@ -134,10 +134,11 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
   return result;
 }
 
-wire::RunResult run_request(const Target& target, const wire::RunRequest& request, const wire::Id& id) {
+wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
+                            const wire::Id& id) {
   const grid::Map map = grid::read_map(request.map);
   const robot::Description robot = robot::load_description(request.robot);
-  const std::unique_ptr<exec::Executor> executor = target.make_executor(*robot.board, request.image);
+  const std::unique_ptr<exec::Executor> executor = factory.make(*robot.board, request.image);
 
   if (request.clock_ns > 0) executor->set_clock_start(request.clock_ns);
 
@@ -191,12 +192,12 @@ std::optional<wire::Answer> answer_of(Serve serve) {
 }
 
 // In the fork.
-int run_in_child(const Target& target, const wire::RunRequest& request, const wire::Id& id) {
+int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
-  write_line(wire::to_line(id, *answer_of([&] { return run_request(target, request, id); })));
+  write_line(wire::to_line(id, *answer_of([&] { return run_request(factory, request, id); })));
   return 0;
 }
 
@@ -219,20 +220,20 @@ wire::RunResult result_of_death(const wire::RunRequest& request, const Ending& e
 }
 
 // Nothing where the fork has answered.
-std::optional<wire::Answer> serve_run(const Target& target, const wire::RunRequest& request,
+std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id) {
   known_sha256(request.image);
-  const Ending ending = Child([&] { return run_in_child(target, request, id); }).wait();
+  const Ending ending = Child([&] { return run_in_child(factory, request, id); }).wait();
   if (ending.ok()) return std::nullopt;
   return result_of_death(request, ending);
 }
 
-void serve_line(const Target& target, const std::string& line) {
+void serve_line(const ExecutorFactory& factory, const std::string& line) {
   const auto asked = wire::parse_request(line);
   const auto answer = answer_of([&]() -> std::optional<wire::Answer> {
     if (!asked.request) throw InputError(asked.fault);
     if (const auto* run = std::get_if<wire::RunRequest>(&*asked.request))
-      return serve_run(target, *run, asked.id);
+      return serve_run(factory, *run, asked.id);
     const auto& robot = std::get<wire::DescribeRobot>(*asked.request).robot;
     return to_wire(robot::describe(robot::load_description(robot)));
   });
@@ -241,14 +242,14 @@ void serve_line(const Target& target, const std::string& line) {
 
 }  // namespace
 
-int serve(const Target& target) {
+int serve(const ExecutorFactory& factory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
   std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
   write_line(wire::to_line(
-      {}, wire::Hello{"robosim-" + target.name, wire::kProtocol, ROBOSIM_VERSION, target.name}));
+      {}, wire::Hello{"robosim-" + factory.target, wire::kProtocol, ROBOSIM_VERSION, factory.target}));
   while (const auto line = read_line())
-    if (!line->empty()) serve_line(target, *line);
+    if (!line->empty()) serve_line(factory, *line);
   return static_cast<int>(ExitStatus::ok);
 }
 

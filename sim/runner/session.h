@@ -15,13 +15,12 @@ struct BoardSpec;
 namespace robosim::runner {
 
 /// What makes one runner program different from another.
-struct Target {
-  std::string name;  ///< "host"
-  std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)>
-      make_executor;
+struct ExecutorFactory {
+  std::string target;  ///< "host"
+  std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
 };
 
 /// Serves requests from standard input until it ends. Returns the process's exit status.
-int serve(const Target& target);
+int serve(const ExecutorFactory& factory);
 
 }  // namespace robosim::runner

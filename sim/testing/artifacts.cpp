@@ -68,19 +68,18 @@ void keep_inputs(const std::string& name, const Stage& stage, const std::string&
   if (!script.empty()) write_file(folder / "script.txt", script);
 }
 
-std::string keep(const History& history, const Stage& stage, const std::string& script,
-                 client::Runner& runner) {
+std::string keep(const RunLog& log, const Stage& stage, const std::string& script, client::Runner& runner) {
   try {
-    const fs::path folder = history.artifacts;
-    keep_inputs(history.artifacts, stage, script);
-    write_file(folder / "serial.txt", history.serial);
+    const fs::path folder = log.artifacts;
+    keep_inputs(log.artifacts, stage, script);
+    write_file(folder / "serial.txt", log.serial);
     std::string events;
-    for (const History::Entry& entry : history.events)
+    for (const RunLog::Entry& entry : log.events)
       events += fmt::format("{:>10}  {}\n", seconds(entry.t_ns), entry.text);
     write_file(folder / "events.txt", events);
 
-    const std::int64_t until_ns = history.legs.empty() ? 0 : history.legs.back().end_ns;
-    write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", history.replay, until_ns / 1'000'000));
+    const std::int64_t until_ns = log.legs.empty() ? 0 : log.legs.back().end_ns;
+    write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", log.replay, until_ns / 1'000'000));
     if (until_ns == 0) return "";
     wire::RunRequest request = stage.request;
     request.script = script;
@@ -96,11 +95,11 @@ std::string keep(const History& history, const Stage& stage, const std::string& 
     });
     table.save();
     waves.save();
-    if (!history.result || again.trace_hash == history.result->trace_hash) return "";
+    if (!log.result || again.trace_hash == log.result->trace_hash) return "";
     return "the recordings in " + folder.string() +
            " are of another run than the test's: a fault of Robosim's own";
   } catch (const std::exception& problem) {
-    return fmt::format("what is kept in {} is not complete: {}", history.artifacts, problem.what());
+    return fmt::format("what is kept in {} is not complete: {}", log.artifacts, problem.what());
   }
 }
 

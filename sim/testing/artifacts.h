@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 #include "sim/testing/stage.h"
 
 namespace robosim::testing {
@@ -19,7 +19,6 @@ std::string replay_command(const Stage& stage, const std::string& folder, bool s
 void keep_inputs(const std::string& folder, const Stage& stage, const std::string& script);
 
 /// Runs it once more, in one go, and writes the folder. Returns what went wrong, or "".
-std::string keep(const History& history, const Stage& stage, const std::string& script,
-                 client::Runner& runner);
+std::string keep(const RunLog& log, const Stage& stage, const std::string& script, client::Runner& runner);
 
 }  // namespace robosim::testing

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 #include "sim/wire/events.h"
 
 namespace robosim::testing {

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <regex>
 
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 
 namespace robosim::testing {
 namespace {
@@ -32,8 +32,8 @@ std::vector<std::string> as_names(std::initializer_list<int> numbers) {
 }
 
 /// Stations may be asked for by number where the map names them.
-std::string name_of(const History& history, const std::string& station) {
-  for (const auto& known : history.started.stations)
+std::string name_of(const RunLog& log, const std::string& station) {
+  for (const auto& known : log.started.stations)
     if (known.name == station || std::to_string(known.id) == station) return known.name;
   return station;
 }
@@ -90,7 +90,7 @@ Requirement Visits(std::vector<std::string> stations) {
     const std::vector<std::string> came = drive.stations();
     std::vector<std::string> missed;
     for (const std::string& station : stations) {
-      const std::string name = name_of(drive.history(), station);
+      const std::string name = name_of(drive.log(), station);
       if (std::find(came.begin(), came.end(), name) == came.end()) missed.push_back(station);
     }
     const Moment last = drive.moments().back();
@@ -109,7 +109,7 @@ Requirement VisitsInOrder(std::initializer_list<int> numbers) {
   const std::string clause = "stations " + list(stations) + " in this order";
   return Requirement("visits " + clause, "does not visit " + clause, [=](const Drive& drive) -> Finding {
     std::vector<std::string> wanted;
-    for (const std::string& station : stations) wanted.push_back(name_of(drive.history(), station));
+    for (const std::string& station : stations) wanted.push_back(name_of(drive.log(), station));
     const std::vector<std::string> came = drive.stations();
     return {came == wanted, "it came to " + list(came), drive.end()};
   });
@@ -185,7 +185,7 @@ Requirement NeverDrives(Doing what) {
 Requirement NeverCollides() {
   return Requirement("never collides", "collides", [](const Drive& drive) -> Finding {
     if (drive.collisions() == 0) return {true, "it met nothing", drive.end()};
-    for (const History::Entry& entry : drive.history().events) {
+    for (const RunLog::Entry& entry : drive.log().events) {
       if (entry.t_ns <= drive.begin().count() || !entry.collision) continue;
       const Duration t(entry.t_ns);
       Moment there = drive.moments().front();
@@ -243,11 +243,11 @@ Requirement EndsAs(std::string verdict) {
 
 Requirement Reaches(std::string goal) {
   return Requirement("reaches " + goal, "does not reach " + goal, [=](const Drive& drive) -> Finding {
-    const History& history = drive.history();
+    const RunLog& log = drive.log();
     const std::string found = drive.verdict();
-    if (history.started.goal != goal)
+    if (log.started.goal != goal)
       return {false,
-              fmt::format("the goal of this run is {}: say .goal = {} in its Trial", history.started.goal,
+              fmt::format("the goal of this run is {}: say .goal = {} in its Trial", log.started.goal,
                           in_quotes(goal)),
               drive.end()};
     return {found == "reached",

@@ -5,7 +5,7 @@
 
 #include <exception>
 
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 
 namespace robosim::testing {
 namespace {
@@ -44,7 +44,7 @@ void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&
   const ::testing::ScopedTrace trace(file, line, why);
   try {
     Simulation robot(trial);
-    const std::string kept = robot.so_far().history().artifacts;
+    const std::string kept = robot.so_far().log().artifacts;
     const ::testing::ScopedTrace where(
         file, line,
         kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");

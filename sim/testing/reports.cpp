@@ -110,13 +110,13 @@ void report_to_github() {
       new GithubListener(summary ? summary : "", now ? name_of(*now) : "a test"));
 }
 
-void record_figures(const History& history, const wire::RunResult& result) {
+void record_figures(const RunLog& log, const wire::RunResult& result) {
   if (!::testing::UnitTest::GetInstance()->current_test_info()) return;
   const auto record = [](const char* key, const std::string& value) {
     ::testing::Test::RecordProperty(std::string("robosim_") + key, value);
   };
-  record("target", history.trial.target);
-  record("seed", std::to_string(history.trial.seed));
+  record("target", log.trial.target);
+  record("seed", std::to_string(log.trial.seed));
   record("time_s", fmt::format("{:.3f}", result.time_s));
   record("distance_m", fmt::format("{:.3f}", result.metrics.distance_m));
   record("cross_track_rms_mm", fmt::format("{:.2f}", result.metrics.cross_track_rms_mm));

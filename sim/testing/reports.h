@@ -1,12 +1,12 @@
 // What a test run tells machines: JUnit properties, GitHub annotations and its summary.
 #pragma once
 
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 
 namespace robosim::testing {
 
 /// The run's figures as properties of the current test: Google Test writes them into its XML (JUnit).
-void record_figures(const History& history, const wire::RunResult& result);
+void record_figures(const RunLog& log, const wire::RunResult& result);
 
 /// Where GITHUB_ACTIONS is set: from now on each failure is also an annotation of its line, and at the end a
 /// table is appended to the file GITHUB_STEP_SUMMARY. Once is enough.

@@ -10,9 +10,9 @@
 #include "sim/client/driven_run.h"
 #include "sim/testing/artifacts.h"
 #include "sim/testing/coverage.h"
-#include "sim/testing/history.h"
 #include "sim/testing/rehearsal.h"
 #include "sim/testing/reports.h"
+#include "sim/testing/run_log.h"
 #include "sim/testing/stage.h"
 
 namespace robosim::testing {
@@ -42,10 +42,10 @@ struct Simulation::Inside {
   void look();
   void read_on(const Event::One& event);
   wire::Stop stop_for(const Event::One& event) const;
-  Drive drive(std::int64_t begin_ns) const { return Drive(history, Duration(begin_ns), Duration(now_ns())); }
-  std::int64_t now_ns() const { return history->legs.empty() ? 0 : history->legs.back().end_ns; }
+  Drive drive(std::int64_t begin_ns) const { return Drive(log, Duration(begin_ns), Duration(now_ns())); }
+  std::int64_t now_ns() const { return log->legs.empty() ? 0 : log->legs.back().end_ns; }
 
-  std::shared_ptr<History> history = std::make_shared<History>();
+  std::shared_ptr<RunLog> log = std::make_shared<RunLog>();
   Borrowed runner;
   Stage stage;
   std::unique_ptr<client::DrivenRun> run;
@@ -55,41 +55,39 @@ struct Simulation::Inside {
 };
 
 Simulation::Inside::Inside(const Trial& trial) : runner(trial.target), stage(set_stage(trial, *runner)) {
-  History& h = *history;
-  h.trial = trial;
-  h.sketch_name = stage.sketch_title;
-  h.map_name = stage.map_is_text ? "the test's map" : std::filesystem::path(stage.map).stem().string();
-  h.robot_name = stage.robot_is_text ? "the test's robot" : stage.robot.name;
-  h.artifacts = artifact_folder();
-  h.replay = robosim::testing::replay_command(stage, h.artifacts, !trial.script.empty());
+  log->trial = trial;
+  log->sketch_name = stage.sketch_title;
+  log->map_name = stage.map_is_text ? "the test's map" : std::filesystem::path(stage.map).stem().string();
+  log->robot_name = stage.robot_is_text ? "the test's robot" : stage.robot.name;
+  log->artifacts = artifact_folder();
+  log->replay = robosim::testing::replay_command(stage, log->artifacts, !trial.script.empty());
   run = std::make_unique<client::DrivenRun>(*runner, stage.request,
                                             [this](const wire::Event& event) { take(event); });
-  h.samples.push_back(run->state().sample);
-  h.resources = run->state().resources;
-  for (const std::string& reading : h.started.readings) {
+  log->samples.push_back(run->state().sample);
+  log->resources = run->state().resources;
+  for (const std::string& reading : log->started.readings) {
     const auto& sensors = stage.robot.sensors;
-    h.is_line_sensor.push_back(std::any_of(sensors.begin(), sensors.end(),
-                                           [&](const auto& sensor) { return sensor.name == reading; }));
+    log->is_line_sensor.push_back(std::any_of(sensors.begin(), sensors.end(),
+                                              [&](const auto& sensor) { return sensor.name == reading; }));
   }
 }
 
 void Simulation::Inside::take(const wire::Event& event) {
-  History& h = *history;
-  if (const auto* started = std::get_if<wire::Started>(&event)) h.started = *started;
+  if (const auto* started = std::get_if<wire::Started>(&event)) log->started = *started;
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
-    if (h.samples.empty() || h.samples.back().t_us < sample->t_us) h.samples.push_back(*sample);
+    if (log->samples.empty() || log->samples.back().t_us < sample->t_us) log->samples.push_back(*sample);
   }
   if (const auto* note = std::get_if<wire::Note>(&event))
-    h.events.push_back({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
+    log->events.push_back({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) {
-    h.serial += serial->text;
-    h.said.push_back({serial->t_ns, h.serial.size()});
-    h.events.push_back({serial->t_ns, "the sketch says " + in_quotes(serial->text)});
+    log->serial += serial->text;
+    log->said.push_back({serial->t_ns, log->serial.size()});
+    log->events.push_back({serial->t_ns, "the sketch says " + in_quotes(serial->text)});
   }
 }
 
 void Simulation::Inside::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops) {
-  History::Leg leg;
+  RunLog::Leg leg;
   leg.begin_ns = now_ns();
   try {
     if (to_ns < 0)
@@ -100,14 +98,13 @@ void Simulation::Inside::go_on(std::int64_t to_ns, const std::vector<wire::Stop>
     runner.condemn();
     throw;
   }
-  History& h = *history;
   if (run->over()) {
-    h.result = run->result();
+    log->result = run->result();
     leg.end_ns =
         std::max<std::int64_t>(leg.begin_ns, std::llround(run->result().time_s * 1e3) * kMillisecond_ns);
     leg.at_end = run->result().metrics;
-    h.resources = run->result().resources;
-    for (const wire::Sample& sample : h.samples) {
+    log->resources = run->result().resources;
+    for (const wire::Sample& sample : log->samples) {
       if (sample.t_us * 1000 < leg.begin_ns || sample.cross_track_mm < leg.worst_mm) continue;
       leg.worst_mm = sample.cross_track_mm;
       leg.worst_ns = sample.t_us * 1000;
@@ -122,10 +119,10 @@ void Simulation::Inside::go_on(std::int64_t to_ns, const std::vector<wire::Stop>
     leg.worst_x_mm = state.worst.x_mm;
     leg.worst_y_mm = state.worst.y_mm;
     leg.at_end = state.metrics;
-    h.resources = state.resources;
-    if (h.samples.back().t_us < state.sample.t_us) h.samples.push_back(state.sample);
+    log->resources = state.resources;
+    if (log->samples.back().t_us < state.sample.t_us) log->samples.push_back(state.sample);
   }
-  h.legs.push_back(std::move(leg));
+  log->legs.push_back(std::move(leg));
 }
 
 wire::Stop Simulation::Inside::stop_for(const Event::One& event) const {
@@ -156,7 +153,7 @@ wire::Stop Simulation::Inside::stop_for(const Event::One& event) const {
 
 // What comes next is looked for behind the text that was just found.
 void Simulation::Inside::read_on(const Event::One& event) {
-  const std::string& text = history->serial;
+  const std::string& text = log->serial;
   const std::size_t all = run->state().serial_bytes;
   const std::size_t from = text.size() - std::min(text.size(), all - std::min(all, read));
   if (event.kind == Event::Kind::serial) {
@@ -191,7 +188,7 @@ Drive Simulation::run_until(const Event& event, Within<Duration> within, const c
   const Event::One* ending = nullptr;
   for (const Event::One& one : event.any()) {
     if (one.kind == Event::Kind::end) {
-      in_->history->verdict_asked = true;
+      in_->log->verdict_asked = true;
       ending = &one;
       continue;
     }
@@ -206,7 +203,7 @@ Drive Simulation::run_until(const Event& event, Within<Duration> within, const c
   }
   Drive drive = in_->drive(begin);
   if (over()) {
-    const bool awaited = ending && in_->history->result->verdict == ending->text;
+    const bool awaited = ending && in_->log->result->verdict == ending->text;
     if (!awaited)
       drive.fail_with(
           fmt::format("the run was over at {} before {}", seconds(in_->now_ns()), event.clause()));
@@ -234,7 +231,7 @@ Duration Simulation::now() const { return Duration(in_->now_ns()); }
 void Simulation::act(const std::string& line) {
   in_->run->act(line);
   in_->read = in_->run->state().serial_bytes;
-  in_->history->replay = robosim::testing::replay_command(in_->stage, in_->history->artifacts, true);
+  in_->log->replay = robosim::testing::replay_command(in_->stage, in_->log->artifacts, true);
 }
 
 void Simulation::press(const std::string& button, Duration time) { act("press " + button + " " + ms(time)); }
@@ -253,10 +250,10 @@ void Simulation::turn_round() {
 }
 void Simulation::power_off(Duration time) { act("power off " + ms(time)); }
 
-Moment Simulation::moment() const { return moment_of(*in_->history, in_->history->samples.back()); }
+Moment Simulation::moment() const { return moment_of(*in_->log, in_->log->samples.back()); }
 
 double Simulation::reading(const std::string& part) const {
-  const std::vector<std::string>& names = in_->history->started.readings;
+  const std::vector<std::string>& names = in_->log->started.readings;
   const auto found = std::find(names.begin(), names.end(), part);
   if (found == names.end())
     throw InputError(
@@ -267,23 +264,23 @@ double Simulation::reading(const std::string& part) const {
 bool Simulation::is_on(const std::string& part) const { return reading(part) >= 0.5; }
 
 std::vector<std::string> Simulation::stations_visited() const {
-  return in_->history->legs.empty() ? std::vector<std::string>() : in_->history->legs.back().at_end.stations;
+  return in_->log->legs.empty() ? std::vector<std::string>() : in_->log->legs.back().at_end.stations;
 }
 
-std::string Simulation::serial() const { return in_->history->serial; }
+std::string Simulation::serial() const { return in_->log->serial; }
 std::vector<std::uint8_t> Simulation::eeprom() const { return in_->run->eeprom(); }
 Graph Simulation::true_graph() const { return graph_of_floor(in_->stage.request); }
 bool Simulation::over() const { return in_->run->over(); }
 
 std::string Simulation::verdict() const {
-  in_->history->verdict_asked = true;
+  in_->log->verdict_asked = true;
   return over() ? in_->run->result().verdict : "";
 }
 
 Drive Simulation::so_far() const { return in_->drive(0); }
 
 std::string Simulation::replay_command() const {
-  return fmt::format("{} --for {}ms", in_->history->replay, in_->now_ns() / kMillisecond_ns);
+  return fmt::format("{} --for {}ms", in_->log->replay, in_->now_ns() / kMillisecond_ns);
 }
 
 std::uint64_t Simulation::eeprom_writes() { return in_->run->end().eeprom_writes; }
@@ -295,9 +292,9 @@ void PrintTo(const Simulation& simulation, std::ostream* out) { PrintTo(simulati
 Simulation::~Simulation() {
   try {
     const wire::RunResult& result = in_->run->end();
-    History& history = *in_->history;
+    RunLog& log = *in_->log;
     const bool failed = ::testing::Test::HasFailure();
-    if (!failed && is_failure(result.verdict) && !history.verdict_asked) {
+    if (!failed && is_failure(result.verdict) && !log.verdict_asked) {
       ADD_FAILURE_AT(in_->ended_file ? in_->ended_file : __FILE__, in_->ended_line)
           << "the run failed by itself, which no expectation looked at\n  " << so_far().title()
           << so_far().epilogue(now());
@@ -305,9 +302,9 @@ Simulation::~Simulation() {
     if (in_->stage.counted)
       keep_coverage(coverage_folder(trial_.target), in_->stage.request.counters, in_->stage.counted->request,
                     in_->stage.counted->image, replay_command() + "\n" + in_->run->script());
-    if (!is_rehearsal()) record_figures(history, result);
-    if (::testing::Test::HasFailure() && !history.artifacts.empty()) {
-      const std::string problem = keep(history, in_->stage, in_->run->script(), *in_->runner);
+    if (!is_rehearsal()) record_figures(log, result);
+    if (::testing::Test::HasFailure() && !log.artifacts.empty()) {
+      const std::string problem = keep(log, in_->stage, in_->run->script(), *in_->runner);
       if (!problem.empty()) fmt::print(stderr, "robosim: {}\n", problem);
     }
   } catch (const std::exception& problem) {

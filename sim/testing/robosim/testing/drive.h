@@ -45,11 +45,11 @@ struct Usage {
   Duration longest_loop{};       ///< 0 = not known
 };
 
-struct History;
+struct RunLog;
 
 class Drive {
  public:
-  Drive(std::shared_ptr<const History> history, Duration begin, Duration end);
+  Drive(std::shared_ptr<const RunLog> log, Duration begin, Duration end);
 
   Duration begin() const { return begin_; }
   Duration end() const { return end_; }
@@ -81,12 +81,12 @@ class Drive {
   std::string epilogue(Duration until) const;
   /// "PidFollower on oval, seed 3, host, from 0 s to 20 s"
   std::string title() const;
-  const History& history() const { return *history_; }
+  const RunLog& log() const { return *log_; }
 
   void fail_with(std::string complaint) { complaint_ = std::move(complaint); }
 
  private:
-  std::shared_ptr<const History> history_;
+  std::shared_ptr<const RunLog> log_;
   Duration begin_, end_;
   std::string complaint_;
 };

@@ -1,4 +1,4 @@
-#include "sim/testing/history.h"
+#include "sim/testing/run_log.h"
 
 #include <fmt/format.h>
 
@@ -31,14 +31,14 @@ std::string on_one_line(const std::string& text) {
 
 std::string in_quotes(const std::string& text) { return '"' + escaped(text) + '"'; }
 
-Moment moment_of(const History& history, const wire::Sample& sample) {
+Moment moment_of(const RunLog& log, const wire::Sample& sample) {
   Moment moment;
   moment.t = std::chrono::microseconds(sample.t_us);
   moment.pose = {sample.x_mm, sample.y_mm, sample.yaw_rad};
-  const double cell_mm = history.started.cell_mm;
+  const double cell_mm = log.started.cell_mm;
   if (cell_mm > 0.0) {
     moment.pose.column = static_cast<int>(std::floor(sample.x_mm / cell_mm));
-    moment.pose.row = history.started.height - 1 - static_cast<int>(std::floor(sample.y_mm / cell_mm));
+    moment.pose.row = log.started.height - 1 - static_cast<int>(std::floor(sample.y_mm / cell_mm));
   }
   moment.speed = {sample.speed_mm_s};
   moment.cross_track = {sample.cross_track_mm};
@@ -47,9 +47,9 @@ Moment moment_of(const History& history, const wire::Sample& sample) {
   moment.station = sample.at_station;
   moment.readings = sample.readings;
   bool senses = false, sees = false;
-  for (std::size_t i = 0; i < std::min(sample.readings.size(), history.is_line_sensor.size()); ++i) {
-    senses = senses || history.is_line_sensor[i];
-    sees = sees || (history.is_line_sensor[i] && sample.readings[i] > 0.0);
+  for (std::size_t i = 0; i < std::min(sample.readings.size(), log.is_line_sensor.size()); ++i) {
+    senses = senses || log.is_line_sensor[i];
+    sees = sees || (log.is_line_sensor[i] && sample.readings[i] > 0.0);
   }
   moment.off_line = senses && !sees;
   return moment;

@@ -10,7 +10,7 @@
 
 namespace robosim::testing {
 
-struct History {
+struct RunLog {
   struct Entry {
     std::int64_t t_ns = 0;
     std::string text;
@@ -46,7 +46,7 @@ struct History {
 };
 
 /// A sample as a test sees it.
-Moment moment_of(const History& history, const wire::Sample& sample);
+Moment moment_of(const RunLog& log, const wire::Sample& sample);
 /// "12.34 s"
 std::string seconds(std::int64_t ns);
 std::string seconds(Duration time);
