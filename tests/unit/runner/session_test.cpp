@@ -1,0 +1,413 @@
+// A runner's conversation with its client, with firmware that needs no compiler. The session is served by a
+// fork of this test: it is made for a process's standard input and output.
+#include "sim/runner/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/file.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/wire/protocol.h"
+#include "tests/support/built_in_driver.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::runner {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Session {
+ public:
+  explicit Session(const ExecutorFactory& factory) {
+    int to[2], from[2];
+    if (::pipe(to) != 0 || ::pipe(from) != 0) throw std::runtime_error("no pipe");
+    runner_ = ::fork();
+    if (runner_ == 0) {
+      ::dup2(to[0], STDIN_FILENO);
+      ::dup2(from[1], STDOUT_FILENO);
+      for (const int end : {to[0], to[1], from[0], from[1]}) ::close(end);
+      ::_exit(serve(factory));
+    }
+    ::close(to[0]);
+    ::close(from[1]);
+    input_ = to[1];
+    output_ = ::fdopen(from[0], "r");
+  }
+  ~Session() {
+    if (runner_ > 0) end();
+    std::fclose(output_);
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void send(const std::string& text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t n = ::write(input_, text.data() + done, text.size() - done);
+      if (n < 0) throw std::runtime_error("the runner does not listen");
+      done += static_cast<std::size_t>(n);
+    }
+  }
+
+  /// The next line, or "" if the runner says no more.
+  std::string line() const {
+    std::string text;
+    for (int c = 0; (c = std::fgetc(output_)) != EOF && c != '\n';) text += static_cast<char>(c);
+    return text;
+  }
+
+  /// What it answers to a line, events apart.
+  wire::Line ask(const std::string& text) {
+    send(text.ends_with('\n') ? text : text + "\n");
+    events.clear();
+    for (;;) {
+      wire::Line said = wire::parse_line(line());
+      const auto* event = std::get_if<wire::Event>(&said.content);
+      if (!event) return said;
+      events.push_back(*event);
+    }
+  }
+  template <class Answer>
+  Answer ask_for(const std::string& text) {
+    const wire::Line said = ask(text);
+    const auto* answer = std::get_if<Answer>(&said.content);
+    if (!answer)
+      throw std::runtime_error("another answer to " + text + ": " + wire::to_line({}, said.content));
+    return *answer;
+  }
+  template <class Answer, class Request>
+  Answer ask_for(const Request& request) {
+    return ask_for<Answer>(wire::to_line(1, request));
+  }
+
+  void close_input() {
+    ::close(input_);
+    input_ = -1;
+  }
+  /// Says no more to it, and gives its exit status; -1 if it was killed.
+  int end() {
+    close_input();
+    int status = 0;
+    ::waitpid(runner_, &status, 0);
+    runner_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  pid_t process() const { return runner_; }
+
+  std::vector<wire::Event> events;  ///< before the last answer
+
+ private:
+  pid_t runner_ = 0;
+  int input_ = -1;
+  std::FILE* output_ = nullptr;
+};
+
+/// The built-in driver, which does something more at 100 ms.
+class Driver final : public exec::Executor {
+ public:
+  explicit Driver(void (*at_100_ms)()) : at_100_ms_(at_100_ms) {}
+  RobotPort& board() override { return driver_.board(); }
+  exec::BoardProbe& probe() override { return driver_.probe(); }
+  void power_on(SimTime t) override { driver_.power_on(t); }
+  void power_off(SimTime t) override { driver_.power_off(t); }
+  void run_until(SimTime t) override {
+    driver_.run_until(t);
+    if (t == 100 * kMillisecond && at_100_ms_) at_100_ms_();
+  }
+  const std::optional<exec::Crash>& crash() const override { return driver_.crash(); }
+  exec::Activity activity() override { return driver_.activity(); }
+  SimTime last_call() const override { return driver_.last_call(); }
+
+ private:
+  test::BuiltInDriver driver_;
+  void (*at_100_ms_)();
+};
+
+ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
+  return {"built-in", [at_100_ms](const BoardSpec&, const std::filesystem::path&) {
+            return std::make_unique<Driver>(at_100_ms);
+          }};
+}
+
+class SessionTest : public ::testing::Test {
+ protected:
+  SessionTest() {
+    write_file(folder_.path() / "image", "any");
+    request_.image = (folder_.path() / "image").string();
+    request_.map = grid::find_map("oval").string();
+    request_.robot = "uno5";
+    request_.goal = "laps:1";
+    request_.for_ns = 20 * kSecond;
+  }
+
+  /// What a runner says to this request, which it cannot carry out.
+  static wire::ErrorAnswer refusal(const wire::RunRequest& request) {
+    Session session(drivers());
+    session.line();
+    return session.ask_for<wire::ErrorAnswer>(wire::Request(request));
+  }
+
+  test::TemporaryFolder folder_;
+  wire::RunRequest request_;
+};
+
+const std::string kDescribe = R"({"id": 7, "do": "describe_robot", "robot": "uno5"})";
+
+TEST_F(SessionTest, BeginsWithHelloAndEndsWithItsInput) {
+  Session session(drivers());
+  const wire::Hello hello = wire::parse_hello(session.line(), "robosim-built-in");
+  EXPECT_EQ(hello.program, "robosim-built-in");
+  EXPECT_EQ(hello.target, "built-in");
+  EXPECT_FALSE(hello.version.empty());
+  EXPECT_EQ(session.end(), 0);
+  EXPECT_EQ(session.line(), "") << "and says no more";
+}
+
+TEST_F(SessionTest, RefusesWhatIsNoRequestAndServesTheNext) {
+  Session session(drivers());
+  session.line();
+  for (const std::string& odd :
+       {std::string("GET / HTTP/1.1"), std::string("[]"), std::string("{"), std::string("\0\xff\x01", 3),
+        std::string(200'000, '['), std::string(200'000, 'x'), std::string(R"({"id": 3, "do": "walk"})"),
+        std::string(R"({"id": 3, "do": "run"})"), std::string(R"({"id": 3, "protocol": 2, "do": "run"})"),
+        std::string(R"({"id": 3, "do": "continue"})")}) {
+    const wire::Line said = session.ask(odd);
+    const auto* error = std::get_if<wire::ErrorAnswer>(&said.content);
+    ASSERT_TRUE(error) << odd.substr(0, 40);
+    EXPECT_EQ(error->kind, "input");
+    EXPECT_EQ(said.id, odd.starts_with("{\"id\"") ? 3 : -1) << odd.substr(0, 40);
+    EXPECT_LT(error->message.size(), 400u) << "a sentence, however long the line";
+  }
+  const wire::Line said = session.ask("\n\n" + kDescribe);
+  EXPECT_EQ(said.id, 7) << "empty lines are none";
+  EXPECT_EQ(std::get<wire::RobotInfo>(said.content).name, "uno5");
+  EXPECT_EQ(session.end(), 0);
+}
+
+TEST_F(SessionTest, AnswersNoLineThatIsCutOffByTheEndOfItsInput) {
+  Session session(drivers());
+  session.line();
+  session.send(kDescribe);
+  EXPECT_EQ(session.end(), 0);
+  EXPECT_EQ(session.line(), "");
+}
+
+TEST_F(SessionTest, AnswersWhatIsWrongWithARequestsFilesAndTexts) {
+  const auto message_with = [&](std::string wire::RunRequest::*member, const std::string& value) {
+    wire::RunRequest request = request_;
+    request.*member = value;
+    const wire::ErrorAnswer error = refusal(request);
+    EXPECT_EQ(error.kind, "input") << error.message;
+    return error.message;
+  };
+  EXPECT_THAT(message_with(&wire::RunRequest::image, "/none.so"), HasSubstr("/none.so"));
+  EXPECT_THAT(message_with(&wire::RunRequest::map, "/none.map"), HasSubstr("/none.map"));
+  EXPECT_THAT(message_with(&wire::RunRequest::robot, "uno9"), HasSubstr("no robot is called"));
+  EXPECT_THAT(message_with(&wire::RunRequest::start, "0,0,E"), HasSubstr("0,0"));
+  EXPECT_THAT(message_with(&wire::RunRequest::goal, "win"), HasSubstr("win"));
+  EXPECT_THAT(message_with(&wire::RunRequest::script, "at 1s pres start"), StartsWith("script:1:"));
+}
+
+TEST_F(SessionTest, HasAChipsQuestionsRefusedWhereTheFirmwareRunsOnNone) {
+  wire::RunRequest clock = request_, debugger = request_;
+  clock.clock_ns = kSecond;
+  debugger.gdb_port = 65535;
+  EXPECT_EQ(refusal(clock).kind, "input");
+  EXPECT_EQ(refusal(debugger).kind, "input");
+}
+
+TEST_F(SessionTest, GivesTheFactoryTheRobotsBoardAndTheImage) {
+  request_.robot = "uno5@nano";
+  Session session({"x", [](const BoardSpec& board, const std::filesystem::path& image) {
+                     throw InputError(board.name + std::string(" ") + image.string());
+                     return std::unique_ptr<exec::Executor>();
+                   }});
+  session.line();
+  EXPECT_EQ(session.ask_for<wire::ErrorAnswer>(wire::Request(request_)).message, "nano " + request_.image);
+}
+
+TEST_F(SessionTest, TellsInputMissingToolsAndItsOwnErrorsApartAndGoesOn) {
+  Session session({"x", [](const BoardSpec& board, const std::filesystem::path&) {
+                     if (std::string(board.name) == "nano") throw ToolMissing("install it");
+                     throw std::logic_error("a mistake");
+                     return std::unique_ptr<exec::Executor>();
+                   }});
+  session.line();
+  const auto own = session.ask_for<wire::ErrorAnswer>(wire::Request(request_));
+  EXPECT_EQ(own.kind, "internal");
+  EXPECT_EQ(own.message, "a mistake");
+  request_.robot = "uno5@nano";
+  const auto tool = session.ask_for<wire::ErrorAnswer>(wire::Request(request_));
+  EXPECT_EQ(tool.kind, "tool");
+  EXPECT_EQ(tool.message, "install it");
+  EXPECT_EQ(session.end(), 0);
+}
+
+TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
+  request_.seed = 3;
+  request_.profile = "ideal";
+  Session session(drivers());
+  session.line();
+  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+
+  const grid::Map map = grid::read_map(request_.map);
+  const robot::Description robot = robot::load_description("uno5");
+  test::BuiltInDriver driver;
+  run::Setup setup;
+  setup.map = &map;
+  setup.agents = {{.robot = &robot, .executor = &driver, .goal = judge::parse_goal("laps:1")}};
+  setup.limit = 20 * kSecond;
+  setup.seed = 3;
+  setup.profile = robot::Profile::ideal;
+  const judge::Outcome outcome = run::simulate(setup).front();
+
+  EXPECT_EQ(result.verdict, "reached");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.trace_hash, outcome.trace_hash);
+  EXPECT_EQ(result.goal, "laps:1");
+  EXPECT_EQ(result.seed, 3u);
+  EXPECT_EQ(result.profile, "ideal");
+  EXPECT_DOUBLE_EQ(result.for_s, 20.0);
+  EXPECT_EQ(result.image_sha256, sha256("any"));
+  EXPECT_EQ(result.map_sha256, sha256_of_file(request_.map));
+  EXPECT_EQ(result.robot_sha256, robot.sha256);
+  const auto again = session.ask_for<wire::RunResult>(wire::Request(request_));
+  EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner, many runs";
+}
+
+TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {
+  request_.goal = "none";
+  request_.for_ns = 200 * kMillisecond;
+  request_.script = "at 50ms press start 10ms";
+  Session session(drivers());
+  session.line();
+  session.ask_for<wire::RunResult>(wire::Request(request_));
+  ASSERT_EQ(session.events.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<wire::Started>(session.events[0]));
+
+  request_.samples_every_ns = 50 * kMillisecond;
+  request_.notes = request_.pins = true;
+  session.ask_for<wire::RunResult>(wire::Request(request_));
+  std::vector<std::int64_t> samples_us;
+  std::size_t notes = 0, pins = 0;
+  for (const wire::Event& event : session.events) {
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) samples_us.push_back(sample->t_us);
+    notes += std::holds_alternative<wire::Note>(event);
+    pins += std::holds_alternative<wire::PinChange>(event);
+  }
+  EXPECT_TRUE(std::holds_alternative<wire::Started>(session.events[0]));
+  EXPECT_THAT(samples_us, ::testing::ElementsAre(0, 50'000, 100'000, 150'000, 200'000));
+  EXPECT_EQ(notes, 1u) << "the script has pressed a button";
+  EXPECT_GT(pins, 6u) << "of both motors";
+  EXPECT_EQ(1 + samples_us.size() + notes + pins, session.events.size());
+}
+
+TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {
+  for (const auto& [deed, reason] :
+       {std::pair<void (*)(), const char*>{[] { ::raise(SIGKILL); },
+                                           "it took its process down by signal 9 (Killed)"},
+        std::pair<void (*)(), const char*>{[] { ::_exit(3); },
+                                           "it took its process down with exit status 3"}}) {
+    Session session(drivers(deed));
+    session.line();
+    const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+    EXPECT_EQ(result.verdict, "crashed");
+    EXPECT_EQ(result.status, 1);
+    ASSERT_TRUE(result.crash);
+    EXPECT_EQ(result.crash->reason, reason);
+    EXPECT_EQ(result.goal, "laps:1");
+    EXPECT_EQ(result.image_sha256, sha256("any"));
+    EXPECT_TRUE(std::holds_alternative<wire::RobotInfo>(session.ask(kDescribe).content));
+    EXPECT_EQ(session.end(), 0);
+  }
+}
+
+TEST_F(SessionTest, AnInterruptEndsTheRunWithItsResultAndNotTheRunner) {
+  Session session(drivers([] { ::raise(SIGINT); }));
+  session.line();
+  ::kill(session.process(), SIGINT);
+  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+  EXPECT_EQ(result.verdict, "interrupted");
+  EXPECT_EQ(result.status, 130);
+  EXPECT_NEAR(result.time_s, 0.1, 0.002);
+  EXPECT_TRUE(std::holds_alternative<wire::RobotInfo>(session.ask(kDescribe).content));
+}
+
+class DrivenSessionTest : public SessionTest {
+ protected:
+  DrivenSessionTest() : session_(drivers()) {
+    request_.interactive = true;
+    session_.line();
+  }
+  wire::Paused begin() { return session_.ask_for<wire::Paused>(wire::Request(request_)); }
+  template <class Answer>
+  Answer ask(const wire::DrivenRequest& request) {
+    return session_.ask_for<Answer>(request);
+  }
+
+  Session session_;
+};
+
+TEST_F(DrivenSessionTest, StandsStillAtTheBeginningAndWhereItWasToldTo) {
+  const wire::Paused at_start = begin();
+  EXPECT_EQ(at_start.t_ns, 0);
+  EXPECT_FALSE(at_start.driven);
+  const auto later = ask<wire::Paused>(wire::GoOn{300 * kMillisecond, {}});
+  EXPECT_EQ(later.t_ns, 300 * kMillisecond);
+  EXPECT_EQ(later.stop, -1);
+  EXPECT_TRUE(later.driven);
+  const auto stopped = ask<wire::Paused>(
+      wire::GoOn{std::nullopt, {wire::Stop::rest(kSecond), wire::Stop::reading("S3", true)}});
+  EXPECT_EQ(stopped.stop, 1) << "the middle sensor is over the line while the robot drives";
+  EXPECT_EQ(ask<wire::RunResult>(wire::End{}).verdict, "interrupted");
+}
+
+TEST_F(DrivenSessionTest, GoesToItsVerdictWithTheTraceOfARunThatWasNotDriven) {
+  begin();
+  ask<wire::Paused>(wire::GoOn{kSecond, {}});
+  const auto driven = ask<wire::RunResult>(wire::GoOn{});
+  EXPECT_EQ(driven.verdict, "reached");
+  request_.interactive = false;
+  EXPECT_EQ(session_.ask_for<wire::RunResult>(wire::Request(request_)).trace_hash, driven.trace_hash);
+}
+
+TEST_F(DrivenSessionTest, ActsAtOnceAndSaysAsAScriptWhatItDoes) {
+  begin();
+  ask<wire::Paused>(wire::GoOn{200 * kMillisecond, {}});
+  EXPECT_EQ(ask<wire::Accepted>(wire::Act{"press start 100ms\n\n  lift\n"}).lines,
+            "at 200ms press start 100ms\nat 200ms   lift\n");
+}
+
+TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
+  begin();
+  EXPECT_THAT(ask<wire::Refused>(wire::Act{"pres start"}).message, StartsWith("script:1:"));
+  EXPECT_THAT(ask<wire::Refused>(wire::Act{"press horn"}).message, HasSubstr("horn"));
+  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::reading("S9", true)}}).message, HasSubstr("S9"));
+  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::line("(")}}).message, HasSubstr("("));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("stands still"));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message, HasSubstr("one JSON object a line"));
+  EXPECT_EQ(ask<wire::Paused>(wire::GoOn{kMillisecond, {}}).t_ns, kMillisecond);
+}
+
+TEST_F(DrivenSessionTest, HandsOutTheWholeEeprom) {
+  begin();
+  const auto eeprom = ask<wire::Eeprom>(wire::ReadEeprom{});
+  EXPECT_EQ(eeprom.bytes, std::vector<std::uint8_t>(1024, 0xff)) << "an Uno's, as it comes from the factory";
+}
+
+TEST_F(DrivenSessionTest, EndsWithItsClientAndAnswersNothing) {
+  begin();
+  EXPECT_EQ(session_.end(), 0);
+  EXPECT_EQ(session_.line(), "");
+}
+
+}  // namespace
+}  // namespace robosim::runner
