@@ -5,13 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/child.h"
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
@@ -27,40 +27,35 @@ using ::testing::StartsWith;
 
 class Session {
  public:
-  explicit Session(const ExecutorFactory& factory) {
-    int to[2], from[2];
-    if (::pipe(to) != 0 || ::pipe(from) != 0) throw std::runtime_error("no pipe");
-    runner_ = ::fork();
-    if (runner_ == 0) {
-      ::dup2(to[0], STDIN_FILENO);
-      ::dup2(from[1], STDOUT_FILENO);
-      for (const int end : {to[0], to[1], from[0], from[1]}) ::close(end);
-      ::_exit(serve(factory));
-    }
-    ::close(to[0]);
-    ::close(from[1]);
-    input_ = to[1];
-    output_ = ::fdopen(from[0], "r");
+  explicit Session(const ExecutorFactory& factory)
+      : runner_([&] {
+          ::dup2(input_.read.get(), STDIN_FILENO);
+          ::dup2(output_.write.get(), STDOUT_FILENO);
+          for (Descriptor* end : {&input_.read, &input_.write, &output_.read, &output_.write}) end->close();
+          return serve(factory);
+        }) {
+    input_.read.close();
+    output_.write.close();
   }
-  ~Session() {
-    if (runner_ > 0) end();
-    std::fclose(output_);
-  }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-
   void send(const std::string& text) const {
     for (std::size_t done = 0; done < text.size();) {
-      const ssize_t n = ::write(input_, text.data() + done, text.size() - done);
+      const ssize_t n = ::write(input_.write.get(), text.data() + done, text.size() - done);
       if (n < 0) throw std::runtime_error("the runner does not listen");
       done += static_cast<std::size_t>(n);
     }
   }
 
   /// The next line, or "" if the runner says no more.
-  std::string line() const {
-    std::string text;
-    for (int c = 0; (c = std::fgetc(output_)) != EOF && c != '\n';) text += static_cast<char>(c);
+  std::string line() {
+    std::size_t end = 0;
+    char some[4096];
+    while ((end = unread_.find('\n')) == std::string::npos) {
+      const ssize_t n = ::read(output_.read.get(), some, sizeof some);
+      if (n <= 0) return std::exchange(unread_, "");
+      unread_.append(some, static_cast<std::size_t>(n));
+    }
+    const std::string text = unread_.substr(0, end);
+    unread_.erase(0, end + 1);
     return text;
   }
 
@@ -88,26 +83,19 @@ class Session {
     return ask_for<Answer>(wire::to_line(1, request));
   }
 
-  void close_input() {
-    ::close(input_);
-    input_ = -1;
+  void interrupt() const { runner_.send(SIGINT); }
+  /// Says no more to it, and waits until it has ended.
+  Ending end() {
+    input_.write.close();
+    return runner_.wait();
   }
-  /// Says no more to it, and gives its exit status; -1 if it was killed.
-  int end() {
-    close_input();
-    int status = 0;
-    ::waitpid(runner_, &status, 0);
-    runner_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  pid_t process() const { return runner_; }
 
   std::vector<wire::Event> events;  ///< before the last answer
 
  private:
-  pid_t runner_ = 0;
-  int input_ = -1;
-  std::FILE* output_ = nullptr;
+  Pipe input_, output_;
+  Child runner_;
+  std::string unread_;
 };
 
 /// The built-in driver, which does something more at 100 ms.
@@ -167,7 +155,7 @@ TEST_F(SessionTest, BeginsWithHelloAndEndsWithItsInput) {
   EXPECT_EQ(hello.program, "robosim-built-in");
   EXPECT_EQ(hello.target, "built-in");
   EXPECT_FALSE(hello.version.empty());
-  EXPECT_EQ(session.end(), 0);
+  EXPECT_TRUE(session.end().ok());
   EXPECT_EQ(session.line(), "") << "and says no more";
 }
 
@@ -189,14 +177,14 @@ TEST_F(SessionTest, RefusesWhatIsNoRequestAndServesTheNext) {
   const wire::Line said = session.ask("\n\n" + kDescribe);
   EXPECT_EQ(said.id, 7) << "empty lines are none";
   EXPECT_EQ(std::get<wire::RobotInfo>(said.content).name, "uno5");
-  EXPECT_EQ(session.end(), 0);
+  EXPECT_TRUE(session.end().ok());
 }
 
 TEST_F(SessionTest, AnswersNoLineThatIsCutOffByTheEndOfItsInput) {
   Session session(drivers());
   session.line();
   session.send(kDescribe);
-  EXPECT_EQ(session.end(), 0);
+  EXPECT_TRUE(session.end().ok());
   EXPECT_EQ(session.line(), "");
 }
 
@@ -248,7 +236,7 @@ TEST_F(SessionTest, TellsInputMissingToolsAndItsOwnErrorsApartAndGoesOn) {
   const auto tool = session.ask_for<wire::ErrorAnswer>(wire::Request(request_));
   EXPECT_EQ(tool.kind, "tool");
   EXPECT_EQ(tool.message, "install it");
-  EXPECT_EQ(session.end(), 0);
+  EXPECT_TRUE(session.end().ok());
 }
 
 TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
@@ -326,14 +314,14 @@ TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {
     EXPECT_EQ(result.goal, "laps:1");
     EXPECT_EQ(result.image_sha256, sha256("any"));
     EXPECT_TRUE(std::holds_alternative<wire::RobotInfo>(session.ask(kDescribe).content));
-    EXPECT_EQ(session.end(), 0);
+    EXPECT_TRUE(session.end().ok());
   }
 }
 
 TEST_F(SessionTest, AnInterruptEndsTheRunWithItsResultAndNotTheRunner) {
   Session session(drivers([] { ::raise(SIGINT); }));
   session.line();
-  ::kill(session.process(), SIGINT);
+  session.interrupt();
   const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
   EXPECT_EQ(result.verdict, "interrupted");
   EXPECT_EQ(result.status, 130);
@@ -405,7 +393,7 @@ TEST_F(DrivenSessionTest, HandsOutTheWholeEeprom) {
 
 TEST_F(DrivenSessionTest, EndsWithItsClientAndAnswersNothing) {
   begin();
-  EXPECT_EQ(session_.end(), 0);
+  EXPECT_TRUE(session_.end().ok());
   EXPECT_EQ(session_.line(), "");
 }
 
