@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "tests/support/require_target.h"
-#include "tests/system/command.h"
+#include "tests/system/json_of.h"
 
 namespace robosim::test {
 namespace {
@@ -25,8 +25,8 @@ std::vector<std::string> with(std::vector<std::string> words, const std::vector<
 }
 
 std::string hash_of(const Ended& run) {
-  const auto at = run.out.find("\"trace_hash\"");
-  return at == std::string::npos ? "none: " + run.err : run.out.substr(at, run.out.find('\n', at) - at);
+  const nlohmann::json result = json_of(run);
+  return result.is_object() ? result["trace_hash"].get<std::string>() : "none: " + run.err;
 }
 
 TEST(CliRun, EqualInputsGiveEqualBytesAndAnotherSeedAnotherHash) {
@@ -71,9 +71,11 @@ TEST(CliRun, ASketchFolderBringsItsMapAndItsRobot) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("the map is only.map"));
   EXPECT_THAT(run.err, HasSubstr("the robot is robot.toml"));
-  EXPECT_THAT(run.out,
-              HasSubstr("\"sketch\": \".\",\n    \"map\": \"only.map\",\n    \"robot\": \"robot.toml\","));
-  EXPECT_THAT(run.out, HasSubstr("here"));
+  const nlohmann::json result = json_of(run);
+  EXPECT_EQ(result["inputs"]["sketch"], ".");
+  EXPECT_EQ(result["inputs"]["map"], "only.map");
+  EXPECT_EQ(result["inputs"]["robot"], "robot.toml");
+  EXPECT_EQ(result["serial"], "here\r\n");
   const Ended by_path = robosim_command(
       {"run", "./Mine/Mine.ino", "--goal", "none", "--for", "100ms", "--json"}, folder.path());
   EXPECT_EQ(hash_of(by_path), hash_of(run));
@@ -87,7 +89,7 @@ TEST(CliRun, SendReachesTheSketchAfterASecond) {
                    "void loop() { while (Serial.available()) Serial.write(Serial.read() + 1); delay(1); }\n");
   const Ended run = robosim_command({"run", sketch.string(), "--map", "oval", "--robot", "uno3", "--goal",
                                      "none", "--for", "2s", "--send", "HAL", "--json"});
-  EXPECT_THAT(run.out, HasSubstr("\"serial\": \"IBM\"")) << run.err;
+  EXPECT_EQ(json_of(run)["serial"], "IBM") << run.err;
 }
 
 struct Case {
@@ -169,7 +171,7 @@ TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {
   EXPECT_THAT(ended.err,
               HasSubstr("on stm32 the robot is uno5@bluepill: its uno has no such chip, and a bluepill "
                         "takes its place, on the same pins\n"));
-  EXPECT_THAT(ended.out, HasSubstr("\"robot\": \"uno5@bluepill\""));
+  EXPECT_EQ(json_of(ended)["inputs"]["robot"], "uno5@bluepill");
   std::vector<std::string> named = with(kShort, {"--target", "stm32", "--json"});
   named[5] = "uno5@bluepill";
   const Ended same = robosim_command(named);

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/system/command.h"
+#include "tests/system/json_of.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -10,7 +10,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 const std::string kSpeeds =
     "int speeds[5];\n"
@@ -28,18 +27,20 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   std::vector<std::string> words = {"run", "Speeds/", "--goal", "none", "--for", "100ms", "--json"};
   const Ended plain = robosim_command(words, folder.path());
   EXPECT_EQ(plain.status, 0) << plain.out << plain.err;
-  EXPECT_THAT(plain.out, Not(HasSubstr("sanitize")));
+  EXPECT_FALSE(json_of(plain)["inputs"].contains("sanitize"));
   words.push_back("--sanitize");
   const Ended checked = robosim_command(words, folder.path());
   EXPECT_EQ(checked.status, 1) << checked.err;
-  EXPECT_THAT(
-      checked.out,
-      AllOf(HasSubstr("\"verdict\": \"crashed\""),
-            HasSubstr("\"why\": \"The sketch crashed: index 5 is outside of the array, an int [5]: its "
-                      "first is 0 and its last 4 in average, Speeds.ino:4.\""),
-            HasSubstr("\"function\": \"average\",\n    \"file\": \"Speeds.ino\",\n    \"line\": 4,\n    "
-                      "\"check\": \"out_of_bounds\"\n"),
-            HasSubstr("\"sanitize\": true")));
+  const nlohmann::json result = json_of(checked);
+  EXPECT_EQ(result["verdict"], "crashed");
+  EXPECT_EQ(result["why"],
+            "The sketch crashed: index 5 is outside of the array, an int [5]: its first is 0 and its last 4 "
+            "in average, Speeds.ino:4.");
+  EXPECT_EQ(result["crash"]["function"], "average");
+  EXPECT_EQ(result["crash"]["file"], "Speeds.ino");
+  EXPECT_EQ(result["crash"]["line"], 4);
+  EXPECT_EQ(result["crash"]["check"], "out_of_bounds");
+  EXPECT_EQ(result["inputs"]["sanitize"], true);
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
 
@@ -48,8 +49,11 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   const std::string sum = sketch_folder("ChipSum").string() + "/";
   const Ended run = robosim_command({"run", sum, "--map", "oval", "--target", "avr", "--sanitize", "--json"});
   EXPECT_EQ(run.status, 1) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("\"verdict\": \"crashed\""), HasSubstr("\"check\": \"mul_overflow\""),
-                             HasSubstr("does not fit an int, which holds -32768 to 32767 here")));
+  const nlohmann::json result = json_of(run);
+  EXPECT_EQ(result["verdict"], "crashed");
+  EXPECT_EQ(result["crash"]["check"], "mul_overflow");
+  EXPECT_THAT(result["why"].get<std::string>(),
+              HasSubstr("does not fit an int, which holds -32768 to 32767 here"));
   const Ended build = robosim_command({"build", "AiNavigator", "--target", "avr", "--sanitize"});
   EXPECT_EQ(build.status, 0) << build.err;
   EXPECT_THAT(build.out, HasSubstr("with checks"));
@@ -65,9 +69,11 @@ TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   EXPECT_THAT(screen.out, AllOf(HasSubstr("\nlost: "), HasSubstr("\nnext: 1000 * "),
                                 HasSubstr("ChipSum.ino:9"), HasSubstr("1000L * analogRead(A1)")));
   words.push_back("--json");
-  EXPECT_THAT(robosim_command(words).out, AllOf(HasSubstr("\"verdict\": \"lost\""),
-                                                HasSubstr("\"finding\": {\n    \"check\": \"mul_overflow\""),
-                                                HasSubstr("\"file\": \"ChipSum.ino\",\n    \"line\": 9,\n")));
+  const nlohmann::json result = json_of(robosim_command(words));
+  EXPECT_EQ(result["verdict"], "lost");
+  EXPECT_EQ(result["finding"]["check"], "mul_overflow");
+  EXPECT_EQ(result["finding"]["file"], "ChipSum.ino");
+  EXPECT_EQ(result["finding"]["line"], 9);
 }
 
 TEST(CliSanitize, ASketchThatCrashesOnTheHostRunsAgainWithChecksThatNameTheBadAccess) {
@@ -88,10 +94,11 @@ TEST(CliSanitize, ASketchThatCrashesOnTheHostRunsAgainWithChecksThatNameTheBadAc
               AllOf(HasSubstr("\ncrashed: "), HasSubstr("\nnext: index 4 is outside of the array"),
                     HasSubstr("Smash.ino:4")));
   words.push_back("--json");
-  EXPECT_THAT(robosim_command(words, folder.path()).out,
-              AllOf(HasSubstr("\"verdict\": \"crashed\""),
-                    HasSubstr("\"finding\": {\n    \"check\": \"out_of_bounds\""),
-                    HasSubstr("\"file\": \"Smash.ino\",\n    \"line\": 4,\n")));
+  const nlohmann::json result = json_of(robosim_command(words, folder.path()));
+  EXPECT_EQ(result["verdict"], "crashed");
+  EXPECT_EQ(result["finding"]["check"], "out_of_bounds");
+  EXPECT_EQ(result["finding"]["file"], "Smash.ino");
+  EXPECT_EQ(result["finding"]["line"], 4);
 }
 
 TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {

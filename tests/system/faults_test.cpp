@@ -17,23 +17,31 @@ class Faults : public testing::TestWithParam<const char*> {
   }
   /// What the sketch Diary prints, without CR.
   std::string diary(const std::string& script, double seconds = 0.5) {
-    result_ = run({.sketch = "Diary",
-                   .robot = "uno2",
-                   .goal = "none",
-                   .script = script,
-                   .for_s = seconds,
-                   .target = GetParam()});
+    wire::RunRequest request = request_of({.sketch = "Diary",
+                                           .robot = "uno2",
+                                           .goal = "none",
+                                           .script = script,
+                                           .for_s = seconds,
+                                           .target = GetParam()});
+    request.notes = true;
+    notes_.clear();
+    result_ = runner_of(GetParam()).run(request, [&](const wire::Event& event) {
+      if (const auto* note = std::get_if<wire::Note>(&event)) notes_.push_back(*note);
+    });
     std::string text = result_.serial;
     std::erase(text, '\r');
     return text;
   }
-  std::string notes() const {
-    std::string text;
-    for (const auto& event : result_.events) text += event.text + "\n";
-    return text;
+  /// The first event of this kind, or null.
+  template <class What>
+  const What* first() const {
+    for (const wire::Note& note : notes_)
+      if (const What* what = note.is<What>()) return what;
+    return nullptr;
   }
 
   wire::RunResult result_;
+  std::vector<wire::Note> notes_;
 };
 
 INSTANTIATE_TEST_SUITE_P(On, Faults, testing::Values("host", "avr"),
@@ -43,7 +51,10 @@ TEST_P(Faults, LeaveAByteOfTheEepromHalfWritten) {
   EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 66\n");
   EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte old\n"), "was 255 255\nwas 0 255\n");
   EXPECT_EQ(diary("after eeprom 1 power off for 20ms byte erased\n"), "was 255 255\nwas 255 255\n");
-  EXPECT_THAT(notes(), HasSubstr("power off, while byte 0 of the EEPROM was being written: it holds 0xFF\n"));
+  const auto* lost = first<wire::PowerLost>();
+  ASSERT_TRUE(lost && lost->byte);
+  EXPECT_EQ(lost->byte->address, 0);
+  EXPECT_EQ(lost->byte->value, 0xff);
   EXPECT_EQ(diary("after eeprom 1 power off for 20ms\n"), "was 255 255\nwas 0 255\n");
   EXPECT_EQ(diary("at 100ms power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 0\n") << "none was written";
   EXPECT_EQ(result_.eeprom_writes, 4u);
@@ -56,9 +67,14 @@ TEST_P(Faults, FlipABitOfTheEeprom) {
 
 TEST_P(Faults, ResetTheChipWhenTheBatterySagsBelowItsBrownOut) {
   EXPECT_EQ(diary("at 100ms fault power sag 5V for 50ms\n"), "was 255 255\n");
+  ASSERT_TRUE(first<wire::FaultBegan>());
+  EXPECT_FALSE(first<wire::FaultBegan>()->resets_chip);
   EXPECT_EQ(diary("at 100ms fault power sag 4.2V for 50ms\n"), "was 255 255\nwas 0 0\n");
-  EXPECT_THAT(notes(),
-              HasSubstr("fault: power sag 4.2V, which resets the chip\nfault over: power sag 4.2V\n"));
+  const auto* fault = first<wire::FaultBegan>();
+  ASSERT_TRUE(fault && first<wire::FaultEnded>());
+  EXPECT_EQ(fault->part, "power");
+  EXPECT_THAT(fault->arguments, testing::ElementsAre("sag", "4.2V"));
+  EXPECT_TRUE(fault->resets_chip);
 }
 
 TEST_P(Faults, DisturbBytesOnTheirWayToTheSketch) {

@@ -8,6 +8,7 @@
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/event_values.h"
 
 namespace robosim::scenario {
 namespace {
@@ -20,15 +21,13 @@ using testing::IsEmpty;
 /// Keeps what a run tells.
 struct Witness final : run::Listener {
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
-  void happened(const wire::RunEvent& event) override {
-    notes.push_back(fmt::format("{} {}", event.t_ns / kMillisecond, wire::text_of(event)));
-  }
+  void happened(const wire::RunEvent& event) override { happenings.push_back(test::values_of(event)); }
   const run::Sample& at(double seconds) const {
     return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
   }
 
   std::vector<run::Sample> samples;  // one each millisecond
-  std::vector<std::string> notes;
+  std::vector<std::string> happenings;
 };
 
 class Scripts : public testing::Test {
@@ -68,13 +67,15 @@ TEST_F(Scripts, BreakAPartForATimeAndSaySo) {
   EXPECT_EQ(s1(0.101), 1.0);
   EXPECT_EQ(s1(0.300), 1.0);
   EXPECT_LT(s1(0.301), 0.5);
-  EXPECT_THAT(seen.notes, ElementsAre("101 fault: S1 stuck 1023", "301 fault over: S1 stuck 1023"));
+  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=S1 arguments=stuck,1023",
+                                           "301 fault_ended part=S1 arguments=stuck,1023"));
 }
 
 TEST_F(Scripts, EndAFaultThatAnotherOneHasReplacedNoMore) {
   play("at 100ms fault S1 stuck 1023 for 200ms\nat 200ms fault S1 stuck 1000\n", 0.5);
   EXPECT_GT(s1(0.45), 0.9);
-  EXPECT_THAT(seen.notes, ElementsAre("101 fault: S1 stuck 1023", "201 fault: S1 stuck 1000"));
+  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=S1 arguments=stuck,1023",
+                                           "201 fault_began part=S1 arguments=stuck,1000"));
 }
 
 TEST_F(Scripts, LiftTheRobotSoThatItsWheelsTurnFreelyAndItsSensorsSeeNothing) {
@@ -84,7 +85,7 @@ TEST_F(Scripts, LiftTheRobotSoThatItsWheelsTurnFreelyAndItsSensorsSeeNothing) {
   EXPECT_EQ(lifted.speed, 0.0);
   EXPECT_THAT(std::vector<double>(lifted.readings.begin(), lifted.readings.begin() + 5), testing::Each(1.0));
   EXPECT_GT(after.speed, 0.1);
-  EXPECT_THAT(seen.notes, ElementsAre("301 robot lifted", "1301 robot put down"));
+  EXPECT_THAT(seen.happenings, ElementsAre("301 script_acted verb=lift", "1301 script_acted verb=lower"));
 }
 
 TEST_F(Scripts, HoldTheRobotInTheHandForLongWithoutAVerdict) {
@@ -96,7 +97,8 @@ TEST_F(Scripts, HoldTheRobotInTheHandForLongWithoutAVerdict) {
 TEST_F(Scripts, PutALiftedRobotDownWhereTheySay) {
   play("at 100ms lift for 1s\nat 200ms place 13,2,E\n", 1.5);
   EXPECT_GT(seen.at(1.0).speed, 0.1) << "placed, it drives, and is not put down once more";
-  EXPECT_THAT(seen.notes, ElementsAre("101 robot lifted", "201 robot placed at 13,2,E"));
+  EXPECT_THAT(seen.happenings,
+              ElementsAre("101 script_acted verb=lift", "201 script_acted verb=place argument=13,2,E"));
 }
 
 TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
@@ -107,8 +109,8 @@ TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
   EXPECT_EQ(outcome.metrics.collisions, 1);
   EXPECT_LT(seen.at(1.9).speed, 0.02);
   EXPECT_GT(seen.at(2.5).speed, 0.1);
-  EXPECT_THAT(seen.notes, Contains("1 obstacle put on " + cell));
-  EXPECT_THAT(seen.notes, Contains("2001 obstacle on " + cell + " taken away"));
+  EXPECT_THAT(seen.happenings, Contains("1 script_acted verb=obstacle argument=" + cell));
+  EXPECT_THAT(seen.happenings, Contains("2001 script_acted verb=clear argument=" + cell));
   seen = {};
   play("at 0s obstacle " + cell + "\nat 1s clear " + cell + "\n", 2.0);
   EXPECT_GT(seen.at(1.5).speed, 0.1);
@@ -122,13 +124,14 @@ TEST_F(Scripts, BlockAWheel) {
 
 TEST_F(Scripts, SayWhatResetsTheChipAndWhenItStartedAgain) {
   play("at 100ms fault power brown-out for 50ms\nafter boot 2 wait 20ms fault S1 dead\n", 0.3);
-  EXPECT_THAT(seen.notes, ElementsAre("101 fault: power brown-out, which resets the chip",
-                                      "151 fault over: power brown-out", "171 fault: S1 dead"));
+  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=power arguments=brown-out resets_chip=1",
+                                           "151 fault_ended part=power arguments=brown-out",
+                                           "171 fault_began part=S1 arguments=dead"));
 }
 
 TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
   play("at 100ms power off for 50ms\n", 0.3);
-  EXPECT_THAT(seen.notes, ElementsAre("101 power off", "151 power on"));
+  EXPECT_THAT(seen.happenings, ElementsAre("101 power_lost", "151 power_back"));
 }
 
 TEST_F(Scripts, WaitAfterAStation) {
@@ -144,7 +147,7 @@ TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
               HasSubstr("s.txt:1: \"4\" is no cell of the map: allowed are COLUMN,ROW"));
   EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("\"400,1\" is no cell"));
   EXPECT_THAT(error_of("at 1s clear -1,1"), HasSubstr("is no cell"));
-  EXPECT_THAT(seen.notes, IsEmpty());
+  EXPECT_THAT(seen.happenings, IsEmpty());
 }
 
 TEST_F(Scripts, ThatDoNothingChangeNothing) {

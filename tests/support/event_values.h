@@ -1,0 +1,56 @@
+// The values of an event, for tests that do not depend on its sentence.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "sim/wire/events.h"
+
+namespace robosim::test {
+
+/// Writes fields as " KEY=VALUE", those that are empty, false or 0 left out.
+class ValueWriter {
+ public:
+  static constexpr bool kReads = false;
+  static constexpr bool kDescribes = false;
+
+  template <class T>
+  void operator()(const char* key, const T& value, const char*, const wire::Rules& = {}) {
+    const std::string shown = shown_as(value);
+    if (!shown.empty() && shown != "0") text += std::string(" ") + key + "=" + shown;
+  }
+  std::string text;
+
+ private:
+  static std::string shown_as(const std::string& value) { return value; }
+  static std::string shown_as(const std::vector<std::string>& values) {
+    std::string all;
+    for (const std::string& value : values) all += (all.empty() ? "" : ",") + value;
+    return all;
+  }
+  template <class T>
+  static std::string shown_as(const std::optional<T>& value) {
+    return value ? shown_as(*value) : "";
+  }
+  template <class T>
+  static std::string shown_as(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      return std::to_string(value);
+    } else {
+      ValueWriter inner;
+      fields(inner, value);
+      return "(" + inner.text + ")";
+    }
+  }
+};
+
+/// "101 fault_began part=S1 arguments=stuck,1023": the millisecond, the kind and the values.
+inline std::string values_of(const wire::RunEvent& event) {
+  ValueWriter values;
+  std::visit([&](const auto& what) { fields(values, what); }, event.what);
+  return std::to_string(event.t_ns / kMillisecond) + ' ' + wire::kind_of(event) + values.text;
+}
+
+}  // namespace robosim::test

@@ -1,0 +1,13 @@
+// What a command printed with --json, as values.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+
+/// A value that holds nothing if it is not JSON.
+inline nlohmann::json json_of(const Ended& ended) { return nlohmann::json::parse(ended.out, nullptr, false); }
+
+}  // namespace robosim::test
