@@ -19,8 +19,8 @@ struct Trial {
   std::string sketch;  ///< a folder, an .ino, one of Robosim's by name, or a finished .elf
   std::string map;     ///< name, path, or the map itself (several lines); "" = the only one beside the
                        ///< sketch, else oval
-  std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml beside the sketch, else uno5,
-                      ///< or bluepill5 on an STM32
+  std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml beside the sketch, else uno5
+                       ///< (on stm32 bluepill5)
   std::string target = "host";
   std::uint64_t seed = 1;
   std::string profile = "typical";         ///< or "ideal": no noise, no spread
