@@ -67,15 +67,25 @@ std::string list_of_pins(const std::vector<int>& pins) {
 
 // "S2 was stuck at 1023 by the script"
 std::string told(const ScriptFault& fault) {
-  const std::string& kind = fault.arguments.front();
+  using robot::Failure;
   const std::string value = fault.arguments.size() > 1 ? fault.arguments[1] : "";
-  std::string what;
-  if (kind == "stuck") what = value.empty() ? "was stuck" : "was stuck at " + value;
-  if (kind == "pressed" || kind == "released") what = "was stuck " + kind;
-  if (kind == "dead" || kind == "reversed") what = "was made " + kind;
-  if (kind == "swapped") what = "was swapped with " + value;
-  if (what.empty()) what = fmt::format("got the fault \"{}\"", fmt::join(fault.arguments, " "));
-  return fmt::format("{} {} by the script", fault.part, what);
+  const auto happened = [&]() -> std::string {
+    switch (fault.failure.value_or(Failure::ok)) {
+      case Failure::stuck:
+        return value.empty() ? "was stuck" : "was stuck at " + value;
+      case Failure::pressed:
+      case Failure::released:
+        return fmt::format("was stuck {}", name_of(*fault.failure));
+      case Failure::dead:
+      case Failure::reversed:
+        return fmt::format("was made {}", name_of(*fault.failure));
+      case Failure::swapped:
+        return "was swapped with " + value;
+      default:
+        return fmt::format("got the fault \"{}\"", fmt::join(fault.arguments, " "));
+    }
+  };
+  return fmt::format("{} {} by the script", fault.part, happened());
 }
 
 // The script's fault that was there at `t`, or had just ended; the last to begin if there were several.

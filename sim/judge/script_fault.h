@@ -1,16 +1,19 @@
 // What a script has broken: a verdict names it where it was the cause.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/board/sim_time.h"
+#include "sim/robot/fault.h"
 
 namespace robosim::judge {
 
 struct ScriptFault {
-  std::string part;                    ///< a part of the robot, or power, serial, eeprom, clock
-  std::vector<std::string> arguments;  ///< the kind of fault, then its arguments: {"stuck", "1023"}
+  std::string part;                       ///< a part of the robot, or power, serial, eeprom, clock
+  std::vector<std::string> arguments;     ///< the kind of fault, then its arguments: {"stuck", "1023"}
+  std::optional<robot::Failure> failure;  ///< of a part; nothing where it is the board's
   SimTime began = 0;
   SimTime ended = kNever;  ///< repaired, or replaced by another fault of the same part
 };

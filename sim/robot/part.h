@@ -7,6 +7,7 @@
 
 #include "hal/board/robot_port.h"
 #include "sim/robot/description.h"
+#include "sim/robot/fault.h"
 #include "sim/robot/robot.h"
 
 namespace robosim::robot {
@@ -16,30 +17,12 @@ class MotorPart;
 class RadioPart;
 class Sensor;
 
-/// One way in which a thing can fail.
-struct FaultKind {
-  enum class Argument { none, number, sensor };
-
-  const char* name;
-  const char* meaning;  ///< one clause, for lists
-  Argument argument = Argument::none;
-  double least = 0.0;  ///< bounds of a number, inclusive
-  double most = 0.0;
-};
-
-/// A fault that a script asks for, its argument read and checked.
-struct Fault {
-  const FaultKind& kind;
-  double number = 0.0;
-  Sensor* sensor = nullptr;
-};
-
 /// Something with a name that scripts can break: a sensor, a motor, …
 class Breakable {
  public:
   virtual const std::string& name() const = 0;
   virtual std::span<const FaultKind> fault_kinds() const = 0;
-  /// `fault.kind` is one of fault_kinds(); it replaces the fault before.
+  /// `fault.failure` is one of fault_kinds(); it replaces the fault before.
   virtual void fail(const Fault& fault) = 0;
 
  protected:

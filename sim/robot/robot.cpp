@@ -49,8 +49,7 @@ struct Robot::Inside {
   void hold(const std::string& name, bool down, SimTime t);
   std::vector<Sensor*> covered_by(const std::string& name) const;
   Breakable& breakable(const std::string& name) const;
-  Fault read_fault(const Breakable&, const std::string& kind,
-                   const std::vector<std::string>& arguments) const;
+  PartFault read_fault(Breakable&, const std::string& kind, const std::vector<std::string>& arguments) const;
 
   const Description& description;
   world::Body& body;
@@ -100,15 +99,15 @@ Breakable& Robot::Inside::breakable(const std::string& name) const {
                                name, names_of(roster.breakable)));
 }
 
-Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_name,
-                                const std::vector<std::string>& arguments) const {
+PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_name,
+                                    const std::vector<std::string>& arguments) const {
   using enum FaultKind::Argument;
   const auto kinds = thing.fault_kinds();
-  const auto kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const FaultKind& k) { return k.name == kind_name; });
+  const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                 [&](const FaultKind& k) { return name_of(k.failure) == kind_name; });
   if (kind == kinds.end()) {
     std::vector<std::string> names;
-    for (const FaultKind& k : kinds) names.emplace_back(k.name);
+    for (const FaultKind& k : kinds) names.emplace_back(name_of(k.failure));
     throw InputError(fmt::format("{} has no fault {}; there are {}", thing.name(), kind_name, one_of(names)));
   }
   const std::string what = fmt::format("fault {} {}", thing.name(), kind_name);
@@ -118,7 +117,7 @@ Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_
                                  : kind->argument == number ? "one number"
                                                             : "the name of another sensor",
                                  kind->meaning));
-  Fault fault{*kind};
+  Fault fault{kind->failure};
   if (kind->argument == number) {
     const auto value = parse_quantity(arguments[0], Dimension::ratio);
     if (!value || *value < kind->least || *value > kind->most)
@@ -131,7 +130,7 @@ Fault Robot::Inside::read_fault(const Breakable& thing, const std::string& kind_
       throw InputError(
           fmt::format("{} {}: allowed is another one of {}", what, arguments[0], names_of(roster.sensors)));
   }
-  return fault;
+  return {&thing, fault};
 }
 
 Robot::Robot(const Description& description, world::World& world, std::size_t body, RobotPort& board,
@@ -230,8 +229,16 @@ void Robot::cover(const std::string& part, bool covered) {
 
 void Robot::fault(const std::string& part, const std::string& kind,
                   const std::vector<std::string>& arguments) {
-  Breakable& thing = in_->breakable(part);
-  thing.fail(in_->read_fault(thing, kind, arguments));
+  fault(read_fault(part, kind, arguments));
+}
+
+PartFault Robot::read_fault(const std::string& part, const std::string& kind,
+                            const std::vector<std::string>& arguments) const {
+  return in_->read_fault(in_->breakable(part), kind, arguments);
+}
+
+void Robot::fault(const PartFault& fault) {
+  fault.part->fail(fault.fault);
   for (const Side side : {world::left, world::right})
     if (const MotorPart* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
 }
@@ -241,11 +248,6 @@ void Robot::check_press(const std::string& part) const { in_->button(part); }
 void Robot::check_send(const std::string& part) const { in_->radio(part); }
 
 void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
-
-void Robot::check_fault(const std::string& part, const std::string& kind,
-                        const std::vector<std::string>& arguments) const {
-  in_->read_fault(in_->breakable(part), kind, arguments);
-}
 
 std::vector<Reading> Robot::readings() const {
   std::vector<Reading> readings;

@@ -9,6 +9,7 @@
 
 #include "hal/board/robot_port.h"
 #include "sim/base/vec.h"
+#include "sim/robot/fault.h"
 
 namespace robosim::world {
 class World;
@@ -86,6 +87,10 @@ class Robot {
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
   /// Kinds and arguments are in docs/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
+  /// The same in two steps: the words are read before the run, and the fault comes later.
+  PartFault read_fault(const std::string& part, const std::string& kind,
+                       const std::vector<std::string>& arguments) const;
+  void fault(const PartFault& fault);
 
   /// The names that fault() takes.
   std::vector<std::string> breakable() const;
@@ -94,8 +99,6 @@ class Robot {
   void check_press(const std::string& part) const;
   void check_send(const std::string& part) const;
   void check_cover(const std::string& part) const;
-  void check_fault(const std::string& part, const std::string& kind,
-                   const std::vector<std::string>& arguments) const;
 
   /// Sensors first, then what else there is to see, each in the order of the robot file.
   std::vector<Reading> readings() const;

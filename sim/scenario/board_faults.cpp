@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/units.h"
@@ -12,42 +13,26 @@
 namespace robosim::scenario {
 namespace {
 
-enum class Argument { none, volts, bytes, bit, ppm };
-
-struct Kind {
-  const char* thing;
-  const char* name;
-  Argument argument;
-  bool stays;  // cannot end by itself
-};
-
-constexpr Kind kKinds[] = {
-    {"power", "ok", Argument::none, true},           {"power", "sag", Argument::volts, false},
-    {"power", "brown-out", Argument::none, false},   {"serial", "ok", Argument::none, true},
-    {"serial", "lost", Argument::bytes, false},      {"serial", "doubled", Argument::bytes, false},
-    {"serial", "corrupted", Argument::bytes, false}, {"eeprom", "flip", Argument::bit, true},
-    {"clock", "ok", Argument::none, true},           {"clock", "drift", Argument::ppm, false},
-};
 constexpr double kMostVolts = 60.0;
 constexpr double kMostDrift = 100'000.0;  // ppm
 
-const Kind& find_kind(const std::string& thing, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Kind& kind : kKinds) {
-    if (kind.thing != thing) continue;
-    if (kind.name == name) return kind;
-    names.emplace_back(kind.name);
-  }
-  throw InputError(fmt::format("{} has no fault {}; there are {}", thing, name, one_of(names)));
+/// The kind of a fault and its arguments, as the script has them.
+using Words = std::vector<std::string>;
+
+template <typename Fault>
+BoardFault read_whole(const Words&, std::size_t) {
+  return Fault{};
 }
 
-double parse_volts(const std::string& text) {
-  const auto volts = parse_quantity(text, Dimension::voltage);
+BoardFault read_sag(const Words& words, std::size_t) {
+  const auto volts = parse_quantity(words[1], Dimension::voltage);
   if (!volts || *volts < 0.0 || *volts > kMostVolts)
     throw InputError(fmt::format("fault power sag {}: allowed is the battery's voltage, from 0V to {:g}V",
-                                 text, kMostVolts));
-  return *volts;
+                                 words[1], kMostVolts));
+  return PowerFault{PowerFault::Kind::sag, *volts};
 }
+
+BoardFault read_brown_out(const Words&, std::size_t) { return PowerFault{PowerFault::Kind::brown_out}; }
 
 /// "3rd": 3; nothing if it is no such number.
 std::optional<std::uint64_t> parse_ordinal(std::string_view text) {
@@ -59,7 +44,31 @@ std::optional<std::uint64_t> parse_ordinal(std::string_view text) {
   return std::nullopt;
 }
 
-int parse_ppm(const std::string& text) {
+template <SerialFault::Kind kind>
+BoardFault read_bytes(const Words& words, std::size_t) {
+  const auto nth = parse_ordinal(words[1]);
+  const auto share = parse_quantity(words[1], Dimension::ratio);
+  if (!nth && !(share && *share >= 0.0 && *share <= 1.0))
+    throw InputError(
+        fmt::format("fault serial {} {}: allowed are a share of the bytes, from 0 to 1 or 0% to "
+                    "100%, and one of them: 1st, 2nd, 3rd, …",
+                    words[0], words[1]));
+  return SerialFault{kind, nth ? 0.0 : *share, nth.value_or(0)};
+}
+
+BoardFault read_flip(const Words& words, std::size_t eeprom_bytes) {
+  const auto address = parse_whole(words[1]);
+  const auto bit = parse_whole(words[2]);
+  if (!address || *address >= eeprom_bytes || !bit || *bit > 7)
+    throw InputError(
+        fmt::format("fault eeprom flip {} {}: allowed are an address from 0 to {} and a bit from 0 "
+                    "to 7",
+                    words[1], words[2], eeprom_bytes - 1));
+  return EepromFlip{static_cast<std::uint16_t>(*address), static_cast<int>(*bit)};
+}
+
+BoardFault read_drift(const Words& words, std::size_t) {
+  const std::string& text = words[1];
   const bool in_ppm = text.ends_with("ppm");
   const auto value = parse_quantity(in_ppm ? text.substr(0, text.size() - 3) : text, Dimension::ratio);
   const double ppm = value.value_or(kMostDrift + 1) * (in_ppm ? 1.0 : 1e6);
@@ -68,26 +77,47 @@ int parse_ppm(const std::string& text) {
         fmt::format("fault clock drift {}: allowed is how much too fast it runs, from -{:g}ppm to "
                     "{:g}ppm",
                     text, kMostDrift, kMostDrift));
-  return static_cast<int>(std::lround(ppm));
+  return ClockDrift{static_cast<int>(std::lround(ppm))};
 }
 
-struct Bit {
-  std::uint16_t address;
-  int number;
+enum class Argument { none, volts, bytes, bit, ppm };
+
+struct Kind {
+  const char* thing;
+  const char* name;
+  Argument argument;
+  bool stays;  // cannot end by itself
+  BoardFault (*read)(const Words& words, std::size_t eeprom_bytes);
 };
 
-Bit parse_bit(const std::vector<std::string>& arguments, std::size_t bytes) {
-  const auto address = parse_whole(arguments[1]);
-  const auto bit = parse_whole(arguments[2]);
-  if (!address || *address >= bytes || !bit || *bit > 7)
-    throw InputError(
-        fmt::format("fault eeprom flip {} {}: allowed are an address from 0 to {} and a bit from 0 "
-                    "to 7",
-                    arguments[1], arguments[2], bytes - 1));
-  return {static_cast<std::uint16_t>(*address), static_cast<int>(*bit)};
+constexpr Kind kKinds[] = {
+    {"power", "ok", Argument::none, true, read_whole<PowerFault>},
+    {"power", "sag", Argument::volts, false, read_sag},
+    {"power", "brown-out", Argument::none, false, read_brown_out},
+    {"serial", "ok", Argument::none, true, read_whole<SerialFault>},
+    {"serial", "lost", Argument::bytes, false, read_bytes<SerialFault::Kind::lost>},
+    {"serial", "doubled", Argument::bytes, false, read_bytes<SerialFault::Kind::doubled>},
+    {"serial", "corrupted", Argument::bytes, false, read_bytes<SerialFault::Kind::corrupted>},
+    {"eeprom", "flip", Argument::bit, true, read_flip},
+    {"clock", "ok", Argument::none, true, read_whole<ClockDrift>},
+    {"clock", "drift", Argument::ppm, false, read_drift},
+};
+
+const Kind& find_kind(const std::string& thing, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) {
+    if (kind.thing != thing) continue;
+    if (kind.name == name) return kind;
+    names.emplace_back(kind.name);
+  }
+  throw InputError(fmt::format("{} has no fault {}; there are {}", thing, name, one_of(names)));
 }
 
 }  // namespace
+
+bool repairs(const BoardFault& fault) {
+  return std::visit([](const auto& one) { return one.repairs(); }, fault);
+}
 
 BoardFaults::BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed,
                          std::uint32_t number)
@@ -107,23 +137,8 @@ bool BoardFaults::knows(const std::string& name) {
   return std::find(names().begin(), names().end(), name) != names().end();
 }
 
-BoardFaults::SerialFault BoardFaults::read_serial_fault(const std::vector<std::string>& arguments) {
-  using enum SerialFault::Kind;
-  SerialFault fault;
-  fault.kind = arguments[0] == "lost" ? lost : arguments[0] == "doubled" ? doubled : corrupted;
-  const auto nth = parse_ordinal(arguments[1]);
-  const auto share = parse_quantity(arguments[1], Dimension::ratio);
-  if (!nth && !(share && *share >= 0.0 && *share <= 1.0))
-    throw InputError(
-        fmt::format("fault serial {} {}: allowed are a share of the bytes, from 0 to 1 or 0% to "
-                    "100%, and one of them: 1st, 2nd, 3rd, …",
-                    arguments[0], arguments[1]));
-  fault.nth = nth.value_or(0);
-  fault.share = nth ? 0.0 : *share;
-  return fault;
-}
-
-void BoardFaults::check(const std::string& name, const std::vector<std::string>& arguments, bool ends) const {
+BoardFault BoardFaults::read(const std::string& name, const std::vector<std::string>& arguments,
+                             bool ends) const {
   const Kind& kind = find_kind(name, arguments.front());
   constexpr std::size_t kCount[] = {0, 1, 1, 2, 1};
   constexpr const char* kWanted[] = {"nothing more", "a voltage",
@@ -134,11 +149,8 @@ void BoardFaults::check(const std::string& name, const std::vector<std::string>&
     throw InputError(fmt::format("fault {} {} takes {}", name, kind.name, kWanted[argument]));
   if (ends && kind.stays)
     throw InputError(fmt::format("fault {} {} is no state that could end after a time", name, kind.name));
-  if (kind.argument == Argument::volts) parse_volts(arguments[1]);
-  if (kind.argument == Argument::bytes) read_serial_fault(arguments);
-  if (kind.argument == Argument::ppm) parse_ppm(arguments[1]);
-  if (name == "eeprom") check_eeprom();
-  if (kind.argument == Argument::bit) parse_bit(arguments, executor_.probe().memory().size());
+  if (kind.argument == Argument::bit) check_eeprom();
+  return kind.read(arguments, executor_.probe().memory().size());
 }
 
 void BoardFaults::check_eeprom() const {
@@ -147,23 +159,34 @@ void BoardFaults::check_eeprom() const {
         "eeprom: on this target scripts can neither break nor follow it; they can on host and avr");
 }
 
-void BoardFaults::fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t) {
-  const std::string& kind = arguments.front();
-  if (name == "power") {
-    const double low = std::min(robot_.battery(), kBrownOut + kRegulatorDrop - 0.1);
-    set_battery(kind == "ok" ? robot_.battery() : kind == "sag" ? parse_volts(arguments[1]) : low, t);
-    if (kind == "brown-out") chip_volts_ = std::min(chip_volts_, kBrownOut - 0.1);
-    update_power(t);
-  } else if (name == "serial") {
-    serial_ = kind == "ok" ? SerialFault{} : read_serial_fault(arguments);
-    bytes_before_ = bytes_;
-  } else if (name == "clock") {
-    executor_.set_clock_drift(kind == "ok" ? 0 : parse_ppm(arguments[1]), t);
-  } else {
-    const std::span<std::uint8_t> eeprom = executor_.probe().memory();
-    const Bit bit = parse_bit(arguments, eeprom.size());
-    eeprom[bit.address] = static_cast<std::uint8_t>(eeprom[bit.address] ^ 1 << bit.number);
-  }
+void BoardFaults::fail(const BoardFault& fault, SimTime t) {
+  std::visit([&](const auto& one) { begin(one, t); }, fault);
+}
+
+void BoardFaults::repair(const BoardFault& fault, SimTime t) {
+  std::visit([&](const auto& one) { begin(std::decay_t<decltype(one)>{}, t); }, fault);
+}
+
+void BoardFaults::begin(const PowerFault& fault, SimTime t) {
+  using enum PowerFault::Kind;
+  const double low = std::min(robot_.battery(), kBrownOut + kRegulatorDrop - 0.1);
+  set_battery(fault.kind == none ? robot_.battery() : fault.kind == sag ? fault.volts : low, t);
+  if (fault.kind == brown_out) chip_volts_ = std::min(chip_volts_, kBrownOut - 0.1);
+  update_power(t);
+}
+
+void BoardFaults::begin(const SerialFault& fault, SimTime) {
+  serial_ = fault;
+  bytes_before_ = bytes_;
+}
+
+void BoardFaults::begin(const EepromFlip& fault, SimTime) {
+  std::uint8_t& byte = executor_.probe().memory()[fault.address];
+  byte = static_cast<std::uint8_t>(byte ^ 1 << fault.bit);
+}
+
+void BoardFaults::begin(const ClockDrift& fault, SimTime t) {
+  executor_.set_clock_drift(fault.ppm.value_or(0), t);
 }
 
 void BoardFaults::set_battery(double volts, SimTime t) {

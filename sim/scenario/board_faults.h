@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "hal/board/robot_port.h"
@@ -27,6 +28,34 @@ constexpr double kRegulatorDrop = 1.8;  ///< V: NCP1117 (1.1 V) and the diode be
 constexpr double kBrownOut = 2.7;       ///< V: ATmega328P, BODLEVEL 101, as an Uno's fuses have it
 constexpr double kLogicKeeps = 2.0;     ///< V: less than that, and a 74HC's registers forget
 
+/// The faults that a script can ask for, read and checked. As they are made by default, nothing is wrong: the
+/// script's "ok".
+struct PowerFault {
+  enum class Kind { none, sag, brown_out };
+  Kind kind = Kind::none;
+  double volts = 0.0;  ///< of a sag
+  bool repairs() const { return kind == Kind::none; }
+};
+struct SerialFault {
+  enum class Kind { none, lost, doubled, corrupted };
+  Kind kind = Kind::none;
+  double share = 0.0;     ///< of the bytes
+  std::uint64_t nth = 0;  ///< only this one, from 1; 0 = by share
+  bool repairs() const { return kind == Kind::none; }
+};
+/// Has no "ok".
+struct EepromFlip {
+  std::uint16_t address = 0;
+  int bit = 0;
+  bool repairs() const { return false; }
+};
+struct ClockDrift {
+  std::optional<int> ppm = {};  ///< too fast
+  bool repairs() const { return !ppm; }
+};
+using BoardFault = std::variant<PowerFault, SerialFault, EepromFlip, ClockDrift>;
+bool repairs(const BoardFault& fault);
+
 class BoardFaults final : EepromWatcher {
  public:
   /// `number` is the robot's in its world.
@@ -35,12 +64,15 @@ class BoardFaults final : EepromWatcher {
   static bool knows(const std::string& name);
   static const std::vector<std::string>& names();
 
-  /// Throws InputError unless fail() would accept this; `ends`: whether it is to last for a time.
-  void check(const std::string& name, const std::vector<std::string>& arguments, bool ends) const;
+  /// `arguments` begin with the kind. `ends`: whether it is to last for a time. Throws InputError.
+  BoardFault read(const std::string& name, const std::vector<std::string>& arguments,
+                  bool ends = false) const;
   /// Throws InputError where the firmware's EEPROM is out of reach on this target.
   void check_eeprom() const;
-  /// `arguments` begin with the kind. A new fault of a thing replaces the one before; "ok" repairs.
-  void fail(const std::string& name, const std::vector<std::string>& arguments, SimTime t);
+  /// A new fault of a thing replaces the one before.
+  void fail(const BoardFault& fault, SimTime t);
+  /// What has this fault is whole again.
+  void repair(const BoardFault& fault, SimTime t);
 
   /// The switch between battery and board. Parts that share the board's supply lose their state.
   void switch_power(bool on, SimTime t);
@@ -58,12 +90,6 @@ class BoardFaults final : EepromWatcher {
   std::uint64_t eeprom_writes() const { return writes_; }
 
  private:
-  struct SerialFault {
-    enum class Kind { none, lost, doubled, corrupted };
-    Kind kind = Kind::none;
-    double share = 0.0;     ///< of the bytes
-    std::uint64_t nth = 0;  ///< only this one, from 1; 0 = by share
-  };
   struct Write {
     std::uint16_t address;
     std::uint8_t before;
@@ -73,7 +99,10 @@ class BoardFaults final : EepromWatcher {
   void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
   void set_battery(double volts, SimTime t);
   void update_power(SimTime t);
-  static SerialFault read_serial_fault(const std::vector<std::string>& arguments);
+  void begin(const PowerFault& fault, SimTime t);
+  void begin(const SerialFault& fault, SimTime t);
+  void begin(const EepromFlip& fault, SimTime t);
+  void begin(const ClockDrift& fault, SimTime t);
 
   exec::Executor& executor_;
   robot::Robot& robot_;

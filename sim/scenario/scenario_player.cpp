@@ -45,15 +45,17 @@ ScenarioPlayer::ScenarioPlayer(std::vector<Step> steps, const Stage& stage, cons
 }
 
 void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progress) {
-  for (const Step& step : steps) check(step, progress);
-  for (Step& step : steps) {
-    if (step.trigger.kind == Trigger::Kind::serial)
-      longest_text_ = std::max(longest_text_, step.trigger.text.size());
-    pending_.push_back({std::move(step)});
+  std::vector<std::optional<ReadFault>> faults;
+  for (const Step& step : steps) faults.push_back(check(step, progress));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Trigger& trigger = steps[i].trigger;
+    if (trigger.kind == Trigger::Kind::serial) longest_text_ = std::max(longest_text_, trigger.text.size());
+    pending_.push_back({std::move(steps[i]), std::move(faults[i])});
   }
 }
 
-void ScenarioPlayer::check(const Step& step, const judge::Progress& progress) const {
+std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,
+                                                               const judge::Progress& progress) const {
   const Action& action = step.action;
   try {
     if (step.trigger.kind == Trigger::Kind::station) {
@@ -72,25 +74,24 @@ void ScenarioPlayer::check(const Step& step, const judge::Progress& progress) co
       stage_.robot.check_press(action.part);
     if (action.verb == Action::Verb::send && !action.part.empty()) stage_.robot.check_send(action.part);
     if (action.verb == Action::Verb::cover) stage_.robot.check_cover(action.part);
-    if (action.verb == Action::Verb::fault) check_fault(action);
+    if (action.verb == Action::Verb::fault)
+      return read_fault(action.part, action.arguments, action.duration.has_value());
+    return std::nullopt;
   } catch (const InputError& error) {
     throw InputError(step.place, error.message());
   }
 }
 
-bool ScenarioPlayer::is_of_board(const Action& fault) const {
-  const std::vector<std::string> parts = stage_.robot.breakable();
-  return BoardFaults::knows(fault.part) && std::find(parts.begin(), parts.end(), fault.part) == parts.end();
-}
-
-void ScenarioPlayer::check_fault(const Action& action) const {
-  if (is_of_board(action)) return board_.check(action.part, action.arguments, action.duration.has_value());
+ScenarioPlayer::ReadFault ScenarioPlayer::read_fault(const std::string& part,
+                                                     const std::vector<std::string>& arguments,
+                                                     bool ends) const {
   std::vector<std::string> names = stage_.robot.breakable();
+  const bool of_robot = std::find(names.begin(), names.end(), part) != names.end();
+  if (!of_robot && BoardFaults::knows(part)) return board_.read(part, arguments, ends);
   names.insert(names.end(), BoardFaults::names().begin(), BoardFaults::names().end());
-  if (std::find(names.begin(), names.end(), action.part) == names.end())
-    throw InputError(fmt::format("there is no {} that can break; there is {}", action.part, one_of(names)));
-  stage_.robot.check_fault(action.part, action.arguments.front(),
-                           {action.arguments.begin() + 1, action.arguments.end()});
+  if (!of_robot)
+    throw InputError(fmt::format("there is no {} that can break; there is {}", part, one_of(names)));
+  return stage_.robot.read_fault(part, arguments.front(), {arguments.begin() + 1, arguments.end()});
 }
 
 void ScenarioPlayer::hear(std::uint8_t byte) {
@@ -125,9 +126,9 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
       ++i;
       continue;
     }
-    const Action action = undo_[i].action;
+    const Undo undo = std::move(undo_[i]);
     undo_.erase(undo_.begin() + static_cast<std::ptrdiff_t>(i));
-    if (auto event = end(action, t)) events.push_back(std::move(*event));
+    if (auto event = end(undo, t)) events.push_back(std::move(*event));
   }
   for (std::size_t i = 0; i < pending_.size();) {
     Pending& pending = pending_[i];
@@ -139,10 +140,11 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
       continue;
     }
     const Action action = pending.step.action;
+    const std::optional<ReadFault> fault = pending.fault;
     pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
     std::erase_if(undo_, [&](const Undo& undo) { return replaces(action, undo.action); });
-    events.push_back(perform(action, t));
-    if (action.duration) undo_.push_back({t + *action.duration, action});
+    events.push_back(perform(action, fault, t));
+    if (action.duration) undo_.push_back({t + *action.duration, action, fault});
   }
 }
 
@@ -163,22 +165,38 @@ void ScenarioPlayer::clear_obstacle(const std::string& text) {
   });
 }
 
-void ScenarioPlayer::repaired(const std::string& part, SimTime t) {
+void ScenarioPlayer::note_repair(const std::string& part, SimTime t) {
   for (judge::ScriptFault& fault : faults_)
     if (fault.part == part && fault.ended == kNever) fault.ended = t;
 }
 
-wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, SimTime t) {
-  const bool ran = board_.powered();
-  if (is_of_board(action)) {
-    board_.fail(action.part, action.arguments, t);
+void ScenarioPlayer::bring_about(const ReadFault& fault, SimTime t) {
+  if (const auto* of_part = std::get_if<robot::PartFault>(&fault)) {
+    stage_.robot.fault(*of_part);
   } else {
-    stage_.robot.fault(action.part, action.arguments.front(),
-                       {action.arguments.begin() + 1, action.arguments.end()});
+    board_.fail(std::get<BoardFault>(fault), t);
   }
-  repaired(action.part, t);
-  if (action.arguments.front() == "ok") return wire::FaultEnded{action.part, action.arguments};
-  faults_.push_back({action.part, action.arguments, t});
+}
+
+void ScenarioPlayer::repair(const ReadFault& fault, SimTime t) {
+  if (const auto* of_part = std::get_if<robot::PartFault>(&fault)) {
+    stage_.robot.fault({of_part->part, {}});
+  } else {
+    board_.repair(std::get<BoardFault>(fault), t);
+  }
+}
+
+wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const ReadFault& fault,
+                                                     SimTime t) {
+  const bool ran = board_.powered();
+  bring_about(fault, t);
+  note_repair(action.part, t);
+  const auto* const of_part = std::get_if<robot::PartFault>(&fault);
+  const bool whole =
+      of_part ? of_part->fault.failure == robot::Failure::ok : repairs(std::get<BoardFault>(fault));
+  if (whole) return wire::FaultEnded{action.part, action.arguments, true};
+  faults_.push_back(
+      {action.part, action.arguments, of_part ? std::optional(of_part->fault.failure) : std::nullopt, t});
   return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
 }
 
@@ -190,7 +208,8 @@ wire::RunEvent::What ScenarioPlayer::switch_power(const Action& action, SimTime 
   return wire::PowerLost{board_.leave_half_written(action.half_written, t)};
 }
 
-wire::RunEvent::What ScenarioPlayer::perform(const Action& action, SimTime t) {
+wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::optional<ReadFault>& fault,
+                                             SimTime t) {
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.press(action.part, t);
@@ -226,14 +245,15 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, SimTime t) {
       stage_.robot.cover(action.part, true);
       return acted("cover", action);
     case Action::Verb::fault:
-      return break_or_repair(action, t);
+      return break_or_repair(action, *fault, t);
     case Action::Verb::power:
       return switch_power(action, t);
   }
   return {};
 }
 
-std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Action& action, SimTime t) {
+std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTime t) {
+  const Action& action = undo.action;
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.release(action.part, t);
@@ -248,13 +268,9 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Action& action, Si
       stage_.robot.cover(action.part, false);
       return std::nullopt;
     case Action::Verb::fault:
-      if (is_of_board(action)) {
-        board_.fail(action.part, {"ok"}, t);
-      } else {
-        stage_.robot.fault(action.part, "ok", {});
-      }
-      repaired(action.part, t);
-      return wire::FaultEnded{action.part, action.arguments};
+      repair(*undo.fault, t);
+      note_repair(action.part, t);
+      return wire::FaultEnded{action.part, action.arguments, false};
     case Action::Verb::power:
       board_.switch_power(true, t);
       return wire::PowerBack{};

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/exec/core/executor.h"
@@ -47,14 +48,18 @@ class ScenarioPlayer {
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
  private:
+  /// What a script's words ask for.
+  using ReadFault = std::variant<BoardFault, robot::PartFault>;
   struct Pending {
     Step step;
-    bool heard = false;    ///< the serial text it waits for has come
-    SimTime due = kNever;  ///< when its event was met, and the wait after it
+    std::optional<ReadFault> fault;  ///< of an action that is one
+    bool heard = false;              ///< the serial text it waits for has come
+    SimTime due = kNever;            ///< when its event was met, and the wait after it
   };
   struct Undo {
     SimTime at;
     Action action;
+    std::optional<ReadFault> fault;  ///< of an action that is one
   };
 
   struct Obstacle {
@@ -63,17 +68,20 @@ class ScenarioPlayer {
   };
 
   bool met(const Pending& pending, SimTime t, const judge::Progress& progress) const;
-  wire::RunEvent::What perform(const Action& action, SimTime t);
-  wire::RunEvent::What break_or_repair(const Action& action, SimTime t);
+  wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
+  wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   wire::RunEvent::What switch_power(const Action& action, SimTime t);
   /// Undoes what lasted for a time. Letting go of a button or a sensor is no event.
-  std::optional<wire::RunEvent::What> end(const Action& action, SimTime t);
-  void repaired(const std::string& part, SimTime t);
+  std::optional<wire::RunEvent::What> end(const Undo& undo, SimTime t);
+  void bring_about(const ReadFault& fault, SimTime t);
+  void repair(const ReadFault& fault, SimTime t);
+  void note_repair(const std::string& part, SimTime t);
   void put_obstacle(const Action& action);
   void clear_obstacle(const std::string& cell);
-  void check(const Step& step, const judge::Progress& progress) const;
-  void check_fault(const Action& action) const;
-  bool is_of_board(const Action& fault) const;
+  /// Throws InputError, with the step's place. Gives its fault, if it is one.
+  std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;
+  /// The arguments begin with the kind.
+  ReadFault read_fault(const std::string& part, const std::vector<std::string>& arguments, bool ends) const;
 
   Stage stage_;
   BoardFaults board_;

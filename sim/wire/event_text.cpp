@@ -37,8 +37,7 @@ struct Text {
     return "fault: " + fault_text(e.part, e.arguments) + (e.resets_chip ? ", which resets the chip" : "");
   }
   std::string operator()(const FaultEnded& e) const {
-    const bool repaired = e.arguments == std::vector<std::string>{"ok"};
-    return (repaired ? "fault: " : "fault over: ") + fault_text(e.part, e.arguments);
+    return (e.repaired ? "fault: " : "fault over: ") + fault_text(e.part, e.arguments);
   }
   std::string operator()(const PowerLost& e) const {
     if (!e.byte) return "power off";

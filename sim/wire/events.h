@@ -86,12 +86,14 @@ struct FaultEnded {
   static constexpr const char* kKind = "fault_ended";
   std::string part;
   std::vector<std::string> arguments;  ///< of the fault; {"ok"} where the script said so
+  bool repaired = false;               ///< the script said so; else the fault's time was up
 };
 
 template <class V>
 void fields(V& v, Same<V, FaultEnded>& e) {
   v("part", e.part, "`fault_ended`: as above");
   v("arguments", e.arguments, "`fault_ended`: of the fault; `[\"ok\"]` where the script said so");
+  v("repaired", e.repaired, "`fault_ended`: the script said so; else the fault's time was up");
 }
 
 /// The script switched the board off.

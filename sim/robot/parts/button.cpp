@@ -8,9 +8,9 @@ namespace {
 constexpr int kMostBounces = 4;
 
 constexpr FaultKind kButtonFaults[] = {
-    {"ok", "works again"},
-    {"pressed", "its contact is always closed"},
-    {"released", "its contact never closes"},
+    {Failure::ok, "works again"},
+    {Failure::pressed, "its contact is always closed"},
+    {Failure::released, "its contact never closes"},
 };
 
 }  // namespace
@@ -90,8 +90,9 @@ void ButtonPart::read(std::vector<Reading>& readings) const {
 std::span<const FaultKind> ButtonPart::fault_kinds() const { return kButtonFaults; }
 
 void ButtonPart::fail(const Fault& fault) {
-  const std::string_view name = fault.kind.name;
-  stuck_ = name == "pressed" ? Stuck::pressed : name == "released" ? Stuck::released : Stuck::no;
+  stuck_ = fault.failure == Failure::pressed    ? Stuck::pressed
+           : fault.failure == Failure::released ? Stuck::released
+                                                : Stuck::no;
 }
 
 }  // namespace robosim::robot

@@ -8,8 +8,8 @@ namespace robosim::robot {
 namespace {
 
 constexpr FaultKind kEncoderFaults[] = {
-    {"ok", "works again"},
-    {"dead", "its levels never change"},
+    {Failure::ok, "works again"},
+    {Failure::dead, "its levels never change"},
 };
 
 }  // namespace
@@ -103,7 +103,7 @@ std::span<const FaultKind> EncoderPart::fault_kinds() const { return kEncoderFau
 
 void EncoderPart::fail(const Fault& fault) {
   const std::int64_t now = quarter(context_.view.tick_start);
-  dead_ = std::string_view(fault.kind.name) == "dead";
+  dead_ = fault.failure == Failure::dead;
   if (dead_) at_ = static_cast<double>(now) + 0.5;
   if (dead_) per_ns_ = 0.0;
   looked_at_ = -1;

@@ -9,11 +9,12 @@ namespace robosim::robot {
 namespace {
 
 constexpr FaultKind kMotorFaults[] = {
-    {"ok", "works again"},
-    {"dead", "a lead is off: it turns freely"},
-    {"weak", "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0, 1.0},
-    {"reversed", "its leads are swapped"},
-    {"stuck", "something holds the wheel: it does not turn, and the motor stalls"},
+    {Failure::ok, "works again"},
+    {Failure::dead, "a lead is off: it turns freely"},
+    {Failure::weak, "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0,
+     1.0},
+    {Failure::reversed, "its leads are swapped"},
+    {Failure::stuck, "something holds the wheel: it does not turn, and the motor stalls"},
 };
 
 }  // namespace
@@ -103,13 +104,12 @@ void MotorPart::spoil(world::WheelCommand& command) const {
 std::span<const FaultKind> MotorPart::fault_kinds() const { return kMotorFaults; }
 
 void MotorPart::fail(const Fault& fault) {
-  const std::string_view name = fault.kind.name;
   strength_ = 1.0;
-  dead_ = name == "dead";
-  if (name == "reversed") strength_ = -1.0;
-  if (name == "weak") strength_ = fault.number;
-  blocked_ = name == "stuck";
-  broken_ = name != "ok";
+  dead_ = fault.failure == Failure::dead;
+  if (fault.failure == Failure::reversed) strength_ = -1.0;
+  if (fault.failure == Failure::weak) strength_ = fault.number;
+  blocked_ = fault.failure == Failure::stuck;
+  broken_ = fault.failure != Failure::ok;
   steady_ = false;
 }
 

@@ -6,10 +6,10 @@ namespace robosim::robot {
 namespace {
 
 constexpr FaultKind kRadioFaults[] = {
-    {"ok", "works again"},
-    {"dead", "nothing arrives"},
-    {"noisy", "this share of the bits arrives wrong, such as 0.1 or 10%", FaultKind::Argument::number, 0.0,
-     1.0},
+    {Failure::ok, "works again"},
+    {Failure::dead, "nothing arrives"},
+    {Failure::noisy, "this share of the bits arrives wrong, such as 0.1 or 10%", FaultKind::Argument::number,
+     0.0, 1.0},
 };
 
 }  // namespace
@@ -95,9 +95,8 @@ void RadioPart::read(std::vector<Reading>& readings) const {
 std::span<const FaultKind> RadioPart::fault_kinds() const { return kRadioFaults; }
 
 void RadioPart::fail(const Fault& fault) {
-  const std::string_view name = fault.kind.name;
-  dead_ = name == "dead";
-  turned_ = name == "noisy" ? fault.number : 0.0;
+  dead_ = fault.failure == Failure::dead;
+  turned_ = fault.failure == Failure::noisy ? fault.number : 0.0;
 }
 
 }  // namespace robosim::robot

@@ -16,15 +16,15 @@ constexpr double kBestHeight = 0.003;  // m: Pololu, QTR-8A and QTR-8RC user's g
 constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
-    {"ok", "works again"},
-    {"stuck", "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
+    {Failure::ok, "works again"},
+    {Failure::stuck, "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
      FaultKind::Argument::number, 0.0, 1e6},
-    {"dead", "its emitter is dark: it sees black everywhere"},
-    {"swapped", "its wire and that sensor's are exchanged, until either gets another fault",
+    {Failure::dead, "its emitter is dark: it sees black everywhere"},
+    {Failure::swapped, "its wire and that sensor's are exchanged, until either gets another fault",
      FaultKind::Argument::sensor},
-    {"noisy", "noise of this standard deviation, as a share of white to black, comes on top",
+    {Failure::noisy, "noise of this standard deviation, as a share of white to black, comes on top",
      FaultKind::Argument::number, 0.0, 1.0},
-    {"offset", "this share of white to black is added", FaultKind::Argument::number, -1.0, 1.0},
+    {Failure::offset, "this share of white to black is added", FaultKind::Argument::number, -1.0, 1.0},
 };
 
 void read_common(PartReader& reader, ReflectanceSpec& spec) {
@@ -201,12 +201,11 @@ void Sensor::swap_with(Sensor* other) {
 }
 
 void Sensor::fail(const Fault& fault) {
-  const std::string_view name = fault.kind.name;
-  swap_with(name == "swapped" ? fault.sensor : nullptr);
-  stuck_ = name == "stuck" ? fault.number : -1.0;
-  noise_ = healthy_noise_ + (name == "noisy" ? fault.number : 0.0);
-  shift_ = healthy_shift_ + (name == "offset" ? fault.number : 0.0);
-  light_ = name == "dead" ? 0.0 : healthy_light_;
+  swap_with(fault.failure == Failure::swapped ? fault.sensor : nullptr);
+  stuck_ = fault.failure == Failure::stuck ? fault.number : -1.0;
+  noise_ = healthy_noise_ + (fault.failure == Failure::noisy ? fault.number : 0.0);
+  shift_ = healthy_shift_ + (fault.failure == Failure::offset ? fault.number : 0.0);
+  light_ = fault.failure == Failure::dead ? 0.0 : healthy_light_;
 }
 
 AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,

@@ -94,7 +94,7 @@ TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
 
 TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {
   lose_the_line();
-  e.faults = {{"S2", {"stuck", "1023"}, 1700 * kMillisecond, kNever}};
+  e.faults = {{"S2", {"stuck", "1023"}, robot::Failure::stuck, 1700 * kMillisecond, kNever}};
   EXPECT_THAT(why(Verdict::lost),
               HasSubstr("column 3, row 1, 0.30 s after S2 was stuck at 1023 by the script"));
   e.faults[0].began = 3 * kSecond;
@@ -103,6 +103,21 @@ TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {
   e.faults[0].ended = 5 * kSecond;
   EXPECT_THAT(why(Verdict::stuck), Not(HasSubstr("S2"))) << "it was over long before";
   EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("S2")));
+}
+
+TEST_F(Explain, EachKindOfFaultIsToldInItsWords) {
+  lose_the_line();
+  const auto told = [&](const ScriptFault& fault) {
+    e.faults = {fault};
+    return why(Verdict::stuck);
+  };
+  using robot::Failure;
+  EXPECT_THAT(told({"left", {"stuck"}, Failure::stuck}), HasSubstr(" after left was stuck by the script"));
+  EXPECT_THAT(told({"left", {"reversed"}, Failure::reversed}), HasSubstr("left was made reversed by"));
+  EXPECT_THAT(told({"START", {"pressed"}, Failure::pressed}), HasSubstr("START was stuck pressed by"));
+  EXPECT_THAT(told({"S1", {"swapped", "S2"}, Failure::swapped}), HasSubstr("S1 was swapped with S2 by"));
+  EXPECT_THAT(told({"S1", {"noisy", "0.1"}, Failure::noisy}), HasSubstr("S1 got the fault \"noisy 0.1\" by"));
+  EXPECT_THAT(told({"power", {"sag", "6V"}}), HasSubstr("power got the fault \"sag 6V\" by"));
 }
 
 TEST_F(Explain, ACrashNamesItsReasonAndPlaceAsFarAsTheyAreKnown) {

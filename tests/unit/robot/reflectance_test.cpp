@@ -312,7 +312,7 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   BenchRobot bench(sensor(""));
   const auto message = [&](const char* part, const char* kind, std::vector<std::string> arguments) {
     try {
-      bench.robot.check_fault(part, kind, arguments);
+      bench.robot.read_fault(part, kind, arguments);
     } catch (const InputError& error) {
       return std::string(error.what());
     }

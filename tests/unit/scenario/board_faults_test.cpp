@@ -63,14 +63,13 @@ class BoardFaultsTest : public testing::Test {
   void fail(std::vector<std::string> words, SimTime t = 0) {
     const std::string name = words.front();
     words.erase(words.begin());
-    faults.check(name, words, false);
-    faults.fail(name, words, t);
+    faults.fail(faults.read(name, words), t);
   }
   std::string refusal(std::vector<std::string> words, bool ends = false) {
     const std::string name = words.front();
     words.erase(words.begin());
     try {
-      faults.check(name, words, ends);
+      faults.read(name, words, ends);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -167,7 +166,7 @@ TEST_F(BoardFaultsTest, ARateOfLossIsMetAndIsTheSameInEveryRun) {
   Probe other;
   other.state.listen(1, 0);
   BoardFaults again(other, robot, 1);
-  again.fail("serial", {"lost", "30%"}, 0);
+  again.fail(again.read("serial", {"lost", "30%"}), 0);
   again.send(std::string(1000, 'x'), 0);
   EXPECT_EQ(other.received().size(), first);
 }

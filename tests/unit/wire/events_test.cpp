@@ -16,7 +16,7 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(ScriptActed{"clear", "", "3,2"}), "obstacle on 3,2 taken away");
   EXPECT_EQ(text(FaultBegan{"power", {"brown-out"}, true}), "fault: power brown-out, which resets the chip");
   EXPECT_EQ(text(FaultEnded{"S2", {"stuck", "1023"}}), "fault over: S2 stuck 1023");
-  EXPECT_EQ(text(FaultEnded{"S2", {"ok"}}), "fault: S2 ok");
+  EXPECT_EQ(text(FaultEnded{"S2", {"ok"}, true}), "fault: S2 ok");
   EXPECT_EQ(text(PowerLost{{{12, 0x5A}}}),
             "power off, while byte 12 of the EEPROM was being written: it holds 0x5A");
   EXPECT_EQ(text(PowerLost{}), "power off");
