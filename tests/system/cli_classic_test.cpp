@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
-#include "tests/system/command.h"
+#include "tests/system/json_of.h"
 
 namespace robosim::test {
 namespace {
@@ -77,20 +75,24 @@ TEST(CliClassic, AnUnknownDestinationIsRefusedWithTheStationsThatExist) {
 }
 
 TEST(CliClassic, TheWalksEndWhenTheSameRoundBeginsAgainOrAfterTheirSteps) {
-  const Ended closed = robosim_command({"classic", "oval", "--algorithm", "left"});
+  const Ended closed = robosim_command({"classic", "oval", "--algorithm", "left", "--json"});
   EXPECT_EQ(closed.status, 0);
-  EXPECT_THAT(closed.out, HasSubstr("the same round again"));
-  const Ended limited = robosim_command({"classic", "oval", "--algorithm", "right", "--steps", "5"});
+  EXPECT_EQ(json_of(closed)["walk"]["state"], "closed");
+  const Ended limited =
+      robosim_command({"classic", "oval", "--algorithm", "right", "--steps", "5", "--json"});
   EXPECT_EQ(limited.status, 0);
-  EXPECT_THAT(limited.out, HasSubstr("5 moves in 5 s, all that were allowed"));
+  EXPECT_EQ(json_of(limited)["walk"]["state"], "out_of_moves");
+  EXPECT_EQ(json_of(limited)["walk"]["moves"], 5);
+  EXPECT_EQ(json_of(limited)["walk"]["time"], 5);
 }
 
 TEST(CliClassic, RunsTheTemplateOfAnAlgorithmOfOnesOwn) {
   const std::string file = std::string(ROBOSIM_EXAMPLES) + "/my_algorithm.cpp";
-  const Ended run = robosim_command({"classic", "d", "--algorithm", file});
+  const Ended run = robosim_command({"classic", "d", "--algorithm", file, "--json"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("ends of lines visited: 3,10 "));
-  EXPECT_EQ(robosim_command({"classic", "d", "--algorithm", file}).out, run.out);
+  EXPECT_EQ(json_of(run)["walk"]["state"], "returned");
+  EXPECT_EQ(json_of(run)["walk"]["dead_ends"].size(), 7u) << "all stations of map d";
+  EXPECT_EQ(robosim_command({"classic", "d", "--algorithm", file, "--json"}).out, run.out);
 }
 
 TEST(CliClassic, TheTemplateOfASketchVisitsEveryStationOnADrivenRobot) {
@@ -119,10 +121,10 @@ TEST(CliClassic, AnAlgorithmThatWalksForEverEndsWithItsMoves) {
   folder.write("spin.cpp",
                "#include <robosim/cells.h>\n"
                "void navigate(robosim::Cells& robot) { for (;;) robot.turn_around(); }\n");
-  const Ended run =
-      robosim_command({"classic", "d", "--algorithm", "./spin.cpp", "--steps", "50"}, folder.path());
+  const Ended run = robosim_command({"classic", "d", "--algorithm", "./spin.cpp", "--steps", "50", "--json"},
+                                    folder.path());
   EXPECT_EQ(run.status, 4);
-  EXPECT_THAT(run.out, HasSubstr("50 moves"));
+  EXPECT_EQ(json_of(run)["walk"]["moves"], 50);
 }
 
 TEST(CliClassic, AnAlgorithmThatLoopsWithoutAMoveIsToldInASentence) {

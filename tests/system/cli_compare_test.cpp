@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/require_target.h"
-#include "tests/system/command.h"
+#include "tests/system/json_of.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -36,6 +35,22 @@ class CliCompare : public ::testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return robosim_command(words);
   }
+  /// The difference as programs have it.
+  nlohmann::json difference(const std::string& sketch, const std::string& targets,
+                            std::vector<std::string> more = {}) const {
+    more.push_back("--json");
+    const Ended ended = compare(sketch, targets, more);
+    EXPECT_EQ(ended.status, 1) << ended.err;
+    return json_of(ended)["difference"];
+  }
+  static void expect_both_at(const nlohmann::json& difference, const std::string& file, int line,
+                             const std::string& function) {
+    for (const auto& side : difference["sides"]) {
+      EXPECT_EQ(side["source"]["file"], file);
+      EXPECT_EQ(side["source"]["line"], line);
+      EXPECT_EQ(side["source"]["function"], function);
+    }
+  }
 };
 
 TEST_F(CliCompare, ANumberThatDoesNotFitAnIntIsFoundWithItsLines) {
@@ -50,40 +65,35 @@ TEST_F(CliCompare, ANumberThatDoesNotFitAnIntIsFoundWithItsLines) {
 }
 
 TEST_F(CliCompare, ADivisionByZeroIsFound) {
-  const Ended ended = compare("DiffersInDivision", "avr,stm32", {"--json"});
-  EXPECT_EQ(ended.status, 1) << ended.err;
-  const auto json = nlohmann::json::parse(ended.out);
-  EXPECT_EQ(json["schema"], "robosim.compare/1");
-  const auto& difference = json["difference"];
-  EXPECT_EQ(difference["kind"], "number");
-  EXPECT_EQ(difference["sides"][0]["text"], "says \"-1\"");
-  EXPECT_EQ(difference["sides"][1]["text"], "says \"0\"");
-  EXPECT_EQ(difference["sides"][1]["source"]["line"], 9);
-  EXPECT_EQ(difference["sides"][0]["finding"]["line"], 4) << ended.out;
+  const auto found = difference("DiffersInDivision", "avr,stm32");
+  EXPECT_EQ(found["kind"], "number");
+  EXPECT_EQ(found["sides"][0]["text"], "says \"-1\"");
+  EXPECT_EQ(found["sides"][1]["text"], "says \"0\"");
+  EXPECT_EQ(found["sides"][1]["source"]["line"], 9);
+  EXPECT_EQ(found["sides"][0]["finding"]["line"], 4) << found;
 }
 
 TEST_F(CliCompare, TheWrapOfMillisIsFound) {
-  const Ended ended = compare("DiffersAtWrap", "host,avr", {"--clock", "4294966s"});
-  EXPECT_EQ(ended.status, 1) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("line 2 of the serial port, \"three seconds later\"\n"),
-                               HasSubstr("DiffersAtWrap.ino:11 in setup()")))
-      << ended.out;
+  const auto found = difference("DiffersAtWrap", "host,avr", {"--clock", "4294966s"});
+  EXPECT_EQ(found["kind"], "time");
+  EXPECT_NEAR(found["sides"][0]["t_s"].get<double>(), 3.0, 0.01);
+  EXPECT_NEAR(found["sides"][1]["t_s"].get<double>(), 0.0, 0.01);
+  expect_both_at(found, "DiffersAtWrap.ino", 11, "setup");
   EXPECT_EQ(compare("DiffersAtWrap", "host,avr").status, 0) << "without --clock nothing wraps";
 }
 
 TEST_F(CliCompare, WhatNobodyHasSetIsFound) {
   // On a 32-bit Raspberry Pi the host's stack is laid out as the STM32's.
-  const Ended ended = compare("DiffersInGarbage", "avr,stm32");
-  EXPECT_EQ(ended.status, 1) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("DiffersInGarbage.ino:9 in printWhatIsThere()")) << ended.out;
+  const auto found = difference("DiffersInGarbage", "avr,stm32");
+  EXPECT_EQ(found["kind"], "number");
+  expect_both_at(found, "DiffersInGarbage.ino", 9, "printWhatIsThere");
 }
 
 TEST_F(CliCompare, AWaitThatIsNoTimeIsFound) {
-  const Ended ended = compare("DiffersInTime", "avr,stm32");
-  EXPECT_EQ(ended.status, 1) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("line 2 of the serial port, \"waited\"\n"),
-                               HasSubstr("DiffersInTime.ino:11 in setup()")))
-      << ended.out;
+  const auto found = difference("DiffersInTime", "avr,stm32");
+  EXPECT_EQ(found["kind"], "time");
+  EXPECT_EQ(found["sides"][0]["said"].size(), 2u);
+  expect_both_at(found, "DiffersInTime.ino", 11, "setup");
 }
 
 TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
@@ -102,7 +112,9 @@ TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
   const Ended ended =
       robosim_command({"compare", "./mine", "--goal", "none", "--for", "2s", "--json"}, folder.path());
   EXPECT_EQ(ended.status, 0) << ended.err;
-  const auto runs = nlohmann::json::parse(ended.out)["runs"];
+  const nlohmann::json compared = json_of(ended);
+  EXPECT_EQ(compared["schema"], "robosim.compare/1");
+  const auto& runs = compared["runs"];
   EXPECT_EQ(runs[0]["robot"], "robot.toml");
   EXPECT_EQ(runs[1]["robot"], "robot.toml");
   EXPECT_EQ(runs[2]["robot"], "robot.toml@bluepill");
