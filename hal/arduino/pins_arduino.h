@@ -1,34 +1,26 @@
-// Pins of the Uno and the Nano: the same chip, the Nano with A6 and A7 in addition. On the host they are the
-// Blue Pill's too, which has more.
+// Pins on the host, numbered as on the Uno, the Nano and the Pro Minis. What differs between boards the build
+// takes from their BoardSpec (sim/build/compile.cpp). A Blue Pill has these pins too, and more after them.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
 
 #include <avr/io.h>
 
-#ifdef ARDUINO_BLUEPILL_F103C8
-#define NUM_DIGITAL_PINS 32
-#else
-#define NUM_DIGITAL_PINS 20
-#endif
-#if defined(ARDUINO_BLUEPILL_F103C8) || defined(ARDUINO_AVR_NANO)
-#define NUM_ANALOG_INPUTS 8
-#else
-#define NUM_ANALOG_INPUTS 6
-#endif
-#define analogInputToDigitalPin(p) ((p) < NUM_ANALOG_INPUTS ? (p) + 14 : -1)
+#define NUM_DIGITAL_PINS ROBOSIM_DIGITAL_PINS
+#define NUM_ANALOG_INPUTS ROBOSIM_ANALOG_INPUTS
+#define analogInputToDigitalPin(p) ((p) < NUM_ANALOG_INPUTS ? (p) + PIN_A0 : -1)
 #define EXTERNAL_NUM_INTERRUPTS 2
 
-#define LED_BUILTIN 13
+#define LED_BUILTIN ROBOSIM_LED_BUILTIN
 
-#define PIN_A0 (14)
-#define PIN_A1 (15)
-#define PIN_A2 (16)
-#define PIN_A3 (17)
-#define PIN_A4 (18)
-#define PIN_A5 (19)
-#define PIN_A6 (20)
-#define PIN_A7 (21)
+#define PIN_A0 (ROBOSIM_ANALOG_PIN_0)
+#define PIN_A1 (PIN_A0 + 1)
+#define PIN_A2 (PIN_A0 + 2)
+#define PIN_A3 (PIN_A0 + 3)
+#define PIN_A4 (PIN_A0 + 4)
+#define PIN_A5 (PIN_A0 + 5)
+#define PIN_A6 (PIN_A0 + 6)
+#define PIN_A7 (PIN_A0 + 7)
 static const uint8_t A0 = PIN_A0;
 static const uint8_t A1 = PIN_A1;
 static const uint8_t A2 = PIN_A2;
@@ -52,15 +44,15 @@ static const uint8_t SCK = PIN_SPI_SCK;
 static const uint8_t SDA = PIN_WIRE_SDA;
 static const uint8_t SCL = PIN_WIRE_SCL;
 
-#ifdef ARDUINO_BLUEPILL_F103C8
-#include "bluepill.h"
+#ifdef ROBOSIM_PIN_NAMES
+#include ROBOSIM_PIN_NAMES
 #endif
 
 #define SERIAL_PORT_MONITOR Serial
 #define SERIAL_PORT_HARDWARE Serial
 
 #define digitalPinHasPWM(p) ((p) == 3 || (p) == 5 || (p) == 6 || (p) == 9 || (p) == 10 || (p) == 11)
-#ifdef ARDUINO_BLUEPILL_F103C8
+#ifdef ROBOSIM_EVERY_PIN_INTERRUPTS
 #define digitalPinToInterrupt(p) \
   ((p) == 2 ? 0 : ((p) == 3 ? 1 : ((p) >= 4 && (p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)))
 #else

@@ -3,7 +3,7 @@
 //
 // A conversion takes 13 clocks of the ADC and samples after 1.5; the first one after it was switched on 12
 // more of each (table 24-1). References: AVCC is the supply; AREF, where nothing is wired to it here, the
-// supply too; 1.1 V. The temperature sensor (channel 8) reads 0.
+// supply too; the bandgap. The temperature sensor (channel 8) reads 0.
 #pragma once
 
 #include <stdint.h>
@@ -13,8 +13,6 @@
 
 namespace robosim {
 namespace avr {
-
-constexpr double kBandgap_volts = 1.1;
 
 /// The processor's cycles in a clock of the ADC, by ADCSRA: table 24-5.
 constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
@@ -27,8 +25,8 @@ constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
 constexpr int adc_channel(uint8_t multiplexer) { return multiplexer & 0xF; }
 
 /// The reference that ADMUX selects, in volts: table 24-3.
-constexpr double adc_reference_volts(uint8_t multiplexer, double supply_volts) {
-  return multiplexer >> 6 == 3 ? kBandgap_volts : supply_volts;
+constexpr double adc_reference_volts(const AdcSpec& adc, uint8_t multiplexer, double supply_volts) {
+  return multiplexer >> 6 == 3 ? adc.bandgap_volts : supply_volts;
 }
 
 /// The code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
@@ -45,17 +43,17 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// Samples the channel that ADMUX selects.
-inline uint16_t adc_sample(FirmwarePort& board, uint8_t multiplexer, SimTime t) {
+inline uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, SimTime t) {
   const BoardSpec& spec = board.spec();
   const int channel = adc_channel(multiplexer);
   double volts = 0.0;
-  if (channel < 8) {
+  if (channel < adc.pins) {
     const int pin = spec.analog_pin_0 + channel;
     if (pin < spec.pin_count) volts = board.read_volts(static_cast<Pin>(pin), t);
-  } else if (channel == 14) {
-    volts = kBandgap_volts;
+  } else if (channel == adc.bandgap_channel) {
+    volts = adc.bandgap_volts;
   }
-  return adc_code(volts, adc_reference_volts(multiplexer, spec.supply_volts));
+  return adc_code(volts, adc_reference_volts(adc, multiplexer, spec.supply_volts));
 }
 
 }  // namespace avr

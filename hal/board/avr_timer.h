@@ -12,16 +12,14 @@
 #include <stdint.h>
 
 #include "hal/board/board.h"
+#include "hal/board/chip_spec.h"
 
 namespace robosim {
 namespace avr {
 
-/// Of timer `timer` (0, 1, 2), by TCCRnB: tables 15-9, 16-5, 18-9. 0 = it stands, or counts an external
-/// clock.
-constexpr int32_t prescaler(int timer, uint8_t control_b) {
-  constexpr int32_t kOf01[8] = {0, 1, 8, 64, 256, 1024, 0, 0};
-  constexpr int32_t kOf2[8] = {0, 1, 8, 32, 64, 128, 256, 1024};
-  return timer == 2 ? kOf2[control_b & 7] : kOf01[control_b & 7];
+/// By TCCRnB: tables 15-9, 16-5, 18-9. 0 = it stands, or counts an external clock.
+constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
+  return timer.prescalers[control_b & 7];
 }
 
 /// How a timer counts.
@@ -36,38 +34,38 @@ struct Counting {
 };
 
 /// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal.
-constexpr Counting counting(int timer, uint8_t control_a, uint8_t control_b) {
+constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
-  constexpr Counting kOf02[8] = {{Kind::normal, false, Top::fixed, 0xFF},
-                                 {Kind::pwm, true, Top::fixed, 0xFF},
-                                 {Kind::clear_on_match, false, Top::compare_a, 0xFF},
-                                 {Kind::pwm, false, Top::fixed, 0xFF},
-                                 {Kind::normal, false, Top::fixed, 0xFF},
-                                 {Kind::pwm, true, Top::compare_a, 0xFF},
-                                 {Kind::normal, false, Top::fixed, 0xFF},
-                                 {Kind::pwm, false, Top::compare_a, 0xFF}};
-  constexpr Counting kOf1[16] = {{Kind::normal, false, Top::fixed, 0xFFFF},
-                                 {Kind::pwm, true, Top::fixed, 0xFF},
-                                 {Kind::pwm, true, Top::fixed, 0x1FF},
-                                 {Kind::pwm, true, Top::fixed, 0x3FF},
-                                 {Kind::clear_on_match, false, Top::compare_a, 0xFFFF},
-                                 {Kind::pwm, false, Top::fixed, 0xFF},
-                                 {Kind::pwm, false, Top::fixed, 0x1FF},
-                                 {Kind::pwm, false, Top::fixed, 0x3FF},
-                                 {Kind::pwm, true, Top::capture, 0xFFFF},
-                                 {Kind::pwm, true, Top::compare_a, 0xFFFF},
-                                 {Kind::pwm, true, Top::capture, 0xFFFF},
-                                 {Kind::pwm, true, Top::compare_a, 0xFFFF},
-                                 {Kind::clear_on_match, false, Top::capture, 0xFFFF},
-                                 {Kind::normal, false, Top::fixed, 0xFFFF},
-                                 {Kind::pwm, false, Top::capture, 0xFFFF},
-                                 {Kind::pwm, false, Top::compare_a, 0xFFFF}};
-  return timer == 1 ? kOf1[(control_a & 3) | (control_b >> 1 & 0xC)]
-                    : kOf02[(control_a & 3) | (control_b >> 1 & 4)];
+  constexpr Counting kOfByte[8] = {{Kind::normal, false, Top::fixed, 0xFF},
+                                   {Kind::pwm, true, Top::fixed, 0xFF},
+                                   {Kind::clear_on_match, false, Top::compare_a, 0xFF},
+                                   {Kind::pwm, false, Top::fixed, 0xFF},
+                                   {Kind::normal, false, Top::fixed, 0xFF},
+                                   {Kind::pwm, true, Top::compare_a, 0xFF},
+                                   {Kind::normal, false, Top::fixed, 0xFF},
+                                   {Kind::pwm, false, Top::compare_a, 0xFF}};
+  constexpr Counting kOfWord[16] = {{Kind::normal, false, Top::fixed, 0xFFFF},
+                                    {Kind::pwm, true, Top::fixed, 0xFF},
+                                    {Kind::pwm, true, Top::fixed, 0x1FF},
+                                    {Kind::pwm, true, Top::fixed, 0x3FF},
+                                    {Kind::clear_on_match, false, Top::compare_a, 0xFFFF},
+                                    {Kind::pwm, false, Top::fixed, 0xFF},
+                                    {Kind::pwm, false, Top::fixed, 0x1FF},
+                                    {Kind::pwm, false, Top::fixed, 0x3FF},
+                                    {Kind::pwm, true, Top::capture, 0xFFFF},
+                                    {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                    {Kind::pwm, true, Top::capture, 0xFFFF},
+                                    {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                    {Kind::clear_on_match, false, Top::capture, 0xFFFF},
+                                    {Kind::normal, false, Top::fixed, 0xFFFF},
+                                    {Kind::pwm, false, Top::capture, 0xFFFF},
+                                    {Kind::pwm, false, Top::compare_a, 0xFFFF}};
+  return timer.bits == 16 ? kOfWord[(control_a & 3) | (control_b >> 1 & 0xC)]
+                          : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];
 }
 
-/// The end of the count, given OCRnA and (of timer 1) ICR1.
+/// The end of the count, given OCRnA and (of a timer of 16 bits) ICRn.
 constexpr int64_t top_of(const Counting& how, uint16_t compare_a, uint16_t capture) {
   return how.top == Counting::Top::compare_a ? compare_a
          : how.top == Counting::Top::capture ? capture

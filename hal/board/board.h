@@ -23,8 +23,8 @@ using Pin = uint8_t;
 /// No pin: "not wired".
 constexpr Pin kNoPin = 255;
 
-/// Upper bound of Arduino pin numbers over all boards.
-constexpr int kMaxPins = 64;
+/// Upper bound of Arduino pin numbers over all boards: from here on numbers mean other wires of a robot.
+constexpr int kMaxPins = 100;
 
 enum class PinMode : uint8_t { input, input_pullup, output };
 

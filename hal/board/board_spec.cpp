@@ -1,56 +1,169 @@
 #include "hal/board/board_spec.h"
 
+#include "hal/board/atmega328p.h"
+#include "hal/board/stm32f103c8.h"
+
 namespace robosim {
 namespace {
 
-constexpr PinSpec kNanoPins[] = {
-    {"D0", "PD0", -1, false, -1, true},  {"D1", "PD1", -1, false, -1, true},
-    {"D2", "PD2", -1, false, 0, true},   {"D3", "PD3", -1, true, 1, true},
-    {"D4", "PD4", -1, false, -1, true},  {"D5", "PD5", -1, true, -1, true},
-    {"D6", "PD6", -1, true, -1, true},   {"D7", "PD7", -1, false, -1, true},
-    {"D8", "PB0", -1, false, -1, true},  {"D9", "PB1", -1, true, -1, true},
-    {"D10", "PB2", -1, true, -1, true},  {"D11", "PB3", -1, true, -1, true},
-    {"D12", "PB4", -1, false, -1, true}, {"D13", "PB5", -1, false, -1, true},
-    {"A0", "PC0", 0, false, -1, true},   {"A1", "PC1", 1, false, -1, true},
-    {"A2", "PC2", 2, false, -1, true},   {"A3", "PC3", 3, false, -1, true},
-    {"A4", "PC4", 4, false, -1, true},   {"A5", "PC5", 5, false, -1, true},
-    {"A6", "ADC6", 6, false, -1, false}, {"A7", "ADC7", 7, false, -1, false},
+constexpr bool equal(const char* a, const char* b) {
+  while (*a && *a == *b) ++a, ++b;
+  return *a == *b;
+}
+
+/// A pin as a board's table has it.
+struct PinEntry {
+  const char* name;
+  const char* chip_name;
+  int8_t interrupt;  ///< for attachInterrupt
 };
+
+template <int kCount>
+struct PinTable {
+  PinSpec pins[kCount];
+  static constexpr uint8_t kSize = kCount;
+};
+
+/// A name that the chip does not have does not compile. `core_timer`: index of the timer that the core keeps
+/// for itself.
+template <int kCount>
+constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entries)[kCount],
+                                   int core_timer = -1) {
+  PinTable<kCount> table{};
+  for (int i = 0; i < kCount; ++i) {
+    const ChipPin* pin = chip.pins;
+    while (!equal(pin->name, entries[i].chip_name)) ++pin;
+    table.pins[i] = {entries[i].name,
+                     entries[i].chip_name,
+                     pin->analog_channel,
+                     pin->timer >= 0 && pin->timer != core_timer,
+                     entries[i].interrupt,
+                     pin->port >= 0,
+                     *pin};
+  }
+  return table;
+}
+
+// variants/eightanaloginputs/pins_arduino.h. The Uno is the same chip in a package without ADC6 and ADC7.
+constexpr PinEntry kNanoEntries[] = {
+    {"D0", "PD0", -1},  {"D1", "PD1", -1},  {"D2", "PD2", 0},   {"D3", "PD3", 1},   {"D4", "PD4", -1},
+    {"D5", "PD5", -1},  {"D6", "PD6", -1},  {"D7", "PD7", -1},  {"D8", "PB0", -1},  {"D9", "PB1", -1},
+    {"D10", "PB2", -1}, {"D11", "PB3", -1}, {"D12", "PB4", -1}, {"D13", "PB5", -1}, {"A0", "PC0", -1},
+    {"A1", "PC1", -1},  {"A2", "PC2", -1},  {"A3", "PC3", -1},  {"A4", "PC4", -1},  {"A5", "PC5", -1},
+    {"A6", "ADC6", -1}, {"A7", "ADC7", -1},
+};
+constexpr auto kNanoPins = pins_of(kAtmega328p, kNanoEntries);
+constexpr uint8_t kUnoPinCount = 20;
 
 // The STM32F103C8 has Arduino's pins 0 to 19 where they can do what an Uno's do: 0 and 1 are USART1, PWM is
 // on 3, 5, 6, 9, 10 and 11, A0 to A5 are analog, and no two of 0 to 8 share an interrupt line. Then what is
-// left.
-constexpr PinSpec kBluePillPins[] = {
-    {"D0", "PA10", -1, true, 0, true},    {"D1", "PA9", -1, true, 1, true},
-    {"D2", "PB12", -1, false, 2, true},   {"D3", "PA8", -1, true, 3, true},
-    {"D4", "PB13", -1, false, 4, true},   {"D5", "PB6", -1, true, 5, true},
-    {"D6", "PB7", -1, true, 6, true},     {"D7", "PB14", -1, false, 7, true},
-    {"D8", "PB15", -1, false, 8, true},   {"D9", "PB8", -1, true, 9, true},
-    {"D10", "PB9", -1, true, 10, true},   {"D11", "PA7", 7, true, 11, true},
-    {"D12", "PA6", 6, true, 12, true},    {"D13", "PC13", -1, false, 13, true},
-    {"A0", "PA0", 0, false, 14, true},    {"A1", "PA1", 1, false, 15, true},
-    {"A2", "PA2", 2, false, 16, true},    {"A3", "PA3", 3, false, 17, true},
-    {"A4", "PA4", 4, false, 18, true},    {"A5", "PA5", 5, false, 19, true},
-    {"A6", "PB0", 8, true, 20, true},     {"A7", "PB1", 9, true, 21, true},
-    {"D22", "PB5", -1, false, 22, true},  {"D23", "PB10", -1, false, 23, true},
-    {"D24", "PB11", -1, false, 24, true}, {"D25", "PA15", -1, false, 25, true},
-    {"D26", "PB3", -1, false, 26, true},  {"D27", "PB4", -1, false, 27, true},
-    {"D28", "PA11", -1, true, 28, true},  {"D29", "PA12", -1, false, 29, true},
-    {"D30", "PC14", -1, false, 30, true}, {"D31", "PC15", -1, false, 31, true},
+// left. Its core sleeps by TIM2 (hal/stm32/clock.h).
+constexpr PinEntry kBluePillEntries[] = {
+    {"D0", "PA10", 0},   {"D1", "PA9", 1},    {"D2", "PB12", 2},  {"D3", "PA8", 3},    {"D4", "PB13", 4},
+    {"D5", "PB6", 5},    {"D6", "PB7", 6},    {"D7", "PB14", 7},  {"D8", "PB15", 8},   {"D9", "PB8", 9},
+    {"D10", "PB9", 10},  {"D11", "PA7", 11},  {"D12", "PA6", 12}, {"D13", "PC13", 13}, {"A0", "PA0", 14},
+    {"A1", "PA1", 15},   {"A2", "PA2", 16},   {"A3", "PA3", 17},  {"A4", "PA4", 18},   {"A5", "PA5", 19},
+    {"A6", "PB0", 20},   {"A7", "PB1", 21},   {"D22", "PB5", 22}, {"D23", "PB10", 23}, {"D24", "PB11", 24},
+    {"D25", "PA15", 25}, {"D26", "PB3", 26},  {"D27", "PB4", 27}, {"D28", "PA11", 28}, {"D29", "PA12", 29},
+    {"D30", "PC14", 30}, {"D31", "PC15", 31},
+};
+constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103c8::kTim2);
+
+// The genuine core's boards.txt, and the boards' circuit diagrams: the Uno's regulator is an NCP1117 (1.1 V)
+// behind a diode (0.7 V). The chip's fuses hold it in reset below 2.7 V (BODLEVEL 101).
+constexpr BoardSpec kUno = {
+    .name = "uno",
+    .fqbn = "arduino:avr:uno",
+    .macro = "ARDUINO_AVR_UNO",
+    .chip = &kAtmega328p,
+    .pins = kNanoPins.pins,
+    .pin_count = kUnoPinCount,
+    .analog_pin_0 = 14,
+    .led_builtin = 13,
+    .supply_volts = 5.0,
+    .clock_hz = 16000000,
+    .adc_steps = 1024,
+    .flash_bytes = 32256,
+    .ram_bytes = kAtmega328p.ram_bytes,
+    .eeprom_bytes = kAtmega328p.eeprom_bytes,
+    .regulator_drop_volts = 1.8,
+    .brown_out_volts = 2.7,
+    .host_model = nullptr,
+    .variant = "standard",
+    .pin_names = nullptr,
+    .upload_protocol = "arduino",
+    .upload_baud = 115200,
+    .upload_baud_old = 0,
 };
 
-// The Uno is the Nano's chip in a package without ADC6 and ADC7. Two of the Blue Pill: at 72 MHz by its
-// crystal, and at 8 MHz as it comes from a reset. The last 4 KB of its flash are the EEPROM's.
-constexpr BoardSpec kBoards[] = {
-    {"uno", "arduino:avr:uno", "ARDUINO_AVR_UNO", 20, kNanoPins, 14, 5.0, 1024, 16000000, 32256, 2048, 1024,
-     13},
-    {"nano", "arduino:avr:nano", "ARDUINO_AVR_NANO", 22, kNanoPins, 14, 5.0, 1024, 16000000, 30720, 2048,
-     1024, 13},
-    {"bluepill", "STMicroelectronics:stm32:GenF1:pnum=BLUEPILL_F103C8", "ARDUINO_BLUEPILL_F103C8", 32,
-     kBluePillPins, 14, 3.3, 1024, 72000000, 61440, 20480, 1024, 13},
-    {"bluepill8", "STMicroelectronics:stm32:GenF1:pnum=BLUEPILL_F103C8", "ARDUINO_BLUEPILL_F103C8", 32,
-     kBluePillPins, 14, 3.3, 1024, 8000000, 61440, 20480, 1024, 13},
+constexpr BoardSpec kNano = {
+    .name = "nano",
+    .fqbn = "arduino:avr:nano",
+    .macro = "ARDUINO_AVR_NANO",
+    .chip = &kAtmega328p,
+    .pins = kNanoPins.pins,
+    .pin_count = kNanoPins.kSize,
+    .analog_pin_0 = 14,
+    .led_builtin = 13,
+    .supply_volts = 5.0,
+    .clock_hz = 16000000,
+    .adc_steps = 1024,
+    .flash_bytes = 30720,
+    .ram_bytes = kAtmega328p.ram_bytes,
+    .eeprom_bytes = kAtmega328p.eeprom_bytes,
+    .regulator_drop_volts = 1.8,
+    .brown_out_volts = 2.7,
+    .host_model = nullptr,
+    .variant = "eightanaloginputs",
+    .pin_names = nullptr,
+    .upload_protocol = "arduino",
+    .upload_baud = 115200,
+    .upload_baud_old = 57600,
 };
+
+// The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
+// are the EEPROM's. What holds for its supply is taken from the Uno.
+constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
+  return {
+      .name = name,
+      .fqbn = "STMicroelectronics:stm32:GenF1:pnum=BLUEPILL_F103C8",
+      .macro = "ARDUINO_BLUEPILL_F103C8",
+      .chip = &kStm32f103c8,
+      .pins = kBluePillPins.pins,
+      .pin_count = kBluePillPins.kSize,
+      .analog_pin_0 = 14,
+      .led_builtin = 13,
+      .supply_volts = 3.3,
+      .clock_hz = clock_hz,
+      .adc_steps = 1024,
+      .flash_bytes = kStm32f103c8.flash_bytes - 4 * 1024,
+      .ram_bytes = kStm32f103c8.ram_bytes,
+      .eeprom_bytes = 1024,
+      .regulator_drop_volts = kUno.regulator_drop_volts,
+      .brown_out_volts = kUno.brown_out_volts,
+      .host_model = &kUno,
+      .variant = nullptr,
+      .pin_names = "bluepill.h",
+      .upload_protocol = nullptr,
+      .upload_baud = 0,
+      .upload_baud_old = 0,
+  };
+}
+
+// Of the boards with a chip of the same target the first is the usual one.
+constexpr BoardSpec kBoards[] = {
+    kUno,
+    kNano,
+    blue_pill("bluepill", 72000000),
+    blue_pill("bluepill8", 8000000),
+};
+
+constexpr bool pins_have_numbers() {
+  for (const BoardSpec& board : kBoards)
+    if (board.pin_count > kMaxPins) return false;
+  return true;
+}
+static_assert(pins_have_numbers(), "a board has more pins than wires have numbers");
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -81,8 +194,15 @@ Pin find_pin(const BoardSpec& board, const char* name) {
   }
   int number = 0;
   const char* c = name;
-  for (; *c >= '0' && *c <= '9' && number < kMaxPins; ++c) number = number * 10 + (*c - '0');
+  for (; *c >= '0' && *c <= '9' && number < board.pin_count; ++c) number = number * 10 + (*c - '0');
   return c != name && !*c && number < board.pin_count ? static_cast<Pin>(number) : kNoPin;
+}
+
+Pin last_digital_pin(const BoardSpec& board) {
+  Pin last = 0;
+  for (Pin pin = 0; pin < board.pin_count; ++pin)
+    if (board.pins[pin].digital) last = pin;
+  return last;
 }
 
 }  // namespace robosim

@@ -1,14 +1,15 @@
-// Boards and their pins, as data.
+// Boards and their pins, as data. A new board is one entry in board_spec.cpp, and an entry of pins there
+// unless another board's are the same.
 #pragma once
 
 #include <stdint.h>
 
 #include "hal/board/board.h"
+#include "hal/board/chip_spec.h"
 
 namespace robosim {
 
-/// One pin of a board. Sources: ATmega328P datasheet (DS40002061B) and the Arduino core's
-/// `variants/standard/pins_arduino.h`; STM32F103x8 datasheet (DS5319).
+/// One pin of a board. Source of the names: the Arduino core's `variants/*/pins_arduino.h`.
 struct PinSpec {
   const char* name;       ///< Arduino's name: "D5", "A0"
   const char* chip_name;  ///< the chip's name: "PD5"
@@ -16,22 +17,35 @@ struct PinSpec {
   bool pwm;               ///< analogWrite gives hardware PWM
   int8_t interrupt;       ///< number for attachInterrupt; -1 = none
   bool digital;           ///< false: analog input only (A6, A7 of a Nano)
+  ChipPin chip_pin;       ///< what else the chip can do with it
 };
 
 struct BoardSpec {
   const char* name;   ///< as robot files write it: "uno"
   const char* fqbn;   ///< as arduino-cli writes it: "arduino:avr:uno"
   const char* macro;  ///< what the core defines: "ARDUINO_AVR_UNO"
-  uint8_t pin_count;  ///< pins are numbered 0 .. pin_count-1
+  const ChipSpec* chip;
   const PinSpec* pins;
+  uint8_t pin_count;     ///< pins are numbered 0 .. pin_count-1
   uint8_t analog_pin_0;  ///< Arduino number of A0
-  double supply_volts;   ///< VCC and the ADC's default reference
-  uint16_t adc_steps;    ///< codes are 0 .. adc_steps-1; analogRead's range
-  uint32_t clock_hz;
-  uint32_t flash_bytes;  ///< for the sketch, without the boot loader
-  uint32_t ram_bytes;
-  uint16_t eeprom_bytes;
   uint8_t led_builtin;
+  double supply_volts;  ///< VCC and the ADC's default reference
+  uint32_t clock_hz;
+  uint16_t adc_steps;     ///< codes are 0 .. adc_steps-1; analogRead's range
+  uint32_t flash_bytes;   ///< for the sketch, without the boot loader
+  uint32_t ram_bytes;     ///< the chip's
+  uint16_t eeprom_bytes;  ///< the chip's, or what the core keeps in flash
+
+  double regulator_drop_volts;  ///< between battery and supply, with the diode before the regulator
+  double brown_out_volts;       ///< a lower supply holds the chip in reset
+
+  /// The board whose registers, timers and speed a sketch finds on the target host; null = this one.
+  const BoardSpec* host_model;
+  const char* variant;    ///< the folder of its pins in the genuine core; null = the core is ours
+  const char* pin_names;  ///< a header of ours with further names of pins, for the target host; null = none
+  const char* upload_protocol;  ///< avrdude's programmer; null = avrdude cannot write to it
+  uint32_t upload_baud;         ///< of its boot loader
+  uint32_t upload_baud_old;     ///< of the boot loader that older ones of them have; 0 = the same
 };
 
 /// The board of that name, or null. Names are listed by board_at.
@@ -41,5 +55,11 @@ const BoardSpec* board_at(int number);
 /// A pin by what people write: "5", "D5", "A0", "PD5" (case does not matter). kNoPin if the board has none
 /// such.
 Pin find_pin(const BoardSpec& board, const char* name);
+/// The highest number of a digital pin.
+Pin last_digital_pin(const BoardSpec& board);
+
+inline const BoardSpec& host_model(const BoardSpec& board) {
+  return board.host_model ? *board.host_model : board;
+}
 
 }  // namespace robosim

@@ -21,10 +21,10 @@ SimTime Adc::next_start() const {
 
 uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
 
-uint16_t Adc::sample() const { return avr::adc_sample(*board, multiplexer_, state.now); }
+uint16_t Adc::sample() const { return avr::adc_sample(*board, kChip.adc, multiplexer_, state.now); }
 
 uint16_t Adc::code_of(double volts) const {
-  return avr::adc_code(volts, avr::adc_reference_volts(multiplexer_, board->spec().supply_volts));
+  return avr::adc_code(volts, avr::adc_reference_volts(kChip.adc, multiplexer_, board->spec().supply_volts));
 }
 
 uint8_t Adc::control() const {

@@ -11,8 +11,8 @@ using robosim::Pin;
 
 namespace {
 
-void (*attached[2])();
-void (*attached_to_line[host::kMostPins])();
+void (*attached[host::kExternals])();
+void (*attached_to_line[host::kPins])();
 
 void run_attached(int number) {
   host::spend(cost::kAttachedHandler);
@@ -20,19 +20,19 @@ void run_attached(int number) {
 }
 
 Pin pin_of(uint8_t number) {
-  if (number < 2) return static_cast<Pin>(number + 2);
+  if (number < host::kExternals) return host::pin_of_external(number);
   return host::has_line(number) ? number : kNoPin;
 }
 
 void attach_line(Pin pin, void (*handler)(), int mode) {
   attached_to_line[pin] = handler;
   host::lines.sense[pin] = static_cast<uint8_t>(mode);
-  host::lines.flags &= ~(1u << pin);
-  host::lines.enabled |= 1u << pin;
+  host::lines.flags.remove(pin);
+  host::lines.enabled.add(pin);
 }
 
 void detach_line(Pin pin) {
-  host::lines.enabled &= ~(1u << pin);
+  host::lines.enabled.remove(pin);
   attached_to_line[pin] = nullptr;
 }
 
@@ -46,6 +46,7 @@ void robosim_serve_line() {
   if (pin != kNoPin && attached_to_line[pin]) attached_to_line[pin]();
 }
 
+static_assert(host::kExternal0 == 1 && host::kExternals == 2, "the handlers' names");
 __attribute__((weak)) void __vector_1() { run_attached(0); }
 __attribute__((weak)) void __vector_2() { run_attached(1); }
 
@@ -54,7 +55,7 @@ void attachInterrupt(uint8_t number, void (*handler)(), int mode) {
   host::note_call("attachInterrupt", pin, 2, number, mode);
   host::spend(cost::kAttachInterrupt);
   if (pin == kNoPin) return;
-  if (number >= 2) {
+  if (number >= host::kExternals) {
     attach_line(pin, handler, mode);
   } else {
     attached[number] = handler;
@@ -71,7 +72,7 @@ void detachInterrupt(uint8_t number) {
   host::note_call("detachInterrupt", pin, 1, number);
   host::spend(cost::kAttachInterrupt);
   if (pin == kNoPin) return;
-  if (number >= 2) {
+  if (number >= host::kExternals) {
     detach_line(pin);
   } else {
     host::external.mask &= static_cast<uint8_t>(~(1 << number));

@@ -1,5 +1,5 @@
-// What every call of the Arduino API costs on an ATmega328P at 16 MHz, in CPU cycles (62.5 ns). The only
-// place with these figures.
+// What every call of the Arduino API costs on an ATmega328P, in CPU cycles. The only place with these
+// figures.
 //
 // Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6, cycles
 // between two writes of GPIOR0 around the call, less the empty pair's. Arguments of the calls are not
@@ -8,15 +8,16 @@
 
 #include <stdint.h>
 
-#include "hal/board/sim_time.h"
+#include "hal/board/cycle_time.h"
+#include "hal/host/chip.h"
 
 namespace robosim {
 namespace host {
 
-constexpr int64_t kClockHz = 16000000;
+constexpr CycleTime kCycles(kClockHz);
 
 /// Nanoseconds of so many CPU cycles.
-constexpr SimTime cycles(int64_t count) { return count * 125 / 2; }
+constexpr SimTime cycles(int64_t count) { return kCycles.of(count); }
 
 namespace cost {
 
@@ -24,7 +25,7 @@ namespace cost {
 // loops, cycles in simavr / blocks on the host: 7.9 (three sensors, if-else), 19.2 (shortening a maze's
 // path), 19.3 (calibration of five sensors), 276 (weighted position with five long divisions), 1421 (PID in
 // floats, one block). The median, rounded. So decisions and loops are about right, and long divisions and
-// floats too cheap: 45 us and 10 us each on the chip.
+// floats too cheap: 45 us and 10 us each on a chip at 16 MHz.
 constexpr int kBlock = 20;
 constexpr int kLoop = 10;  ///< from one loop() to the next; M: an empty loop() turns in 16 with its own body
 constexpr int kInit = 60;  ///< wiring.c's init(), counted in its disassembly
@@ -41,7 +42,7 @@ constexpr int kShiftInBit = 104;   ///< of 251 a bit, the rest is one digitalWri
 constexpr int kAnalogWrite = 128;         ///< M, with PWM
 constexpr int kAnalogWriteDigital = 192;  ///< M, values 0 and 255, and pins without PWM
 /// M: 1706 cycles less 13 ADC clocks of 128. The wait for the ADC's next clock comes on top, so that reads in
-/// a row take 14 ADC clocks = 112 us, as on boards.
+/// a row take 14 ADC clocks (112 us on a board at 16 MHz), as on boards.
 constexpr int kAnalogRead = 42;
 
 // Time. M
@@ -55,7 +56,7 @@ constexpr int kPulseLoop = 16;  ///< a turn of the loop that measures it
 // Interrupts. M
 constexpr int kInterrupt = 30;        ///< entry, saved registers and return of an ISR()
 constexpr int kAttachedHandler = 50;  ///< what a handler by attachInterrupt takes more
-constexpr int kTimer0Overflow = 96;   ///< the whole handler, every 1.024 ms
+constexpr int kTimer0Overflow = 96;   ///< the whole handler, every 64 * 256 cycles
 constexpr int kAttachInterrupt = 13;
 
 // Mathematics. M

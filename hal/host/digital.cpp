@@ -16,7 +16,8 @@ namespace {
 
 uint8_t reference = DEFAULT;
 
-constexpr int kAdcBits = 10, kPwmBits = 8;
+constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
+constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
 /// Where A0 is not the first analog pin: the Blue Pill's 11 and 12.
 bool reads_below_a0(uint8_t pin) {
@@ -105,9 +106,10 @@ void analogReference(uint8_t mode) {
 int analogRead(uint8_t pin) {
   const bool below = reads_below_a0(pin);
   const uint8_t number = pin;
-  if (pin >= 14) pin -= 14;
-  host::note_call("analogRead", static_cast<robosim::Pin>(below ? number : 14 + (pin & 7)), 1, pin);
-  host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | (pin & 7)));
+  if (pin >= PIN_A0) pin -= PIN_A0;
+  const int channel = pin & kLastChannel;
+  host::note_call("analogRead", static_cast<robosim::Pin>(below ? number : PIN_A0 + channel), 1, pin);
+  host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
   if (!host::adc.on()) return 0;
   const robosim::SimTime start = host::adc.next_start();
@@ -135,8 +137,9 @@ void analogWrite(uint8_t pin, int value) {
   }
   host::Timer& timer = host::timer(by.timer);
   timer.set_connection(by.channel, timer.connection(by.channel) | 2);
-  // An 8-bit register keeps the low byte of a value out of range; Timer 1's has 16 bits.
-  timer.set_compare(by.channel, by.timer == 1 ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
+  // An 8-bit register keeps the low byte of a value out of range.
+  timer.set_compare(by.channel, host::kChip.timers[by.timer].bits == 16 ? static_cast<uint16_t>(value)
+                                                                        : static_cast<uint8_t>(value));
   host::refresh_pin(pin);
 }
 

@@ -12,8 +12,7 @@ Lines lines;
 
 namespace {
 
-constexpr Pin kFirstPin = 2;  // of INT0
-bool low[2];                  // the level of a pin whose low level interrupts
+bool low[kExternals];  // the level of a pin whose low level interrupts
 
 /// Whether an edge to this level is one that `sense` asks for.
 bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
@@ -23,65 +22,66 @@ int sense_of(int number) { return external.sense >> 2 * number & 3; }
 }  // namespace
 
 bool has_line(Pin pin) {
+  // The lowest numbers are those of INTn.
   const BoardSpec& spec = board->spec();
-  return pin >= kFirstPin + 2 && pin < kMostPins && pin < spec.pin_count && spec.pins[pin].interrupt >= 0;
+  return pin >= kExternals && places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
+         spec.pins[pin].interrupt >= 0;
 }
 
 Pin take_line() {
-  const uint32_t raised = lines.flags & lines.enabled;
-  if (!raised) return kNoPin;
-  const int pin = __builtin_ctz(raised);
-  lines.flags &= ~(1u << pin);
-  return static_cast<Pin>(pin);
+  const Pin pin = lines.flags.first_common(lines.enabled);
+  if (pin != kNoPin) lines.flags.remove(pin);
+  return pin;
 }
 
 void refresh_external() {
-  for (Pin pin = kPortPins; pin < kMostPins; ++pin)
-    executor->want_edges(pin, lines.enabled >> pin & 1, state.now);
-  for (Pin pin = 0; pin < kPortPins; ++pin) {
-    const Port port = port_of(pin);
-    bool wanted = external.change_control >> port & 1 && external.change_mask[port] & mask_of(pin);
-    for (int number = 0; number < 2; ++number)
-      wanted = wanted || (pin == kFirstPin + number && external.mask >> number & 1);
-    executor->want_edges(pin, wanted || lines.enabled >> pin & 1, state.now);
+  for (Pin pin = 0; pin < kPins; ++pin) {
+    const Place& place = places[pin];
+    const bool by_change = place.change_group >= 0 && external.change_control >> place.change_group & 1 &&
+                           external.change_mask[place.change_group] & place.change_mask;
+    const bool by_itself = place.external >= 0 && external.mask >> place.external & 1;
+    executor->want_edges(pin, by_change || by_itself || lines.enabled.has(pin), state.now);
   }
-  for (int number = 0; number < 2; ++number)
+  for (int number = 0; number < kExternals; ++number)
     low[number] = external.mask >> number & 1 && sense_of(number) == 0 &&
-                  !board->read_level(static_cast<Pin>(kFirstPin + number), state.now);
+                  !board->read_level(pin_of_external(number), state.now);
 }
 
 void external_edge(Pin pin, bool level) {
-  const int number = pin - kFirstPin;
-  if (number == 0 || number == 1) {
+  const Place& place = places[pin];
+  const int number = place.external;
+  if (number >= 0) {
     const int sense = sense_of(number);
     low[number] = sense == 0 && !level;
     if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
-  if (pin < kMostPins && lines.enabled >> pin & 1 && is_edge(lines.sense[pin], level))
-    lines.flags |= 1u << pin;
-  if (pin < kPortPins && external.change_mask[port_of(pin)] & mask_of(pin))
-    external.change_flags |= static_cast<uint8_t>(1 << port_of(pin));
+  if (pin < kPins && lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
+  if (place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask)
+    external.change_flags |= static_cast<uint8_t>(1 << place.change_group);
 }
 
 uint32_t pending_external() {
-  const uint32_t levels = static_cast<uint32_t>(low[0]) | static_cast<uint32_t>(low[1]) << 1;
-  const uint32_t edges = (external.flags | levels) & external.mask & 3;
-  const uint32_t changes = external.change_flags & external.change_control & 7;
-  return edges << 1 | changes << 3 | (lines.flags & lines.enabled ? 1u << kLines : 0u);
+  constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
+  uint32_t levels = 0;
+  for (int number = 0; number < kExternals; ++number) levels |= static_cast<uint32_t>(low[number]) << number;
+  const uint32_t edges = (external.flags | levels) & external.mask & kAllExternal;
+  const uint32_t changes = external.change_flags & external.change_control & kAllChanges;
+  const bool by_line = lines.flags.first_common(lines.enabled) != kNoPin;
+  return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
 }
 
-void acknowledge_external(int number) {
-  if (number <= 2) {
-    external.flags &= static_cast<uint8_t>(~(1 << (number - 1)));
+void acknowledge_external(int vector) {
+  if (vector < kPinChange0) {
+    external.flags &= static_cast<uint8_t>(~(1 << (vector - kExternal0)));
   } else {
-    external.change_flags &= static_cast<uint8_t>(~(1 << (number - 3)));
+    external.change_flags &= static_cast<uint8_t>(~(1 << (vector - kPinChange0)));
   }
 }
 
 void reset_external() {
   external = ExternalRegisters();
   lines = Lines();
-  low[0] = low[1] = false;
+  for (bool& level : low) level = false;
 }
 
 }  // namespace host

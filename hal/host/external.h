@@ -1,5 +1,5 @@
-// Interrupts by pins (datasheet, chapter 13): INT0 and INT1 on pins 2 and 3, and the three pin change
-// interrupts. A Blue Pill has one for each pin; those of 4 and up come by attachInterrupt alone.
+// Interrupts by pins (datasheet, chapter 13): INTn, and the pin change interrupts. A Blue Pill has one for
+// each pin; those without an INTn come by attachInterrupt alone, under the number of the pin.
 #pragma once
 
 #include <stdint.h>
@@ -11,21 +11,43 @@ namespace robosim {
 namespace host {
 
 struct ExternalRegisters {
-  uint8_t sense = 0;                   ///< EICRA: two bits each: 0 low level, 1 any edge, 2 falling, 3 rising
-  uint8_t mask = 0;                    ///< EIMSK
-  uint8_t flags = 0;                   ///< EIFR
-  uint8_t change_control = 0;          ///< PCICR, bit 0 = port B
-  uint8_t change_flags = 0;            ///< PCIFR
-  uint8_t change_mask[3] = {0, 0, 0};  ///< PCMSK0..2: ports B, C, D
+  uint8_t sense = 0;           ///< EICRA: two bits each: 0 low level, 1 any edge, 2 falling, 3 rising
+  uint8_t mask = 0;            ///< EIMSK
+  uint8_t flags = 0;           ///< EIFR
+  uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
+  uint8_t change_flags = 0;    ///< PCIFR
+  uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
 };
 extern ExternalRegisters external;
 
+constexpr int kExternals = kChip.external_count;
+static_assert(kExternals <= 4, "EICRA has the sense of four");
+
 enum Edge : uint8_t { kAnyEdge = 1, kFalling = 2, kRising = 3 };
 
-/// Pins that interrupt on an edge, on boards that have more such pins than INT0 and INT1.
+/// A bit for each of the board's pins.
+struct PinSet {
+  uint32_t words[(kPins + 31) / 32] = {};
+
+  bool has(Pin pin) const { return words[pin / 32] >> pin % 32 & 1; }
+  void add(Pin pin) { words[pin / 32] |= 1u << pin % 32; }
+  void remove(Pin pin) { words[pin / 32] &= ~(1u << pin % 32); }
+  /// The lowest pin of both; kNoPin if there is none.
+  Pin first_common(const PinSet& other) const {
+    int number = 0;
+    for (const uint32_t& word : words) {
+      const uint32_t both = word & other.words[&word - words];
+      if (both) return static_cast<Pin>(number + __builtin_ctz(both));
+      number += 32;
+    }
+    return kNoPin;
+  }
+};
+
+/// Pins that interrupt on an edge, on boards that have more such pins than INTn.
 struct Lines {
-  uint32_t enabled = 0, flags = 0;  ///< one bit each pin
-  uint8_t sense[kMostPins] = {};    ///< Edge
+  PinSet enabled, flags;
+  uint8_t sense[kPins] = {};  ///< Edge
 };
 extern Lines lines;
 
@@ -38,11 +60,11 @@ Pin take_line();
 void refresh_external();
 /// An edge has arrived.
 void external_edge(Pin pin, bool level);
-/// Vectors 1..5 that are raised and enabled, one bit each, and kLines. A low level raises its flag for as
-/// long as it lasts.
+/// The vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low level
+/// raises its flag for as long as it lasts.
 uint32_t pending_external();
-/// The handler of vector `number` starts: edges clear their flag.
-void acknowledge_external(int number);
+/// The handler of `vector` starts: edges clear their flag.
+void acknowledge_external(int vector);
 void reset_external();
 
 }  // namespace host

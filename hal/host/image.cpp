@@ -7,6 +7,7 @@
 #include "hal/host/clock.h"
 #include "hal/host/coverage.h"
 #include "hal/host/interrupts.h"
+#include "hal/host/ports.h"
 #include "hal/host/timers.h"
 
 // The constructors of static objects, in the order of linking; the loader does not run them.
@@ -26,10 +27,18 @@ namespace robosim {
 namespace host {
 namespace {
 
+/// ADPS2 to ADPS0 that bring the ADC's clock to 50 to 200 kHz, if at all possible; at most 7, that is by 128.
+constexpr int adc_prescaler() {
+  int bits = 7;
+  for (int64_t hz = 16000000; kClockHz < hz && bits > 1; hz /= 2) --bits;
+  return bits;
+}
+
 void run(FirmwarePort& its_board, Host& its_executor, SimTime now) {
   board = &its_board;
   executor = &its_executor;
   state.now = now;
+  place_pins();
   refresh_deadline();
   for (const Constructor* c = __start_robosim_init_array; c != __stop_robosim_init_array; ++c) (*c)();
   firmware_main();
@@ -44,8 +53,8 @@ namespace host = robosim::host;
 
 extern "C" {
 
-/// As wiring.c: PWM of 976 Hz on pins 5 and 6 and 490 Hz on the others, millis() by Timer 0, the ADC at 125
-/// kHz.
+/// As wiring.c: at 16 MHz PWM of 976 Hz on pins 5 and 6 and 490 Hz on the others, millis() by Timer 0, the
+/// ADC at 125 kHz.
 void init() {
   host::status_register |= 0x80;
   host::timer0.set_control_a(3);
@@ -55,7 +64,7 @@ void init() {
   host::timer1.set_control_a(1);
   host::timer2.set_control_b(4);
   host::timer2.set_control_a(1);
-  host::adc.set_control(0x87);
+  host::adc.set_control(static_cast<uint8_t>(0x80 | host::adc_prescaler()));
   host::refresh_deadline();
   host::spend(host::cost::kInit);
 }

@@ -41,6 +41,11 @@ namespace {
 
 int depth;
 
+// What the handlers are called goes by number, as what they say.
+static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
+                  kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21,
+              "the names in this file are those of another chip");
+
 #define ROBOSIM_NO_HANDLER(name) \
   "the interrupt " name " is enabled, but there is no ISR(" name ") (the chip would restart)"
 const char* const kNoHandler[kVectors] = {
@@ -128,13 +133,14 @@ void acknowledge_timer(Timer& timer, int offset) {
 }
 
 void acknowledge(int vector) {
-  if (vector <= 5) {
+  constexpr int kOfTimer = 3;
+  if (vector < kPinChange0 + kChip.change_count) {
     acknowledge_external(vector);
-  } else if (vector <= 9) {
+  } else if (vector >= kTimer2 && vector < kTimer2 + kOfTimer) {
     acknowledge_timer(timer2, vector - kTimer2);
-  } else if (vector <= 13) {
+  } else if (vector >= kTimer1 && vector < kTimer1 + kOfTimer) {
     acknowledge_timer(timer1, vector - kTimer1);
-  } else if (vector <= 16) {
+  } else if (vector >= kTimer0 && vector < kTimer0 + kOfTimer) {
     acknowledge_timer(timer0, vector - kTimer0);
   } else if (vector == kUartSent) {
     uart.acknowledge_sent();

@@ -1,29 +1,30 @@
 // The interrupt controller: which handlers are due, and the I flag. Numbers and priority (lowest first) as in
-// the ATmega328P's vector table (datasheet, table 12-6).
+// the chip's vector table.
 #pragma once
 
 #include <stdint.h>
 
 #include "hal/board/sim_time.h"
+#include "hal/host/chip.h"
 
 namespace robosim {
 namespace host {
 
 enum Vector : uint8_t {
-  kExternal0 = 1,
-  kExternal1 = 2,
-  kPinChange0 = 3,  // port B; 4 = port C, 5 = port D
-  kTimer2 = 7,      // compare A; +1 compare B; +2 overflow
-  kTimer1 = 11,
-  kTimer0 = 14,
-  kTimer0Overflow = 16,
-  kUartReceived = 18,
-  kUartEmpty = 19,
-  kUartSent = 20,
-  kAdcComplete = 21,
-  kLines = 26,  // no vector of the chip: external.h
-  kVectors = 27,
+  kExternal0 = kChip.external_vector,  // the others follow
+  kPinChange0 = kChip.change_vector,   // the other groups follow
+  kTimer2 = kChip.timers[2].vector,    // compare A; +1 compare B; +2 overflow
+  kTimer1 = kChip.timers[1].vector,
+  kTimer0 = kChip.timers[0].vector,
+  kTimer0Overflow = kTimer0 + 2,
+  kUartReceived = kChip.uarts[0].vector,
+  kUartEmpty = kUartReceived + 1,
+  kUartSent = kUartReceived + 2,
+  kAdcComplete = kChip.adc.vector,
+  kLines = kChip.vectors,  // no vector of the chip: external.h
+  kVectors = kLines + 1,
 };
+static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 

@@ -7,11 +7,35 @@ namespace robosim {
 namespace host {
 
 PortRegisters ports[kPorts];
+Place places[kNumbers];
 
 namespace {
 
-PinDrive driven[kMostPins];
-uint32_t tone_hz[kMostPins];
+PinDrive driven[kPins];
+uint32_t tone_hz[kPins];
+
+// The pins of each port, by bit, and of each timer, by channel.
+Pin port_pins[kPorts][kBits];
+Pin timer_pins[kTimers][2];
+Pin external_pins[kChip.external_count];
+
+void place_on_chip(Pin pin, const ChipPin& at) {
+  Place& place = places[pin];
+  if (at.port < 0) return;
+  place.digital = true;
+  place.port = static_cast<Port>(at.port);
+  place.mask = static_cast<uint8_t>(1 << at.bit);
+  place.timer.timer = at.timer;
+  place.timer.channel = static_cast<int8_t>(at.output);
+  place.external = at.external;
+  if (at.change >= 0) {
+    place.change_group = static_cast<int8_t>(at.change / 8);
+    place.change_mask = static_cast<uint8_t>(1 << at.change % 8);
+  }
+  port_pins[at.port][at.bit] = pin;
+  if (at.timer >= 0) timer_pins[at.timer][at.output] = pin;
+  if (at.external >= 0) external_pins[at.external] = pin;
+}
 
 PinDrive drive_of(Pin pin) {
   const PortRegisters& port = ports[port_of(pin)];
@@ -36,11 +60,35 @@ PinDrive drive_of(Pin pin) {
 }
 
 void refresh_port(Port port, uint8_t changed) {
-  for (int bit = 0; bit < kPortBits[port].count; ++bit)
-    if (changed >> bit & 1) refresh_pin(static_cast<Pin>(kPortBits[port].first + bit));
+  for (int bit = 0; bit < kBits; ++bit)
+    if (changed >> bit & 1 && port_pins[port][bit] != kNoPin) refresh_pin(port_pins[port][bit]);
 }
 
 }  // namespace
+
+Pin pin_of_external(int number) { return external_pins[number]; }
+
+void place_pins() {
+  for (auto& pins : port_pins)
+    for (Pin& pin : pins) pin = kNoPin;
+  for (auto& pins : timer_pins)
+    for (Pin& pin : pins) pin = kNoPin;
+  for (Pin& pin : external_pins) pin = kNoPin;
+  const BoardSpec& spec = board->spec();
+  const BoardSpec& model = host_model(spec);
+  for (Pin pin = 0; pin < kPins && pin < spec.pin_count; ++pin) {
+    if (pin < model.pin_count) {
+      place_on_chip(pin, model.pins[pin].chip_pin);
+      continue;
+    }
+    const int number = pin - model.pin_count;
+    Place& place = places[pin];
+    place.digital = spec.pins[pin].digital;
+    place.port = static_cast<Port>(kChip.port_count + number / kBits);
+    place.mask = static_cast<uint8_t>(1 << number % kBits);
+    port_pins[place.port][number % kBits] = pin;
+  }
+}
 
 void refresh_pin(Pin pin) {
   const PinDrive drive = drive_of(pin);
@@ -50,8 +98,8 @@ void refresh_pin(Pin pin) {
 }
 
 void refresh_timer_pins(int number) {
-  static const Pin kPins[3][2] = {{6, 5}, {9, 10}, {11, 3}};
-  for (const Pin pin : kPins[number]) refresh_pin(pin);
+  for (const Pin pin : timer_pins[number])
+    if (pin != kNoPin) refresh_pin(pin);
 }
 
 void set_direction(Port port, uint8_t value) {
@@ -68,8 +116,8 @@ void set_output(Port port, uint8_t value) {
 
 uint8_t read_port(Port port) {
   uint8_t value = 0;
-  for (int bit = 0; bit < kPortBits[port].count; ++bit)
-    if (board->read_level(static_cast<Pin>(kPortBits[port].first + bit), state.now))
+  for (int bit = 0; bit < kBits; ++bit)
+    if (port_pins[port][bit] != kNoPin && board->read_level(port_pins[port][bit], state.now))
       value |= static_cast<uint8_t>(1 << bit);
   return value;
 }
@@ -81,7 +129,7 @@ void set_tone(Pin pin, uint32_t hz) {
 
 void reset_ports() {
   for (PortRegisters& port : ports) port = PortRegisters();
-  for (Pin pin = 0; pin < kMostPins; ++pin) {
+  for (Pin pin = 0; pin < kPins; ++pin) {
     driven[pin] = PinDrive();
     tone_hz[pin] = 0;
   }

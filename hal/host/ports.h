@@ -1,65 +1,50 @@
-// Ports B, C and D (datasheet, chapter 14), and which Arduino pin is which of their bits on an Uno or Nano
-// (variants/standard/pins_arduino.h of the Arduino core). A Blue Pill has more pins: they make two ports
-// more, which no register shows.
+// Ports (datasheet, chapter 14), and which Arduino pin is which of their bits: as the board says, or the one
+// that stands in for it here (BoardSpec::host_model). A board with more pins than that one has ports more,
+// which no register shows.
 #pragma once
 
 #include <stdint.h>
 
 #include "hal/board/board.h"
 #include "hal/board/board_spec.h"
+#include "hal/host/chip.h"
 #include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
 
-enum Port : uint8_t { kPortB, kPortC, kPortD, kPort20, kPort28, kPorts };
-
-constexpr Pin kPortPins = 20;  ///< 0 to 19 are bits of registers
-constexpr Pin kMostPins = 32;
-
-struct PortBits {
-  Pin first;  ///< bit 0
-  int count;
-};
-constexpr PortBits kPortBits[kPorts] = {{8, 6}, {14, 6}, {0, 8}, {20, 8}, {28, 4}};
-
-/// Of a pin below kMostPins.
-inline Port port_of(Pin pin) {
-  if (pin < kPortPins) return pin < 8 ? kPortD : pin < 14 ? kPortB : kPortC;
-  return pin < 28 ? kPort20 : kPort28;
-}
-inline uint8_t mask_of(Pin pin) { return static_cast<uint8_t>(1 << (pin - kPortBits[port_of(pin)].first)); }
-
-/// Whether the board has this pin, and not as an analog input only, as A6 and A7 of a Nano are.
-inline bool is_digital(Pin pin) {
-  if (pin < kPortPins) return true;
-  const BoardSpec& spec = board->spec();
-  return pin < kMostPins && pin < spec.pin_count && spec.pins[pin].digital;
-}
+/// Index of a port: those of ChipSpec::ports come first.
+using Port = uint8_t;
+constexpr int kBits = 8;
+constexpr int kPorts = kChip.port_count + (kPins + kBits - 1) / kBits;
 
 /// The timer channel that can drive a pin.
 struct TimerPin {
-  int8_t timer;    ///< -1 = none
-  int8_t channel;  ///< 0 = A, 1 = B
+  int8_t timer = -1;   ///< -1 = none
+  int8_t channel = 0;  ///< 0 = A, 1 = B
 };
-inline TimerPin timer_of(Pin pin) {
-  switch (pin) {
-    case 3:
-      return {2, 1};
-    case 5:
-      return {0, 1};
-    case 6:
-      return {0, 0};
-    case 9:
-      return {1, 0};
-    case 10:
-      return {1, 1};
-    case 11:
-      return {2, 0};
-    default:
-      return {-1, 0};
-  }
-}
+
+/// Where a pin is on the chip.
+struct Place {
+  bool digital = false;  ///< the board has it, and not as an analog input only, as A6 and A7 of a Nano are
+  Port port = 0;
+  uint8_t mask = 0;
+  TimerPin timer;
+  int8_t external = -1;      ///< n of INTn; -1 = none
+  int8_t change_group = -1;  ///< of the pin change interrupts; -1 = none
+  uint8_t change_mask = 0;   ///< the bit of PCMSKn
+};
+constexpr int kNumbers = 256;  ///< that a sketch may take for a pin's
+extern Place places[kNumbers];
+
+inline Port port_of(Pin pin) { return places[pin].port; }
+inline uint8_t mask_of(Pin pin) { return places[pin].mask; }
+inline bool is_digital(Pin pin) { return places[pin].digital; }
+inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
+/// The pin of INTn; kNoPin if the board has none.
+Pin pin_of_external(int number);
+/// When the firmware begins: fills in all that.
+void place_pins();
 
 struct PortRegisters {
   uint8_t direction = 0;  ///< DDRx

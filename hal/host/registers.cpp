@@ -15,7 +15,25 @@ namespace {
 // Registers that only keep what is written: SPI, TWI, watchdog, clock and power settings, GPIOR.
 uint8_t plain[256];
 
-namespace reg = avr::reg;
+// Of ports, timers and UARTs the chip says where they are.
+namespace reg {
+
+using namespace avr::reg;
+
+constexpr Address kPinB = kChip.ports[0].address, kDdrB = kPinB + 1, kPortB = kPinB + 2;
+constexpr Address kLastPort = kChip.ports[kChip.port_count - 1].address + 2;
+constexpr Address kTccr0a = kChip.timers[0].control, kTccr0b = kTccr0a + 1, kTcnt0 = kChip.timers[0].count;
+constexpr Address kOcr0a = kChip.timers[0].compare[0], kOcr0b = kChip.timers[0].compare[1];
+constexpr Address kTccr1a = kChip.timers[1].control, kTccr1b = kTccr1a + 1, kTcnt1L = kChip.timers[1].count;
+constexpr Address kIcr1L = kChip.timers[1].capture;
+constexpr Address kOcr1aL = kChip.timers[1].compare[0], kOcr1bL = kChip.timers[1].compare[1];
+constexpr Address kTccr2a = kChip.timers[2].control, kTcnt2 = kChip.timers[2].count;
+constexpr Address kOcr2b = kChip.timers[2].compare[1];
+constexpr Address kTimsk0 = kChip.timers[0].enables, kTimsk2 = kChip.timers[2].enables;
+constexpr Address kUcsra = kChip.uarts[0].address, kUcsrb = kUcsra + 1, kUcsrc = kUcsra + 2;
+constexpr Address kUbrrL = kChip.uarts[0].divider, kUdr = kChip.uarts[0].data;
+
+}  // namespace reg
 
 const char* name_of(uint8_t address) {
   switch (address) {
@@ -137,7 +155,7 @@ void write_word(uint8_t address, uint16_t value) {
 }
 
 uint8_t read(uint8_t address) {
-  if (address >= reg::kPinB && address <= reg::kPortD) {
+  if (address >= reg::kPinB && address <= reg::kLastPort) {
     const auto port = static_cast<Port>((address - reg::kPinB) / 3);
     switch ((address - reg::kPinB) % 3) {
       case 0:
@@ -191,7 +209,7 @@ uint8_t read(uint8_t address) {
 }
 
 void write(uint8_t address, uint8_t value) {
-  if (address >= reg::kPinB && address <= reg::kPortD) {
+  if (address >= reg::kPinB && address <= reg::kLastPort) {
     const auto port = static_cast<Port>((address - reg::kPinB) / 3);
     switch ((address - reg::kPinB) % 3) {
       case 0:

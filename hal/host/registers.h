@@ -2,8 +2,8 @@
 // interrupts, sleep, EEPROM. Plain C, because a sketch's .c files see it too; every name begins with
 // robosim_.
 //
-// A register is named by its address in the ATmega328P's data space (datasheet DS40002061B, "Register
-// Summary"), so that the list of names in avr/io.h is the only one there is.
+// A register is named by its address in the chip's data space (chip.h), so that avr-libc's list of names is
+// the only one there is.
 #pragma once
 
 #include <stdint.h>

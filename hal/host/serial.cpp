@@ -55,6 +55,7 @@ void reset_uart() {
 }  // namespace host
 }  // namespace robosim
 
+static_assert(host::kUartReceived == 18, "the handler's name");
 extern "C" __attribute__((weak)) void __vector_18() {
   host::spend(cost::kSerialReceiveHandler);
   const uint8_t byte = host::uart.take();
@@ -71,7 +72,8 @@ void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   if (baud == 0) baud = 1;
   unsigned long divider = (kClock / 4 / baud - 1) / 2;
   host::uart.set_status(host::kU2x);
-  if (baud == 57600 || divider > 4095) {
+  // The core does so at 16 MHz, for the boot loader of the Duemilanove.
+  if ((baud == 57600 && kClock == 16000000) || divider > 4095) {
     host::uart.set_status(0);
     divider = (kClock / 8 / baud - 1) / 2;
   }

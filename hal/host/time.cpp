@@ -13,8 +13,12 @@ using robosim::SimTime;
 
 namespace {
 
-constexpr unsigned long kMicrosPerTick = 4;  // 64 cycles
-bool own_yield = true;                       // until the core's empty yield() has been seen
+constexpr unsigned long kCyclesPerMicro = host::kClockHz / 1000000;
+constexpr unsigned long kMicrosPerTick = 64 / kCyclesPerMicro;
+constexpr unsigned long kCyclesPerLoop = 16;  // of pulseIn, as the core counts them
+// What a call of delayMicroseconds takes that has nothing to wait for.
+constexpr unsigned int kShortestDelay_us = host::kClockHz < 16000000 ? 2 : 1;
+bool own_yield = true;  // until the core's empty yield() has been seen
 
 unsigned long read_micros() {
   host::spend(cost::kMicros);
@@ -77,14 +81,14 @@ void delay(unsigned long ms) {
 
 void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
-  host::work(us <= 1 ? robosim::kMicrosecond : us * robosim::kMicrosecond);
+  host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);
 }
 
 unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
   host::note_call("pulseIn", pin, 2, pin, value);
   if (!host::is_digital(pin)) return 0;
   const bool level = value != LOW;
-  unsigned long loops = timeout;  // the core takes every turn for 16 cycles
+  unsigned long loops = timeout * kCyclesPerMicro / kCyclesPerLoop;
   const auto poll_while = [&](bool same, int cost_of_turn) {
     while ((host::board->read_level(pin, host::state.now) == level) == same) {
       if (loops == 0) return false;
@@ -98,7 +102,7 @@ unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
   unsigned long width = 0;
   if (poll_while(true, cost::kPulseWait) && poll_while(false, cost::kPulseWait)) {
     const unsigned long before = loops;
-    if (poll_while(true, cost::kPulseLoop)) width = before - loops + 1;
+    if (poll_while(true, cost::kPulseLoop)) width = (before - loops + 1) * kCyclesPerLoop / kCyclesPerMicro;
   }
   host::state.waiting = outer;
   return width;

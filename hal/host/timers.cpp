@@ -12,15 +12,17 @@ uint64_t timer0_millis;
 uint64_t timer0_overflows;
 
 namespace {
-// Eighths of a millisecond's thousandths, as in the core's wiring.c: an overflow takes 1024 us = 1 ms + 3/125
-// ms.
+// As in the core's wiring.c: what an overflow takes, in whole milliseconds and 125ths of one. At 16 MHz that
+// is 1024 us = 1 ms + 3/125 ms.
+constexpr uint64_t kOverflow_us = 64 * 256 / (kClockHz / 1000000);
+constexpr uint64_t kMillis = kOverflow_us / 1000, kFraction = kOverflow_us % 1000 / 8, kWhole = 125;
 uint64_t timer0_fraction;
 
 void count_overflows(uint64_t overflows) {
   timer0_overflows += overflows;
-  timer0_fraction += 3 * overflows;
-  timer0_millis += overflows + timer0_fraction / 125;
-  timer0_fraction %= 125;
+  timer0_fraction += kFraction * overflows;
+  timer0_millis += kMillis * overflows + timer0_fraction / kWhole;
+  timer0_fraction %= kWhole;
 }
 }  // namespace
 
@@ -38,11 +40,11 @@ void reset_timers() {
 
 int64_t Timer::ticks() const {
   if (prescaler_ == 0) return base_tick_;
-  return base_tick_ + (state.now - base_) * 2 / (125 * prescaler_);
+  return base_tick_ + kCycles.whole(state.now - base_, prescaler_);
 }
 
 SimTime Timer::time_of(int64_t tick) const {
-  return base_ + ((tick - base_tick_) * prescaler_ * 125 + 1) / 2;
+  return base_ + kCycles.at_least((tick - base_tick_) * prescaler_);
 }
 
 SimTime Timer::ticks_from_now(int64_t count) const { return time_of(ticks() + count); }
@@ -55,8 +57,8 @@ uint16_t Timer::count() const {
 }
 
 void Timer::decode() {
-  prescaler_ = avr::prescaler(number_, control_b_);
-  counting_ = avr::counting(number_, control_a_, control_b_);
+  prescaler_ = avr::prescaler(kChip.timers[number_], control_b_);
+  counting_ = avr::counting(kChip.timers[number_], control_a_, control_b_);
   top_ = avr::top_of(counting_, compare_[0], capture_);
   period_ = avr::period_of(counting_, top_);
 }
@@ -205,6 +207,7 @@ PinDrive Timer::drive(int channel) const {
 }  // namespace robosim
 
 /// The core's handler of Timer 0's overflow (wiring.c).
+static_assert(robosim::host::kTimer0Overflow == 16, "the handler's name");
 extern "C" void __vector_16() {
   robosim::host::state.now += robosim::host::cycles(robosim::host::cost::kTimer0Overflow);
   robosim::host::count_overflows(1);

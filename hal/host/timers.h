@@ -83,7 +83,8 @@ class Timer {
   }
   /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
   int matches(int channel, int64_t (&at)[2]) const;
-  uint16_t counter_max() const { return number_ == 1 ? 0xFFFF : 0xFF; }
+  bool wide() const { return kChip.timers[number_].bits == 16; }
+  uint16_t counter_max() const { return wide() ? 0xFFFF : 0xFF; }
 
   uint8_t number_;
   uint8_t control_a_ = 0, control_b_ = 0, enabled_ = 0, flags_ = 0;

@@ -1,6 +1,7 @@
 #include "hal/host/uart.h"
 
 #include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
 
 namespace robosim {
 namespace host {
@@ -79,11 +80,12 @@ uint8_t Uart::take() {
 }
 
 uint32_t Uart::pending() const {
-  if (!(control_ & (kTxcie | kUdrie))) return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << 18;
+  if (!(control_ & (kTxcie | kUdrie)))
+    return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
   const uint8_t raised = status() & control_;  // the enable bits stand where the flags do
-  return static_cast<uint32_t>((raised & kRxc) != 0) << 18 |
-         static_cast<uint32_t>((raised & kUdre) != 0) << 19 |
-         static_cast<uint32_t>((raised & kTxc) != 0) << 20;
+  return static_cast<uint32_t>((raised & kRxc) != 0) << kUartReceived |
+         static_cast<uint32_t>((raised & kUdre) != 0) << kUartEmpty |
+         static_cast<uint32_t>((raised & kTxc) != 0) << kUartSent;
 }
 
 SimTime Uart::next() const {

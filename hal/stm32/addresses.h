@@ -3,10 +3,12 @@
 // Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (the section stands at each group), and
 // for what belongs to the processor PM0056 rev. 6, the programming manual of the Cortex-M3.
 //
-// C++11, no standard library: this header is compiled into firmware.
+// C++14, no standard library: this header is compiled into firmware.
 #pragma once
 
 #include <stdint.h>
+
+#include "hal/board/stm32f103c8.h"
 
 namespace robosim {
 namespace stm32 {
@@ -14,8 +16,8 @@ namespace stm32 {
 using Address = uint32_t;
 
 // --- memory (RM0008 3.3)
-constexpr Address kFlash = 0x08000000, kRam = 0x20000000;
-constexpr uint32_t kFlashBytes = 64 * 1024, kRamBytes = 20 * 1024;
+constexpr Address kFlash = kStm32f103c8.flash_address, kRam = kStm32f103c8.ram_address;
+constexpr uint32_t kFlashBytes = kStm32f103c8.flash_bytes, kRamBytes = kStm32f103c8.ram_bytes;
 constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased (PM0075 1.2)
 /// The last pages of flash are no program memory here: they hold the emulated EEPROM (eeprom.h).
 constexpr uint32_t kEepromPages = 4;
@@ -55,7 +57,7 @@ constexpr uint32_t kFlashPg = 1u << 0, kFlashPer = 1u << 1, kFlashStart = 1u << 
                    kFlashLock = 1u << 7;  // FLASH_CR
 
 // --- GPIO (RM0008 9.2): ports A, B and C, 0x400 apart
-constexpr Address kGpioA = 0x40010800;
+constexpr Address kGpioA = kStm32f103c8.ports[0].address;
 constexpr Address kPortBytes = 0x400;
 constexpr Address kCrl = 0x00, kCrh = 0x04, kIdr = 0x08, kOdr = 0x0C, kBsrr = 0x10, kBrr = 0x14, kLckr = 0x18;
 // 9.2.1: four bits a pin. MODE: 0 = input, 1 to 3 = output of 10, 2, 50 MHz.
@@ -83,7 +85,9 @@ constexpr uint32_t kAdOn = 1u << 0, kCal = 1u << 2, kRstCal = 1u << 3, kAlign = 
                    kExtSelSw = 7u << 17, kExtTrig = 1u << 20, kSwStart = 1u << 22;  // ADC_CR2
 
 // --- TIM1 (RM0008 14.4) and TIM2 to TIM4 (15.4)
-constexpr Address kTim1 = 0x40012C00, kTim2 = 0x40000000, kTim3 = 0x40000400, kTim4 = 0x40000800;
+constexpr Address timer_address(int8_t index) { return kStm32f103c8.timers[index].control; }
+constexpr Address kTim1 = timer_address(stm32f103c8::kTim1), kTim2 = timer_address(stm32f103c8::kTim2),
+                  kTim3 = timer_address(stm32f103c8::kTim3), kTim4 = timer_address(stm32f103c8::kTim4);
 constexpr Address kTimCr1 = 0x00, kTimCr2 = 0x04, kTimSmcr = 0x08, kTimDier = 0x0C, kTimSr = 0x10,
                   kTimEgr = 0x14, kTimCcmr1 = 0x18, kTimCcmr2 = 0x1C, kTimCcer = 0x20, kTimCnt = 0x24,
                   kTimPsc = 0x28, kTimArr = 0x2C, kTimRcr = 0x30, kTimCcr1 = 0x34, kTimBdtr = 0x44;
@@ -93,7 +97,7 @@ constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR, of an 
 constexpr uint32_t kMoe = 1u << 15;                          // TIM1_BDTR (14.4.18)
 
 // --- USART1 (RM0008 27.6)
-constexpr Address kUsart1 = 0x40013800;
+constexpr Address kUsart1 = kStm32f103c8.uarts[0].address;
 constexpr Address kUsartSr = kUsart1 + 0x00, kUsartDr = kUsart1 + 0x04, kUsartBrr = kUsart1 + 0x08,
                   kUsartCr1 = kUsart1 + 0x0C, kUsartCr2 = kUsart1 + 0x10, kUsartCr3 = kUsart1 + 0x14,
                   kUsartGtpr = kUsart1 + 0x18;

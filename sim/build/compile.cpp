@@ -39,10 +39,34 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
+/// What our headers and the host's core take from the board when they are compiled (hal/host/chip.h,
+/// hal/arduino/pins_arduino.h).
+std::vector<std::string> host_definitions(const BoardSpec& board) {
+  const BoardSpec& model = host_model(board);
+  int analog_inputs = 0;
+  bool every_pin_interrupts = true;
+  for (Pin pin = 0; pin < board.pin_count; ++pin) {
+    if (pin >= board.analog_pin_0 && board.pins[pin].analog_channel >= 0) ++analog_inputs;
+    if (board.pins[pin].interrupt < 0) every_pin_interrupts = false;
+  }
+  std::vector<std::string> words = {fmt::format("-D{}", model.chip->macro),
+                                    fmt::format("-DROBOSIM_REGISTERS=<avr/{}>", model.chip->registers),
+                                    fmt::format("-DROBOSIM_CLOCK_HZ={}L", model.clock_hz),
+                                    fmt::format("-DROBOSIM_PINS={}", board.pin_count),
+                                    fmt::format("-DROBOSIM_DIGITAL_PINS={}", last_digital_pin(board) + 1),
+                                    fmt::format("-DROBOSIM_ANALOG_PIN_0={}", board.analog_pin_0),
+                                    fmt::format("-DROBOSIM_ANALOG_INPUTS={}", analog_inputs),
+                                    fmt::format("-DROBOSIM_LED_BUILTIN={}", board.led_builtin)};
+  if (every_pin_interrupts) words.emplace_back("-DROBOSIM_EVERY_PIN_INTERRUPTS");
+  if (board.pin_names) words.push_back(fmt::format("-DROBOSIM_PIN_NAMES=\"{}\"", board.pin_names));
+  return words;
+}
+
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
   add(words, toolchain.target.definitions);
+  if (!toolchain.target.chip) add(words, host_definitions(toolchain.board));
   return words;
 }
 

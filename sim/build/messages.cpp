@@ -9,8 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// avr-gcc puts data memory at 0x800000; an ATmega328P's RAM begins after its 256 registers.
-constexpr unsigned long kAvrRam = 0x800100;
+constexpr unsigned long kAvrData = 0x800000;  // where avr-gcc puts data memory
 
 bool replace_all(std::string& text, const std::string& from, const std::string& to) {
   bool found = false;
@@ -30,9 +29,9 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
   const BoardSpec& board = toolchain.board;
   std::smatch match;
   if (std::regex_search(messages, match, ram))
-    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
-                                   sketch.name, std::stoul(match[1], nullptr, 16) - kAvrRam, board.name,
-                                   board.ram_bytes));
+    throw CompileError(fmt::format(
+        "{} does not fit: its variables take {} bytes, and the {} has {} of RAM", sketch.name,
+        std::stoul(match[1], nullptr, 16) - kAvrData - board.chip->ram_address, board.name, board.ram_bytes));
   if (std::regex_search(messages, match, more_ram))
     throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
                                    sketch.name, board.ram_bytes + std::stoul(match[1]), board.name,

@@ -41,7 +41,6 @@ const Target kHost = {
     .native = true,
     .chip = false,
     .hal = "host",
-    .boards = {},
     .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
              "-ffp-contract=off",
              // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer
@@ -81,7 +80,7 @@ const Target kHost = {
                  .link = {"-lgcov"}},
     .core = {},
     .core_level = "-O2",
-    .definitions = {"-DARDUINO_ARCH_HOST", "-D__AVR_ATmega328P__", "-DROBOSIM"},
+    .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
     // The loader shall find nothing to run: start files bring constructors of their own.
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
@@ -104,7 +103,6 @@ const Target kAvr = {
     .native = false,
     .chip = true,
     .hal = nullptr,
-    .boards = {{"uno", "atmega328p", "standard"}, {"nano", "atmega328p", "eightanaloginputs"}},
     .code = {"-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections", "-fdata-sections", "-flto",
              "-fno-fat-lto-objects", "-fdiagnostics-color=never"},
     .cxx_code = {"-std=gnu++11", "-fpermissive", "-fno-exceptions", "-fno-threadsafe-statics",
@@ -144,7 +142,6 @@ const Target kStm32 = {
     .native = false,
     .chip = true,
     .hal = "stm32",
-    .boards = {{"bluepill", "stm32f103c8", ""}, {"bluepill8", "stm32f103c8", ""}},
     .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
              "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc",
              // Else a write through a null pointer is left out, with all that follows it.
@@ -184,7 +181,9 @@ std::vector<std::string> targets() {
 
 std::vector<std::string> boards_of(const std::string& target) {
   std::vector<std::string> names;
-  for (const Chip& chip : find_target(target).boards) names.emplace_back(chip.board);
+  if (!find_target(target).chip) return names;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i)
+    if (board->chip->target == target) names.emplace_back(board->name);
   return names;
 }
 

@@ -21,13 +21,6 @@ struct Product {
   std::vector<std::string> arguments;
 };
 
-/// A board's chip: as the compiler or the linker script calls it, and its folder of pins in the genuine core.
-struct Chip {
-  const char* board;
-  const char* mcu;
-  const char* variant;
-};
-
 /// What is added with --sanitize; empty = the target has none.
 struct Sanitizer {
   std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
@@ -54,7 +47,6 @@ struct Target {
   /// The folder below hal that completes hal/arduino to a core; null = the genuine core, all of it, and its
   /// libraries.
   const char* hal;
-  std::vector<Chip> boards;
 
   // Words for the compiler. `own` is for the sketch and its libraries, `core` for the Arduino core.
   std::vector<std::string> code;

@@ -19,7 +19,7 @@ constexpr const char* kPortable[] = {
     "Print.h",     "Print.cpp",    "Printable.h", "Stream.h",      "Stream.cpp", "WString.h",
     "WString.cpp", "WCharacter.h", "IPAddress.h", "IPAddress.cpp", "binary.h",   "Client.h",
     "Server.h",    "Udp.h",        "new",         "new.h",         "new.cpp",    "abi.cpp"};
-constexpr const char* kRegisters[] = {"iom328p.h", "portpins.h"};
+constexpr const char* kPortPins = "portpins.h";  // of avr-libc: PB0, PORTB0, ... are 0
 
 [[noreturn]] void missing(const char* what, const char* package) {
   throw ToolMissing(fmt::format("{} is missing: sudo apt install {}", what, package));
@@ -43,11 +43,12 @@ std::string answer(const Compiler& compiler, std::vector<std::string> question) 
   return outcome.output;
 }
 
-fs::path stage(const GenuineCore& core, const fs::path& cache) {
+fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& cache) {
+  const char* const registers[] = {host_model(board).chip->registers, kPortPins};
   const fs::path hal = data_folder() / "hal";
   std::string links = hal.string() + core.sources.string() + core.avr_libc.string();
   for (const char* name : kPortable) links += name;
-  for (const char* name : kRegisters) links += name;
+  for (const char* name : registers) links += name;
   fs::path folder = cache / ("stage-" + sha256(links).substr(0, 16));
   std::error_code error;
   if (fs::is_directory(folder, error)) return folder;
@@ -57,7 +58,7 @@ fs::path stage(const GenuineCore& core, const fs::path& cache) {
   fs::create_directories(fresh / "core");
   fs::create_directories(fresh / "avr");
   for (const char* name : kPortable) fs::create_symlink(core.sources / name, fresh / "core" / name);
-  for (const char* name : kRegisters) fs::create_symlink(core.avr_libc / name, fresh / "avr" / name);
+  for (const char* name : registers) fs::create_symlink(core.avr_libc / name, fresh / "avr" / name);
   fs::create_symlink(hal, fresh / "hal");
   fs::rename(fresh, folder, error);
   if (error) fs::remove_all(fresh);  // another process was first
@@ -65,9 +66,9 @@ fs::path stage(const GenuineCore& core, const fs::path& cache) {
 }
 
 /// Ours, and the genuine core's portable sources.
-Core hal_core(const char* hal, const GenuineCore& genuine, const fs::path& cache) {
+Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core;
-  core.root = stage(genuine, cache);
+  core.root = stage(board, genuine, cache);
   core.place = "robosim";
   core.sources = {core.root / "hal" / hal, core.root / "hal/arduino", core.root / "core"};
   core.serving = core.root / "hal" / hal;
@@ -81,38 +82,37 @@ Core hal_core(const char* hal, const GenuineCore& genuine, const fs::path& cache
   return core;
 }
 
-const Chip& chip_of(const Target& target, const BoardSpec& board) {
-  for (const Chip& chip : target.boards)
-    if (std::string(board.name) == chip.board) return chip;
-  std::vector<std::string> boards;
-  for (const Chip& chip : target.boards) boards.emplace_back(chip.board);
+void check_chip(const Target& target, const BoardSpec& board) {
+  if (std::string(board.chip->target) == target.name) return;
   throw InputError(
       fmt::format("the board {} has no chip of the target {}; --target {} is for a robot with {}", board.name,
-                  target.name, target.name, one_of(boards)));
+                  target.name, target.name, one_of(boards_of(target.name))));
 }
 
-Core stm32_core(const Chip& chip, const GenuineCore& genuine, const fs::path& cache) {
-  Core core = hal_core("stm32", genuine, cache);
+Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
+  Core core = hal_core("stm32", board, genuine, cache);
   const fs::path hal = core.root / "hal/stm32";
   core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ go before the host's
-  const fs::path script = hal / fmt::format("{}.ld", chip.mcu);
+  const fs::path script = hal / fmt::format("{}.ld", board.chip->compiler_name);
   core.link = {"-T", script.string()};
   core.linked = {script};
   return core;
 }
 
-Core genuine_core(const Chip& chip, const GenuineCore& genuine) {
+Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
+  const ChipSpec& chip = *board.chip;
   const fs::path libc = genuine.avr_libc.parent_path();
-  const fs::path archives = libc.parent_path() / "lib/avr5";
-  const fs::path variant = genuine.variants / chip.variant;
+  const fs::path archives = libc.parent_path() / "lib" / chip.architecture;
+  const fs::path variant = genuine.variants / board.variant;
   Core core;
   core.root = genuine.sources;
   core.place = "arduino";
   core.sources = {genuine.sources, data_folder() / "hal/avr"};
   core.includes = {genuine.sources, variant};
   core.libraries = {genuine.libraries};
-  core.linked = {archives / "libc.a", archives / "libm.a", archives / fmt::format("crt{}.o", chip.mcu)};
-  core.machine = {fmt::format("-mmcu={}", chip.mcu)};
+  core.linked = {archives / "libc.a", archives / "libm.a",
+                 archives / fmt::format("crt{}.o", chip.compiler_name)};
+  core.machine = {fmt::format("-mmcu={}", chip.compiler_name)};
   core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}, {core.sources[1], "robosim"}};
   core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
   return core;
@@ -164,15 +164,15 @@ GenuineCore find_core() {
                    "/usr/lib/avr/include/avr"};
   std::error_code error;
   if (!fs::exists(core.sources / "Print.cpp", error)) missing("The Arduino core", "arduino-core-avr");
-  if (!fs::exists(core.avr_libc / "iom328p.h", error)) missing("avr-libc", "avr-libc");
+  if (!fs::exists(core.avr_libc / kPortPins, error)) missing("avr-libc", "avr-libc");
   return core;
 }
 
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const fs::path& cache) {
-  if (!target.chip) return hal_core(target.hal, genuine, cache);
-  const Chip& chip = chip_of(target, board);
-  return target.hal ? stm32_core(chip, genuine, cache) : genuine_core(chip, genuine);
+  if (!target.chip) return hal_core(target.hal, board, genuine, cache);
+  check_chip(target, board);
+  return target.hal ? stm32_core(board, genuine, cache) : genuine_core(board, genuine);
 }
 
 fs::path find_ctags() {

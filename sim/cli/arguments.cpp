@@ -94,7 +94,7 @@ Command parse_flash(const Words& words) {
   options.positional("SKETCH", flash.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--port", flash.port, "PORT", "where the board is, as /dev/ttyACM0 or /dev/ttyUSB0");
   options.text("--robot", flash.robot, "ROBOT", "file or name: its board is compiled for");
-  options.text("--baud", baud, "N", "of the boot loader; default: 115200; an old Nano's has 57600");
+  options.text("--baud", baud, "N", "of the boot loader; default: the board's; an old Nano's has 57600");
   options.texts("--libraries", flash.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.flag("--dry-run", flash.dry_run, "print the command and the image's SHA-256, write nothing");
   if (const auto help = options.parse(words)) return PrintText{*help};

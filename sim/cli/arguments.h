@@ -70,7 +70,7 @@ struct FlashArguments {
   std::string sketch;
   std::string robot;
   std::string port;
-  std::uint64_t baud = 115'200;  ///< of the boot loader, as Arduino's boards.txt has it for Uno and Nano
+  std::optional<std::uint64_t> baud;  ///< of the boot loader; without it what the board's has
   std::vector<std::string> libraries;
   bool dry_run = false;
 };

@@ -36,14 +36,6 @@ const BoardSpec& board_of(const wire::RobotInfo& robot) {
   return *board;
 }
 
-std::string chip_target_of(const BoardSpec& board) {
-  for (const std::string& target : build::targets()) {
-    const std::vector<std::string> boards = build::boards_of(target);
-    if (std::find(boards.begin(), boards.end(), board.name) != boards.end()) return target;
-  }
-  return "";
-}
-
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe) {
   FittedRobot fitted = fit_robot(robot.path.string(), build::boards_of(target), describe);
   Carrier carrier{robot, std::move(fitted.info), ""};

@@ -37,7 +37,4 @@ Carrier fit_to_target(const Choice& robot, const std::string& target, const Desc
 /// The board a robot carries.
 const BoardSpec& board_of(const wire::RobotInfo& robot);
 
-/// The target that is this board's chip; empty = there is none.
-std::string chip_target_of(const BoardSpec& board);
-
 }  // namespace robosim::launch

@@ -1,9 +1,9 @@
 // The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
 // registers. A part that follows a level does not need to know which of the two it is wired to.
 //
-//   number           wire
-//   0 .. 63          the board's pin of that number
-//   64 + 8 r + q     output Qq of the robot's shift register number r, in the file's order
+//   number                 wire
+//   0 .. kMaxPins - 1      the board's pin of that number
+//   kMaxPins + 8 r + q     output Qq of the robot's shift register number r, in the file's order
 #pragma once
 
 #include <string>

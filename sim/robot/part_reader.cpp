@@ -65,7 +65,7 @@ void check_use(const ConfigValue& value, const char* key, const BoardSpec& board
   if (use != PinUse::analog && !spec.digital)
     throw InputError(value.place,
                      fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
-                                 key, written(value), board.name, board.analog_pin_0 + 5));
+                                 key, written(value), board.name, last_digital_pin(board)));
 }
 
 }  // namespace

@@ -169,9 +169,10 @@ void BoardFaults::repair(const BoardFault& fault, SimTime t) {
 
 void BoardFaults::begin(const PowerFault& fault, SimTime t) {
   using enum PowerFault::Kind;
-  const double low = std::min(robot_.battery(), kBrownOut + kRegulatorDrop - 0.1);
+  const BoardSpec& spec = executor_.board().spec();
+  const double low = std::min(robot_.battery(), spec.brown_out_volts + spec.regulator_drop_volts - 0.1);
   set_battery(fault.kind == none ? robot_.battery() : fault.kind == sag ? fault.volts : low, t);
-  if (fault.kind == brown_out) chip_volts_ = std::min(chip_volts_, kBrownOut - 0.1);
+  if (fault.kind == brown_out) chip_volts_ = std::min(chip_volts_, spec.brown_out_volts - 0.1);
   update_power(t);
 }
 
@@ -191,9 +192,10 @@ void BoardFaults::begin(const ClockDrift& fault, SimTime t) {
 
 void BoardFaults::set_battery(double volts, SimTime t) {
   robot_.set_battery(volts);
-  const double supply = executor_.board().spec().supply_volts;
-  const bool feeds_board = robot_.battery() - kRegulatorDrop >= kBrownOut;
-  chip_volts_ = feeds_board ? std::clamp(volts - kRegulatorDrop, 0.0, supply) : supply;
+  const BoardSpec& spec = executor_.board().spec();
+  const bool feeds_board = robot_.battery() - spec.regulator_drop_volts >= spec.brown_out_volts;
+  chip_volts_ =
+      feeds_board ? std::clamp(volts - spec.regulator_drop_volts, 0.0, spec.supply_volts) : spec.supply_volts;
   const bool keeps = chip_volts_ >= kLogicKeeps;
   if (switched_on_ && keeps != keeps_) robot_.power(keeps, t);
   keeps_ = keeps;
@@ -207,7 +209,7 @@ void BoardFaults::switch_power(bool on, SimTime t) {
 }
 
 void BoardFaults::update_power(SimTime t) {
-  const bool powered = switched_on_ && chip_volts_ >= kBrownOut;
+  const bool powered = switched_on_ && chip_volts_ >= executor_.board().spec().brown_out_volts;
   if (powered == powered_) return;
   powered_ = powered;
   if (powered) {

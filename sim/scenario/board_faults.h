@@ -1,9 +1,10 @@
 // What goes wrong between the board and the world around it. In scripts it has names beside those of the
 // robot's parts: power, serial, eeprom and clock.
 //
-// Power. The board's regulator gives the chip min(supply, battery - kRegulatorDrop); below kBrownOut the chip
-// is held in reset, and starts afresh when there is more again. A robot whose healthy battery gives less than
-// that has another supply for its board, and no sag resets it.
+// Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts); below
+// brown_out_volts (both of its BoardSpec) the chip is held in reset, and starts afresh when there is more
+// again. A robot whose healthy battery gives less than that has another supply for its board, and no sag
+// resets it.
 // Serial. Bytes on their way to the firmware, each by itself and by a hash of (seed, its number).
 // EEPROM. A byte whose writing began is being written for kEepromWriteTime. If the power fails meanwhile, it
 // may hold anything: a script says what.
@@ -24,9 +25,7 @@
 
 namespace robosim::scenario {
 
-constexpr double kRegulatorDrop = 1.8;  ///< V: NCP1117 (1.1 V) and the diode before it (0.7 V)
-constexpr double kBrownOut = 2.7;       ///< V: ATmega328P, BODLEVEL 101, as an Uno's fuses have it
-constexpr double kLogicKeeps = 2.0;     ///< V: less than that, and a 74HC's registers forget
+constexpr double kLogicKeeps = 2.0;  ///< V: less than that, and a 74HC's registers forget
 
 /// The faults that a script can ask for, read and checked. As they are made by default, nothing is wrong: the
 /// script's "ok".

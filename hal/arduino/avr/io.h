@@ -1,8 +1,9 @@
-// Registers of the ATmega328P as a sketch names them: PORTB, TCCR1A, ADC, ...
+// Registers of the chip as a sketch names them: PORTB, TCCR1A, ADC, ...
 //
-// Names, addresses and bits come from avr-libc's own iom328p.h, which is staged beside this header. What is
-// ours is what an access does: it asks the simulated chip (hal/host). A register is therefore not memory. It
-// can be read, assigned and changed by every operator, but its address is no `uint8_t*`; see RegisterPointer.
+// Names, addresses and bits come from avr-libc's own header, as iom328p.h, which is staged beside this
+// header. What is ours is what an access does: it asks the simulated chip (hal/host). A register is therefore
+// not memory. It can be read, assigned and changed by every operator, but its address is no `uint8_t*`; see
+// RegisterPointer.
 #pragma once
 #define _AVR_IO_H_
 
@@ -173,5 +174,5 @@ class Register16 {
 #define SREG_T 6
 #define SREG_I 7
 
-#include <avr/iom328p.h>
+#include ROBOSIM_REGISTERS
 #include <avr/portpins.h>

@@ -45,10 +45,10 @@ bool is_product(const fs::path& file) { return file.extension() == ".hex" || fil
 std::string host_sizes(const build::Image& image, const BoardSpec& board) {
   return fmt::format(
       "{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n"
-      "How much of the {}'s {} bytes of flash and {} bytes of RAM it takes, --target avr tells.\n",
+      "How much of the {}'s {} bytes of flash and {} bytes of RAM it takes, --target {} tells.\n",
       image.name, image.text_bytes, image.data_bytes, image.compiler,
       image.from_cache ? ", unchanged since it was last compiled" : "", board.name, board.flash_bytes,
-      board.ram_bytes);
+      board.ram_bytes, board.chip->target);
 }
 
 // From this share of the RAM on Arduino warns.

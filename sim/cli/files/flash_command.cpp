@@ -9,6 +9,8 @@
 #include "sim/build/process.h"
 #include "sim/cli/files/build_command.h"
 #include "sim/cli/output.h"
+#include "sim/client/runner.h"
+#include "sim/launch/launch.h"
 #include "sim/launch/names.h"
 
 namespace robosim::cli {
@@ -57,28 +59,48 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   return Child(start).wait();
 }
 
+/// What to try where the board may have an older boot loader.
+std::string older_boot_loaders() {
+  std::string text;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i)
+    if (board->upload_baud_old)
+      text += fmt::format(" The {} with the old boot loader needs --baud {}.", board->name,
+                          board->upload_baud_old);
+  return text;
+}
+
+/// Through whose boot loader a finished image goes: the robot's, if one is named.
+const BoardSpec& board_of_image(const std::string& robot) {
+  if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());
+  const launch::Choice choice = launch::choose_robot(robot, ".", "avr");
+  const BoardSpec& board = launch::board_of(client::Runner("host").describe_robot(choice.path.string()));
+  if (board.upload_protocol) return board;
+  throw InputError(fmt::format("{}: robosim flash cannot write to its board, the {}", robot, board.name));
+}
+
 ExitStatus judge(const Ending& ending, const FlashArguments& arguments) {
   if (ending.signal == SIGINT) return ExitStatus::interrupted;
   if (ending.ok()) return ExitStatus::ok;
   fmt::print(stderr,
              "robosim: avrdude failed ({}). Is the board at {}? May you write there (group dialout)? Does "
-             "another program hold it? A Nano with the old boot loader needs --baud 57600\n",
+             "another program hold it?{}\n",
              ending.signal > 0 ? fmt::format("signal {}", ending.signal)
                                : fmt::format("exit status {}", ending.status),
-             arguments.port);
+             arguments.port, older_boot_loaders());
   return ExitStatus::failed;
 }
 
 }  // namespace
 
-std::vector<std::string> avrdude_words(const FlashArguments& arguments, const fs::path& file) {
+std::vector<std::string> avrdude_words(const FlashArguments& arguments, const BoardSpec& board,
+                                       const fs::path& file) {
   return {"avrdude",
           "-p",
-          "atmega328p",
+          board.chip->avrdude_name,
           "-c",
-          "arduino",
+          board.upload_protocol,
           "-b",
-          std::to_string(arguments.baud),
+          std::to_string(arguments.baud.value_or(board.upload_baud)),
           "-P",
           arguments.port,
           "-D",
@@ -95,19 +117,22 @@ int flash_command(const FlashArguments& arguments) {
   if (program.empty() && !arguments.dry_run)
     throw ToolMissing("avrdude is missing: sudo apt install avrdude");
 
+  const BoardSpec* board = nullptr;
   fs::path file = sketch.path;  // a finished image: avrdude reads it itself
   if (sketch.elf_target.empty()) {
     const Built built = build_sketch(build_arguments(arguments), Boards::own);
     if (const ExitStatus status = check_size(built); status != ExitStatus::ok)
       return static_cast<int>(status);
+    board = &built.board;
     file = built.image.products.at(0);
     print(size_report(built.image, "avr", built.board, {built.image.image, file}) +
           fmt::format("image_sha256: {}, of the image that the .hex is made of, as in robosim run --json\n",
                       sha256_of_file(built.image.image)));
   } else {
+    board = &board_of_image(arguments.robot);
     print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
   }
-  const std::vector<std::string> words = avrdude_words(arguments, file);
+  const std::vector<std::string> words = avrdude_words(arguments, *board, file);
   print(command_line(words) + "\n");
   if (arguments.dry_run) return static_cast<int>(ExitStatus::ok);
   return static_cast<int>(judge(run_avrdude(program, words), arguments));

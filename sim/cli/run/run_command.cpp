@@ -213,10 +213,10 @@ int run_command(const RunArguments& arguments) {
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(run.map.path);
     const auto free = free_bytes(result, board);
-    print(tui::end_screen(
-        {run.sketch.name, run.map.name, run.robot.name, run.target, listeners.started(), result,
-         listeners.trail(), wall_s, free, rooms(run.image, free), launch::chip_target_of(board)},
-        drawn.get(), columns, tui::look_from_environment(size.has_value())));
+    print(
+        tui::end_screen({run.sketch.name, run.map.name, run.robot.name, run.target, listeners.started(),
+                         result, listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target},
+                        drawn.get(), columns, tui::look_from_environment(size.has_value())));
   }
   if (counters) {
     // The same run counts once: what went into it, and what came out.

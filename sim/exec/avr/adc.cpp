@@ -22,7 +22,8 @@ void Adc::on_start(avr_irq_t*, std::uint32_t, void* self) {
 
 avr_cycle_count_t Adc::on_sample(avr_t*, avr_cycle_count_t, void* self) {
   auto& adc = *static_cast<Adc*>(self);
-  adc.sampled_ = robosim::avr::adc_sample(adc.link_.board, adc.multiplexer_, adc.link_.now());
+  adc.sampled_ =
+      robosim::avr::adc_sample(adc.link_.board, adc.link_.chip.spec().adc, adc.multiplexer_, adc.link_.now());
   return 0;
 }
 

@@ -2,7 +2,7 @@
 //
 //   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► FirmwarePort
 //
-// Time: one cycle is 62.5 ns; a tick may end up to 3 cycles late.
+// Time: the chip's clock is the board's; a tick may end up to 3 cycles late.
 #pragma once
 
 #include <filesystem>

@@ -14,27 +14,22 @@ constexpr std::size_t kAddressSpace = 0x10000;
 // How often the stack is looked at; a sixth of a percent of the time.
 constexpr Cycle kLookEvery = 1000;
 constexpr std::uint8_t kIntervalsToRepeat = 3;
-constexpr Cycle kRepeatWithin = 10 * 16'000'000ull;
+constexpr Cycle kRepeatWithin_s = 10;
 
 constexpr std::uint8_t kSleepModeMask = 0x0E, kIdle = 0x00, kNoiseReduction = 0x02;
 
-// Interrupts that need a clock which stands still in deep sleep: the register that enables them, and its
-// bits.
-constexpr std::array<std::pair<reg::Address, std::uint8_t>, 5> kClocked = {{{reg::kTimsk0, 0x07},
-                                                                            {reg::kTimsk1, 0x27},
-                                                                            {reg::kTimsk2, 0x07},
-                                                                            {reg::kUcsrb, 0xE0},
-                                                                            {reg::kAdcsra, 0x08}}};
+constexpr std::uint8_t kTimerInterrupts = 0x07, kCaptureInterrupt = 0x20, kUartInterrupts = 0xE0,
+                       kAdcInterrupt = 0x08;
 
 Chip* chip_of(avr_t* avr) { return static_cast<Chip*>(avr->custom.data); }
 
 /// Where the jump at the reset vector leads.
-std::uint32_t reset_target(const std::uint8_t* flash) {
+std::uint32_t reset_target(const std::uint8_t* flash, std::uint32_t flash_bytes) {
   const unsigned first = flash[0] | flash[1] << 8;
   if ((first & 0xFE0E) == 0x940C) return static_cast<std::uint32_t>(flash[2] | flash[3] << 8) * 2;
   if ((first & 0xF000) == 0xC000) {
     const int offset = static_cast<int>(first & 0xFFF) - (first & 0x800 ? 0x1000 : 0);
-    return static_cast<std::uint32_t>(2 + 2 * offset) & (kFlashBytes - 1);
+    return static_cast<std::uint32_t>(2 + 2 * offset) & (flash_bytes - 1);
   }
   return 0;
 }
@@ -42,10 +37,13 @@ std::uint32_t reset_target(const std::uint8_t* flash) {
 }  // namespace
 
 Chip::Chip(const Firmware& firmware, const BoardSpec& board, Peripherals& peripherals)
-    : peripherals_(peripherals) {
+    : spec_(*board.chip),
+      peripherals_(peripherals),
+      hooks_(board.chip->ram_address),
+      lowest_sp_(firmware.last_ram) {
   avr_global_logger_set(&Chip::on_log);
-  avr_ = avr_make_mcu_by_name("atmega328p");
-  if (!avr_) throw std::runtime_error("libsimavr knows no ATmega328P");
+  avr_ = avr_make_mcu_by_name(spec_.emulator_name);
+  if (!avr_) throw std::runtime_error(std::string("libsimavr knows no ") + spec_.name);
   avr_->custom.data = this;
   avr_init(avr_);
   avr_->log = LOG_ERROR;
@@ -59,14 +57,23 @@ Chip::Chip(const Firmware& firmware, const BoardSpec& board, Peripherals& periph
   if (!avr_->flash || !avr_->data) throw std::bad_alloc();
   std::memset(avr_->data + avr_->ramend + 1, 0, kAddressSpace - avr_->ramend - 1u);
   if (firmware.needs_larger_chip()) {
-    avr_->ramend = lowest_sp_ = firmware.last_ram;
+    avr_->ramend = firmware.last_ram;
     avr_->flashend = kAddressSpace - 1;
   }
   for (std::uint32_t pc = 0; pc < kAddressSpace; pc += 2) set_word(pc, kTrapOpcode);
   std::memcpy(avr_->flash, firmware.flash.data(), firmware.flash.size());
   avr_->codeend = firmware.code_end;
-  avr_->reset_pc = avr_->pc = reset_target(avr_->flash);
+  avr_->reset_pc = avr_->pc = reset_target(avr_->flash, spec_.flash_bytes);
   if (avr_->reset_pc != 0) set_word(0, kTrapOpcode);
+
+  for (int i = 0; i < spec_.timer_count; ++i) {
+    const TimerSpec& timer = spec_.timers[i];
+    const std::uint8_t capture = timer.capture ? kCaptureInterrupt : 0;
+    clocked_.push_back({timer.enables, static_cast<std::uint8_t>(kTimerInterrupts | capture), 0});
+  }
+  for (int i = 0; i < spec_.uart_count; ++i)
+    clocked_.push_back({static_cast<reg::Address>(spec_.uarts[i].address + 1), kUartInterrupts, 0});
+  clocked_.push_back({reg::kAdcsra, kAdcInterrupt, 0});
 
   patch_timers();
   hook_registers();
@@ -99,20 +106,22 @@ void Chip::patch_timers() {
     mode.size = size & 0xFF;
     mode.top = top & 0xFF;
   };
-  for (const int number : {0, 2}) {
+  for (int number = 0; number < spec_.timer_count; ++number) {
     auto* timer = find_module<avr_timer_t>("timer", number);
-    set(timer->wgm_op[1], avr_timer_wgm_fc_pwm, 8, avr_timer_wgm_reg_constant);
-    set(timer->wgm_op[5], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_ocra);
+    if (spec_.timers[number].bits == 8) {
+      set(timer->wgm_op[1], avr_timer_wgm_fc_pwm, 8, avr_timer_wgm_reg_constant);
+      set(timer->wgm_op[5], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_ocra);
+      continue;
+    }
+    for (unsigned mode = 1; mode <= 3; ++mode)
+      set(timer->wgm_op[mode], avr_timer_wgm_fc_pwm, 7 + mode, avr_timer_wgm_reg_constant);
+    set(timer->wgm_op[10], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_icr);
+    set(timer->wgm_op[11], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_ocra);
   }
-  auto* timer1 = find_module<avr_timer_t>("timer", 1);
-  for (unsigned mode = 1; mode <= 3; ++mode)
-    set(timer1->wgm_op[mode], avr_timer_wgm_fc_pwm, 7 + mode, avr_timer_wgm_reg_constant);
-  set(timer1->wgm_op[10], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_icr);
-  set(timer1->wgm_op[11], avr_timer_wgm_pwm, 0, avr_timer_wgm_reg_ocra);
 }
 
 void Chip::hook_registers() {
-  for (reg::Address address = reg::kFirstIo; address < reg::kFirstRam; ++address) {
+  for (reg::Address address = reg::kFirstIo; address < spec_.ram_address; ++address) {
     auto& io = avr_->io[AVR_DATA_TO_IO(address)];
     Hook& hook = hooks_[address];
     hook = {io.r.c, io.r.param, io.w.c, io.w.param};
@@ -132,7 +141,8 @@ void Chip::hook_registers() {
 }
 
 void Chip::after_reset() {
-  for (const std::uint8_t number : {0, 1}) avr_extint_set_strict_lvl_trig(avr_, number, 0);
+  for (std::uint8_t number = 0; number < spec_.external_count; ++number)
+    avr_extint_set_strict_lvl_trig(avr_, number, 0);
   // The analog comparator listens to these, by calls at every bit that is written.
   for (const reg::Address address : {reg::kAdcsra, reg::kAdcsrb, reg::kAdmux, reg::kPrr})
     avr_->io[AVR_DATA_TO_IO(address)].irq = nullptr;
@@ -206,9 +216,7 @@ void Chip::on_handler(avr_irq_t*, std::uint32_t value, void* self) {
   chip.handling_ = handling;
   if (handling) {
     chip.handler_began_ = chip.avr_->cycle;
-    const std::uint16_t sp = chip.sp();
-    chip.interrupted_pc_ =
-        2u * static_cast<std::uint32_t>(chip.avr_->data[sp + 1] << 8 | chip.avr_->data[sp + 2]);
+    chip.interrupted_pc_ = chip.return_address(static_cast<reg::Address>(chip.sp() + 1));
   } else {
     chip.handler_cycles_ += chip.avr_->cycle - chip.handler_began_;
   }
@@ -320,22 +328,21 @@ void Chip::enter_sleep() {
   const int mode = data(reg::kSmcr) & kSleepModeMask;
   if (mode == kIdle || mode == kNoiseReduction) return;
   deep_ = true;
-  for (std::size_t i = 0; i < kClocked.size(); ++i) {
-    const auto [enables, mask] = kClocked[i];
-    held_enables_[i] = data(enables) & mask;
-    avr_->data[enables] = static_cast<std::uint8_t>(data(enables) & ~mask);
+  for (Clocked& clocked : clocked_) {
+    clocked.held = data(clocked.enables) & clocked.mask;
+    avr_->data[clocked.enables] = static_cast<std::uint8_t>(data(clocked.enables) & ~clocked.mask);
   }
 }
 
 void Chip::leave_sleep() {
   deep_ = false;
-  for (std::size_t i = 0; i < kClocked.size(); ++i) {
-    const reg::Address enables = kClocked[i].first;
-    const auto value = static_cast<std::uint8_t>(data(enables) | held_enables_[i]);
-    if (enables == reg::kUcsrb) {
-      peripherals_.io_write(enables, value);  // a transmitter that has become free meanwhile must say so
+  for (const Clocked& clocked : clocked_) {
+    const auto value = static_cast<std::uint8_t>(data(clocked.enables) | clocked.held);
+    if (clocked.mask == kUartInterrupts) {
+      // A transmitter that has become free meanwhile must say so.
+      peripherals_.io_write(clocked.enables, value);
     } else {
-      avr_->data[enables] = value;
+      avr_->data[clocked.enables] = value;
     }
   }
 }
@@ -344,7 +351,8 @@ void Chip::watchdog_bites() {
   reset_pc_ = avr_->pc;
   passing_.reset();
   const Cycle now = avr_->cycle;
-  watchdog_resets_ = watchdog_resets_ > 0 && now - last_bite_ < kRepeatWithin ? watchdog_resets_ + 1 : 1;
+  watchdog_resets_ =
+      watchdog_resets_ > 0 && now - last_bite_ < kRepeatWithin_s * clock_hz() ? watchdog_resets_ + 1 : 1;
   last_bite_ = now;
   avr_->run(avr_);
   avr_->cycle = now + 1;

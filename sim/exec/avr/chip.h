@@ -1,4 +1,4 @@
-// One ATmega328P in libsimavr: set up as the real one, run to an exact cycle, and watched for what goes
+// One chip in libsimavr: set up as the real one, run to an exact cycle, and watched for what goes
 // wrong.
 //
 // What libsimavr 1.6 does by itself, and what is done about it here:
@@ -57,6 +57,8 @@ class Chip {
   Chip(const Chip&) = delete;
   Chip& operator=(const Chip&) = delete;
 
+  const ChipSpec& spec() const { return spec_; }
+  std::uint32_t clock_hz() const { return avr_->frequency; }
   Cycle cycle() const { return avr_->cycle; }
   std::uint32_t pc() const { return avr_->pc; }
   std::uint16_t sp() const { return static_cast<std::uint16_t>(data(reg::kSpL) | data(reg::kSpH) << 8); }
@@ -64,6 +66,12 @@ class Chip {
   std::uint8_t* memory() { return avr_->data; }
   avr_t* simavr() { return avr_; }
   bool in_handler() const { return avr_->interrupts.running_ptr > 0; }
+  /// That a call or interrupt has put on the stack, as a flash address; its first byte is at `at`.
+  std::uint32_t return_address(reg::Address at) const {
+    std::uint32_t words = 0;
+    for (int i = 0; i < spec_.return_address_bytes; ++i) words = words << 8 | avr_->data[at + i];
+    return 2 * words;
+  }
 
   /// Runs until `cycle` or a few cycles later; returns sooner after a fault, after stop_at(), or when the
   /// firmware has switched itself off.
@@ -167,23 +175,31 @@ class Chip {
   }
   void set_word(std::uint32_t pc, std::uint16_t value);
 
+  const ChipSpec& spec_;
   Peripherals& peripherals_;
   avr_t* avr_ = nullptr;
   avr_run_t run_ = nullptr;
-  std::array<Hook, 0x100> hooks_;
+  std::vector<Hook> hooks_;  ///< by address
   std::vector<TrapPlace> traps_;
   unsigned trapped_ = 0;
   std::optional<std::uint32_t> passing_;  ///< the instruction whose trap has been told: it runs next
   bool singly_ = false;
   std::optional<Fault> fault_;
   int (*flash_ioctl_)(avr_io_t*, std::uint32_t, void*) = nullptr;
-  std::uint16_t lowest_sp_ = reg::kLastRam;
+  std::uint16_t lowest_sp_ = 0;
   std::uint16_t stack_limit_ = 0;
   std::array<std::uint32_t, 32> jumps_{};
   std::uint32_t jump_count_ = 0;
   bool off_ = false;
-  bool deep_ = false;                           ///< asleep with the timers' clock stopped
-  std::array<std::uint8_t, 5> held_enables_{};  ///< interrupts that cannot wake it
+  bool deep_ = false;  ///< asleep with the timers' clock stopped
+  /// Interrupts that need a clock which stands still in deep sleep: the register that enables them, its bits,
+  /// and those that were set.
+  struct Clocked {
+    reg::Address enables = 0;
+    std::uint8_t mask = 0;
+    std::uint8_t held = 0;
+  };
+  std::vector<Clocked> clocked_;
   Cycle stop_ = 0;
   Cycle last_io_ = 0;
   std::uint32_t last_io_pc_ = 0;

@@ -45,7 +45,7 @@ void DebugPort::trap(std::uint32_t address, bool set) {
 std::uint32_t DebugPort::data_end() const { return kDataSpace + firmware_.last_ram + 1u; }
 
 std::uint32_t DebugPort::flash_end() const {
-  return std::max(kFlashBytes, static_cast<std::uint32_t>(firmware_.flash.size()));
+  return std::max(firmware_.chip->flash_bytes, static_cast<std::uint32_t>(firmware_.flash.size()));
 }
 
 std::uint32_t DebugPort::pc() const { return chip().fault() ? chip().fault()->pc : chip().pc(); }

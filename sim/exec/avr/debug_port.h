@@ -1,4 +1,4 @@
-// The emulated ATmega328P as avr-gdb sees it (gdb::DebugPort says how it halts, steps and watches):
+// The emulated chip as avr-gdb sees it (gdb::DebugPort says how it halts, steps and watches):
 //
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
 //   addresses   flash from 0, data memory from 0x800000, EEPROM from 0x810000

@@ -48,8 +48,9 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
   const std::string target =
       fault.kind == Fault::Kind::restart
           ? "address 0, where a reset begins: the sketch would start again"
-          : fmt::format("address 0x{:04X}, {}", fault.pc,
-                        fault.pc < kFlashBytes ? "where there is no code" : "behind the flash");
+          : fmt::format(
+                "address 0x{:04X}, {}", fault.pc,
+                fault.pc < firmware_.chip->flash_bytes ? "where there is no code" : "behind the flash");
   const auto calls = machine_.stack().open_calls();
   if (!calls.empty() && calls[0].by_pointer) return "call through a wrong function pointer to " + target;
   if (machine_.stack().last_return() == fault.pc)
@@ -173,7 +174,7 @@ Activity Diagnosis::activity() const {
   activity.call = api_call(chip.last_io_pc());
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
     activity.pin = machine_.ports().last_read();
-  const Cycle second = 16'000'000;
+  const Cycle second = machine_.chip().clock_hz();
   if (machine_.ports().last_read() != kNoPin && chip.cycle() - machine_.ports().last_read_at() <= second)
     activity.polled = machine_.ports().last_read();
   activity.where = where_now();

@@ -44,7 +44,8 @@ void load_symbols(const FileReader& in, const Elf32_Ehdr& header, Firmware& firm
   const auto section = [&](unsigned number) {
     return in.at<Elf32_Shdr>(header.e_shoff + number * std::size_t{header.e_shentsize});
   };
-  std::uint32_t data_end = kDataSpace + reg::kFirstRam, stack = 0;
+  const std::uint32_t first_ram = kDataSpace + firmware.chip->ram_address;
+  std::uint32_t data_end = first_ram, stack = 0;
   bool checks = false;
   for (unsigned i = 0; i < header.e_shnum; ++i) {
     const Elf32_Shdr table = section(i);
@@ -64,9 +65,9 @@ void load_symbols(const FileReader& in, const Elf32_Ehdr& header, Firmware& firm
     }
   }
   firmware.symbols.sort();
-  if (checks && stack > reg::kLastRam && stack <= 0xFFFF)
+  if (checks && stack >= ram_end(*firmware.chip) && stack <= 0xFFFF)
     firmware.last_ram = static_cast<std::uint16_t>(stack);
-  firmware.ram_bytes = data_end - kDataSpace - reg::kFirstRam;
+  firmware.ram_bytes = data_end - first_ram;
   firmware.globals_end = static_cast<std::uint16_t>(data_end - kDataSpace);
 }
 
@@ -77,12 +78,17 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   const FileReader in(content, file.string());
   Firmware firmware;
   firmware.file = file.string();
+  firmware.chip = board.chip;
+  firmware.last_ram = static_cast<std::uint16_t>(ram_end(*board.chip) - 1);
   if (content.size() < sizeof(Elf32_Ehdr) || std::memcmp(content.data(), ELFMAG, SELFMAG) != 0)
     throw InputError({firmware.file},
                      "is no ELF file; the target avr runs what “robosim build --target avr” makes");
   const auto header = in.at<Elf32_Ehdr>(0);
   if (header.e_ident[EI_CLASS] != ELFCLASS32 || header.e_machine != EM_AVR || header.e_type != ET_EXEC)
     throw InputError({firmware.file}, "is an ELF file, but no program for an AVR chip");
+  if (!board.chip->emulator_name)
+    throw InputError({firmware.file},
+                     fmt::format("is for an AVR chip, and the robot's board is the {}", board.name));
   if (header.e_phentsize != sizeof(Elf32_Phdr) ||
       (header.e_shnum > 0 && header.e_shentsize != sizeof(Elf32_Shdr)))
     in.damaged();
@@ -90,7 +96,7 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   load_segments(in, header, board, firmware);
   if (firmware.code_end < 4) throw InputError({firmware.file}, "holds no code");
   const std::uint32_t ram =
-      firmware.needs_larger_chip() ? firmware.last_ram - reg::kFirstRam : board.ram_bytes;
+      firmware.needs_larger_chip() ? firmware.last_ram - board.chip->ram_address : board.ram_bytes;
   if (firmware.ram_bytes > ram) {
     throw InputError({firmware.file}, fmt::format("needs {} bytes of RAM for its variables; the {} has {}",
                                                   firmware.ram_bytes, board.name, ram));

@@ -16,12 +16,12 @@ namespace robosim::exec::avr {
 
 constexpr std::uint32_t kDataSpace = 0x800000;    ///< avr-gcc's address of data memory
 constexpr std::uint32_t kEepromSpace = 0x810000;  ///< and of what is neither flash nor RAM
-constexpr std::uint32_t kFlashBytes = 0x8000;     ///< of an ATmega328P, boot loader included
 /// Prefix of the functions that gcc's checks call when they fail; the check's name follows.
 constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
 struct Firmware {
   std::string file;
+  const ChipSpec* chip = nullptr;
   std::vector<std::uint8_t> flash;  ///< as it is flashed: code, constants, initial values of variables
   std::uint32_t code_end = 0;       ///< end of .text
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
@@ -29,14 +29,14 @@ struct Firmware {
   Symbols symbols;                  ///< functions and variables: flash from 0, data memory from kDataSpace
   /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip: it
   /// gets RAM up to where it has its stack begin, and 64 KB of flash.
-  std::uint16_t last_ram = reg::kLastRam;
-  bool needs_larger_chip() const { return last_ram != reg::kLastRam; }
+  std::uint16_t last_ram = 0;
+  bool needs_larger_chip() const { return last_ram + 1u != ram_end(*chip); }
 
   /// The instruction word at an even flash address.
   int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
 
-  /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for an
-  /// ATmega328P.
+  /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for the
+  /// board's chip.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 
   /// Address of a symbol, if the image has it.

@@ -2,7 +2,7 @@
 // clock).
 #pragma once
 
-#include "hal/board/sim_time.h"
+#include "hal/board/cycle_time.h"
 #include "sim/exec/avr/chip.h"
 #include "sim/exec/core/clocked_board.h"
 
@@ -11,14 +11,12 @@ namespace robosim::exec::avr {
 struct Link {
   Chip& chip;
   ClockedBoard& board;
-  SimTime began = 0;  ///< when the power came on, at cycle 0
+  const CycleTime cycles;  ///< how long the chip's take by its own clock
+  SimTime began = 0;       ///< when the power came on, at cycle 0
 
-  /// 16 MHz: a cycle is 62.5 ns, converted from the absolute count.
-  SimTime time_of(Cycle cycle) const { return began + static_cast<SimTime>(cycle) * 125 / 2; }
+  SimTime time_of(Cycle cycle) const { return began + cycles.of(static_cast<SimTime>(cycle)); }
   /// The first cycle at or after `t`.
-  Cycle cycle_at(SimTime t) const {
-    return t <= began ? 0 : static_cast<Cycle>(((t - began) * 2 + 124) / 125);
-  }
+  Cycle cycle_at(SimTime t) const { return t <= began ? 0 : static_cast<Cycle>(cycles.first_at(t - began)); }
   SimTime now() const { return time_of(chip.cycle()); }
 };
 

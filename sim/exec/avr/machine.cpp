@@ -5,34 +5,8 @@
 namespace robosim::exec::avr {
 namespace {
 
+constexpr int kSerial = 0;  // the UART that the board wires to the outside
 constexpr std::uint8_t kEempe = 0x04, kEepe = 0x02, kEere = 0x01;
-constexpr Cycle kEepromWrite = kEepromWriteTime * 2 / 125;
-
-/// The timer whose PWM a write to this register changes; -1 = none. Of 16-bit registers the low byte counts.
-int timer_of(reg::Address address) {
-  if (address >= reg::kTccr0a && address <= reg::kOcr0b && address != reg::kTcnt0) return 0;
-  switch (address) {
-    case reg::kTccr1a:
-    case reg::kTccr1b:
-    case reg::kIcr1L:
-    case reg::kOcr1aL:
-    case reg::kOcr1bL:
-      return 1;
-    case reg::kTccr2a:
-    case reg::kTccr2b:
-    case reg::kOcr2a:
-    case reg::kOcr2b:
-      return 2;
-    default:
-      return -1;
-  }
-}
-
-bool selects_interrupts(reg::Address address) {
-  return address == reg::kEimsk || address == reg::kEicra || address == reg::kPcicr ||
-         (address >= reg::kPcmsk0 && address < reg::kPcmsk0 + 3) || address == reg::kTimsk1 ||
-         address == reg::kTccr0b || address == reg::kTccr1b;
-}
 
 }  // namespace
 
@@ -40,11 +14,11 @@ Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, Cl
     : firmware_(firmware),
       board_(board),
       chip_(firmware, board.spec(), *this),
-      link_{chip_, board, t},
+      link_{chip_, board, CycleTime(board.spec().clock_hz), t},
       stack_(chip_, firmware),
       ports_(link_),
       adc_(link_),
-      uart_(link_) {
+      uart_(link_, kSerial) {
   avr_eeprom_desc_t content{board.eeprom(), 0, board.spec().eeprom_bytes};
   avr_ioctl(chip_.simavr(), AVR_IOCTL_EEPROM_SET, &content);
   if (loop) chip_.set_trap(Chip::kLoopTrap, *loop);
@@ -53,37 +27,39 @@ Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, Cl
 Machine::~Machine() = default;
 
 void Machine::io_write(reg::Address address, std::uint8_t value) {
-  if (Ports::owns(address)) {
+  if (ports_.owns(address)) {
     ports_.write(address, value);
-  } else if (Uart::owns(address)) {
+  } else if (uart_.owns(address)) {
     uart_.write(address, value);
   } else if (address == reg::kEecr) {
     write_eeprom_control(value);
   } else {
     chip_.write_through(address, value);
     timer_written(address);
-    if (selects_interrupts(address)) ports_.interrupts_changed();
+    if (ports_.selects_interrupts(address)) ports_.interrupts_changed();
   }
   const SimTime next = board_.next_input();
   if (next != kNever) chip_.stop_at(link_.cycle_at(next));
 }
 
 std::uint8_t Machine::io_read(reg::Address address) {
-  if (Ports::owns(address)) return ports_.read(address);
-  if (Uart::owns(address)) return uart_.read(address);
+  if (ports_.owns(address)) return ports_.read(address);
+  if (uart_.owns(address)) return uart_.read(address);
   if (address == reg::kAdcL || address == reg::kAdcH) return adc_.read(address);
   return chip_.read_through(address);
 }
 
 void Machine::timer_written(reg::Address address) {
-  const int timer = timer_of(address);
+  const int timer = ports_.timer_of(address);
   if (timer < 0) return;
-  if (address == reg::kIcr1L) {
+  const TimerSpec& spec = chip_.spec().timers[timer];
+  if (address == spec.capture) {
     // libsimavr overlooks a new top; stopping and starting the timer makes it look.
-    const std::uint8_t control = chip_.data(reg::kTccr1b);
+    const auto control_b = static_cast<reg::Address>(spec.control + 1);
+    const std::uint8_t control = chip_.data(control_b);
     if (control & 0x10 && control & 7) {
-      chip_.write_through(reg::kTccr1b, static_cast<std::uint8_t>(control & ~7));
-      chip_.write_through(reg::kTccr1b, control);
+      chip_.write_through(control_b, static_cast<std::uint8_t>(control & ~7));
+      chip_.write_through(control_b, control);
     }
   }
   ports_.timer_changed(timer);
@@ -113,7 +89,8 @@ void Machine::write_eeprom_control(std::uint8_t value) {
   // libsimavr is done at once; the chip takes its time.
   eeprom_busy_ = true;
   chip_.memory()[reg::kEecr] |= kEepe;
-  avr_cycle_timer_register(chip_.simavr(), kEepromWrite, &Machine::on_eeprom_written, this);
+  avr_cycle_timer_register(chip_.simavr(), static_cast<Cycle>(link_.cycles.whole(kEepromWriteTime)),
+                           &Machine::on_eeprom_written, this);
 }
 
 void Machine::was_reset() {
@@ -154,8 +131,11 @@ void Machine::set_debug_port(DebugPort* port) {
 
 std::uint8_t Machine::peek(reg::Address address) {
   if (address == reg::kSreg) return chip_.status();
-  const bool counter = address == reg::kTcnt0 || address == reg::kTcnt1L || address == reg::kTcnt1L + 1 ||
-                       address == reg::kTcnt2;
+  bool counter = false;
+  for (int i = 0; i < chip_.spec().timer_count; ++i) {
+    const TimerSpec& timer = chip_.spec().timers[i];
+    counter |= address >= timer.count && address < timer.count + timer.bits / 8;
+  }
   if (counter) chip_.read_through(address);
   return chip_.data(address);
 }
@@ -164,7 +144,7 @@ void Machine::poke(reg::Address address, std::uint8_t value) {
   if (address == reg::kSreg) {
     chip_.set_status(value);
   } else if (address == reg::kSpL || address == reg::kSpH || address < reg::kFirstIo ||
-             address >= reg::kFirstRam) {
+             address >= chip_.spec().ram_address) {
     chip_.memory()[address] = value;
   } else {
     io_write(address, value);
@@ -188,27 +168,28 @@ void Machine::set_clock(SimTime start) {
 
 void Machine::start_clock() {
   chip_.clear_trap(Chip::kMainTrap, chip_.pc());
-  // The core's (wiring.c): milliseconds, and overflows of timer 0, each of 1024 us.
+  // The core's (wiring.c): milliseconds, and overflows of timer 0.
+  constexpr SimTime kOverflowCycles = 64 * 256;
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);
     for (int i = 0; address && i < 4; ++i)
       chip_.memory()[*address + i] = static_cast<std::uint8_t>(value >> (8 * i));
   };
   set("timer0_millis", static_cast<std::uint64_t>(clock_start_ / kMillisecond));
-  set("timer0_overflow_count", static_cast<std::uint64_t>(clock_start_ / (1024 * kMicrosecond)));
+  set("timer0_overflow_count", static_cast<std::uint64_t>(clock_start_ / link_.cycles.of(kOverflowCycles)));
 }
 
 Resources Machine::resources() const {
-  constexpr double kCycle_us = 1.0 / 16.0;
+  const double cycle_us = 1e6 / chip_.clock_hz();
   Resources r;
   r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_.most_bytes();
   r.loops = loop_times_.count;
   const Cycle present = looped_ ? chip_.cycle() - loop_began_ : 0;
-  r.loop_us_max = static_cast<double>(std::max(loop_times_.longest, present)) * kCycle_us;
+  r.loop_us_max = static_cast<double>(std::max(loop_times_.longest, present)) * cycle_us;
   if (r.loops > 0)
-    r.loop_us_mean = static_cast<double>(loop_times_.total) * kCycle_us / static_cast<double>(r.loops);
+    r.loop_us_mean = static_cast<double>(loop_times_.total) * cycle_us / static_cast<double>(r.loops);
   const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));
   r.interrupt_share = static_cast<double>(chip_.handler_cycles()) / all;
   r.cpu_load = 1.0 - static_cast<double>(chip_.sleep_cycles()) / all;

@@ -24,8 +24,7 @@ void Stack::look() {
 }
 
 std::uint32_t Stack::return_address(std::uint32_t at) const {
-  return 2u * static_cast<std::uint32_t>(chip_.data(static_cast<reg::Address>(at)) << 8 |
-                                         chip_.data(static_cast<reg::Address>(at + 1)));
+  return chip_.return_address(static_cast<reg::Address>(at));
 }
 
 bool Stack::find_call(std::uint32_t pc, Call& call) const {
@@ -46,18 +45,21 @@ bool Stack::find_call(std::uint32_t pc, Call& call) const {
 std::vector<Stack::Call> Stack::open_calls() const {
   std::vector<Call> calls;
   Call call;
-  for (std::uint32_t at = chip_.sp() + 1u; at < firmware_.last_ram && calls.size() < kMostScannedCalls;
-       ++at) {
-    if (at < reg::kFirstRam || !find_call(return_address(at), call)) continue;
+  const std::uint32_t bytes = firmware_.chip->return_address_bytes;
+  for (std::uint32_t at = chip_.sp() + 1u;
+       at + bytes - 1u <= firmware_.last_ram && calls.size() < kMostScannedCalls; ++at) {
+    if (at < firmware_.chip->ram_address || !find_call(return_address(at), call)) continue;
     calls.push_back(call);
-    ++at;
+    at += bytes - 1u;
   }
   return calls;
 }
 
 std::uint32_t Stack::last_return() const {
   const std::uint32_t sp = chip_.sp();
-  return sp > reg::kFirstRam && sp <= firmware_.last_ram ? return_address(sp - 1) : 0;
+  const std::uint32_t bytes = firmware_.chip->return_address_bytes;
+  const bool in_ram = sp >= firmware_.chip->ram_address + bytes - 1 && sp <= firmware_.last_ram;
+  return in_ram ? return_address(sp + 1 - bytes) : 0;
 }
 
 }  // namespace robosim::exec::avr

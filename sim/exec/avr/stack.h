@@ -1,6 +1,6 @@
 // The stack: how deep it has been, whether it has met the variables, and who called whom.
 //
-//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF (Firmware::last_ram)
+//   0x0100 variables | heap -> ...        ... <- stack | 0x08FF      addresses of an ATmega328P
 //
 // The chip follows the stack pointer at every change, so that neither a short deep call nor a large array
 // that is never written to is missed.

@@ -8,19 +8,27 @@ constexpr std::uint8_t kRxcie = 0x80, kUdrie = 0x20, kRxen = 0x10, kTxen = 0x08,
 
 }  // namespace
 
-Uart::Uart(Link& link) : link_(link), module_(link.chip.find_module<avr_uart_t>("uart")) { was_reset(); }
+Uart::Uart(Link& link, int number) : link_(link), module_(link.chip.find_module<avr_uart_t>("uart", number)) {
+  const UartSpec& uart = link.chip.spec().uarts[number];
+  status_at_ = static_cast<reg::Address>(uart.address);
+  control_at_ = static_cast<reg::Address>(status_at_ + 1);
+  format_at_ = static_cast<reg::Address>(status_at_ + 2);
+  divider_at_ = uart.divider;
+  data_at_ = uart.data;
+  was_reset();
+}
 
 Cycle Uart::byte_cycles() const {
   const Chip& chip = link_.chip;
-  const int format = chip.data(reg::kUcsrc);
+  const int format = chip.data(format_at_);
   const int bits = 1 + 5 + (format >> 1 & 3) + (format & 0x20 ? 1 : 0) + (format & 0x08 ? 2 : 1);
-  const int divider = (chip.data(reg::kUbrrL) | chip.data(reg::kUbrrH) << 8) & 0xFFF;
-  return static_cast<Cycle>(bits) * (chip.data(reg::kUcsra) & kU2x ? 8 : 16) *
-         static_cast<Cycle>(divider + 1);
+  const int divider =
+      (chip.data(divider_at_) | chip.data(static_cast<reg::Address>(divider_at_ + 1)) << 8) & 0xFFF;
+  return static_cast<Cycle>(bits) * (chip.data(status_at_) & kU2x ? 8 : 16) * static_cast<Cycle>(divider + 1);
 }
 
 void Uart::listen() {
-  const auto byte_time = static_cast<SimTime>(byte_cycles()) * 125 / 2;
+  const auto byte_time = link_.cycles.of(static_cast<SimTime>(byte_cycles()));
   link_.board.listen(control() & kRxen ? byte_time : 0, link_.now());
 }
 
@@ -32,24 +40,20 @@ void Uart::clear(avr_int_vector_t& vector, std::uint8_t flag) {
 }
 
 void Uart::write(reg::Address address, std::uint8_t value) {
-  switch (address) {
-    case reg::kUdr:
-      return send(value);
-    case reg::kUcsra:
-      if (value & kTxc) clear(module_->txc, kTxc);
-      status() = static_cast<std::uint8_t>((status() & ~(kU2x | kMpcm)) | (value & (kU2x | kMpcm)));
-      return listen();
-    case reg::kUcsrb:
-      return set_control(value);
-    default:
-      link_.chip.memory()[address] = value;
-      return listen();
+  if (address == data_at_) return send(value);
+  if (address == control_at_) return set_control(value);
+  if (address == status_at_) {
+    if (value & kTxc) clear(module_->txc, kTxc);
+    status() = static_cast<std::uint8_t>((status() & ~(kU2x | kMpcm)) | (value & (kU2x | kMpcm)));
+  } else {
+    link_.chip.memory()[address] = value;
   }
+  listen();
 }
 
 void Uart::set_control(std::uint8_t value) {
   const std::uint8_t rising = value & ~control();
-  link_.chip.memory()[reg::kUcsrb] = value & static_cast<std::uint8_t>(~kRxb8);
+  link_.chip.memory()[control_at_] = value & static_cast<std::uint8_t>(~kRxb8);
   if (!(value & kRxen)) {
     received_count_ = 0;
     clear(module_->rxc, kRxc);
@@ -106,16 +110,16 @@ std::uint8_t Uart::take() {
 }
 
 std::uint8_t Uart::read(reg::Address address) {
-  return address == reg::kUdr ? take() : link_.chip.data(address);
+  return address == data_at_ ? take() : link_.chip.data(address);
 }
 
 void Uart::was_reset() {
   shifting_ = waiting_ = false;
   received_count_ = 0;
   std::uint8_t* const memory = link_.chip.memory();
-  memory[reg::kUcsra] = kUdre;
-  memory[reg::kUcsrb] = 0;
-  memory[reg::kUcsrc] = 0x06;
+  memory[status_at_] = kUdre;
+  memory[control_at_] = 0;
+  memory[format_at_] = 0x06;
   listen();
 }
 

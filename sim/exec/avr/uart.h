@@ -15,9 +15,9 @@ namespace robosim::exec::avr {
 
 class Uart {
  public:
-  explicit Uart(Link& link);
+  explicit Uart(Link& link, int number);
 
-  static bool owns(reg::Address address) { return address >= reg::kUcsra && address <= reg::kUdr; }
+  bool owns(reg::Address address) const { return address >= status_at_ && address <= data_at_; }
   void write(reg::Address address, std::uint8_t value);
   std::uint8_t read(reg::Address address);
   void receive(std::uint8_t byte);
@@ -26,8 +26,8 @@ class Uart {
  private:
   static avr_cycle_count_t on_shifted(avr_t* avr, avr_cycle_count_t when, void* self);
 
-  std::uint8_t& status() { return link_.chip.memory()[reg::kUcsra]; }
-  std::uint8_t control() const { return link_.chip.data(reg::kUcsrb); }
+  std::uint8_t& status() { return link_.chip.memory()[status_at_]; }
+  std::uint8_t control() const { return link_.chip.data(control_at_); }
   Cycle byte_cycles() const;
   void send(std::uint8_t byte);
   std::uint8_t take();
@@ -38,6 +38,7 @@ class Uart {
 
   Link& link_;
   avr_uart_t* module_;
+  reg::Address status_at_, control_at_, format_at_, divider_at_, data_at_;
   bool shifting_ = false;
   bool waiting_ = false;  ///< a byte waits for the shift register
   std::array<std::uint8_t, 2> received_{};

@@ -4,10 +4,11 @@
 
 namespace robosim::exec {
 
-BoardState::BoardState(const BoardSpec& spec) : spec_(spec), eeprom_(spec.eeprom_bytes, 0xFF) {}
+BoardState::BoardState(const BoardSpec& spec)
+    : spec_(spec), pins_(spec.pin_count + 1u), eeprom_(spec.eeprom_bytes, 0xFF) {}
 
 void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
-  if (pin >= kMaxPins) return;
+  if (pin >= spec_.pin_count) return;
   PinState& state = pins_[pin];
   if (state.drive == drive) return;
   state.drive = drive;
@@ -24,14 +25,14 @@ bool BoardState::level_on(Pin pin, SimTime t) {
 }
 
 bool BoardState::read_level(Pin pin, SimTime t) {
-  if (pin >= kMaxPins) return false;
+  if (pin >= spec_.pin_count) return false;
   const bool level = level_on(pin, t);
   if (input_watcher_) input_watcher_->level_seen(pin, level, t);
   return level;
 }
 
 double BoardState::read_volts(Pin pin, SimTime t) {
-  if (pin >= kMaxPins) return 0.0;
+  if (pin >= spec_.pin_count) return 0.0;
   const PinState& state = pins_[pin];
   const bool sourced = state.drive.mode != PinMode::output && state.source;
   const double volts = sourced ? state.source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
@@ -51,15 +52,15 @@ void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime
 }
 
 void BoardState::connect(Pin pin, PinSource& source) {
-  if (pin < kMaxPins) pins_[pin].source = &source;
+  if (pin < spec_.pin_count) pins_[pin].source = &source;
 }
 
 void BoardState::watch(Pin pin, PinWatcher& watcher) {
-  if (pin < kMaxPins) pins_[pin].watchers.push_back(&watcher);
+  if (pin < spec_.pin_count) pins_[pin].watchers.push_back(&watcher);
 }
 
 void BoardState::schedule_edge(Pin pin, bool level, SimTime at) {
-  if (pin >= kMaxPins) return;
+  if (pin >= spec_.pin_count) return;
   PinState& state = pins_[pin];
   if (state.wants_edges && level == state.last_level) return;
   state.last_level = level;
@@ -76,7 +77,7 @@ void BoardState::receive_byte(std::uint8_t byte, SimTime at) {
 }
 
 void BoardState::reset(SimTime t) {
-  for (Pin pin = 0; pin < kMaxPins; ++pin) {
+  for (Pin pin = 0; pin < spec_.pin_count; ++pin) {
     set_drive(pin, PinDrive{}, t);
     pins_[pin].wants_edges = false;
   }
@@ -88,7 +89,7 @@ void BoardState::reset(SimTime t) {
 }
 
 bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
-  if (pin >= kMaxPins || pins_[pin].wants_edges == wanted) return false;
+  if (pin >= spec_.pin_count || pins_[pin].wants_edges == wanted) return false;
   PinState& state = pins_[pin];
   state.wants_edges = wanted;
   wanted_pins_ += wanted ? 1 : -1;

@@ -2,7 +2,7 @@
 // way to the chip. All times are the world's.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,13 +37,13 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
   // --- RobotPort
-  const PinDrive& drive(Pin pin) const override { return pins_[pin % kMaxPins].drive; }
+  const PinDrive& drive(Pin pin) const override { return state_of(pin).drive; }
   void connect(Pin pin, PinSource& source) override;
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
   void schedule_edge(Pin pin, bool level, SimTime at) override;
-  bool wants_edges(Pin pin) const override { return pins_[pin % kMaxPins].wants_edges; }
+  bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
   bool wants_any_edges() const override { return wanted_pins_ > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
@@ -87,13 +87,14 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   std::size_t next_edge() const;
   void refresh_next();
 
+  const PinState& state_of(Pin pin) const { return pins_[std::min(pin, spec_.pin_count)]; }
   bool level_on(Pin pin, SimTime t);
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
   EepromWatcher* eeprom_watcher_ = nullptr;
-  std::array<PinState, kMaxPins> pins_;
-  int wanted_pins_ = 0;  ///< of which edges are wanted
+  std::vector<PinState> pins_;  ///< the last is of numbers that are no pin: nobody drives it
+  int wanted_pins_ = 0;         ///< of which edges are wanted
   std::vector<SerialWatcher*> serial_watchers_;
   std::vector<std::uint8_t> eeprom_;
   std::vector<BoardInput> edges_;  ///< by time, and as scheduled where times are equal

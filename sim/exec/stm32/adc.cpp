@@ -17,7 +17,7 @@ Adc::Adc(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) {
   pins_.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
-    if (const int channel = spec.pins[pin].analog_channel; channel >= 0 && channel < 10)
+    if (const int channel = spec.pins[pin].analog_channel; channel >= 0 && channel < kStm32f103c8.adc.pins)
       pins_[static_cast<std::size_t>(channel)] = pin;
 }
 

@@ -30,7 +30,7 @@ class Adc {
 
   Link& link_;
   const Clocks& clocks_;
-  std::array<Pin, 10> pins_;
+  std::array<Pin, kStm32f103c8.adc.pins> pins_;
   std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, sampled_ = 0;
   std::array<std::uint32_t, 2> sample_times_{};
   std::array<std::uint32_t, 3> sequence_{};

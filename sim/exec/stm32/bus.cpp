@@ -39,13 +39,23 @@ constexpr Range kRanges[] = {
     {0xE000EDF0, 0xE000EF00, "debug"},  {0xE0042000, 0xE0042400, "DBGMCU"},
 };
 
-constexpr int kA = 0, kB = 1;
-const Timer::Place kPlaces[] = {
-    {kTim1, kIrqTim1Update, {{{kA, 8}, {kA, 9}, {kA, 10}, {kA, 11}}}},
-    {kTim2, kIrqTim2, {{{kA, 0}, {kA, 1}, {kA, 2}, {kA, 3}}}},
-    {kTim3, kIrqTim3, {{{kA, 6}, {kA, 7}, {kB, 0}, {kB, 1}}}},
-    {kTim4, kIrqTim4, {{{kB, 6}, {kB, 7}, {kB, 8}, {kB, 9}}}},
-};
+Timer::Place place_of(int timer) {
+  const TimerSpec& spec = kStm32f103c8.timers[timer];
+  Timer::Place place{spec.control, static_cast<Irq>(spec.vector), {}};
+  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
+    if (const auto& pin = kStm32f103c8.pins[i]; pin.timer == timer)
+      place.pins[pin.output] = {pin.port, pin.bit};
+  return place;
+}
+
+/// The pin by which USART1 sends.
+constexpr ChipPin sending_pin() {
+  const std::string_view name = kStm32f103c8.uarts[0].tx;
+  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
+    if (const auto& pin = kStm32f103c8.pins[i]; name == pin.name) return {pin.port, pin.bit};
+  return {};
+}
+constexpr ChipPin kSends = sending_pin();
 
 }  // namespace
 
@@ -61,17 +71,17 @@ Bus::Bus(ClockedBoard& board, EepromPages& pages, SimTime began)
       flash_(link_, pages),
       ports_(link_, [this](ChipPin pin) { return alternate(pin); }),
       systick_(link_),
-      timers_{Timer(link_, kPlaces[0], [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, kPlaces[1], [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, kPlaces[2], [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, kPlaces[3], [this](ChipPin pin) { ports_.refresh(pin); })},
+      timers_{Timer(link_, place_of(stm32f103c8::kTim1), [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, place_of(stm32f103c8::kTim2), [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, place_of(stm32f103c8::kTim3), [this](ChipPin pin) { ports_.refresh(pin); }),
+              Timer(link_, place_of(stm32f103c8::kTim4), [this](ChipPin pin) { ports_.refresh(pin); })},
       adc_(link_, clocks_),
       usart_(link_) {}
 
 PinDrive Bus::alternate(ChipPin pin) const {
   PinDrive drive;
   drive.mode = PinMode::output;
-  if (pin.port == kA && pin.bit == 9 && usart_.sends()) {
+  if (pin.port == kSends.port && pin.bit == kSends.bit && usart_.sends()) {
     drive.level = true;  // a line at rest; its bytes are told as bytes
     return drive;
   }
@@ -137,7 +147,7 @@ bool Bus::write(Address address, std::uint32_t value) {
   if (Adc::owns(address)) return adc_.write(address, value);
   if (Usart::owns(address)) {
     const bool modelled = usart_.write(address, value);
-    if (address == kUsartCr1) ports_.refresh({kA, 9});
+    if (address == kUsartCr1) ports_.refresh(kSends);
     return modelled;
   }
   return ports_.write(address, value);

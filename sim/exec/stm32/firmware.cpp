@@ -85,7 +85,7 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   if (header.e_phentsize != sizeof(Elf32_Phdr) ||
       (header.e_shnum > 0 && header.e_shentsize != sizeof(Elf32_Shdr)))
     in.damaged();
-  if (std::string(board.name).rfind("bluepill", 0) != 0)
+  if (std::string_view(board.chip->name) != kStm32f103c8.name)
     throw InputError({firmware.file},
                      fmt::format("is for a Blue Pill, and the robot's board is the {}", board.name));
   for (unsigned i = 0; i < header.e_phnum; ++i) {

@@ -1,7 +1,5 @@
 #include "sim/exec/stm32/ports.h"
 
-#include <cstdlib>
-
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
@@ -21,10 +19,8 @@ Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate)
   for (auto& port : numbers_) port.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin) {
-    const char* name = spec.pins[pin].chip_name;  // "PB12"
-    const ChipPin chip{name[1] - 'A', std::atoi(name + 2)};
-    chip_pins_[pin] = chip;
-    numbers_[static_cast<std::size_t>(chip.port)][static_cast<std::size_t>(chip.bit)] = pin;
+    const auto& place = spec.pins[pin].chip_pin;
+    if (place.port >= 0) numbers_[static_cast<std::size_t>(place.port)][place.bit] = pin;
   }
 }
 
@@ -196,7 +192,7 @@ void Ports::interrupts_changed() {
 
 void Ports::deliver(const BoardInput& edge) {
   if (edge.pin >= link_.board.spec().pin_count) return;
-  const ChipPin pin = chip_pins_[edge.pin];
+  const auto& pin = link_.board.spec().pins[edge.pin].chip_pin;
   if (source(pin.bit) != pin.port || !((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
   pending_ |= 1u << pin.bit;
   interrupts_changed();

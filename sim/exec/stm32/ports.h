@@ -71,7 +71,6 @@ class Ports {
   std::function<PinDrive(ChipPin)> alternate_;
   std::array<Port, kPorts> ports_;
   std::array<std::array<Pin, kBits>, kPorts> numbers_;
-  std::array<ChipPin, kMaxPins> chip_pins_;
   std::uint32_t map_ = 0;
   std::array<std::uint32_t, 4> sources_{};
   std::uint32_t mask_ = 0, rising_ = 0, falling_ = 0, pending_ = 0;

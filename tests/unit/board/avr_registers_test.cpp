@@ -4,15 +4,18 @@
 #include <optional>
 #include <vector>
 
+#include "hal/board/atmega328p.h"
 #include "hal/board/avr_adc.h"
 #include "hal/board/avr_timer.h"
 
 namespace robosim::avr {
 namespace {
 
+using atmega328p::kTimers;
 using Kind = Counting::Kind;
 using Top = Counting::Top;
 
+constexpr const AdcSpec& kAdc = kAtmega328p.adc;
 constexpr std::int64_t kClock_hz = 16'000'000;
 
 /// How a timer counts in a mode, given OCRnA = 100 and ICR1 = 5000.
@@ -27,7 +30,7 @@ void expect_modes(int timer, const std::vector<Mode>& modes) {
   for (const Mode& mode : modes) {
     const auto a = static_cast<std::uint8_t>(mode.number & 3);
     const auto b = static_cast<std::uint8_t>(timer == 1 ? (mode.number & 0xC) << 1 : (mode.number & 4) << 1);
-    const Counting how = counting(timer, a, b);
+    const Counting how = counting(kTimers[timer], a, b);
     EXPECT_EQ(how.kind, mode.kind) << "timer " << timer << ", mode " << mode.number;
     EXPECT_EQ(how.dual_slope, mode.dual_slope) << "timer " << timer << ", mode " << mode.number;
     EXPECT_EQ(top_of(how, 100, 5000), mode.top) << "timer " << timer << ", mode " << mode.number;
@@ -65,25 +68,25 @@ TEST(AvrTimer, Timer1CountsAsTable16_4Says) {
 TEST(AvrTimer, ClocksAreDividedAsTables15_9And16_5And18_9Say) {
   const std::int32_t of_01[] = {0, 1, 8, 64, 256, 1024}, of_2[] = {0, 1, 8, 32, 64, 128, 256, 1024};
   for (std::uint8_t select = 0; select < 6; ++select) {
-    EXPECT_EQ(prescaler(0, 0xF8 | select), of_01[select]);
-    EXPECT_EQ(prescaler(1, 0xF8 | select), of_01[select]);
+    EXPECT_EQ(prescaler(kTimers[0], 0xF8 | select), of_01[select]);
+    EXPECT_EQ(prescaler(kTimers[1], 0xF8 | select), of_01[select]);
   }
-  for (std::uint8_t select = 0; select < 8; ++select) EXPECT_EQ(prescaler(2, select), of_2[select]);
-  EXPECT_EQ(prescaler(0, 6), 0) << "an external clock";
-  EXPECT_EQ(prescaler(1, 7), 0) << "an external clock";
+  for (std::uint8_t select = 0; select < 8; ++select) EXPECT_EQ(prescaler(kTimers[2], select), of_2[select]);
+  EXPECT_EQ(prescaler(kTimers[0], 6), 0) << "an external clock";
+  EXPECT_EQ(prescaler(kTimers[1], 7), 0) << "an external clock";
 }
 
 TEST(AvrTimer, APeriodIsTopAndOneTickOrTwiceTop) {
-  EXPECT_EQ(period_of(counting(0, 3, 0), 0xFF), 256);
-  EXPECT_EQ(period_of(counting(0, 1, 0), 0xFF), 510);
-  EXPECT_EQ(period_of(counting(1, 0, 0x10), 0), 1) << "it cannot count to a TOP of 0";
+  EXPECT_EQ(period_of(counting(kTimers[0], 3, 0), 0xFF), 256);
+  EXPECT_EQ(period_of(counting(kTimers[0], 1, 0), 0xFF), 510);
+  EXPECT_EQ(period_of(counting(kTimers[1], 0, 0x10), 0), 1) << "it cannot count to a TOP of 0";
 }
 
 PinDrive driven(int timer, std::uint8_t a, std::uint8_t b, std::uint16_t compare, int channel,
                 std::uint16_t compare_a = 0) {
-  const Counting how = counting(timer, a, b);
-  return timer_drive(how, prescaler(timer, b), top_of(how, channel == 0 ? compare : compare_a, 0), compare,
-                     connection(a, channel), kClock_hz);
+  const Counting how = counting(kTimers[timer], a, b);
+  return timer_drive(how, prescaler(kTimers[timer], b), top_of(how, channel == 0 ? compare : compare_a, 0),
+                     compare, connection(a, channel), kClock_hz);
 }
 
 TEST(AvrTimer, FastPwmIsHighForOneTickMoreThanItsRegisterSays) {
@@ -132,9 +135,9 @@ TEST(AvrAdc, AConversionTakesWhatTable24_1Says) {
 }
 
 TEST(AvrAdc, ReferencesAreThoseOfTable24_3) {
-  EXPECT_EQ(adc_reference_volts(0x00, 5.0), 5.0) << "AREF, where nothing is wired to it";
-  EXPECT_EQ(adc_reference_volts(0x40, 3.3), 3.3) << "AVCC";
-  EXPECT_EQ(adc_reference_volts(0xC7, 5.0), 1.1);
+  EXPECT_EQ(adc_reference_volts(kAdc, 0x00, 5.0), 5.0) << "AREF, where nothing is wired to it";
+  EXPECT_EQ(adc_reference_volts(kAdc, 0x40, 3.3), 3.3) << "AVCC";
+  EXPECT_EQ(adc_reference_volts(kAdc, 0xC7, 5.0), 1.1);
 }
 
 TEST(AvrAdc, ACodeIsTheShareOfTheReferenceRoundedDown) {
@@ -165,12 +168,12 @@ class Volts final : public FirmwarePort {
 
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   Volts board;
-  EXPECT_EQ(adc_sample(board, 0x40 | 3, 0), adc_code(1.7, 5.0));
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 3, 0), adc_code(1.7, 5.0));
   EXPECT_EQ(board.asked, Pin{17});
   board.asked.reset();
-  EXPECT_EQ(adc_sample(board, 0x40 | 14, 0), adc_code(1.1, 5.0)) << "the bandgap";
-  EXPECT_EQ(adc_sample(board, 0x40 | 15, 0), 0) << "ground";
-  EXPECT_EQ(adc_sample(board, 0x40 | 7, 0), 0) << "an Uno's chip has no channel 7";
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 14, 0), adc_code(1.1, 5.0)) << "the bandgap";
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 15, 0), 0) << "ground";
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 7, 0), 0) << "an Uno's chip has no channel 7";
   EXPECT_FALSE(board.asked);
 }
 

@@ -228,8 +228,7 @@ TEST_F(AvrTest, LimitsAreReadFromTheImageOfEveryTarget) {
 }
 
 TEST_F(AvrTest, ABoardWithoutAnAvrChipIsRefused) {
-  BoardSpec other = *find_board("uno");
-  other.name = "bluepill";
+  const BoardSpec& other = *find_board("bluepill");
   write("Any/Any.ino", kEmptySketch);
   EXPECT_THAT(
       [&] {

@@ -1,0 +1,99 @@
+// Chips as data: what emulators, the host's model of a chip, the build and programmers have to know of one.
+//
+//   ChipSpec   one a chip, in a header of its own, from its data sheet: atmega328p.h, stm32f103c8.h
+//   BoardSpec  one a board: the chip on it, its clock, and what its pins are called (board_spec.h)
+//
+// They are constants, so that they can size arrays and label cases. C++14, no standard library: this header
+// is compiled into firmware images too.
+#pragma once
+
+#include <stdint.h>
+
+namespace robosim {
+
+/// A pin of a chip. A number is -1 where the pin has none such.
+struct ChipPin {
+  const char* name;       ///< the data sheet's: "PD5"
+  int8_t port;            ///< index of ChipSpec::ports; -1 = analog input only
+  uint8_t bit;            ///< in the port's registers
+  int8_t analog_channel;  ///< of the ADC
+  int8_t timer;           ///< index of ChipSpec::timers: the one that can drive it by PWM
+  uint8_t output;         ///< output of that timer, from 0
+  int8_t external;        ///< n of INTn; the EXTI line of an STM32
+  int8_t change;          ///< n of PCINTn
+  int8_t counted_by;      ///< index of the timer that can count its edges (Tn)
+  int8_t captured_by;     ///< index of the timer that can note when its edges come (ICPn)
+};
+
+struct PortSpec {
+  char letter;
+  uint32_t address;  ///< of PINx, which DDRx and PORTx follow; of an STM32's GPIOx_CRL
+};
+
+struct TimerSpec {
+  uint8_t number;          ///< the n of its registers
+  uint8_t bits;            ///< of its counter
+  uint32_t control;        ///< address of TCCRnA; of an STM32's TIMn_CR1, where the others follow
+  uint16_t count;          ///< address of TCNTn
+  uint16_t compare[2];     ///< addresses of OCRnA and OCRnB
+  uint16_t capture;        ///< address of ICRn; 0 = none
+  uint16_t enables;        ///< address of TIMSKn
+  uint16_t prescalers[8];  ///< by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
+  uint8_t vector;          ///< of compare A, which compare B and the overflow follow; an STM32's update
+};
+
+struct UartSpec {
+  uint32_t address;  ///< of UCSRnA, which UCSRnB and UCSRnC follow; of an STM32's USARTn_SR
+  uint16_t divider;  ///< address of UBRRn
+  uint16_t data;     ///< address of UDRn
+  uint8_t vector;    ///< a byte was received; on an AVR `data register empty` and `sent` follow
+  const char* rx;    ///< pins
+  const char* tx;
+};
+
+struct AdcSpec {
+  uint8_t bits;            ///< of a result
+  uint8_t pins;            ///< channels 0 to pins - 1 are pins
+  double bandgap_volts;    ///< the internal reference; 0 = none
+  int8_t bandgap_channel;  ///< that measures it; -1 = none
+  uint8_t vector;
+};
+
+struct ChipSpec {
+  const char* name;           ///< the maker's: "ATmega328P"
+  const char* target;         ///< who executes its firmware, as --target names it: "avr"
+  const char* compiler_name;  ///< avr-gcc's -mmcu; of an STM32 the name of the linker script
+  const char* architecture;   ///< avr-gcc's folder of libraries for it: "avr5"; null = none
+  const char* macro;          ///< what avr-gcc defines for it; null = nothing
+  const char* registers;      ///< avr-libc's header of its registers; null = none
+  const char* avrdude_name;   ///< null = avrdude does not know it
+  const char* emulator_name;  ///< libsimavr's; null = not emulated by that
+  uint8_t signature[3];       ///< what a programmer reads from it; zeros = nothing
+
+  uint32_t flash_address;  ///< in its own address space, as far as it is one
+  uint32_t flash_bytes;    ///< all of it, boot loader included
+  uint32_t ram_address;
+  uint32_t ram_bytes;
+  uint16_t eeprom_bytes;         ///< 0 = the core keeps one in flash
+  uint8_t return_address_bytes;  ///< that a call puts on the stack; 0 = into a register
+
+  uint8_t vectors;          ///< interrupt vectors, the reset's included
+  uint8_t external_vector;  ///< of INT0, which the others follow
+  uint8_t external_count;   ///< INTn
+  uint8_t change_vector;    ///< of PCINT0 to 7, which the others follow by eights
+  uint8_t change_count;     ///< groups of eight
+
+  const ChipPin* pins;
+  uint8_t pin_count;
+  const PortSpec* ports;
+  uint8_t port_count;
+  const TimerSpec* timers;
+  uint8_t timer_count;
+  const UartSpec* uarts;
+  uint8_t uart_count;
+  AdcSpec adc;
+};
+
+constexpr uint32_t ram_end(const ChipSpec& chip) { return chip.ram_address + chip.ram_bytes; }
+
+}  // namespace robosim

@@ -1,0 +1,22 @@
+// The chip whose registers, timers and interrupts a sketch finds on the target host: of hal/host this alone
+// names it.
+//
+// A core is compiled for one board (sim/build/compile.cpp):
+//   ROBOSIM_CLOCK_HZ   the chip's clock
+//   ROBOSIM_PINS       how many numbers Arduino's pins have, analog inputs included
+#pragma once
+
+#include "hal/board/atmega328p.h"
+#include "hal/board/board.h"
+
+namespace robosim {
+namespace host {
+
+static constexpr const ChipSpec& kChip = kAtmega328p;
+constexpr int64_t kClockHz = ROBOSIM_CLOCK_HZ;
+constexpr int kPins = ROBOSIM_PINS;
+constexpr int kTimers = 3;
+static_assert(kTimers == kChip.timer_count, "timers.h has an object for each");
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,171 @@
+// Boards and chips against what others say of them: Arduino's boards.txt, avr-libc's registers; and our own
+// files that have to repeat some of it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "hal/board/atmega328p.h"
+#include "hal/board/board_spec.h"
+#include "hal/board/stm32f103c8.h"
+
+namespace robosim {
+namespace {
+
+using testing::HasSubstr;
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+std::string ours(const std::string& file) { return text_of(std::string(ROBOSIM_SOURCE_DIR "/") + file); }
+
+/// `KEY=VALUE` lines.
+std::map<std::string, std::string> properties(const std::string& text) {
+  std::map<std::string, std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t at = line.find('='); at != line.npos && line[0] != '#')
+      found[line.substr(0, at)] = line.substr(at + 1);
+  return found;
+}
+
+TEST(Boards, AreArduinosWhereArduinoHasThem) {
+  const std::string text = text_of("/usr/share/arduino/hardware/arduino/avr/boards.txt");
+  if (text.empty()) GTEST_SKIP() << "needs the Debian package arduino-core-avr";
+  const auto known = properties(text);
+  int boards = 0;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
+    static const std::regex kName("arduino:avr:(\\w+)(:cpu=(\\w+))?");
+    std::smatch name;
+    const std::string fqbn = board->fqbn;
+    if (!std::regex_match(fqbn, name, kName)) continue;
+    SCOPED_TRACE(board->name);
+    ++boards;
+    std::smatch first;  // the choice that Arduino makes where the name makes none
+    std::string cpu = name[3];
+    if (cpu.empty() &&
+        std::regex_search(text, first, std::regex("\n" + name[1].str() + "\\.menu\\.cpu\\.(\\w+)=")))
+      cpu = first[1];
+    const auto value = [&](const std::string& key) {
+      const auto chosen = known.find(name[1].str() + ".menu.cpu." + cpu + "." + key);
+      const auto plain = known.find(name[1].str() + "." + key);
+      return chosen != known.end() ? chosen->second : plain != known.end() ? plain->second : "";
+    };
+    EXPECT_EQ(board->macro, "ARDUINO_" + value("build.board"));
+    EXPECT_EQ(std::to_string(board->clock_hz) + "L", value("build.f_cpu"));
+    EXPECT_EQ(board->variant, value("build.variant"));
+    EXPECT_EQ(board->chip->compiler_name, value("build.mcu"));
+    EXPECT_EQ(std::to_string(board->flash_bytes), value("upload.maximum_size"));
+    EXPECT_EQ(std::to_string(board->ram_bytes), value("upload.maximum_data_size"));
+    EXPECT_EQ(board->upload_protocol, value("upload.protocol"));
+    EXPECT_EQ(std::to_string(board->upload_baud), value("upload.speed"));
+  }
+  EXPECT_GE(boards, 2);
+}
+
+TEST(Chips, TheAtmega328pIsAvrLibcs) {
+  const std::string text = text_of("/usr/lib/avr/include/avr/" + std::string(kAtmega328p.registers));
+  if (text.empty()) GTEST_SKIP() << "needs the Debian package avr-libc";
+  const auto number = [&](const std::string& name) {
+    // A register in I/O space counts from 0x20; the last definition is the one without options.
+    long found = -1;
+    const std::regex line("#\\s*define\\s+" + name +
+                          "\\s+(_SFR_IO8|_SFR_MEM8|_SFR_MEM16)?\\s*\\(?(0x\\w+|\\d+)");
+    for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at)
+      found = std::stol((*at)[2], nullptr, 0) + ((*at)[1] == "_SFR_IO8" ? 0x20 : 0);
+    return found;
+  };
+  const ChipSpec& chip = kAtmega328p;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(chip.signature[i], number("SIGNATURE_" + std::to_string(i)));
+  EXPECT_EQ(chip.ram_address, number("RAMSTART"));
+  EXPECT_EQ(ram_end(chip) - 1, number("RAMEND"));
+  EXPECT_EQ(chip.flash_bytes - 1, number("FLASHEND"));
+  EXPECT_EQ(chip.eeprom_bytes - 1, number("E2END"));
+  EXPECT_EQ(chip.external_vector, number("INT0_vect_num"));
+  EXPECT_EQ(chip.change_vector, number("PCINT0_vect_num"));
+  EXPECT_EQ(chip.adc.vector, number("ADC_vect_num"));
+  EXPECT_EQ(chip.vectors - 1, number("SPM_READY_vect_num"));
+  for (int i = 0; i < chip.port_count; ++i)
+    EXPECT_EQ(chip.ports[i].address, number(std::string("PIN") + chip.ports[i].letter));
+  for (int i = 0; i < chip.timer_count; ++i) {
+    const TimerSpec& timer = chip.timers[i];
+    const std::string n = std::to_string(timer.number);
+    EXPECT_EQ(timer.control, number("TCCR" + n + "A"));
+    EXPECT_EQ(timer.count, number("TCNT" + n));
+    EXPECT_EQ(timer.compare[0], number("OCR" + n + "A"));
+    EXPECT_EQ(timer.compare[1], number("OCR" + n + "B"));
+    EXPECT_EQ(timer.enables, number("TIMSK" + n));
+    EXPECT_EQ(timer.vector, number("TIMER" + n + "_COMPA_vect_num"));
+    if (timer.capture) {
+      EXPECT_EQ(timer.capture, number("ICR" + n));
+    }
+  }
+  EXPECT_EQ(chip.uarts[0].address, number("UCSR0A"));
+  EXPECT_EQ(chip.uarts[0].divider, number("UBRR0"));
+  EXPECT_EQ(chip.uarts[0].data, number("UDR0"));
+  EXPECT_EQ(chip.uarts[0].vector, number("USART_RX_vect_num"));
+}
+
+TEST(Chips, AreTheOnesThatTheFilesForTheLinkerAndForPlainCmakeSpeakOf) {
+  const BoardSpec& blue = *find_board("bluepill");
+  EXPECT_THAT(ours("hal/stm32/" + std::string(kStm32f103c8.compiler_name) + ".ld"),
+              HasSubstr("ORIGIN = 0x08000000, LENGTH = " + std::to_string(blue.flash_bytes / 1024) +
+                        "K\n  data (rwx) : ORIGIN = 0x20000000, LENGTH = " +
+                        std::to_string(kStm32f103c8.ram_bytes / 1024) + "K\n"));
+  const std::string stm32 = ours("toolchain/stm32_firmware.cmake");
+  const std::string avr = ours("toolchain/avr_firmware.cmake");
+  EXPECT_THAT(stm32, HasSubstr("set(ROBOSIM_STM32_FLASH " + std::to_string(blue.flash_bytes) + ")"));
+  EXPECT_THAT(stm32, HasSubstr("set(ROBOSIM_STM32_RAM " + std::to_string(blue.ram_bytes) + ")"));
+  EXPECT_THAT(avr, HasSubstr("set(ROBOSIM_AVR_RAM " + std::to_string(kAtmega328p.ram_bytes) + ")"));
+  for (const char* name : {"bluepill", "bluepill8"})
+    EXPECT_THAT(stm32, HasSubstr(std::string("set(ROBOSIM_STM32_") + name + " " +
+                                 std::to_string(find_board(name)->clock_hz) + ")"));
+  for (const char* name : {"uno", "nano"}) {
+    const BoardSpec& board = *find_board(name);
+    EXPECT_THAT(avr, HasSubstr(std::string("set(ROBOSIM_AVR_") + name + " " + board.macro + " " +
+                               board.variant + " " + std::to_string(board.flash_bytes) + ")"));
+    EXPECT_THAT(avr, HasSubstr("F_CPU=" + std::to_string(board.clock_hz) + "L"));
+  }
+}
+
+TEST(Boards, AreInTheDocumentsAsTheyAre) {
+  const std::string robots = ours("docs/robots.md");
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
+    std::ostringstream row;
+    row << "| `" << board->name << "` | " << board->chip->name << " | " << board->clock_hz / 1e6 << " MHz | "
+        << board->supply_volts << " V | " << board->flash_bytes << ", " << board->ram_bytes << ", "
+        << board->eeprom_bytes << " | `" << board->fqbn << "` |\n";
+    EXPECT_THAT(robots, HasSubstr(row.str()));
+  }
+}
+
+TEST(Chips, TheBluePillsCoreHasItsPins) {
+  const BoardSpec& blue = *find_board("bluepill");
+  const std::string core = ours("hal/stm32/pins.cpp"), names = ours("hal/arduino/bluepill.h");
+  // Port, bit, ADC channel, timer and its output, from 1; timer 0 = none.
+  static const std::regex kRow("\\{([ABC]), (\\d+), (-?\\d+), (\\d), (\\d)\\}");
+  Pin pin = 0;
+  for (std::sregex_iterator row(core.begin(), core.end(), kRow), end; row != end; ++row, ++pin) {
+    ASSERT_LT(pin, blue.pin_count);
+    const PinSpec& spec = blue.pins[pin];
+    EXPECT_EQ(spec.chip_name, "P" + (*row)[1].str() + (*row)[2].str());
+    EXPECT_EQ(spec.analog_channel, std::stoi((*row)[3]));
+    const int timer = spec.pwm ? kStm32f103c8.timers[spec.chip_pin.timer].number : 0;
+    EXPECT_EQ(timer, std::stoi((*row)[4])) << spec.chip_name;
+    EXPECT_EQ(spec.pwm ? spec.chip_pin.output + 1 : 0, std::stoi((*row)[5])) << spec.chip_name;
+    EXPECT_THAT(names,
+                HasSubstr("#define " + std::string(spec.chip_name) + " " + std::to_string(pin) + "\n"));
+  }
+  EXPECT_EQ(pin, blue.pin_count);
+}
+
+}  // namespace
+}  // namespace robosim

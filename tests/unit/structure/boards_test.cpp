@@ -1,0 +1,53 @@
+// Boards and chips are data: code that knows one by its name would have to be found again for the next.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "tests/unit/structure/include_table.h"
+
+namespace robosim::structure {
+namespace {
+
+/// The files that are about one chip, and say so at their top.
+bool is_about_a_chip(const std::string& file) {
+  for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
+    if (file.starts_with(place)) return true;
+  return false;
+}
+
+/// Names that only data may have.
+std::vector<std::string> names() {
+  std::vector<std::string> found{"kAtmega328p", "kStm32f103c8", "\"iom328p.h\""};
+  const auto quote = [&](const char* name) {
+    if (name) found.push_back('"' + std::string(name) + '"');
+  };
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
+    quote(board->name);
+    quote(board->macro);
+    quote(board->fqbn);
+    quote(board->variant);
+    quote(board->chip->compiler_name);
+    quote(board->chip->macro);
+  }
+  return found;
+}
+
+TEST(Boards, AreNamedByNoCodeButTheirData) {
+  for (const auto& [file, text] : read_sources(ROBOSIM_SOURCE_DIR)) {
+    if (is_about_a_chip(file) || !(file.starts_with("sim/") || file.starts_with("hal/"))) continue;
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      const std::string code = line.substr(0, line.find("//"));
+      for (const std::string& name : names())
+        EXPECT_EQ(code.find(name), code.npos) << file << ':' << number << " names " << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robosim::structure
