@@ -121,6 +121,35 @@ constexpr BoardSpec kNano = {
     .upload_baud_old = 57600,
 };
 
+// A Pro Mini, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without a
+// diode.
+constexpr BoardSpec pro_mini(const char* name, const char* fqbn, uint32_t clock_hz, double supply_volts) {
+  return {
+      .name = name,
+      .fqbn = fqbn,
+      .macro = "ARDUINO_AVR_PRO",
+      .chip = &kAtmega328p,
+      .pins = kNanoPins.pins,
+      .pin_count = kNanoPins.kSize,
+      .analog_pin_0 = 14,
+      .led_builtin = 13,
+      .supply_volts = supply_volts,
+      .clock_hz = clock_hz,
+      .adc_steps = 1024,
+      .flash_bytes = 30720,
+      .ram_bytes = kAtmega328p.ram_bytes,
+      .eeprom_bytes = kAtmega328p.eeprom_bytes,
+      .regulator_drop_volts = 0.17,
+      .brown_out_volts = 2.7,
+      .host_model = nullptr,
+      .variant = "eightanaloginputs",
+      .pin_names = nullptr,
+      .upload_protocol = "arduino",
+      .upload_baud = 57600,
+      .upload_baud_old = 0,
+  };
+}
+
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
 // are the EEPROM's. What holds for its supply is taken from the Uno.
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
@@ -154,6 +183,8 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
 constexpr BoardSpec kBoards[] = {
     kUno,
     kNano,
+    pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
+    pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
     blue_pill("bluepill", 72000000),
     blue_pill("bluepill8", 8000000),
 };

@@ -98,7 +98,8 @@ TEST_F(CliCompare, AWaitThatIsNoTimeIsFound) {
 
 TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   for (const auto& [sketch, map, robot, length] :
-       {std::array{"PidFollower", "oval", "uno5", "3s"}, std::array{"LeftPath", "a", "uno3", "8s"}}) {
+       {std::array{"PidFollower", "oval", "uno5", "3s"}, std::array{"LeftPath", "a", "uno3", "8s"},
+        std::array{"PidFollower", "oval", "uno5@promini8", "3s"}}) {
     const Ended ended = robosim_command(
         {"compare", sketch, "--map", map, "--robot", robot, "--goal", "none", "--for", length});
     EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

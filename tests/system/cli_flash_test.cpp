@@ -76,6 +76,20 @@ TEST_F(CliFlash, TakesTheBoardOfTheRobotAndTheSpeedOfAnOldBootLoader) {
   EXPECT_THAT(read_file(words()), HasSubstr("-b\n57600\n-P\n/dev/ttyUSB0\n"));
 }
 
+TEST_F(CliFlash, TakesTheSpeedOfTheBoardsBootLoader) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  fake_avrdude(0);
+  const Ended ended = flash({"--port", "/dev/ttyUSB0", "--robot", "uno5@promini8"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("My for the promini8 ("));
+  EXPECT_THAT(ended.out, HasSubstr("Maximum is 30720 bytes."));
+  EXPECT_THAT(read_file(words()), HasSubstr("-p\natmega328p\n-c\narduino\n-b\n57600\n"));
+  ASSERT_EQ(robosim_command({"build", "My/", "--target", "avr", "--out", "made"}, folder_.path()).status, 0);
+  const Ended image = robosim_command(
+      {"flash", "made/My.elf", "--port", "p", "--robot", "uno5@promini16", "--dry-run"}, folder_.path());
+  EXPECT_THAT(image.out, HasSubstr(" -b 57600 ")) << image.err;
+}
+
 TEST_F(CliFlash, PutsNoOtherBoardInThePlaceOfTheRobots) {
   ROBOSIM_NEEDS_TARGET("avr");
   fake_avrdude(0);

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace robosim {
 
@@ -33,6 +34,19 @@ TEST(BoardSpec, TheBluePillHasEveryPinOnceAndOfAnUnosPinsWhatTheyCan) {
     EXPECT_TRUE(blue.pins[pin].analog_channel >= 0 || uno.pins[pin].analog_channel < 0) << pin;
   }
   EXPECT_EQ(find_pin(blue, "pc13"), blue.led_builtin);
+}
+
+TEST(BoardSpec, AProMiniIsANanoWithAnotherClockAndSupply) {
+  const BoardSpec& nano = *find_board("nano");
+  for (const auto& [name, clock_hz, volts] :
+       {std::tuple{"promini8", 8000000u, 3.3}, {"promini16", 16000000u, 5.0}}) {
+    const BoardSpec& mini = *find_board(name);
+    EXPECT_EQ(mini.clock_hz, clock_hz);
+    EXPECT_EQ(mini.supply_volts, volts);
+    EXPECT_EQ(mini.chip, nano.chip);
+    EXPECT_EQ(mini.pins, nano.pins);
+    EXPECT_EQ(find_pin(mini, "A7"), 21);
+  }
 }
 
 TEST(BoardSpec, KnowsNoOtherBoards) { EXPECT_EQ(find_board("mega"), nullptr); }
