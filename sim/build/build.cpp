@@ -9,7 +9,7 @@
 #include "sim/build/cache.h"
 #include "sim/build/compile.h"
 #include "sim/build/core.h"
-#include "sim/build/elf_file.h"
+#include "sim/build/elf_facts.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
 #include "sim/build/prototypes.h"
@@ -364,7 +364,7 @@ Image build(const Request& request) try {
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);
   const std::string bytes = read_file(made);
-  const ElfSize size = elf_size(bytes);
+  const ElfSize size = elf_size(ElfFile(bytes, made.string()));
   std::string libraries;
   for (const Library& library : build.libraries()) libraries += library.name + '\n';
   const std::uint64_t text_bytes = size.text + (target.chip ? size.initialised : 0);

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "sim/base/file.h"
-#include "sim/build/elf_file.h"
+#include "sim/build/elf_facts.h"
 #include "sim/build/sketch.h"
 #include "sim/build/toolchain.h"
 
@@ -36,11 +37,14 @@ void check_can_cover(const std::string& target) {
 }
 
 std::vector<Limit> stated_limits(const Image& image) {
-  const std::string file = read_file(image.image);
+  std::string file = read_file(image.image);
+  if (!ElfFile::is_one(file)) return {};
+  const std::vector<AbsoluteSymbol> symbols =
+      absolute_symbols(ElfFile(std::move(file), image.image.string()));
   const auto stated = [&](const std::string& prefix) {
     std::map<std::string, std::uint64_t> values;
-    for (const AbsoluteSymbol& symbol : absolute_symbols(file, prefix))
-      values[symbol.name.substr(prefix.size())] = symbol.value;
+    for (const AbsoluteSymbol& symbol : symbols)
+      if (symbol.name.starts_with(prefix)) values[symbol.name.substr(prefix.size())] = symbol.value;
     return values;
   };
   const auto most = stated("linekit_most_"), bytes_each = stated("linekit_bytes_each_");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -11,6 +12,7 @@
 #include "sim/base/spelling.h"
 #include "sim/build/sketch.h"
 #include "sim/client/runner.h"
+#include "sim/elf/elf_file.h"
 
 namespace robosim::launch {
 namespace fs = std::filesystem;
@@ -44,14 +46,12 @@ void check_path(const std::string& what, const std::string& path) {
 }  // namespace
 
 std::string target_of_elf(const fs::path& file) {
-  // Byte 18 of an ELF file's header names the machine: 40 = ARM, 83 = AVR.
-  const std::string content = read_file(file);
-  const bool elf = content.size() > 52 && content.starts_with(
-                                              "\x7F"
-                                              "ELF\x01\x01");
-  const int machine = elf ? static_cast<unsigned char>(content[18]) : 0;
-  if (machine == 83) return "avr";
-  if (machine == 40) return "stm32";
+  std::string content = read_file(file);
+  if (ElfFile::is_one(content)) {
+    const ElfFile elf(std::move(content), file.string());
+    if (elf.machine() == ElfFile::Machine::avr) return "avr";
+    if (elf.machine() == ElfFile::Machine::arm && elf.bits() == 32) return "stm32";
+  }
   throw InputError({file.string(), 0, 0},
                    "is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
 }

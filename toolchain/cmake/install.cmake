@@ -15,7 +15,7 @@ install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHI
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
-set(libraries launch analysis record tui client wire build cells grid trace board base)
+set(libraries launch analysis record tui client wire build elf cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -25,8 +25,9 @@ foreach(library ${libraries})
 endforeach()
 if(ROBOSIM_PORTABLE)
   string(APPEND script "addlib ${ROBOSIM_LIBMD}\naddlib ${ROBOSIM_XXHASH}\n")
+  set(ROBOSIM_NOT_MERGED "elf")
 else()
-  set(ROBOSIM_NOT_MERGED "${ROBOSIM_LIBMD} ${ROBOSIM_XXHASH}")
+  set(ROBOSIM_NOT_MERGED "${ROBOSIM_LIBMD} ${ROBOSIM_XXHASH} ${ROBOSIM_LIBELF}")
 endif()
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/librobosim.mri CONTENT "${script}save\nend\n")
 add_custom_command(OUTPUT librobosim.a COMMAND ${CMAKE_COMMAND} -E rm -f librobosim.a
@@ -66,10 +67,12 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(libraries "")
+set(libelf "")
 if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps knows this machine's libraries only
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${ROBOSIM_PI_ARCHITECTURE})
   set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), zlib1g")
+  set(libelf ", libelf1 | libelf1t64")
 endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
@@ -79,8 +82,8 @@ set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")
-set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr${libraries}")
-set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev")  # for tests in C++
+set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr${libraries}${libelf}")
+set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev, libelf-dev")  # for tests in C++
 set(CPACK_DEBIAN_HOST_PACKAGE_SUGGESTS "robosim-avr, robosim-stm32, avrdude")
 set(CPACK_DEBIAN_AVR_PACKAGE_NAME robosim-avr)
 set(CPACK_DEBIAN_AVR_DESCRIPTION "Robosim's target avr

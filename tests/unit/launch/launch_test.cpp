@@ -20,7 +20,7 @@ class LaunchTest : public ::testing::Test {
   LaunchTest() {
     for (const auto& [name, machine] : {std::pair{"uno.elf", 83}, std::pair{"pill.elf", 40}}) {
       std::string header(60, '\0');
-      header.replace(0, 6, "\177ELF\1\1");
+      header.replace(0, 7, "\177ELF\1\1\1");
       header[18] = static_cast<char>(machine);
       write_file(folder_.path() / name, header);
     }

@@ -67,9 +67,7 @@ TEST_F(NamesTest, ASketchOfOursIsFoundByName) {
 
 TEST_F(NamesTest, AnElfSaysWhichTargetItIsFor) {
   std::string header(64, '\0');
-  header.replace(0, 6,
-                 "\x7F"
-                 "ELF\x01\x01");
+  header.replace(0, 7, "\177ELF\1\1\1");
   header[18] = 83;
   std::ofstream(folder_ / "a.elf") << header;
   EXPECT_EQ(choose_sketch("./a.elf").elf_target, "avr");

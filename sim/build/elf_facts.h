@@ -3,8 +3,9 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "sim/elf/elf_file.h"
 
 namespace robosim::build {
 
@@ -14,9 +15,8 @@ struct ElfSize {
   std::uint64_t initialised = 0;  ///< part of `data` that has initial values
 };
 
-/// Of a 32- or 64-bit little-endian ELF file; zeros if it is none. What an AVR file has for EEPROM and fuses
-/// does not count.
-ElfSize elf_size(std::string_view file);
+/// What an AVR file has for EEPROM and fuses does not count.
+ElfSize elf_size(const ElfFile& file);
 
 /// A symbol that has a value and no place.
 struct AbsoluteSymbol {
@@ -24,7 +24,7 @@ struct AbsoluteSymbol {
   std::uint64_t value = 0;
 };
 
-/// The absolute symbols whose names begin with `prefix`, sorted by name; none if it is no such ELF file.
-std::vector<AbsoluteSymbol> absolute_symbols(std::string_view file, std::string_view prefix);
+/// Sorted by name.
+std::vector<AbsoluteSymbol> absolute_symbols(const ElfFile& file);
 
 }  // namespace robosim::build

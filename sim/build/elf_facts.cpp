@@ -1,0 +1,33 @@
+#include "sim/build/elf_facts.h"
+
+#include <algorithm>
+
+namespace robosim::build {
+namespace {
+
+// From here on avr-gcc puts what is neither flash nor RAM: EEPROM, fuses, lock bits, signature.
+constexpr std::uint64_t kAvrBeyondData = 0x810000;
+
+}  // namespace
+
+ElfSize elf_size(const ElfFile& file) {
+  ElfSize size;
+  for (const ElfSection& section : file.sections()) {
+    if (!section.loaded) continue;
+    if (file.machine() == ElfFile::Machine::avr && section.address >= kAvrBeyondData) continue;
+    (section.writable ? size.data : size.text) += section.size;
+    if (section.writable && section.has_content) size.initialised += section.size;
+  }
+  return size;
+}
+
+std::vector<AbsoluteSymbol> absolute_symbols(const ElfFile& file) {
+  std::vector<AbsoluteSymbol> found;
+  for (const ElfSymbol& symbol : file.symbols())
+    if (symbol.absolute) found.push_back({std::string(symbol.name), symbol.value});
+  std::sort(found.begin(), found.end(),
+            [](const AbsoluteSymbol& a, const AbsoluteSymbol& b) { return a.name < b.name; });
+  return found;
+}
+
+}  // namespace robosim::build

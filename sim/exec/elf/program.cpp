@@ -1,0 +1,45 @@
+#include "sim/exec/elf/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/error.h"
+
+namespace robosim::exec {
+
+void check_program(const ElfFile& elf, ElfFile::Machine machine, const std::string& chip) {
+  if (elf.bits() != 32 || elf.machine() != machine || !elf.is_program())
+    throw InputError({elf.file()}, "is an ELF file, but no program for " + chip);
+}
+
+FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,
+                           std::uint32_t room, const BoardSpec& board) {
+  FlashContent flash{{}, begin};
+  std::uint64_t size = 0;
+  for (const ElfSegment& segment : segments)
+    size = std::max(size, segment.address - begin + segment.bytes.size());
+  if (size > room) {
+    throw InputError({elf.file()}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch", size,
+                                               board.name, room));
+  }
+  flash.bytes.assign(size, 0xFF);
+  for (const ElfSegment& segment : segments) {
+    const std::size_t at = segment.address - begin;
+    std::copy(segment.bytes.begin(), segment.bytes.end(),
+              flash.bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    if (segment.code)
+      flash.code_end =
+          std::max(flash.code_end, static_cast<std::uint32_t>(segment.address + segment.bytes.size()));
+  }
+  return flash;
+}
+
+void check_ram(const ElfFile& elf, std::uint64_t bytes, std::uint32_t room, const BoardSpec& board) {
+  if (bytes > room) {
+    throw InputError({elf.file()}, fmt::format("needs {} bytes of RAM for its variables; the {} has {}",
+                                               bytes, board.name, room));
+  }
+}
+
+}  // namespace robosim::exec
