@@ -13,7 +13,7 @@ Algorithm::Algorithm(const fs::path& source) : folder_(Cache(cache_folder())) {
   static_cast<void>(read_file(source));  // that it is there, in words of ours
   const Compiler compiler = find_compiler(find_target("host"));
   const fs::path headers = data_folder() / "sim" / "cells" / "include";
-  const Outcome compiled =
+  const CommandResult compiled =
       run(Command{{compiler.cxx.string(), "-std=c++20", "-O2", "-g", "-shared", "-fPIC", "-Wall", "-Wextra",
                    "-fdiagnostics-color=never", "-I" + headers.string(), "-Wl,--no-undefined",
                    source.string(), "-o", shared_object().string()},

@@ -39,7 +39,7 @@ class Build {
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
-    const Outcome link = run(link_command(toolchain_, objects, image, work_.path(), places()));
+    const CommandResult link = run(link_command(toolchain_, objects, image, work_.path(), places()));
     if (link.status != 0) fail_link(toolchain_, sketch_, objects_, link.output);
     const std::vector<fs::path>& linked = toolchain_.core.linked;
     inputs_.files.insert(inputs_.files.end(), linked.begin(), linked.end());
@@ -70,14 +70,14 @@ class Build {
         if (object.archive == "libraries/" + library.name) members.push_back(object.path);
       if (members.empty()) continue;
       linked.push_back(work_.path() / fmt::format("library{}.a", linked.size()));
-      const Outcome outcome = run(archive_command(toolchain_, members, linked.back()));
-      if (outcome.status != 0) fail(toolchain_.target, text(outcome));
+      const CommandResult result = run(archive_command(toolchain_, members, linked.back()));
+      if (result.status != 0) fail(toolchain_.target, text(result));
     }
     return linked;
   }
 
-  std::string text(const Outcome& outcome) const {
-    return readable(toolchain_, sketch_.folder, outcome.output);
+  std::string text(const CommandResult& result) const {
+    return readable(toolchain_, sketch_.folder, result.output);
   }
 
   void compile_all() {
@@ -155,9 +155,9 @@ class Build {
     const fs::path preprocessed = work_.path() / "preprocessed.cpp";
     for (;;) {
       unit.includes = include_folders(unit);
-      const Outcome outcome = run(preprocess_command(toolchain_, unit, preprocessed));
-      if (outcome.status == 0) break;
-      if (!add_library_for(outcome)) fail(toolchain_.target, text(outcome));
+      const CommandResult result = run(preprocess_command(toolchain_, unit, preprocessed));
+      if (result.status == 0) break;
+      if (!add_library_for(result)) fail(toolchain_.target, text(result));
     }
     write_file(unit.input, add_prototypes(joined, read_file(preprocessed), sketch_.inos, work_.path()));
     return unit;
@@ -187,21 +187,21 @@ class Build {
       started.push_back(unit);
     }
     const auto since = fs::file_time_type::clock::now();
-    std::vector<Outcome> outcomes = run(commands);
-    assemble(started, objects, outcomes);
+    std::vector<CommandResult> results = run(commands);
+    assemble(started, objects, results);
 
     std::vector<Unit> again;
     std::string errors;
     std::vector<std::size_t> unused;
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      const std::string messages = text(outcomes[i]);
-      if (outcomes[i].status == 0) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const std::string messages = text(results[i]);
+      if (results[i].status == 0) {
         add_message(messages);
         objects_[slots[i]] = keep(started[i], keys[i], objects[i], messages, since);
         continue;
       }
       unused.push_back(slots[i]);
-      if (add_library_for(outcomes[i]))
+      if (add_library_for(results[i]))
         again.push_back(started[i]);
       else
         errors += messages + '\n';
@@ -215,20 +215,20 @@ class Build {
 
   /// The second half of a compilation, for those that have succeeded so far.
   void assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
-                std::vector<Outcome>& outcomes) const {
+                std::vector<CommandResult>& results) const {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (outcomes[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
+      if (results[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
       const fs::path assembly = objects[i].string() + ".s";
       write_file(assembly, with_places_of_asm(call_in_endless_loops(read_file(assembly))));
       compiled.push_back(i);
       commands.push_back(assemble_command(toolchain_, objects[i]));
     }
-    const std::vector<Outcome> assembled = run(commands);
+    const std::vector<CommandResult> assembled = run(commands);
     for (std::size_t i = 0; i < compiled.size(); ++i) {
-      outcomes[compiled[i]].status = assembled[i].status;
-      outcomes[compiled[i]].output += assembled[i].output;
+      results[compiled[i]].status = assembled[i].status;
+      results[compiled[i]].output += assembled[i].output;
     }
   }
 
@@ -256,7 +256,7 @@ class Build {
   }
 
   /// True if the compilation failed for a header whose library has now been added.
-  bool add_library_for(const Outcome& failed) {
+  bool add_library_for(const CommandResult& failed) {
     Place place;
     const std::string header = missing_header(failed.output, &place);
     if (header.empty()) return false;
@@ -291,8 +291,8 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   const WorkFolder work(cache);
   const std::string name = entry.result.stem().string() + product.ending;
   const auto since = fs::file_time_type::clock::now();
-  const Outcome outcome = run(product_command(target, product, entry.result, work.path() / name));
-  if (outcome.status != 0) throw std::runtime_error(product.program.name + (": " + outcome.output));
+  const CommandResult result = run(product_command(target, product, entry.result, work.path() / name));
+  if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
   return cache.store(key, {}, work.path() / name, name, {}, since).result;
 }
 

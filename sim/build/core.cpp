@@ -32,14 +32,15 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
   return unit;
 }
 
-void check(const Outcome& outcome) {
-  if (outcome.status != 0) throw std::runtime_error("the core does not compile:\n" + outcome.output);
+void check(const CommandResult& result) {
+  if (result.status != 0) throw std::runtime_error("the core does not compile:\n" + result.output);
 }
 
 // Only what is defined: an undefined symbol must still be found, or the link fail.
 void weaken(const Target& target, const fs::path& object, const fs::path& work) {
   const auto tool = [&](const char* name) { return find_tool(target, {name, "binutils"}).string(); };
-  const Outcome names = run(Command{{tool("nm"), "--defined-only", "-g", "-j", object.string()}, work, {}});
+  const CommandResult names =
+      run(Command{{tool("nm"), "--defined-only", "-g", "-j", object.string()}, work, {}});
   check(names);
   write_file(work / "names", names.output);
   check(run(Command{{tool("objcopy"), "--weaken-symbols=names", object.string()}, work, {}}));
@@ -75,7 +76,7 @@ Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::pat
       objects.push_back(work / fmt::format("core{}.o", objects.size()));
       commands.push_back(compile_command(toolchain, core_unit(toolchain, source), objects.back()));
     }
-  for (const Outcome& outcome : run(commands)) check(outcome);
+  for (const CommandResult& result : run(commands)) check(result);
   const fs::path joined = join(toolchain, objects, work);
 
   Inputs inputs;

@@ -133,11 +133,11 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
     for (const BundledFile& note : notes)
       commands.push_back(
           {{gcov.string(), "--json-format", "--stdout", note.name + ".gcno"}, work.path(), {}});
-    for (const Outcome& outcome : run(commands)) {
-      const std::size_t begin = outcome.output.find("{\"");
-      if (outcome.status != 0 || begin == std::string::npos)
-        throw InputError("gcov cannot read what the sketch has counted: " + outcome.output);
-      add_report(coverage, sketch, outcome.output.substr(begin));
+    for (const CommandResult& result : run(commands)) {
+      const std::size_t begin = result.output.find("{\"");
+      if (result.status != 0 || begin == std::string::npos)
+        throw InputError("gcov cannot read what the sketch has counted: " + result.output);
+      add_report(coverage, sketch, result.output.substr(begin));
     }
     pending = std::move(later);
   } while (!pending.empty());
@@ -240,9 +240,9 @@ bool make_page(const fs::path& folder) {
   const fs::path genhtml = find_program("genhtml");
   if (genhtml.empty()) return false;
   const FolderLock lock(folder);
-  const Outcome outcome =
+  const CommandResult result =
       run(Command{{genhtml.string(), "--quiet", "--output-directory", "html", "coverage.info"}, folder, {}});
-  if (outcome.status != 0) throw InputError("genhtml does not take coverage.info: " + outcome.output);
+  if (result.status != 0) throw InputError("genhtml does not take coverage.info: " + result.output);
   return true;
 }
 

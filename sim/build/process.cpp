@@ -83,11 +83,11 @@ bool read_some(int descriptor, std::string& output) {
 
 }  // namespace
 
-std::vector<Outcome> run(const std::vector<Command>& commands) {
+std::vector<CommandResult> run(const std::vector<Command>& commands) {
   const std::vector<std::string> environment = clean_environment();
   // Each compiler takes some 100 MB: no more than four, so that 1 GB of memory is enough.
   const std::size_t at_once = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
-  std::vector<Outcome> outcomes(commands.size());
+  std::vector<CommandResult> results(commands.size());
   std::vector<Running> running;
   std::size_t next = 0;
   while (next < commands.size() || !running.empty()) {
@@ -100,20 +100,20 @@ std::vector<Outcome> run(const std::vector<Command>& commands) {
     if (::poll(waiting.data(), waiting.size(), -1) < 0) continue;
     for (std::size_t i = running.size(); i-- > 0;) {
       if (!waiting[i].revents) continue;
-      Outcome& outcome = outcomes[running[i].index];
-      if (read_some(running[i].output.get(), outcome.output)) continue;
+      CommandResult& result = results[running[i].index];
+      if (read_some(running[i].output.get(), result.output)) continue;
       const Ending ending = running[i].child.wait();
-      outcome.status = ending.signal > 0 ? 128 + ending.signal : ending.status;
+      result.status = ending.signal > 0 ? 128 + ending.signal : ending.status;
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
-  for (const Outcome& outcome : outcomes)
-    if (outcome.status == 128 + SIGINT || outcome.status == 128 + SIGTERM)
+  for (const CommandResult& result : results)
+    if (result.status == 128 + SIGINT || result.status == 128 + SIGTERM)
       throw std::runtime_error("interrupted");
-  return outcomes;
+  return results;
 }
 
-Outcome run(const Command& command) { return std::move(run(std::vector<Command>{command})[0]); }
+CommandResult run(const Command& command) { return std::move(run(std::vector<Command>{command})[0]); }
 
 fs::path find_program(const std::string& name) {
   const char* path = std::getenv("PATH");

@@ -311,10 +311,11 @@ std::string add_prototypes(const std::string& joined, const std::string& preproc
                            const std::vector<std::string>& inos, const fs::path& work) {
   const std::string own = own_lines(preprocessed, inos);
   write_file(work / "own.cpp", own);
-  const Outcome ctags = run(Command{{find_ctags().string(), "-u", "--language-force=c++", "-f", "-",
-                                     "--c++-kinds=svpf", "--fields=KSTtzns", "--line-directives", "own.cpp"},
-                                    work,
-                                    {}});
+  const CommandResult ctags =
+      run(Command{{find_ctags().string(), "-u", "--language-force=c++", "-f", "-", "--c++-kinds=svpf",
+                   "--fields=KSTtzns", "--line-directives", "own.cpp"},
+                  work,
+                  {}});
   if (ctags.status != 0) throw std::runtime_error("arduino-ctags failed: " + ctags.output);
   return insert_prototypes(joined, own, parse_tags(ctags.output));
 }

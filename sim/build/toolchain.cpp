@@ -36,11 +36,11 @@ std::string identity(const fs::path& program) {
 std::string answer(const Compiler& compiler, std::vector<std::string> question) {
   const std::string asked = question[0];
   question.insert(question.begin(), compiler.cxx.string());
-  Outcome outcome = run(Command{std::move(question), "/", {}});
-  if (outcome.status != 0)
-    throw ToolMissing(fmt::format("{} does not answer {}: {}", compiler.cxx.string(), asked, outcome.output));
-  while (!outcome.output.empty() && outcome.output.back() == '\n') outcome.output.pop_back();
-  return outcome.output;
+  CommandResult result = run(Command{std::move(question), "/", {}});
+  if (result.status != 0)
+    throw ToolMissing(fmt::format("{} does not answer {}: {}", compiler.cxx.string(), asked, result.output));
+  while (!result.output.empty() && result.output.back() == '\n') result.output.pop_back();
+  return result.output;
 }
 
 fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& cache) {

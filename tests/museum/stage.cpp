@@ -24,7 +24,7 @@ std::string program(const std::string& name, const std::string& package) {
   return found.string();
 }
 
-build::Outcome patch(const fs::path& folder, const Bug& bug, bool dry) {
+build::CommandResult patch(const fs::path& folder, const Bug& bug, bool dry) {
   std::vector<std::string> words = {
       program("patch", "patch"), "-p1", "--force", "--fuzz=0", "--no-backup-if-mismatch", "--reject-file=-"};
   if (dry) words.push_back("--dry-run");
@@ -89,26 +89,26 @@ void Stage::restore() {
 }
 
 std::string Stage::complaint(const Bug& bug) const {
-  const build::Outcome outcome = patch(data(), bug, true);
-  return outcome.status == 0 ? "" : outcome.output;
+  const build::CommandResult result = patch(data(), bug, true);
+  return result.status == 0 ? "" : result.output;
 }
 
 void Stage::spoil(const Bug& bug) {
-  const build::Outcome outcome = patch(data(), bug, false);
-  if (outcome.status != 0) throw InputError({bug.patch.string()}, "no longer applies:\n" + outcome.output);
+  const build::CommandResult result = patch(data(), bug, false);
+  if (result.status != 0) throw InputError({bug.patch.string()}, "no longer applies:\n" + result.output);
 }
 
 TestRun Stage::test(const Choice& choice) const {
   const fs::path report = folder_ / "report.json";
   fs::remove(report);
-  const build::Outcome outcome = build::run(build::Command{
+  const build::CommandResult result = build::run(build::Command{
       {program("timeout", "coreutils"), kMostSeconds, (folder_ / "bin/tests").string(), "--gtest_fail_fast",
        "--gtest_brief=1", "--gtest_filter=" + filter(choice), "--gtest_output=json:" + report.string()},
       folder_,
       {}});
-  if (outcome.status > 1 || !fs::exists(report))
+  if (result.status > 1 || !fs::exists(report))
     throw std::runtime_error(fmt::format("the tests on {} ended with status {}:\n{}", choice.target,
-                                         outcome.status, outcome.output));
+                                         result.status, result.output));
   const TestRun run = read_report(read_file(report));
   // Not what the robot did: the sketch does not compile, or the test asks for what does not exist.
   if (run.message.find("C++ exception with description") != std::string::npos)

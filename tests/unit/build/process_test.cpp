@@ -12,11 +12,11 @@ TEST_F(SketchTest, OutcomesStandInTheOrderOfTheCommands) {
   for (int i = 0; i < 9; ++i)
     commands.push_back(
         {{"/bin/sh", "-c", "echo out$0; echo err$0 >&2; exit $0", std::to_string(i)}, "/", {}});
-  const std::vector<Outcome> outcomes = run(commands);
+  const std::vector<CommandResult> results = run(commands);
   for (int i = 0; i < 9; ++i) {
     const std::string n = std::to_string(i);
-    EXPECT_EQ(outcomes[static_cast<std::size_t>(i)].status, i);
-    EXPECT_EQ(outcomes[static_cast<std::size_t>(i)].output, "out" + n + "\nerr" + n + "\n");
+    EXPECT_EQ(results[static_cast<std::size_t>(i)].status, i);
+    EXPECT_EQ(results[static_cast<std::size_t>(i)].output, "out" + n + "\nerr" + n + "\n");
   }
 }
 
