@@ -55,7 +55,6 @@ summary='
   }
   # "3/8 Test #5: NAME ....***Failed  0.01 sec"; the count tells it from what a failed test wrote.
   /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* sec *$/ && $1 + 0 == finished + 1 {
-    of = $1; sub(/.*\//, "", of)
     number = $0; sub(/^[^#]*#/, "", number); sub(/:.*/, "", number)
     name = $0; sub(/^[^:]*: /, "", name); sub(/ ?\.\.\..*/, "", name)
     how = $0; sub(/.*\.\.\. */, "", how); gsub(/\*\*\*/, " ", how); gsub(/  +/, " ", how); sub(/^ /, "", how)
@@ -73,8 +72,8 @@ summary='
     delete written[number]
   }
   END {
-    if (!finished) exit 1
-    if (interrupted) print "interrupted after " finished " of " of " tests"
+    if (!finished && !interrupted) exit 1
+    if (interrupted) print "interrupted"
     print passed + 0 " passed, " failed + 0 " failed, " skipped + 0 " skipped, in " seconds " s"
     for (i = 1; i <= reasons; i++) print "  " skips[whys[i]] " skipped: " whys[i]
     if (failed > 1 && !interrupted) print "repeat all that failed:  " again " --rerun-failed"

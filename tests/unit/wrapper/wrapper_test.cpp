@@ -253,6 +253,13 @@ TEST_F(Wrapper, TellsOfTheTestsProgressInALineForEachTenth) {
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 9 + 2) << result.out;
 }
 
+TEST_F(Wrapper, SumsUpWhatWasTestedUntilItWasInterrupted) {
+  tool("ctest", "echo '1/9 Test #1: A.Test ...***Failed  0.01 sec'; kill -INT $PPID");
+  const Result result = run("../checkout/robosim test");
+  EXPECT_EQ(result.status, 130);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("FAILED  A.Test"), HasSubstr("interrupted\n0 passed, 1 failed, ")));
+}
+
 TEST_F(Wrapper, ShowsWhatCtestSaysWhereItRunsNoTest) {
   tool("ctest", "echo 'No tests were found!!!'; exit 8");
   const Result result = run("../checkout/robosim test -R Nothing");
