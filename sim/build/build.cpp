@@ -262,7 +262,7 @@ class Build {
     if (header.empty()) return false;
     place.file = readable(toolchain_, sketch_.folder, place.file);
     const Library* library = finder_.find(header);
-    if (!library) throw InputError(place, no_library(toolchain_, core_, finder_, header));
+    if (!library) fail_without_library(toolchain_, core_, finder_, place, header);
     const bool known = std::any_of(libraries_.begin(), libraries_.end(),
                                    [&](const Library& one) { return one.folder == library->folder; });
     if (!known) libraries_.push_back(*library);
@@ -335,7 +335,7 @@ Image build(const Request& request) try {
   if (request.coverage) check_can_cover(request.target);
   const Sketch sketch = read_sketch(request.sketch);
   if (!target.chip && !sketch.assembler.empty())
-    throw InputError({sketch.assembler[0]}, "assembler sources are for the chip; build with --target avr");
+    throw InputError({sketch.assembler[0]}, "assembler sources are for the chip: build for the target avr");
   const Cache cache(cache_folder());
   const GenuineCore genuine = find_core();
   const Compiler compiler = find_compiler(target);

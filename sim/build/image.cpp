@@ -28,12 +28,13 @@ std::string missing_tool(const std::string& target_name) {
 
 void check_can_sanitize(const std::string& target) {
   if (find_target(target).sanitizer.undefined.empty())
-    throw InputError(fmt::format("--sanitize: there are no checks for the target {}", target));
+    throw InputError(fmt::format("there are no checks for the target {}", target));
 }
 
 void check_can_cover(const std::string& target) {
   if (find_target(target).coverage.own.empty())
-    throw InputError("--coverage is for --target host; a chip has no room for its counters");
+    throw InputError(
+        "lines that ran are counted on the target host only; a chip has no room for the counters");
 }
 
 std::vector<Limit> stated_limits(const Image& image) {

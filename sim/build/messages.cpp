@@ -54,27 +54,29 @@ std::string missing_header(const std::string& output, Place* place) {
   return match[4];
 }
 
-std::string no_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
-                       const std::string& header) {
+void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
+                          const Place& place, const std::string& header) {
   const bool chip = toolchain.target.chip;
   const LibraryFinder chip_finder({core.libraries});
   const Library* library = chip_finder.find(header);
   if (library && !chip)
-    return fmt::format(
-        "{} belongs to the library {}, which drives the chip's own hardware: it is for --target avr", header,
-        library->name);
+    throw InputError(place, fmt::format("{} belongs to the library {}, which drives the chip's own hardware: "
+                                        "it is for the target avr",
+                                        header, library->name));
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
-    return fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is for --target avr",
-                       header);
+    throw InputError(place, fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is "
+                                        "for the target avr",
+                                        header));
   if (header.find('.') == std::string::npos)
-    return fmt::format("there is no header {}: Arduino boards with an AVR chip have no C++ standard library",
-                       header);
+    throw InputError(
+        place,
+        fmt::format("there is no header {}: Arduino boards with an AVR chip have no C++ standard library",
+                    header));
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
-  return fmt::format(
-      "there is no header {}: neither in the sketch nor in a library below {}; --libraries DIR adds "
-      "a folder of libraries",
-      header, fmt::join(folders, ", "));
+  throw MissingLibrary(
+      place, fmt::format("there is no header {}: neither in the sketch nor in a library below {}", header,
+                         fmt::join(folders, ", ")));
 }
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {
@@ -103,7 +105,7 @@ void fail(const Target& target, const std::string& messages) {
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!target.chip && std::regex_search(messages, match, assembler))
       throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
-                                                              match[3].str() + "): it is for --target avr");
+                                                              match[3].str() + "): it is for the target avr");
     static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
     if (std::regex_search(messages, match, unplaced))
       throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());

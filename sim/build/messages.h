@@ -16,9 +16,11 @@ namespace robosim::build {
 /// The header that a failed compilation did not find; empty if it failed otherwise.
 std::string missing_header(const std::string& output, Place* place);
 
-/// The sentence for a header that no library below the finder's folders has.
-std::string no_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
-                       const std::string& header);
+/// Throws for a header that no library below the finder's folders has: MissingLibrary, or InputError where
+/// none could have it.
+[[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
+                                       const LibraryFinder& finder, const Place& place,
+                                       const std::string& header);
 
 /// The compiler's messages with places as the user knows them.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);

@@ -56,7 +56,13 @@ class CompileError : public InputError {
   using InputError::InputError;
 };
 
-/// Throws InputError (no such sketch, a header that no library has), CompileError, or ToolMissing.
+/// There is no library for a header that the sketch includes; one may be in a folder that was not named.
+class MissingLibrary : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Throws InputError (no such sketch …), MissingLibrary, CompileError, or ToolMissing.
 Image build(const Request& request);
 
 /// The targets that sketches are compiled for: "host", "avr", "stm32".

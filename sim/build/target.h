@@ -21,7 +21,7 @@ struct Product {
   std::vector<std::string> arguments;
 };
 
-/// What is added with --sanitize; empty = the target has none.
+/// What is added where checks are wanted; empty = the target has none.
 struct Sanitizer {
   std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
   std::vector<std::string> addresses;    ///< the same, and for the core, but for what serves the checks

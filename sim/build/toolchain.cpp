@@ -85,8 +85,8 @@ Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuin
 void check_chip(const Target& target, const BoardSpec& board) {
   if (std::string(board.chip->target) == target.name) return;
   throw InputError(
-      fmt::format("the board {} has no chip of the target {}; --target {} is for a robot with {}", board.name,
-                  target.name, target.name, one_of(boards_of(target.name))));
+      fmt::format("the board {} has no chip of the target {}; the target {} is for a robot with {}",
+                  board.name, target.name, target.name, one_of(boards_of(target.name))));
 }
 
 Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {

@@ -166,17 +166,18 @@ std::string sentence(const Evidence& e) {
 
 }  // namespace
 
-std::string next_step(const Evidence& e) {
-  if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return "";
-  if (e.crash && !e.crash->check.empty()) return advice(e);
+NextStep next_step(const Evidence& e) {
+  if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
+  if (e.crash && !e.crash->check.empty()) return {advice(e)};
   if (e.moved) {
     if (e.verdict == Verdict::lost && e.int_bits == 16)
-      return "run it with --target host too: if it keeps the line there, look where an int goes beyond "
-             "32767, as in "
-             "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it";
+      return {
+          "run it on the host too: if it keeps the line there, look where an int goes beyond 32767, as in "
+          "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it",
+          NextStep::By::host};
     if (e.verdict == Verdict::lost)
-      return "watch it with --view --speed 0.2, or record what the sensors saw with --record run.csv";
-    return "";
+      return {"watch it in slow motion, or record what the sensors saw", NextStep::By::watching};
+    return {};
   }
   std::vector<int> low, never_output;
   for (const robot::WiredPin& wired : e.wiring) {
@@ -195,13 +196,15 @@ std::string next_step(const Evidence& e) {
   if (low.empty() && never_output.empty())
     text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
   const Pin pin = awaited_pin(e);
-  if (pin == kNoPin) return text;
+  if (pin == kNoPin) return {text};
   text += fmt::format("; the sketch waits for {}, which is {}", pin_name(pin, e.wiring),
                       e.pin_level ? "HIGH" : "LOW");
-  for (const robot::WiredPin& wired : e.wiring)
+  for (const robot::WiredPin& wired : e.wiring) {
     if (wired.pin == pin && wired.type == "button")
-      text += fmt::format(": press it with --script FILE and the line: at 1s press {} 200ms", wired.part);
-  return text;
+      return {text + fmt::format(": press it by a script with the line: at 1s press {} 200ms", wired.part),
+              NextStep::By::script};
+  }
+  return {text};
 }
 
 }  // namespace robosim::judge

@@ -8,6 +8,7 @@
 #include "sim/grid/map.h"
 #include "sim/judge/goal.h"
 #include "sim/judge/judge.h"
+#include "sim/judge/outcome.h"
 #include "sim/judge/script_fault.h"
 #include "sim/robot/robot.h"
 
@@ -37,7 +38,6 @@ struct Evidence {
 
 /// One sentence that says why the run ended as it did.
 std::string explain(const Evidence& evidence);
-/// What to look at next; empty where the verdict says it all.
-std::string next_step(const Evidence& evidence);
+NextStep next_step(const Evidence& evidence);
 
 }  // namespace robosim::judge

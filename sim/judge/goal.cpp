@@ -105,7 +105,7 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
   if (goal.kind == Goal::Kind::laps && loop_.empty())
     throw InputError({map.file},
                      fmt::format("the goal {} needs a line that is one closed loop; this one has {} "
-                                 "stations and {} junctions (try --goal tour)",
+                                 "stations and {} junctions (try the goal tour)",
                                  to_string(goal), stations_.size(), junctions_.size()));
 }
 

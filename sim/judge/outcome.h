@@ -32,10 +32,18 @@ ExitStatus exit_status(Verdict verdict);
 
 using wire::Metrics;
 
+/// What to look at next.
+struct NextStep {
+  /// What it takes: a run on the host, a look at the run, a script.
+  enum class By { none, host, watching, script };
+  std::string text;  ///< empty where the verdict says it all
+  By by = By::none;
+};
+
 struct Outcome {
   Verdict verdict = Verdict::timeout;
-  std::string why;   ///< one sentence a first-year student understands
-  std::string next;  ///< what to look at next; may be empty
+  std::string why;  ///< one sentence a first-year student understands
+  NextStep next;
   Goal goal;
   SimTime time = 0;  ///< simulated, at the end
   Metrics metrics;

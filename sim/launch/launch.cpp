@@ -12,11 +12,21 @@ Chosen choose(const Launch& launch) {
   Chosen chosen;
   chosen.sketch = choose_sketch(launch.sketch);
   chosen.target = choose_target(launch.target, chosen.sketch);
-  if (launch.sanitize) build::check_can_sanitize(chosen.target);
+  if (launch.sanitize) name_flag("--sanitize", [&] { build::check_can_sanitize(chosen.target); });
   chosen.map = choose_map(launch.map, chosen.sketch.folder);
   chosen.robot = choose_robot(launch.robot, chosen.sketch.folder, chosen.target);
   return chosen;
 }
+
+namespace {
+
+build::Image build_image(const build::Request& request) try {
+  return build::build(request);
+} catch (const build::MissingLibrary& error) {
+  throw InputError(error.place(), error.message() + "; --libraries DIR adds a folder of libraries");
+}
+
+}  // namespace
 
 build::Image image_of(const SketchChoice& sketch, const build::Request& request, const Listener& listener) {
   if (!sketch.elf_target.empty()) {
@@ -27,7 +37,7 @@ build::Image image_of(const SketchChoice& sketch, const build::Request& request,
     return image;
   }
   if (listener.compiling) listener.compiling(sketch.name);
-  build::Image image = build::build(request);
+  build::Image image = build_image(request);
   if (listener.compiled) listener.compiled(image);
   return image;
 }

@@ -178,4 +178,10 @@ void check_build_target(const std::string& target) {
                                 all_of(available)));
 }
 
+void name_flag(const std::string& flag, const std::function<void()>& check) try {
+  check();
+} catch (const InputError& error) {
+  throw InputError(error.place(), flag + ": " + error.message());
+}
+
 }  // namespace robosim::launch

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,5 +53,8 @@ std::string choose_target(const std::string& name, const SketchChoice& sketch);
 void check_target(const std::string& target);
 /// The same for targets that sketches are compiled for.
 void check_build_target(const std::string& target);
+
+/// Where `check` throws an InputError, this throws one that also names the flag that it is about.
+void name_flag(const std::string& flag, const std::function<void()>& check);
 
 }  // namespace robosim::launch

@@ -34,8 +34,7 @@ const std::vector<std::string>& record_endings() {
 void check_record_ending(const std::filesystem::path& path) {
   const auto& known = record_endings();
   if (std::find(known.begin(), known.end(), path.extension().string()) != known.end()) return;
-  throw InputError("--record " + path.string() + ": the file's ending chooses the format, and it must be " +
-                   one_of(known));
+  throw InputError(path.string() + ": the file's ending chooses the format, and it must be " + one_of(known));
 }
 
 }  // namespace robosim::record

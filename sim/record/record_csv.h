@@ -1,4 +1,4 @@
-// `--record x.csv`: a run's samples as a table. The format is in docs/recordings.md.
+// Recordings as .csv: a run's samples as a table. The format is in docs/recordings.md.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ class CsvRecord {
   std::string text_;
 };
 
-/// The file endings that `--record` knows: ".csv", ".vcd" (record_vcd.h).
+/// The file endings of recordings: ".csv", ".vcd" (record_vcd.h).
 const std::vector<std::string>& record_endings();
 /// Throws InputError naming the endings that exist if the file has another.
 void check_record_ending(const std::filesystem::path& path);

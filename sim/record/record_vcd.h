@@ -1,4 +1,4 @@
-// `--record x.vcd`: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
+// Recordings as .vcd: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
 // 1364-2005, chapter 18). The signals are listed in docs/recordings.md.
 #pragma once
 

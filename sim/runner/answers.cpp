@@ -54,11 +54,26 @@ wire::Paused to_wire(const run::State& state, const run::Sample& sample) {
   return paused;
 }
 
+std::string name_of(judge::NextStep::By by) {
+  switch (by) {
+    case judge::NextStep::By::none:
+      break;
+    case judge::NextStep::By::host:
+      return "host";
+    case judge::NextStep::By::watching:
+      return "watching";
+    case judge::NextStep::By::script:
+      return "script";
+  }
+  return "";
+}
+
 wire::RunResult to_wire(const judge::Outcome& outcome) {
   wire::RunResult result;
   result.verdict = judge::to_string(outcome.verdict);
   result.why = outcome.why;
-  result.next = outcome.next;
+  result.next = outcome.next.text;
+  result.next_by = name_of(outcome.next.by);
   result.status = static_cast<int>(judge::exit_status(outcome.verdict));
   result.time_s = seconds(outcome.time);
   result.metrics = outcome.metrics;

@@ -31,14 +31,14 @@ struct Crash {
   SourceLine where;
   std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
   std::string registers;          ///< of a chip's processor, for people; else empty
-  std::string check;              ///< of --sanitize, if one has found it: "mul_overflow"; else empty
+  std::string check;              ///< if one that was built in has found it: "mul_overflow"; else empty
 };
 
 template <class V>
 void fields(V& v, Same<V, Crash>& c) {
   v("reason", c.reason, "a clause: \"division by zero\"");
   fields(v, c.where);
-  v("check", c.check, "the check of `--sanitize` that has found it; absent if none has",
+  v("check", c.check, "the check, built into the image, that has found it; absent if none has",
     {.presence = when(!c.check.empty())});
   v("calls", c.calls, "on a chip: the calls that led there, innermost first, the core's included",
     {.presence = when(!c.registers.empty())});
@@ -130,6 +130,7 @@ struct RunResult {
   std::string verdict;  ///< "reached", "lost", …
   std::string why;      ///< one sentence
   std::string next;     ///< what to try next; may be empty
+  std::string next_by;  ///< by "host", a run there, "watching" or "script"; empty = by nothing of the kind
   int status = 0;       ///< exit status that belongs to the verdict
   double time_s = 0.0;
   Metrics metrics;
@@ -160,6 +161,9 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("verdict", r.verdict, "`\"reached\"`, `\"lost\"` …");
   v("why", r.why, "one sentence");
   v("next", r.next, "what to try next; may be empty", {.presence = kOptional});
+  v("next_by", r.next_by,
+    "what that takes: a run on the `\"host\"`, `\"watching\"`, or a `\"script\"`; else absent",
+    {.presence = when(!r.next_by.empty())});
   v("status", r.status, "exit status that belongs to the verdict");
   v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
   v("metrics", r.metrics, "figures of the run");

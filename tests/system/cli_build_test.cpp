@@ -54,6 +54,17 @@ TEST(CliBuild, ACompileErrorForTheChipNamesFileAndLine) {
   EXPECT_THAT(ended.err, StartsWith("My.ino:2:20: error: 'halt' was not declared"));
 }
 
+TEST(CliBuild, AMissingLibraryIsNamedWithTheFlagThatAddsFoldersOfThem) {
+  const Folder folder;
+  folder.write("My/My.ino", "#include <NoSuchSensor.h>\nvoid setup() {}\nvoid loop() {}\n");
+  for (const char* command : {"build", "run"}) {
+    const Ended ended = robosim_command({command, "My/"}, folder.path());
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err,
+                AllOf(HasSubstr("there is no header NoSuchSensor.h"), HasSubstr("--libraries DIR")));
+  }
+}
+
 TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   const Folder folder;
   const std::string path = std::getenv("PATH");

@@ -117,7 +117,9 @@ TEST_F(CliCoverage, IsRefusedForAChipAndAFolderThatCannotBe) {
   const Ended chip =
       robosim_command({"run", "PidFollower", "--target", "avr", "--coverage", "out"}, folder_.path());
   EXPECT_EQ(chip.status, 2);
-  EXPECT_EQ(chip.err, "robosim: --coverage is for --target host; a chip has no room for its counters\n");
+  EXPECT_EQ(chip.err,
+            "robosim: --coverage: lines that ran are counted on the target host only; a chip has no room for "
+            "the counters\n");
   folder_.write("file", "");
   const Ended bad = robosim_command({"run", "PidFollower", "--coverage", "file"}, folder_.path());
   EXPECT_EQ(bad.status, 2);

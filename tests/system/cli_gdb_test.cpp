@@ -166,7 +166,7 @@ TEST_P(CliGdb, WhatCannotBeDebuggedIsSaidInOneSentence) {
   const std::string port = std::to_string(taken.number());
   Ended ended = run({"--gdb", port});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("--gdb: port " + port + " is in use"));
+  EXPECT_THAT(ended.err, HasSubstr("port " + port + " is in use"));
   for (const char* wrong : {"0", "65536", "-1", "gdb"}) {
     ended = run({"--gdb", wrong});
     EXPECT_EQ(ended.status, 2) << wrong;

@@ -117,7 +117,8 @@ TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
   EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0}).verdict, "reached");
   const wire::RunResult chip = run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"});
   EXPECT_EQ(chip.verdict, "lost");
-  EXPECT_THAT(chip.next, AllOf(HasSubstr("--target host"), HasSubstr("int has 16 bits")));
+  EXPECT_EQ(chip.next_by, "host");
+  EXPECT_THAT(chip.next, HasSubstr("int has 16 bits"));
 }
 
 TEST_F(OnTheChip, AFollowersRunIsPinned) {

@@ -116,7 +116,8 @@ std::vector<std::string> over_budget(const build::Image& image, const wire::Robo
 
 Built build_sketch(const BuildArguments& arguments, Boards boards) {
   launch::check_build_target(arguments.target);
-  if (arguments.sanitize) build::check_can_sanitize(arguments.target);
+  if (arguments.sanitize)
+    launch::name_flag("--sanitize", [&] { build::check_can_sanitize(arguments.target); });
   const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
   const launch::Choice choice = launch::choose_robot(arguments.robot, sketch.folder, arguments.target);

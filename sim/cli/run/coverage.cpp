@@ -8,13 +8,14 @@
 
 #include "sim/base/file.h"
 #include "sim/build/coverage.h"
+#include "sim/launch/names.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 std::string coverage_folder(const std::string& option, const std::string& target) {
   if (!option.empty()) {
-    build::check_can_cover(target);
+    launch::name_flag("--coverage", [&] { build::check_can_cover(target); });
     return option;
   }
   const char* const everywhere = std::getenv("ROBOSIM_COVERAGE");

@@ -24,6 +24,7 @@
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
 #include "sim/launch/launch.h"
+#include "sim/launch/names.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_vcd.h"
 #include "sim/tui/live_view.h"
@@ -157,7 +158,8 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, co
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  for (const std::string& file : arguments.record) record::check_record_ending(file);
+  for (const std::string& file : arguments.record)
+    launch::name_flag("--record", [&] { record::check_record_ending(file); });
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
@@ -196,12 +198,14 @@ int run_command(const RunArguments& arguments) {
   progress.clear();
   listeners.save();
   std::optional<Finding> finding;
+  std::string next = next_of(result);
   if (is_built && deserves_second_look(run.wanted, result)) {
     progress.say("running " + run.sketch.name + " again, with checks …");
     finding = look_again(runner, run.request, run.wanted, result);
     progress.clear();
-    result.next = next_after(result, finding);
+    next = next_after(result, finding);
   }
+  result.next = std::move(next);
 
   const auto json = [&](std::optional<double> timing) {
     return run_json(inputs_of(run, runner.hello().version), result, timing, finding);

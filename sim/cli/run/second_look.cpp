@@ -53,6 +53,14 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   }
 }
 
+std::string next_of(const wire::RunResult& result) {
+  const char* const flags = result.next_by == "host"       ? " (--target host)"
+                            : result.next_by == "watching" ? " (--view --speed 0.2, or --record run.csv)"
+                            : result.next_by == "script"   ? " (--script FILE)"
+                                                           : "";
+  return result.next + flags;
+}
+
 std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding) {
   if (finding)
     return fmt::format(
@@ -60,13 +68,13 @@ std::string next_after(const wire::RunResult& first, const std::optional<Finding
         "first.{}{}",
         finding->fault.reason, place_of(finding->fault), finding->time_s, finding->advice.empty() ? "" : " ",
         finding->advice);
-  if (first.verdict != "lost" && first.verdict != "stuck") return first.next;
+  if (first.verdict != "lost" && first.verdict != "stuck") return next_of(first);
   return fmt::format(
       "{}{}A second run, with checks (--sanitize), has met no signed number that went too high, no bad index "
       "and "
       "no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
       "millis().",
-      first.next, first.next.empty() ? "" : ". ");
+      next_of(first), first.next.empty() ? "" : ". ");
 }
 
 }  // namespace robosim::cli

@@ -34,6 +34,8 @@ bool deserves_second_look(const build::Request& sketch, const wire::RunResult& f
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
                                   const build::Request& sketch, const wire::RunResult& first);
 
+/// The run's `next`, with the flags that it takes.
+std::string next_of(const wire::RunResult& result);
 /// What the first run's `next` becomes.
 std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding);
 

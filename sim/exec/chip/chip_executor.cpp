@@ -50,8 +50,7 @@ std::optional<Resources> ChipExecutor::resources() const {
 
 void ChipExecutor::set_clock_start(SimTime start) {
   const std::string why = firmware_->why_clock_stays();
-  if (!why.empty())
-    throw InputError({firmware_->file()}, "has no clock that --clock could set (" + why + ")");
+  if (!why.empty()) throw InputError({firmware_->file()}, "has no clock that could be set (" + why + ")");
   clock_start_ = start;
 }
 

@@ -59,7 +59,7 @@ class Executor {
 
   /// How wide the firmware's int is.
   virtual int int_bits() const { return 32; }
-  /// Measured on chip targets only, and not of an image with the checks of --sanitize.
+  /// Measured on chip targets only, and not of an image that was built with checks.
   virtual std::optional<Resources> resources() const { return std::nullopt; }
   /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
   /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
@@ -67,7 +67,7 @@ class Executor {
   /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
   virtual void set_clock_start(SimTime) {
     throw InputError(
-        "--clock: only on a chip target can the clock be set; on the host it is wider and never wraps");
+        "the clock can be set on an emulated chip only; on the host it is wider and never wraps");
   }
 
   /// Where in the sketch the firmware is now; also while run_until() lasts, for watchers of pins.
@@ -85,9 +85,7 @@ class Executor {
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
   /// From the next power-on, a debugger may halt the firmware: run_until() then does not return. `server`
   /// must outlive the executor's use. Throws InputError where that cannot be.
-  virtual void debug_with(gdb::Server&) {
-    throw InputError("--gdb: a debugger attaches to an emulated chip only, as in --target avr");
-  }
+  virtual void debug_with(gdb::Server&) { throw InputError("a debugger attaches to an emulated chip only"); }
 };
 
 }  // namespace robosim::exec

@@ -42,9 +42,10 @@ Connection::Connection(std::uint16_t port, const std::atomic<bool>& interrupted)
   if (bound && ::listen(listener_.get(), 1) == 0) return;
   const int error = errno;
   if (error == EADDRINUSE)
-    throw InputError(fmt::format("--gdb: port {} is in use by another program; take another, as in --gdb {}",
-                                 port, port < 65535 ? port + 1 : port - 1));
-  throw InputError(fmt::format("--gdb: cannot listen at port {}: {}", port, std::strerror(error)));
+    throw InputError(fmt::format(
+        "port {} is in use by another program, so that no debugger can reach it; take another, such as {}",
+        port, port < 65535 ? port + 1 : port - 1));
+  throw InputError(fmt::format("cannot wait for a debugger at port {}: {}", port, std::strerror(error)));
 }
 
 bool Connection::wait(int descriptor) {

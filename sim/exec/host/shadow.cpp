@@ -53,7 +53,8 @@ void hold(std::uintptr_t page) {
   if (got == wanted) return;
   if (got != MAP_FAILED) ::munmap(got, page_bytes());
   holders().erase(page);
-  throw std::runtime_error("--sanitize: the place for its notes on memory is taken in this process");
+  throw std::runtime_error(
+      "accesses to memory cannot be checked: the place for the notes on them is taken in this process");
 }
 
 void release(std::uintptr_t page) {

@@ -53,7 +53,8 @@ TEST_F(SketchTest, AMissingHeaderIsNamedWithWhereItWasLookedFor) {
   EXPECT_THAT(
       error_of("Needy", {folder_}),
       AllOf(StartsWith("Needy.ino:2:10: there is no header NoSuchSensor.h: neither in the sketch nor"),
-            HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries"), HasSubstr("--libraries")));
+            HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries")));
+  EXPECT_THROW(build({folder_ / "Needy", *find_board("uno")}), MissingLibrary) << "one may be elsewhere";
 }
 
 TEST_F(SketchTest, ALibraryForTheChipIsToldApartFromAMissingOne) {
@@ -70,7 +71,7 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
               StartsWith("Boot.ino:1:10: there is no header vector: Arduino boards with an AVR"));
   write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
   EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
-                                      HasSubstr(" `wdr'"), EndsWith("): it is for --target avr")));
+                                      HasSubstr(" `wdr'"), EndsWith("): it is for the target avr")));
   write("Boot/Boot.cpp", "#include <avr/io.h>\n");
   write("Boot/port.c", "#include <avr/io.h>\nvoid f(void) { PORTB = 1; }\n");
   EXPECT_THAT(error_of("Boot"), HasSubstr("'robosim_registers_need_a_cpp_file' undeclared"));
@@ -110,7 +111,8 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
         build({folder_ / "Many/a.ino", *find_board("uno"), "pdp11"});
       },
       testing::ThrowsMessage<InputError>(HasSubstr("no target pdp11")));
-  EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}), HasSubstr("is no folder; --libraries takes"));
+  EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}),
+              HasSubstr("is no folder; allowed are a folder of libraries"));
 }
 
 TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {

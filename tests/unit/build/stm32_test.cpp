@@ -71,7 +71,7 @@ TEST_F(Stm32Test, PinNamesAreArduinosNumbersAndWidthsAreAnArms) {
             kEmptySketch);
   EXPECT_EQ(stm32_error_of("Chip"), "no error");
   EXPECT_THAT(stm32_error_of("Chip", "uno"),
-              HasSubstr("the board uno has no chip of the target stm32; --target stm32 is for a robot with "
+              HasSubstr("the board uno has no chip of the target stm32; the target stm32 is for a robot with "
                         "bluepill or bluepill8"));
 }
 

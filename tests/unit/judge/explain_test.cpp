@@ -32,7 +32,7 @@ class Explain : public ::testing::Test {
   }
   std::string next(Verdict verdict) {
     e.verdict = verdict;
-    return next_step(e);
+    return next_step(e).text;
   }
   /// The robot sees the line until it is in the middle of cell 3,1 at 2 s.
   void lose_the_line() {
@@ -153,8 +153,8 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
   e.pin_level = true;
   EXPECT_THAT(next(Verdict::timeout),
               EndsWith("the sketch waits for pin 4 (button \"start\"), which is HIGH: "
-                       "press it with --script FILE and the line: at 1s press start "
-                       "200ms"));
+                       "press it by a script with the line: at 1s press start 200ms"));
+  EXPECT_EQ(next_step(e).by, NextStep::By::script);
 }
 
 TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
@@ -162,7 +162,15 @@ TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
   EXPECT_EQ(next(Verdict::interrupted), "");
   e.moved = true;
   EXPECT_EQ(next(Verdict::stuck), "");
-  EXPECT_NE(next(Verdict::lost), "");
+}
+
+TEST_F(Explain, ALineThatWasLostIsLookedForOnTheHostIfTheFirmwaresIntIsNarrow) {
+  e.moved = true;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
+  EXPECT_EQ(next_step(e).by, NextStep::By::watching);
+  e.int_bits = 16;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("16 bits"));
+  EXPECT_EQ(next_step(e).by, NextStep::By::host);
 }
 
 TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {

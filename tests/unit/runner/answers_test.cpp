@@ -93,7 +93,7 @@ TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
   judge::Outcome outcome;
   outcome.verdict = judge::Verdict::crashed;
   outcome.why = "The sketch crashed.";
-  outcome.next = "Look at line 3.";
+  outcome.next = {"Look at line 3.", judge::NextStep::By::watching};
   outcome.goal = judge::parse_goal("tour");
   outcome.time = 1500 * kMillisecond;
   outcome.crash = exec::Crash{"division by zero", {"loop", "A.ino", 7}, {}, "", ""};
@@ -109,6 +109,7 @@ TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.why, "The sketch crashed.");
   EXPECT_EQ(result.next, "Look at line 3.");
+  EXPECT_EQ(result.next_by, "watching");
   EXPECT_EQ(result.goal, "tour");
   EXPECT_DOUBLE_EQ(result.time_s, 1.5);
   ASSERT_TRUE(result.crash);
