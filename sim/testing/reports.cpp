@@ -13,7 +13,7 @@ namespace robosim::testing {
 namespace {
 
 /// As GitHub wants the text of a workflow command.
-std::string escaped(const std::string& text) {
+std::string annotation(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '%')
@@ -61,7 +61,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
     if (!part.failed()) return;
     // Google Test holds a lock here: it must not be asked which test this is.
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
-               part.line_number() > 0 ? part.line_number() : 1, test_, escaped(part.message()));
+               part.line_number() > 0 ? part.line_number() : 1, test_, annotation(part.message()));
     std::fflush(stdout);
     rows_ += fmt::format("| `{}` | {} |\n", test_, in_cell(essence(part.message())));
   }
