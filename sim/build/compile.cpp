@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void add(std::vector<std::string>& words, const std::vector<std::string>& more) {
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
 }
 
@@ -65,8 +65,8 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
-  add(words, toolchain.target.definitions);
-  if (!toolchain.target.chip) add(words, host_definitions(toolchain.board));
+  append(words, toolchain.target.definitions);
+  if (!toolchain.target.chip) append(words, host_definitions(toolchain.board));
   return words;
 }
 
@@ -93,19 +93,19 @@ Core::Names places_of(const Unit& unit) {
 void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   const Sanitizer& sanitizer = toolchain.target.sanitizer;
   if (unit.kind != Unit::Kind::core) {
-    add(words, sanitizer.undefined);
-    add(words, sanitizer.addresses);
+    append(words, sanitizer.undefined);
+    append(words, sanitizer.addresses);
   } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
-    add(words, sanitizer.definitions);
+    append(words, sanitizer.definitions);
   } else {
-    add(words, sanitizer.addresses);
+    append(words, sanitizer.addresses);
   }
 }
 
 void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   const Counting& counting = toolchain.target.coverage;
-  if (unit.kind == Unit::Kind::sketch) add(words, counting.own);
-  if (unit.kind == Unit::Kind::core) add(words, counting.definitions);
+  if (unit.kind == Unit::Kind::sketch) append(words, counting.own);
+  if (unit.kind == Unit::Kind::core) append(words, counting.definitions);
 }
 
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
@@ -115,29 +115,29 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   const auto& compiler = written_in == Language::cxx ? toolchain.compiler.cxx : toolchain.compiler.cc;
   std::vector<std::string> words = {compiler.string()};
   words.push_back(core ? target.core_level : target.own_level);
-  add(words, target.code);
-  if (written_in == Language::cxx) add(words, target.cxx_code);
-  if (written_in == Language::c) add(words, target.c_code);
-  add(words, core ? target.core : target.own);
+  append(words, target.code);
+  if (written_in == Language::cxx) append(words, target.cxx_code);
+  if (written_in == Language::c) append(words, target.c_code);
+  append(words, core ? target.core : target.own);
   if (toolchain.sanitize) add_checks(words, toolchain, unit);
   if (toolchain.coverage) add_counting(words, toolchain, unit);
-  add(words, warning_flags(toolchain, unit));
-  add(words, toolchain.core.machine);
-  add(words, definitions(toolchain));
+  append(words, warning_flags(toolchain, unit));
+  append(words, toolchain.core.machine);
+  append(words, definitions(toolchain));
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
-  for (const fs::path& folder : toolchain.core.system_includes) add(words, {"-isystem", folder.string()});
-  if (target.hal) add(words, {"-isystem", toolchain.facts.include_folder.string()});
+  for (const fs::path& folder : toolchain.core.system_includes) append(words, {"-isystem", folder.string()});
+  if (target.hal) append(words, {"-isystem", toolchain.facts.include_folder.string()});
   add_prefix_maps(words, toolchain, places_of(unit));
   return words;
 }
 
 void add_source(std::vector<std::string>& words, const Unit& unit) {
-  if (language(unit) == Language::assembler) add(words, {"-x", "assembler-with-cpp"});
+  if (language(unit) == Language::assembler) append(words, {"-x", "assembler-with-cpp"});
   if (unit.input.empty())
     words.push_back(unit.source);
   else
-    add(words, {"-x", "c++", "-"});
+    append(words, {"-x", "c++", "-"});
 }
 
 }  // namespace
@@ -172,13 +172,13 @@ std::string notes_name(const Unit& unit) {
 
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
   std::vector<std::string> words = base_words(toolchain, unit);
-  add(words, {"-MD", "-MF", object.string() + ".d"});
+  append(words, {"-MD", "-MF", object.string() + ".d"});
   if (is_counted(toolchain, unit))
-    add(words, {"-fprofile-note=" + object.string() + ".gcno", "-dumpbase", notes_name(unit)});
+    append(words, {"-fprofile-note=" + object.string() + ".gcno", "-dumpbase", notes_name(unit)});
   if (through_assembly(toolchain, unit))
-    add(words, {"-S", "-o", object.string() + ".s"});
+    append(words, {"-S", "-o", object.string() + ".s"});
   else
-    add(words, {"-c", "-o", object.string()});
+    append(words, {"-c", "-o", object.string()});
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input};
 }
@@ -191,7 +191,7 @@ Command assemble_command(const Toolchain& toolchain, const fs::path& object) {
 
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const fs::path& output) {
   std::vector<std::string> words = base_words(toolchain, unit);
-  add(words, {"-w", "-E", "-o", output.string()});
+  append(words, {"-w", "-E", "-o", output.string()});
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input};
 }
@@ -216,26 +216,26 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
                      const fs::path& work, const Core::Names& places) {
   for (const auto& [name, text] : toolchain.target.link_files) write_file(work / name, text);
   std::vector<std::string> words = {toolchain.compiler.cc.string()};
-  add(words, toolchain.target.link);
-  if (toolchain.sanitize) add(words, toolchain.target.sanitizer.link);
-  add(words, toolchain.core.machine);
+  append(words, toolchain.target.link);
+  if (toolchain.sanitize) append(words, toolchain.target.sanitizer.link);
+  append(words, toolchain.core.machine);
   if (toolchain.target.chip)
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
   else
-    add(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
-  add(words, toolchain.core.link);
-  add(words, {"-o", image.string()});
+    append(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
+  append(words, toolchain.core.link);
+  append(words, {"-o", image.string()});
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
-  if (toolchain.coverage) add(words, toolchain.target.coverage.link);
+  if (toolchain.coverage) append(words, toolchain.target.coverage.link);
   return {std::move(words), work, {}};
 }
 
 Command product_command(const Target& target, const Product& product, const fs::path& image,
                         const fs::path& file) {
   std::vector<std::string> words = {find_tool(target, product.program).string()};
-  add(words, product.arguments);
-  add(words, {image.string(), file.string()});
+  append(words, product.arguments);
+  append(words, {image.string(), file.string()});
   return {std::move(words), file.parent_path(), {}};
 }
 

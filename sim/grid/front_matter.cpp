@@ -14,7 +14,7 @@ constexpr double kMinCell = 0.001;  // m
 constexpr double kMaxCell = 10.0;
 constexpr double kMaxCorner = 100.0;
 
-const char* name_of(Cell cell) {
+const char* cell_word(Cell cell) {
   switch (cell) {
     case Cell::floor:
       return "floor";
@@ -114,7 +114,7 @@ void read_legend(const ConfigValue& value, FrontMatter& front) {
     const std::string& word = as_string(meaning, key.c_str());
     std::optional<Cell>& cell = front.legend[static_cast<std::size_t>(key[0] - '0')];
     for (const Cell c : {Cell::floor, Cell::line, Cell::wall, Cell::gap, Cell::obstacle})
-      if (word == name_of(c)) cell = c;
+      if (word == cell_word(c)) cell = c;
     if (!cell)
       throw InputError(
           meaning.place,
@@ -157,7 +157,7 @@ void require_line(const Map& map, CellAt cell, const Place& place, const std::st
                                  what, cell.x, cell.y, map.width - 1, map.height - 1));
   if (!is_line(map.at(cell)))
     throw InputError(place, fmt::format("{} at column {}, row {} is not on a line: that cell is {}", what,
-                                        cell.x, cell.y, name_of(map.at(cell))));
+                                        cell.x, cell.y, cell_word(map.at(cell))));
 }
 
 }  // namespace robosim::grid

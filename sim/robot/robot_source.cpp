@@ -132,7 +132,7 @@ fs::path find_base(const ConfigValue& base, const fs::path& from) {
   }
 }
 
-RobotSource read_source(std::string_view text, const fs::path& file, int depth) {
+RobotSource read_with_bases(std::string_view text, const fs::path& file, int depth) {
   RobotSource source{parse_toml(text, file.string()), std::string(text)};
   const ConfigValue* base = source.tree.find("base");
   if (!base) {
@@ -151,7 +151,7 @@ RobotSource read_source(std::string_view text, const fs::path& file, int depth) 
   } catch (const InputError& error) {
     throw InputError(base->place, fmt::format("base is \"{}\", but {}", base->string, error.what()));
   }
-  RobotSource below = read_source(base_text, path, depth + 1);
+  RobotSource below = read_with_bases(base_text, path, depth + 1);
   source.tree = derive(std::move(below.tree), std::move(source.tree));
   source.bytes += below.bytes;
   return source;
@@ -159,6 +159,8 @@ RobotSource read_source(std::string_view text, const fs::path& file, int depth) 
 
 }  // namespace
 
-RobotSource read_source(std::string_view text, const fs::path& file) { return read_source(text, file, 0); }
+RobotSource read_source(std::string_view text, const fs::path& file) {
+  return read_with_bases(text, file, 0);
+}
 
 }  // namespace robosim::robot

@@ -64,7 +64,7 @@ std::string field(std::string text) {
 }
 
 template <typename Number>
-std::optional<Number> number(const std::string& text) {
+std::optional<Number> parse_number(const std::string& text) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -86,8 +86,8 @@ class Reader {
     const auto fields = csv_fields(line);
     if (!fields || fields->size() != columns().size()) fail("this is no row of a sweep");
     const auto& f = *fields;
-    const auto seed = number<std::uint64_t>(f[kSeed]);
-    const auto time = number<double>(f[kTime]);
+    const auto seed = parse_number<std::uint64_t>(f[kSeed]);
+    const auto time = parse_number<double>(f[kTime]);
     if (!seed || !time || f[kVerdict].empty()) fail("this is no row of a sweep");
     const auto place = places_.find(std::make_tuple(f[kSketch], f[kMap], f[kRobot], f[kTarget]));
     if (place == places_.end() || *seed < plan_.first_seed || *seed - plan_.first_seed >= plan_.seeds) {

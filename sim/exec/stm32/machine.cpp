@@ -32,7 +32,7 @@ void Machine::set_clock(SimTime start) {
 }
 
 std::vector<std::uint32_t> Machine::open_calls() const {
-  constexpr std::size_t kMostCalls = 40;
+  constexpr std::size_t kMostCandidates = 40;
   std::vector<std::uint32_t> calls;
   const auto add = [&](std::uint32_t word) {
     const std::uint32_t pc = word & ~1u;
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> Machine::open_calls() const {
       calls.push_back(pc - 2);
   };
   add(cpu_.reg(Cpu::kLr));
-  for (Address at = cpu_.reg(Cpu::kSp) & ~3u; at + 4 <= kRam + kRamBytes && calls.size() < kMostCalls;
+  for (Address at = cpu_.reg(Cpu::kSp) & ~3u; at + 4 <= kRam + kRamBytes && calls.size() < kMostCandidates;
        at += 4)
     add(cpu_.word(at));
   return calls;

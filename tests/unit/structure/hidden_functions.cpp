@@ -1,0 +1,97 @@
+#include "tests/unit/structure/hidden_functions.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace robosim::structure {
+namespace {
+
+using Names = std::set<std::string>;
+
+/// The function whose declaration or definition a line begins, or "". Members are indented.
+std::string function_of(const std::string& line) {
+  static const std::regex begin(R"([\w\[][^=(]*[\s*&](\w+)\()");
+  std::smatch match;
+  const bool found = std::regex_search(line, match, begin, std::regex_constants::match_continuous);
+  return found ? match[1].str() : "";
+}
+
+/// All free functions of a header; of a source, those in its anonymous namespaces.
+Names functions_of(const std::string& content, bool header) {
+  Names names;
+  std::istringstream lines(content);
+  bool anonymous = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "namespace {" || line == "}  // namespace") anonymous = line.starts_with('n');
+    if (header || anonymous) names.insert(function_of(line));
+  }
+  names.erase("");
+  return names;
+}
+
+/// Whether a source calls a free function by its bare name. What stands behind a type declares a member.
+bool calls(const std::string& content, const std::string& function) {
+  const std::regex call(R"((^|[^\w.:>&*\s]|\s[>*&]+\s|[\s(!,][*&]|\b(return|else|throw|case)\s)\s*)" +
+                        function + R"(\()");
+  std::istringstream lines(content);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    if (code.find(function) != code.npos && std::regex_search(code, call)) return true;
+  }
+  return false;
+}
+
+/// Adds to `reached` what a file includes, and what that includes.
+void follow(const std::string& file, const Files& files, Names& reached) {
+  static const std::regex include(R"re(^#include "([^"]+)")re");
+  std::istringstream lines(files.at(file));
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("#include") || !std::regex_search(line, match, include)) continue;
+    for (const char* folder : {"", "sim/testing/"}) {
+      const std::string header = folder + match[1].str();
+      if (files.count(header) && reached.insert(header).second) follow(header, files, reached);
+    }
+  }
+}
+
+std::string library_of(const std::string& file) { return file.substr(0, file.find('/', file.find('/') + 1)); }
+
+}  // namespace
+
+std::vector<std::string> hidden_functions(const Files& files) {
+  std::map<std::string, Names> headers_with, own;
+  std::map<std::string, std::vector<std::string>> libraries;
+  for (const auto& [file, content] : files) {
+    if (file.ends_with(".h")) {
+      for (const std::string& function : functions_of(content, true)) headers_with[function].insert(file);
+    } else if (file.ends_with(".cpp")) {
+      own[file] = functions_of(content, false);
+      libraries[library_of(file)].push_back(file);
+    }
+  }
+  std::vector<std::string> hidden;
+  for (const auto& [file, functions] : own) {
+    for (const std::string& function : functions) {
+      if (!headers_with.count(function)) continue;
+      for (const std::string& mate : libraries[library_of(file)]) {
+        if (mate == file || own[mate].count(function) || !calls(files.at(mate), function)) continue;
+        Names included;
+        follow(mate, files, included);
+        for (const std::string& header : headers_with[function]) {
+          if (!included.count(header)) continue;
+          hidden.push_back(
+              fmt::format("{}: its own {}() may be called by {}, which means that of {}, where both are "
+                          "compiled as one file",
+                          file, function, mate, header));
+        }
+      }
+    }
+  }
+  return hidden;
+}
+
+}  // namespace robosim::structure

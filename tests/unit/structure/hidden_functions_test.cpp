@@ -1,0 +1,64 @@
+#include "tests/unit/structure/hidden_functions.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kHeader = "/// Adds.\nvoid add(Sum& sum, int more);\n";
+const std::string kOwn = "namespace {\n\nvoid add(Words& words, Word more) {\n}\n\n}  // namespace\n";
+const std::string kCalls = "#include \"sim/build/sum.h\"\nvoid f() {\n  add(sum, 2);\n}\n";
+
+TEST(Functions, OfOneSourceHideNoneThatAnotherMeans) {
+  Files libraries = read_sources(ROBOSIM_SOURCE_DIR);
+  std::erase_if(libraries, [](const auto& file) {
+    return !file.first.starts_with("sim/") && !file.first.starts_with("hal/board/");
+  });
+  EXPECT_TRUE(libraries.count("sim/base/error.h"));
+  for (const std::string& sentence : hidden_functions(libraries)) ADD_FAILURE() << sentence;
+}
+
+TEST(HiddenFunctions, AreAHeadersThatAnotherSourceOfTheLibraryCalls) {
+  EXPECT_THAT(
+      hidden_functions(
+          {{"sim/build/sum.h", kHeader}, {"sim/build/a.cpp", kOwn}, {"sim/build/deep/b.cpp", kCalls}}),
+      ElementsAre("sim/build/a.cpp: its own add() may be called by sim/build/deep/b.cpp, which means that of "
+                  "sim/build/sum.h, where both are compiled as one file"));
+}
+
+TEST(HiddenFunctions, AreFoundBehindOtherIncludesAndInAnyExpression) {
+  for (const char* line : {"  return add(s, 1);", "  if (1 > add(s, 1)) {", "  x = *add(s, 1) && add(t, 1);",
+                           "  f(add(s, 1));", "    add(s, 1);"}) {
+    EXPECT_EQ(hidden_functions({{"sim/build/sum.h", kHeader},
+                                {"sim/build/all.h", "#include \"sim/build/sum.h\""},
+                                {"sim/build/a.cpp", kOwn},
+                                {"sim/build/b.cpp", std::string("#include \"sim/build/all.h\"\n") + line}})
+                  .size(),
+              1u)
+        << line;
+  }
+}
+
+TEST(HiddenFunctions, AreNotThoseOfOtherLibrariesNorThoseThatNobodyElseCalls) {
+  const Files files = {{"sim/build/sum.h", kHeader}, {"sim/build/a.cpp", kOwn}};
+  const auto with = [&](const char* file, const std::string& content) {
+    Files all = files;
+    all[file] = content;
+    return hidden_functions(all);
+  };
+  EXPECT_THAT(with("sim/launch/b.cpp", kCalls), IsEmpty());
+  EXPECT_THAT(with("sim/build/b.cpp", "void f() {\n  add(sum, 2);\n}\n"), IsEmpty()) << "nothing included";
+  EXPECT_THAT(with("sim/build/b.cpp", kOwn + kCalls), IsEmpty()) << "it calls its own";
+  for (const char* line :
+       {"void add(Sum& sum, int more) {", "  void add(int more);", "  Sum& add(int more) {", "  list.add(2);",
+        "  list->add(2);", "  other::add(2);", "  // see add(sum, 2)"})
+    EXPECT_THAT(with("sim/build/b.cpp", std::string("#include \"sim/build/sum.h\"\n") + line), IsEmpty())
+        << line;
+}
+
+}  // namespace
+}  // namespace robosim::structure
