@@ -96,58 +96,32 @@ constexpr BoardSpec kUno = {
     .upload_baud_old = 0,
 };
 
-constexpr BoardSpec kNano = {
-    .name = "nano",
-    .fqbn = "arduino:avr:nano",
-    .macro = "ARDUINO_AVR_NANO",
-    .chip = &kAtmega328p,
-    .pins = kNanoPins.pins,
-    .pin_count = kNanoPins.kSize,
-    .analog_pin_0 = 14,
-    .led_builtin = 13,
-    .supply_volts = 5.0,
-    .clock_hz = 16000000,
-    .adc_steps = 1024,
-    .flash_bytes = 30720,
-    .ram_bytes = kAtmega328p.ram_bytes,
-    .eeprom_bytes = kAtmega328p.eeprom_bytes,
-    .regulator_drop_volts = 1.8,
-    .brown_out_volts = 2.7,
-    .host_model = nullptr,
-    .variant = "eightanaloginputs",
-    .pin_names = nullptr,
-    .upload_protocol = "arduino",
-    .upload_baud = 115200,
-    .upload_baud_old = 57600,
-};
+// An Uno with ADC6 and ADC7, and room for the larger boot loader that older ones have.
+constexpr BoardSpec nano() {
+  BoardSpec board = kUno;
+  board.name = "nano";
+  board.fqbn = "arduino:avr:nano";
+  board.macro = "ARDUINO_AVR_NANO";
+  board.pin_count = kNanoPins.kSize;
+  board.flash_bytes = 30720;
+  board.variant = "eightanaloginputs";
+  board.upload_baud_old = 57600;
+  return board;
+}
 
-// A Pro Mini, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without a
-// diode.
+// A Nano without USB, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without
+// a diode.
 constexpr BoardSpec pro_mini(const char* name, const char* fqbn, uint32_t clock_hz, double supply_volts) {
-  return {
-      .name = name,
-      .fqbn = fqbn,
-      .macro = "ARDUINO_AVR_PRO",
-      .chip = &kAtmega328p,
-      .pins = kNanoPins.pins,
-      .pin_count = kNanoPins.kSize,
-      .analog_pin_0 = 14,
-      .led_builtin = 13,
-      .supply_volts = supply_volts,
-      .clock_hz = clock_hz,
-      .adc_steps = 1024,
-      .flash_bytes = 30720,
-      .ram_bytes = kAtmega328p.ram_bytes,
-      .eeprom_bytes = kAtmega328p.eeprom_bytes,
-      .regulator_drop_volts = 0.17,
-      .brown_out_volts = 2.7,
-      .host_model = nullptr,
-      .variant = "eightanaloginputs",
-      .pin_names = nullptr,
-      .upload_protocol = "arduino",
-      .upload_baud = 57600,
-      .upload_baud_old = 0,
-  };
+  BoardSpec board = nano();
+  board.name = name;
+  board.fqbn = fqbn;
+  board.macro = "ARDUINO_AVR_PRO";
+  board.supply_volts = supply_volts;
+  board.clock_hz = clock_hz;
+  board.regulator_drop_volts = 0.17;
+  board.upload_baud = 57600;
+  board.upload_baud_old = 0;
+  return board;
 }
 
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
@@ -182,7 +156,7 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
 // Of the boards with a chip of the same target the first is the usual one.
 constexpr BoardSpec kBoards[] = {
     kUno,
-    kNano,
+    nano(),
     pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
     pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
     blue_pill("bluepill", 72000000),

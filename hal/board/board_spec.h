@@ -1,5 +1,5 @@
 // Boards and their pins, as data. A new board is one entry in board_spec.cpp, and an entry of pins there
-// unless another board's are the same.
+// unless another board's are the same. A board much like another is written as what differs.
 #pragma once
 
 #include <stdint.h>
