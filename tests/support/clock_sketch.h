@@ -4,6 +4,12 @@
 //   prints   F_CPU in MHz, A7, microseconds of ten analogRead(), and of a thousand digitalRead()
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "hal/board/sim_time.h"
+
 namespace robosim::test {
 
 inline const char* const kClockSketch = R"(#ifndef ARDUINO_AVR_PRO
@@ -40,9 +46,35 @@ struct ClockedBoard {
 };
 inline constexpr ClockedBoard kProMinis[] = {{"promini8", 8, 3.3}, {"promini16", 16, 5.0}};
 
-/// Ten bits each, as nearly as both clocks allow: 58824 baud.
-inline constexpr double kTenBytes_ns = 1.7e6;
 /// Fourteen clocks of the ADC each: both clocks give it 125 kHz.
 inline constexpr double kTenReads_us = 1120;
+
+/// What a target judges for itself.
+struct ReadTimes {
+  double ten_analog_us = 0.0;
+  double thousand_digital_us = 0.0;
+};
+
+/// Expects what the sketch shows on every target within a second, with half the supply on A7: the numbers
+/// that it prints, and when pin 12 changes.
+inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long long>& printed,
+                              const std::vector<SimTime>& changes) {
+  constexpr double kTenBytes_ns = 1.7e6;  // ten bits each, as nearly as both clocks allow: 58824 baud
+  constexpr double kClose_ns = 0.05e6;
+  SCOPED_TRACE(board.name);
+  EXPECT_EQ(printed.size(), 5u) << ::testing::PrintToString(printed);
+  EXPECT_EQ(changes.size(), 5u);
+  if (printed.size() != 5 || changes.size() != 5) return {};
+  EXPECT_NEAR(static_cast<double>(changes[2] - changes[1]), 100e6, kClose_ns);
+  EXPECT_NEAR(static_cast<double>(changes[4] - changes[3]), kTenBytes_ns, kClose_ns);
+  EXPECT_EQ(printed[1], board.mhz);
+  EXPECT_EQ(printed[2], 512);
+  return {static_cast<double>(printed[3]), static_cast<double>(printed[4])};
+}
+
+/// Half the clock, twice the time.
+inline void expect_twice_the_time(const ReadTimes& at_8, const ReadTimes& at_16) {
+  EXPECT_NEAR(at_8.thousand_digital_us / at_16.thousand_digital_us, 2.0, 0.01);
+}
 
 }  // namespace robosim::test

@@ -7,8 +7,7 @@ namespace {
 
 class ProMini : public HostTest {
  protected:
-  /// Runs the sketch, half the supply on A7; microseconds of a thousand digitalRead().
-  double thousand_reads(const test::ClockedBoard& clocked) {
+  test::ReadTimes run_sketch_on(const test::ClockedBoard& clocked) {
     board_name_ = clocked.name;
     serial_.clear();
     pins_.clear();
@@ -16,24 +15,15 @@ class ProMini : public HostTest {
     FixedSource half(clocked.supply_volts / 2);
     board().connect(21, half);
     run(kSecond);
-    const auto shown = numbers();
-    const auto edges = changes(12);
-    EXPECT_EQ(shown.size(), 5u) << serial_;
-    EXPECT_EQ(edges.size(), 5u);
-    if (shown.size() != 5 || edges.size() != 5) return 0.0;
-    EXPECT_NEAR(static_cast<double>(edges[2] - edges[1]), 100e6, 0.05e6);
-    EXPECT_NEAR(static_cast<double>(edges[4] - edges[3]), test::kTenBytes_ns, 0.05e6);
-    EXPECT_EQ(shown[1], clocked.mhz);
-    EXPECT_EQ(shown[2], 512);
-    EXPECT_NEAR(static_cast<double>(shown[3]), test::kTenReads_us, 20);
-    return static_cast<double>(shown[4]);
+    const test::ReadTimes times = test::expect_clock(clocked, numbers(), changes(12));
+    EXPECT_NEAR(times.ten_analog_us, test::kTenReads_us, 20);
+    return times;
   }
 };
 
 TEST_F(ProMini, KeepsTimeAtItsClockAndMeasuresByItsSupply) {
-  const double at_8 = thousand_reads(test::kProMinis[0]);
-  const double at_16 = thousand_reads(test::kProMinis[1]);
-  EXPECT_NEAR(at_8 / at_16, 2.0, 0.01) << "half the clock, twice the time";
+  const test::ReadTimes at_8 = run_sketch_on(test::kProMinis[0]);
+  test::expect_twice_the_time(at_8, run_sketch_on(test::kProMinis[1]));
 }
 
 }  // namespace
