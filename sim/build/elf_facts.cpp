@@ -2,19 +2,15 @@
 
 #include <algorithm>
 
+#include "sim/elf/avr_addresses.h"
+
 namespace robosim::build {
-namespace {
-
-// From here on avr-gcc puts what is neither flash nor RAM: EEPROM, fuses, lock bits, signature.
-constexpr std::uint64_t kAvrBeyondData = 0x810000;
-
-}  // namespace
 
 ElfSize elf_size(const ElfFile& file) {
   ElfSize size;
   for (const ElfSection& section : file.sections()) {
     if (!section.loaded) continue;
-    if (file.machine() == ElfFile::Machine::avr && section.address >= kAvrBeyondData) continue;
+    if (file.machine() == ElfFile::Machine::avr && section.address >= kAvrEeprom) continue;
     (section.writable ? size.data : size.text) += section.size;
     if (section.writable && section.has_content) size.initialised += section.size;
   }

@@ -4,12 +4,12 @@
 
 #include <regex>
 
+#include "sim/elf/avr_addresses.h"
+
 namespace robosim::build {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr unsigned long kAvrData = 0x800000;  // where avr-gcc puts data memory
 
 bool replace_all(std::string& text, const std::string& from, const std::string& to) {
   bool found = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/elf/avr_addresses.h"
+
 namespace robosim::exec::avr {
 namespace {
 
@@ -28,11 +30,11 @@ gdb::Signal DebugPort::fault() const {
 }
 
 bool DebugPort::has_ram(std::uint32_t address, std::size_t size) const {
-  return address >= kDataSpace && address + size <= data_end();
+  return address >= kAvrData && address + size <= data_end();
 }
 
 void DebugPort::poke(std::uint32_t address, std::uint8_t value) {
-  machine_->poke(static_cast<reg::Address>(address - kDataSpace), value);
+  machine_->poke(static_cast<reg::Address>(address - kAvrData), value);
 }
 
 void DebugPort::trap(std::uint32_t address, bool set) {
@@ -42,7 +44,7 @@ void DebugPort::trap(std::uint32_t address, bool set) {
     chip().clear_trap(Chip::kBreakpoint, address);
 }
 
-std::uint32_t DebugPort::data_end() const { return kDataSpace + firmware_.last_ram + 1u; }
+std::uint32_t DebugPort::data_end() const { return kAvrData + firmware_.last_ram + 1u; }
 
 std::uint32_t DebugPort::flash_end() const {
   return std::max(firmware_.chip->flash_bytes, static_cast<std::uint32_t>(firmware_.flash.size()));
@@ -86,10 +88,10 @@ std::string DebugPort::read_memory(std::uint32_t address, std::uint32_t size) co
   for (std::uint32_t at = address; bytes.size() < size; ++at) {
     if (at < flash_end()) {
       bytes += static_cast<char>(at < firmware_.flash.size() ? firmware_.flash[at] : 0xFF);
-    } else if (at >= kDataSpace && at < data_end()) {
-      bytes += static_cast<char>(machine_->peek(static_cast<reg::Address>(at - kDataSpace)));
-    } else if (at >= kEepromSpace && at < kEepromSpace + board_.spec().eeprom_bytes) {
-      bytes += static_cast<char>(board_.eeprom()[at - kEepromSpace]);
+    } else if (at >= kAvrData && at < data_end()) {
+      bytes += static_cast<char>(machine_->peek(static_cast<reg::Address>(at - kAvrData)));
+    } else if (at >= kAvrEeprom && at < kAvrEeprom + board_.spec().eeprom_bytes) {
+      bytes += static_cast<char>(board_.eeprom()[at - kAvrEeprom]);
     } else {
       break;
     }

@@ -1,7 +1,7 @@
 // The emulated chip as avr-gdb sees it (gdb::DebugPort says how it halts, steps and watches):
 //
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
-//   addresses   flash from 0, data memory from 0x800000, EEPROM from 0x810000
+//   addresses   flash from 0, data memory from kAvrData, EEPROM from kAvrEeprom (sim/elf/avr_addresses.h)
 //
 // Breakpoints cost nothing: they are traps in the emulator's flash.
 #pragma once

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/elf/avr_addresses.h"
 #include "sim/exec/avr/registers.h"
 #include "sim/exec/elf/program.h"
 
@@ -16,10 +17,10 @@ namespace {
 constexpr std::uint32_t kEnlargedFlash = 0x10000;  // all that a data pointer reaches
 
 void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) {
-  const std::uint64_t first_ram = kDataSpace + firmware.chip->ram_address;
+  const std::uint64_t first_ram = kAvrData + firmware.chip->ram_address;
   std::uint64_t data_end = first_ram;
   for (const ElfSection& section : elf.sections()) {
-    if (section.loaded && section.address >= kDataSpace && section.address < kEepromSpace)
+    if (section.loaded && section.address >= kAvrData && section.address < kAvrEeprom)
       data_end = std::max(data_end, section.address + section.size);
   }
   std::uint64_t stack = 0;
@@ -30,7 +31,7 @@ void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware
     if (symbol.name.empty() || symbol.absolute) continue;
     checks |= symbol.name.starts_with(kCheckPrefix);
     firmware.symbols.add({std::string(symbol.name), static_cast<std::uint32_t>(symbol.value),
-                          static_cast<std::uint32_t>(symbol.size), symbol.value < kDataSpace});
+                          static_cast<std::uint32_t>(symbol.size), symbol.value < kAvrData});
   }
   firmware.symbols.sort();
   if (checks && stack >= ram_end(*firmware.chip) && stack <= 0xFFFF)
@@ -40,12 +41,12 @@ void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware
             firmware.needs_larger_chip() ? firmware.last_ram - firmware.chip->ram_address : board.ram_bytes,
             board);
   firmware.ram_bytes = static_cast<std::uint32_t>(ram_bytes);
-  firmware.globals_end = static_cast<std::uint16_t>(data_end - kDataSpace);
+  firmware.globals_end = static_cast<std::uint16_t>(data_end - kAvrData);
 }
 
 void load_flash(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) {
   std::vector<ElfSegment> segments = elf.segments();
-  std::erase_if(segments, [](const ElfSegment& segment) { return segment.address >= kDataSpace; });
+  std::erase_if(segments, [](const ElfSegment& segment) { return segment.address >= kAvrData; });
   const std::uint32_t room = firmware.needs_larger_chip() ? kEnlargedFlash : board.flash_bytes;
   FlashContent flash = flash_content(elf, segments, 0, room, board);
   firmware.flash = std::move(flash.bytes);
@@ -77,8 +78,8 @@ std::optional<std::uint32_t> Firmware::find(const std::string& name) const {
 
 std::optional<std::uint16_t> Firmware::find_variable(const std::string& name) const {
   const auto address = find(name);
-  if (!address || *address < kDataSpace || *address >= kEepromSpace) return std::nullopt;
-  return static_cast<std::uint16_t>(*address - kDataSpace);
+  if (!address || *address < kAvrData || *address >= kAvrEeprom) return std::nullopt;
+  return static_cast<std::uint16_t>(*address - kAvrData);
 }
 
 std::uint32_t Firmware::loop_head(std::uint32_t entry) const {

@@ -14,8 +14,6 @@
 
 namespace robosim::exec::avr {
 
-constexpr std::uint32_t kDataSpace = 0x800000;    ///< avr-gcc's address of data memory
-constexpr std::uint32_t kEepromSpace = 0x810000;  ///< and of what is neither flash nor RAM
 /// Prefix of the functions that gcc's checks call when they fail; the check's name follows.
 constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
@@ -26,7 +24,7 @@ struct Firmware {
   std::uint32_t code_end = 0;       ///< end of .text
   std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
   std::uint32_t ram_bytes = 0;      ///< variables
-  Symbols symbols;                  ///< functions and variables: flash from 0, data memory from kDataSpace
+  Symbols symbols;                  ///< functions and variables: flash from 0, data memory from kAvrData
   /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip: it
   /// gets RAM up to where it has its stack begin, and 64 KB of flash.
   std::uint16_t last_ram = 0;

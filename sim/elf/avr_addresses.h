@@ -1,0 +1,12 @@
+// An AVR has several memories, each from address 0; an ELF file has one space of addresses. avr-gcc puts
+// flash at its beginning and the others far behind it.
+#pragma once
+
+#include <cstdint>
+
+namespace robosim {
+
+constexpr std::uint32_t kAvrData = 0x800000;    ///< data memory: registers, then RAM
+constexpr std::uint32_t kAvrEeprom = 0x810000;  ///< the EEPROM; fuses, lock bits and signature lie behind it
+
+}  // namespace robosim
