@@ -1,4 +1,4 @@
-/* What the checks of `robosim run --sanitize --target avr` call when they fail (the handlers of gcc's
+/* What the checks in a sketch built with them call on an AVR when they fail (the handlers of gcc's
  * UndefinedBehaviorSanitizer): an instruction that no AVR has, so that the emulator stops and looks. The
  * failed check's data and values are in the registers r25 to r20, as they came.
  *

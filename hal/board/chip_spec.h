@@ -61,7 +61,7 @@ struct AdcSpec {
 
 struct ChipSpec {
   const char* name;           ///< the maker's: "ATmega328P"
-  const char* target;         ///< who executes its firmware, as --target names it: "avr"
+  const char* target;         ///< who executes its firmware, as users name it: "avr"
   const char* compiler_name;  ///< avr-gcc's -mmcu; of an STM32 the name of the linker script
   const char* architecture;   ///< avr-gcc's folder of libraries for it: "avr5"; null = none
   const char* macro;          ///< what avr-gcc defines for it; null = nothing

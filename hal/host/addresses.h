@@ -1,4 +1,4 @@
-// Address checks: which bytes of an image with --sanitize may be accessed. gcc's AddressSanitizer calls
+// Address checks: which bytes of an image with checks may be accessed. gcc's AddressSanitizer calls
 // before every access of the sketch, its libraries and the core; what it calls is in addresses.cpp. gcc's own
 // runtime is not used: it would have to be the first library in the process, and ends the process.
 //

@@ -1,5 +1,5 @@
 // The handlers of gcc's UndefinedBehaviorSanitizer: of a division by zero in every image, of all the others
-// in one that was built with --sanitize (sim/build/target.cpp lists the checks).
+// in one that was built with checks (sim/build/target.cpp lists the checks).
 #include "hal/host/clock.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// `--view`: a run, watched in the terminal while it happens.
+// A run, watched in the terminal while it happens.
 #pragma once
 
 #include <functional>

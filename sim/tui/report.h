@@ -45,7 +45,7 @@ struct Report {
   wire::Started started;
   wire::RunResult result;
   Trail trail;
-  std::optional<double> wall_s;  ///< with --timing
+  std::optional<double> wall_s;  ///< empty = not shown
   /// On a chip: RAM that neither variables nor the deepest stack took.
   std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;

@@ -71,8 +71,8 @@ class Register8 {
 };
 
 /// What `&PORTB` and portOutputRegister() give. `*p |= mask` works. A `volatile uint8_t*` cannot be made from
-/// it, because no one would notice a write through that: such code is refused by the compiler and is for
-/// `--target avr`.
+/// it, because no one would notice a write through that: such code is refused by the compiler and is for the
+/// target avr.
 class RegisterPointer {
  public:
   constexpr RegisterPointer() : address_(0) {}
