@@ -1,0 +1,123 @@
+#include "sim/avr/chip.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "hal/board/avr_registers.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr std::uint8_t kPowerOnReset = 0x01;
+
+Chip::Stop chip_stop(Cpu::Stop why) {
+  switch (why) {
+    case Cpu::Stop::mark: return Chip::Stop::mark;
+    case Cpu::Stop::break_: return Chip::Stop::break_;
+    case Cpu::Stop::illegal: return Chip::Stop::illegal;
+    case Cpu::Stop::outside: return Chip::Stop::outside;
+    case Cpu::Stop::bad_read: return Chip::Stop::bad_read;
+    case Cpu::Stop::bad_write: return Chip::Stop::bad_write;
+    case Cpu::Stop::spm: return Chip::Stop::spm;
+    default: return Chip::Stop::stopped;
+  }
+}
+
+}  // namespace
+
+Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around)
+    : core_(spec, flash, last_ram, around), pins_(core_), power_(core_) {
+  core_.cpu.on_time = Cpu::call<&Chip::do_due>(this);
+  core_.reset = [](void* self, std::uint8_t flags) { static_cast<Chip*>(self)->reset(flags); };
+  core_.reset_self = this;
+  call_ = core_.events.add<&Chip::called>(this);
+  make_peripherals();
+  power_on();
+}
+
+Chip::~Chip() = default;
+
+void Chip::make_peripherals() {}
+
+void Chip::power_on() {
+  power_.reset(0);
+  pins_.reset(0);
+  for (const auto& peripheral : peripherals_) peripheral->reset(0);
+  core_.at(reg::kMcusr) = kPowerOnReset;
+}
+
+void Chip::reset(std::uint8_t flags) {
+  const Cycle now = cycle();
+  const std::uint8_t earlier = core_.at(reg::kMcusr);
+  const Cycle call = core_.events.due(call_);
+  core_.events.cancel_all();
+  core_.interrupts.state = 0;
+  core_.cpu.reset();
+  power_.reset(now);
+  pins_.reset(now);
+  for (const auto& peripheral : peripherals_) peripheral->reset(now);
+  core_.at(reg::kMcusr) = earlier | flags;
+  core_.events.schedule(call_, call);
+  core_.cpu.look_up();
+  core_.outside.was_reset(core_.at(reg::kMcusr), now);
+}
+
+void Chip::do_due() { core_.events.run(core_.now()); }
+
+Chip::Stop Chip::run_to(Cycle until) {
+  Cpu& cpu = core_.cpu;
+  for (;;) {
+    core_.events.run(cpu.cycle());
+    const bool requested = core_.interrupts.any() && cpu.interrupts_enabled();
+    if (power_.is_asleep()) {
+      if (!requested) {
+        if (!cpu.interrupts_enabled() && !core_.reset_may_come) return Stop::off;
+        if (cpu.cycle() >= until) return Stop::reached;
+        cpu.skip_to(std::min(until, core_.events.next()));
+        if (singly_) return Stop::stopped;
+        continue;
+      }
+      power_.wake(cpu.cycle());
+      continue;
+    }
+    if (requested && cpu.interruptible()) {
+      const int vector = core_.interrupts.first();
+      core_.interrupts.entered(vector);
+      cpu.enter(vector);
+      continue;
+    }
+    if (cpu.cycle() >= until) return Stop::reached;
+    Cycle horizon = std::min(until, core_.events.next());
+    if (singly_ || requested) horizon = cpu.cycle() + 1;
+    const Cpu::Stop why = cpu.run(horizon);
+    if (why == Cpu::Stop::sleep) {
+      power_.sleep(cpu.cycle());
+    } else if (why != Cpu::Stop::horizon) {
+      return chip_stop(why);
+    }
+    if (singly_) return Stop::stopped;
+  }
+}
+
+std::vector<std::byte> Chip::snapshot() const {
+  std::vector<std::byte> bytes;
+  const auto add = [&](const void* from, std::size_t size) {
+    const auto* begin = static_cast<const std::byte*>(from);
+    bytes.insert(bytes.end(), begin, begin + size);
+  };
+  for (const Core::Kept& kept : core_.kept) add(kept.bytes, kept.size);
+  add(core_.cpu.data.data(), core_.cpu.data.size());
+  return bytes;
+}
+
+void Chip::restore(const std::vector<std::byte>& snapshot) {
+  const std::byte* from = snapshot.data();
+  const auto take = [&](void* to, std::size_t size) {
+    std::memcpy(to, from, size);
+    from += size;
+  };
+  for (const Core::Kept& kept : core_.kept) take(kept.bytes, kept.size);
+  take(core_.cpu.data.data(), core_.cpu.data.size());
+}
+
+}  // namespace robosim::avr

@@ -1,0 +1,85 @@
+// One AVR, alone: processor, peripherals, pins. Whoever has one gives it flash and surroundings, and lets it
+// run to a cycle.
+//
+//   Chip ── Core: Cpu, Events, Interrupts
+//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     a file each, with its chapter
+//     └──── Power: sleep modes, PRR, CLKPR, what a reset leaves in MCUSR
+//
+// Equal flash and equal surroundings give equal runs, however often run_to() comes back in between.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/avr/core.h"
+#include "sim/avr/pins.h"
+#include "sim/avr/power.h"
+
+namespace robosim::avr {
+
+class Chip {
+ public:
+  /// `last_ram`: the last address of data memory, that of the chip or a later one.
+  Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around);
+  ~Chip();
+  Chip(const Chip&) = delete;
+  Chip& operator=(const Chip&) = delete;
+
+  /// Why run_to() came back.
+  enum class Stop : std::uint8_t {
+    reached,  ///< the cycle
+    off,      ///< it sleeps with interrupts off: nothing but a reset will wake it
+    stopped,  ///< somebody called cpu.stop(), or an instruction has run in single steps
+    mark,     ///< an instruction with a mark is next
+    break_,
+    illegal,
+    outside,
+    bad_read,
+    bad_write,
+    spm,
+  };
+
+  /// Runs until `until` or the end of the instruction that crosses it.
+  Stop run_to(Cycle until);
+  /// run_to() comes back after each instruction, and after each jump of time in sleep.
+  void step_singly(bool singly) { singly_ = singly; }
+
+  Cycle cycle() const { return core_.now(); }
+  bool is_asleep() const { return power_.is_asleep(); }
+  Cycle sleep_cycles() const { return power_.slept(cycle()); }
+
+  // --- from outside
+  /// The level of a pin (by its index in ChipSpec::pins) that edges are wanted of has changed.
+  void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
+  /// Surroundings::called() shall be called at `cycle`; a new call replaces the old one.
+  void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
+  /// As by the reset pin or the power; `flags` are MCUSR's.
+  void reset(std::uint8_t flags);
+
+  Cpu& cpu() { return core_.cpu; }
+  const Cpu& cpu() const { return core_.cpu; }
+  Core& core() { return core_; }
+  Pins& pins() { return pins_; }
+
+  /// All that changes while the chip runs, but for what lies in the surroundings.
+  std::vector<std::byte> snapshot() const;
+  /// Of a chip that was made alike.
+  void restore(const std::vector<std::byte>& snapshot);
+
+ private:
+  void make_peripherals();
+  void power_on();
+  void do_due();
+  void called(Cycle at) { core_.outside.called(at); }
+
+  Core core_;
+  Pins pins_;
+  Power power_;
+  std::vector<std::unique_ptr<Peripheral>> peripherals_;
+  Events::Id call_ = 0;
+  bool singly_ = false;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,208 @@
+// The processor of an AVR: registers, status, program counter, memory, and a loop that runs decoded
+// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter 7.
+//
+//   cycle     an instruction that begins at cycle c and takes n touches memory and registers at c + n: two IN
+//             that follow each other read one cycle apart, two LDS two
+//   horizon   run() looks no further than this cycle: the next event of a peripheral, or the end of what its
+//             caller wants
+//
+// It knows neither peripherals nor interrupts by name: those are hooks of registers, and vectors.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hal/board/chip_spec.h"
+#include "sim/avr/cycle.h"
+#include "sim/avr/decode.h"
+
+namespace robosim::avr {
+
+using Address = std::uint16_t;  ///< in data memory
+
+class Cpu {
+ public:
+  enum Flag : std::uint8_t { kC = 1, kZ = 2, kN = 4, kV = 8, kS = 16, kH = 32, kT = 64, kI = 128 };
+
+  /// Why run() came back.
+  enum class Stop : std::uint8_t {
+    horizon,      ///< the cycle was reached
+    sleep,        ///< SLEEP ran; the program counter is behind it
+    mark,         ///< the instruction at the program counter has a mark; run() again runs it
+    break_,       ///< BREAK ran
+    illegal,      ///< a reserved opcode; the program counter is at it
+    outside,      ///< the program counter is behind the flash
+    bad_read,     ///< the instruction before has touched bad_address(), which has no memory
+    bad_write,
+    spm,          ///< SPM ran
+    interrupted,  ///< somebody called stop()
+  };
+
+  /// `flash` holds whole words, at most all that the program counter reaches; `last_ram`: the last address of
+  /// data memory.
+  Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram);
+
+  // --- running
+  /// Runs until `until`, or a few cycles later, or until something stops it.
+  Stop run(Cycle until);
+  /// From within a hook: run() comes back after this instruction, though nothing stopped it.
+  void look_up() { horizon_ = 0; }
+  /// The same, with Stop::interrupted.
+  void stop() { stop_with(Stop::interrupted); }
+
+  /// WDR calls this, and whoever wants to knows that.
+  struct Call {
+    void (*function)(void* self) = nullptr;
+    void* self = nullptr;
+    void operator()() const {
+      if (function) function(self);
+    }
+  };
+  template <auto Method, typename Owner>
+  static Call call(Owner* owner) {
+    return {[](void* self) { (static_cast<Owner*>(self)->*Method)(); }, owner};
+  }
+  Call on_wdr;
+
+  // --- interrupts
+  /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
+  void enter(int vector);
+  /// Whether an interrupt may be taken now: I is set, and not by the instruction that has just run, behind
+  /// which one more runs (SEI, RETI, and what else sets I).
+  bool interruptible() const { return state.sreg & kI && !state.held; }
+  bool interrupts_enabled() const { return state.sreg & kI; }
+  /// As after a reset: the program counter is 0, registers of I/O are 0, memory is kept.
+  void reset();
+
+  // --- registers and memory
+  /// What stands behind a register of I/O. Without hooks it keeps what is written. Hooks are called at the
+  /// cycle of the access, with everything due before it done (on_time).
+  struct Hook {
+    std::uint8_t (*read)(void* self, Address address) = nullptr;
+    void (*write)(void* self, Address address, std::uint8_t value) = nullptr;
+    /// SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it they read
+    /// and write.
+    void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
+    void* read_self = nullptr;
+    void* write_self = nullptr;
+    void* write_bit_self = nullptr;
+  };
+  /// uint8_t Owner::Method(Address)
+  template <auto Method, typename Owner>
+  void on_read(Address address, Owner* owner) {
+    Hook& hook = hooks_[address];
+    hook.read = [](void* self, Address at) { return (static_cast<Owner*>(self)->*Method)(at); };
+    hook.read_self = owner;
+  }
+  /// void Owner::Method(Address, uint8_t value)
+  template <auto Method, typename Owner>
+  void on_write(Address address, Owner* owner) {
+    Hook& hook = hooks_[address];
+    hook.write = [](void* self, Address at, std::uint8_t value) {
+      (static_cast<Owner*>(self)->*Method)(at, value);
+    };
+    hook.write_self = owner;
+  }
+  /// void Owner::Method(Address, uint8_t value, uint8_t bit)
+  template <auto Method, typename Owner>
+  void on_write_bit(Address address, Owner* owner) {
+    Hook& hook = hooks_[address];
+    hook.write_bit = [](void* self, Address at, std::uint8_t value, std::uint8_t bit) {
+      (static_cast<Owner*>(self)->*Method)(at, value, bit);
+    };
+    hook.write_bit_self = owner;
+  }
+  /// Called before each hook: what was due by this cycle is to be done first.
+  Call on_time;
+
+  /// As firmware reads and writes, with all that follows.
+  std::uint8_t load(Address address);
+  void store(Address address, std::uint8_t value);
+
+  std::uint16_t pair(Address low) const { return static_cast<std::uint16_t>(data[low] | data[low + 1] << 8); }
+  std::uint8_t sreg() const { return state.sreg; }
+  void set_sreg(std::uint8_t value);
+  std::uint16_t sp() const { return state.sp; }
+  void set_sp(std::uint16_t value) { state.sp = value; }
+  std::uint32_t pc() const { return state.pc; }  ///< in words
+  void set_pc(std::uint32_t words) { state.pc = words; }
+  Cycle cycle() const { return state.cycle; }
+  /// Time passes without instructions: in sleep.
+  void skip_to(Cycle cycle) { state.cycle = cycle; }
+  /// Of the instruction that runs or ran last, in words.
+  std::uint32_t last_pc() const { return state.last_pc; }
+  Address bad_address() const { return state.bad_address; }
+  Address last_ram() const { return last_ram_; }
+
+  const ChipSpec& chip() const { return chip_; }
+  std::span<const std::uint8_t> flash() const { return flash_; }
+  const Instruction& instruction(std::uint32_t pc) const { return original_[pc]; }
+
+  /// The registers, I/O and RAM. SREG and SP are not kept here.
+  std::vector<std::uint8_t> data;
+
+  // --- marks: run() stops before an instruction
+  void set_mark(std::uint32_t pc, bool set);
+
+  // --- the stack
+  /// When the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever firmware
+  /// writes SPL or SPH (on_sp_written), these are called.
+  Call on_sp_low;
+  Call on_sp_written;
+  /// The last calls, returns and interrupts, the last first: addresses in words.
+  std::vector<std::uint32_t> last_jumps() const;
+  /// Interrupt handlers that are open.
+  int open_handlers() const { return state.open_handlers; }
+  Cycle handler_cycles() const {
+    return state.handler_cycles + (state.open_handlers > 0 ? state.cycle - state.handler_began : 0);
+  }
+
+  /// All of the processor that changes while it runs, but for `data`.
+  struct State {
+    Cycle cycle = 0;
+    std::uint32_t pc = 0;
+    std::uint32_t last_pc = 0;
+    std::uint16_t sp = 0;
+    std::uint16_t sp_watch = 0;
+    std::uint8_t sreg = 0;
+    bool held = false;  ///< one more instruction runs before an interrupt
+    Address bad_address = 0;
+    std::uint32_t passing = ~0u;  ///< where the mark has been told
+    int open_handlers = 0;
+    Cycle handler_began = 0, handler_cycles = 0;
+    std::uint32_t interrupted_pc = 0;  ///< where the open handler, or the last one, interrupted the firmware
+    Cycle last_io = 0;                 ///< last access to a register of I/O outside of handlers
+    std::uint32_t last_io_pc = 0;
+    std::array<std::uint32_t, 32> jumps{};
+    std::uint32_t jump_count = 0;
+  };
+  State state;
+
+ private:
+  std::uint8_t load_elsewhere(Address address);
+  void store_elsewhere(Address address, std::uint8_t value);
+  void touch();
+  void stop_with(Stop why) {
+    stop_ = why;
+    horizon_ = 0;
+  }
+  void note_jump(std::uint32_t pc) { state.jumps[state.jump_count++ % state.jumps.size()] = pc; }
+  void push(std::uint8_t value);
+  std::uint8_t pop();
+  void push_pc(std::uint32_t pc);
+  std::uint32_t pop_pc();
+  void leave_handler();
+
+  const ChipSpec& chip_;
+  std::vector<std::uint8_t> flash_;
+  std::vector<Instruction> original_, code_;  ///< code_: with the marks
+  Address ram_begin_, last_ram_;
+  std::vector<Hook> hooks_;  ///< by address
+  Cycle horizon_ = 0;
+  Stop stop_ = Stop::horizon;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,12 @@
+// Time inside a chip: cycles of the processor's clock since the power came on.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace robosim::avr {
+
+using Cycle = std::uint64_t;
+constexpr Cycle kNoCycle = std::numeric_limits<Cycle>::max();  ///< never
+
+}  // namespace robosim::avr

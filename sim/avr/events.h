@@ -1,0 +1,87 @@
+// What the peripherals will do by themselves, and when: the one queue of a chip.
+//
+//   id = events.add<&Timer::overflow>(this);      once, when the chip is made
+//   events.schedule(id, cycle);                   again and again; a new time replaces the old one
+//
+// Events that fall due at the same cycle happen in the order in which they were added.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+
+#include "sim/avr/cycle.h"
+
+namespace robosim::avr {
+
+class Events {
+ public:
+  using Id = std::uint8_t;
+  static constexpr std::size_t kMost = 48;
+
+  /// All that changes while the chip runs, for snapshots.
+  struct State {
+    std::array<Cycle, kMost> due;
+    Cycle next = kNoCycle;
+    State() { due.fill(kNoCycle); }
+  };
+
+  /// `Method` of `owner` is called with the cycle that the event was due at; the processor may be a few cycles
+  /// ahead, in the middle of an instruction.
+  template <auto Method, typename Owner>
+  Id add(Owner* owner) {
+    if (count_ == kMost) throw std::logic_error("a chip with more events than Events::kMost");
+    actions_[count_] = {[](void* self, Cycle at) { (static_cast<Owner*>(self)->*Method)(at); }, owner};
+    return static_cast<Id>(count_++);
+  }
+
+  void schedule(Id id, Cycle at) {
+    const Cycle before = state.due[id];
+    state.due[id] = at;
+    if (at <= state.next) {
+      state.next = at;
+    } else if (before == state.next) {
+      find_next();
+    }
+  }
+  void cancel(Id id) { schedule(id, kNoCycle); }
+  void cancel_all() {
+    state.due.fill(kNoCycle);
+    state.next = kNoCycle;
+  }
+  /// kNoCycle if it is not scheduled.
+  Cycle due(Id id) const { return state.due[id]; }
+  /// When the next one is due.
+  Cycle next() const { return state.next; }
+
+  /// Whatever is due by `now`, in the order of time.
+  void run(Cycle now) {
+    while (state.next <= now) {
+      const Cycle at = state.next;
+      std::size_t id = 0;
+      while (state.due[id] != at) ++id;
+      state.due[id] = kNoCycle;
+      find_next();
+      actions_[id].call(actions_[id].self, at);
+    }
+  }
+
+  State state;
+
+ private:
+  struct Action {
+    void (*call)(void* self, Cycle at) = nullptr;
+    void* self = nullptr;
+  };
+
+  void find_next() {
+    state.next = kNoCycle;
+    for (std::size_t id = 0; id < count_; ++id)
+      if (state.due[id] < state.next) state.next = state.due[id];
+  }
+
+  std::array<Action, kMost> actions_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace robosim::avr

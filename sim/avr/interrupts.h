@@ -1,0 +1,48 @@
+// Which interrupts are requested: by vector, the lowest first (data sheet, chapter 12).
+//
+// A peripheral requests a vector while its flag and its enable bit are both set, and takes the request back
+// when either is cleared: a flag that was set before its enable bit is served when that comes.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace robosim::avr {
+
+class Interrupts {
+ public:
+  static constexpr int kMost = 64;
+
+  void request(int vector, bool requested) {
+    const std::uint64_t bit = std::uint64_t{1} << vector;
+    state = requested ? state | bit : state & ~bit;
+  }
+  bool is_requested(int vector) const { return state >> vector & 1; }
+  bool any() const { return state != 0; }
+  int first() const { return std::countr_zero(state); }
+
+  /// `Method` of `owner` is called when the processor enters the vector: it clears the flag, where the data
+  /// sheet says that the hardware does.
+  template <auto Method, typename Owner>
+  void on_entry(int vector, Owner* owner) {
+    entries_[static_cast<std::size_t>(vector)] = {
+        [](void* self, int number) { (static_cast<Owner*>(self)->*Method)(number); }, owner};
+  }
+  void entered(int vector) const {
+    const Entry& entry = entries_[static_cast<std::size_t>(vector)];
+    if (entry.call) entry.call(entry.self, vector);
+  }
+
+  std::uint64_t state = 0;  ///< a bit a vector
+
+ private:
+  struct Entry {
+    void (*call)(void* self, int vector) = nullptr;
+    void* self = nullptr;
+  };
+  std::array<Entry, kMost> entries_{};
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,219 @@
+#include "sim/avr/pins.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr std::uint8_t kAllBits = 0xFF;
+constexpr Cycle kSynchroniserCycles = 2;
+
+constexpr std::uint8_t mask_of(int bit) { return static_cast<std::uint8_t>(1 << bit); }
+
+}  // namespace
+
+Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
+  for (auto& bits : pin_at_) bits.fill(-1);
+  for (int pin = 0; pin < core.chip.pin_count; ++pin) {
+    const ChipPin& place = core.chip.pins[pin];
+    if (place.port >= 0) pin_at_[static_cast<std::size_t>(place.port)][place.bit] = pin;
+  }
+  for (int port = 0; port < core.chip.port_count; ++port) {
+    for (std::size_t i = 0; i < 3; ++i) port_at_[core.chip.ports[port].address + i] = port;
+    core.cpu.on_read<&Pins::read_pins>(pin_register(port), this);
+    core.cpu.on_write<&Pins::toggle>(pin_register(port), this);
+    core.cpu.on_write_bit<&Pins::toggle_bit>(pin_register(port), this);
+    core.cpu.on_write<&Pins::write_direction>(direction_register(port), this);
+    core.cpu.on_write<&Pins::write_latch>(latch_register(port), this);
+  }
+  core.keep(state_);
+}
+
+void Pins::reset(Cycle) {
+  state_.taken.fill({});
+  state_.listening = 0;
+  for (PortState& port : state_.ports) port = {};
+  for (int pin = 0; pin < core_.chip.pin_count; ++pin) {
+    if (core_.chip.pins[pin].port < 0) continue;
+    tell_drive(pin);
+    core_.outside.wants_edges(pin, false, core_.now());
+  }
+}
+
+int Pins::at(char letter, int bit) const {
+  for (int port = 0; port < core_.chip.port_count; ++port)
+    if (core_.chip.ports[port].letter == letter)
+      return pin_at_[static_cast<std::size_t>(port)][static_cast<std::size_t>(bit)];
+  return -1;
+}
+
+bool Pins::is_output(int pin) const {
+  const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  if (taken.taken && taken.even_input) return taken.drive.mode == PinMode::output;
+  const ChipPin& place = core_.chip.pins[pin];
+  return core_.cpu.data[direction_register(place.port)] & mask_of(place.bit);
+}
+
+bool Pins::output_level(int pin) const {
+  const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  if (taken.taken && !taken.drive.pwm) return taken.drive.level;
+  const ChipPin& place = core_.chip.pins[pin];
+  return core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
+}
+
+bool Pins::level(int pin) {
+  if (is_output(pin)) return output_level(pin);
+  const ChipPin& place = core_.chip.pins[pin];
+  const bool pull_up = core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
+  return core_.outside.level(pin, pull_up, core_.now());
+}
+
+// Which bits of PINx the instruction that reads it looks at: a sensor's answer may be costly, and may use up a
+// sample of its noise.
+std::uint8_t Pins::asked_bits() const {
+  const std::uint32_t pc = core_.cpu.last_pc();
+  const Instruction& reads = core_.cpu.instruction(pc);
+  if (reads.op == Op::sbic || reads.op == Op::sbis) return reads.b;
+  if (reads.op != Op::in && reads.op != Op::ld_x && reads.op != Op::ldd_y && reads.op != Op::ldd_z &&
+      reads.op != Op::lds)
+    return kAllBits;
+  const Instruction& next = core_.cpu.instruction(pc + reads.words);
+  if (next.op == Op::andi && next.a == reads.a) return next.b;
+  if (next.op != Op::and_) return kAllBits;
+  if (next.a == reads.a) return next.b == reads.a ? kAllBits : core_.cpu.data[next.b];
+  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then takes the
+  // place of.
+  const Instruction& after = core_.cpu.instruction(pc + reads.words + next.words);
+  const bool replaced = after.op == Op::ldi && after.a == reads.a;
+  return next.b == reads.a && replaced ? core_.cpu.data[next.a] : kAllBits;
+}
+
+std::uint8_t Pins::read_pins(Address address) {
+  const int number = port_at_[address];
+  PortState& port = state_.ports[static_cast<std::size_t>(number)];
+  const std::uint8_t asked = asked_bits();
+  const Cycle now = core_.now();
+  const bool settled = now >= port.changed_at + kSynchroniserCycles;
+  const std::uint8_t latch_then = settled ? core_.at(latch_register(number)) : port.latch_before;
+  const std::uint8_t output_then = settled ? core_.at(direction_register(number)) : port.direction_before;
+  for (int bit = 0; bit < 8; ++bit) {
+    const std::uint8_t mask = mask_of(bit);
+    const int pin = pin_at_[static_cast<std::size_t>(number)][static_cast<std::size_t>(bit)];
+    if (!(asked & mask) || pin < 0) continue;
+    const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+    bool level = latch_then & mask;
+    if (taken.taken && is_output(pin)) {
+      level = output_level(pin);
+    } else if (!(output_then & mask)) {
+      level = core_.outside.level(pin, level, now);
+      state_.last_read = pin;
+      state_.last_read_at = now;
+    }
+    port.seen = static_cast<std::uint8_t>(level ? port.seen | mask : port.seen & ~mask);
+  }
+  return port.seen;
+}
+
+void Pins::toggle(Address address, std::uint8_t value) {
+  const int port = port_at_[address];
+  set_latch(port, core_.at(latch_register(port)) ^ value);
+}
+
+void Pins::toggle_bit(Address address, std::uint8_t, std::uint8_t bit) { toggle(address, bit); }
+
+void Pins::write_latch(Address address, std::uint8_t value) { set_latch(port_at_[address], value); }
+
+void Pins::will_change(int port) {
+  PortState& state = state_.ports[static_cast<std::size_t>(port)];
+  state.latch_before = core_.at(latch_register(port));
+  state.direction_before = core_.at(direction_register(port));
+  state.changed_at = core_.now();
+}
+
+void Pins::set_latch(int port, std::uint8_t value) {
+  const std::uint8_t bits = core_.at(latch_register(port)) ^ value;
+  if (!bits) return;
+  will_change(port);
+  core_.at(latch_register(port)) = value;
+  changed(port, bits);
+}
+
+void Pins::write_direction(Address address, std::uint8_t value) {
+  const int port = port_at_[address];
+  const std::uint8_t bits = core_.at(address) ^ value;
+  if (!bits) return;
+  will_change(port);
+  core_.at(address) = value;
+  changed(port, bits);
+}
+
+void Pins::changed(int port, std::uint8_t bits) {
+  for (int bit = 0; bit < 8; ++bit) {
+    const int pin = pin_at_[static_cast<std::size_t>(port)][static_cast<std::size_t>(bit)];
+    if (!(bits & mask_of(bit)) || pin < 0) continue;
+    tell_drive(pin);
+    if (is_heard(pin)) tell_listeners(pin, level(pin), core_.now());
+  }
+}
+
+void Pins::tell_drive(int pin) {
+  const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  const ChipPin& place = core_.chip.pins[pin];
+  const bool latch = core_.at(latch_register(place.port)) & mask_of(place.bit);
+  PinDrive drive;
+  if (taken.taken && is_output(pin)) {
+    drive = taken.drive;
+  } else if (!is_output(pin)) {
+    drive.mode = latch ? PinMode::input_pullup : PinMode::input;
+  } else {
+    drive.mode = PinMode::output;
+    drive.level = latch;
+    drive.duty = latch ? 1.0 : 0.0;
+  }
+  core_.outside.driven(pin, drive, core_.now());
+}
+
+void Pins::take(int pin, const PinDrive& drive, bool even_input) {
+  state_.taken[static_cast<std::size_t>(pin)] = {true, even_input, drive};
+  tell_drive(pin);
+  if (is_heard(pin)) tell_listeners(pin, level(pin), core_.now());
+}
+
+void Pins::give_back(int pin) {
+  Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  if (!taken.taken) return;
+  taken = {};
+  tell_drive(pin);
+  if (is_heard(pin)) tell_listeners(pin, level(pin), core_.now());
+}
+
+bool Pins::is_heard(int pin) const {
+  for (std::size_t i = 0; i < listeners_.size(); ++i)
+    if (listeners_[i].pin == pin && state_.listening >> i & 1) return true;
+  return false;
+}
+
+void Pins::listen(int listener, bool on) {
+  const std::uint64_t bit = std::uint64_t{1} << listener;
+  if (static_cast<bool>(state_.listening & bit) == on) return;
+  const int pin = listeners_[static_cast<std::size_t>(listener)].pin;
+  const bool before = is_heard(pin);
+  state_.listening ^= bit;
+  const bool now = is_heard(pin);
+  if (before == now) return;
+  core_.outside.wants_edges(pin, now, core_.now());
+  if (now) state_.heard_level[static_cast<std::size_t>(pin)] = level(pin);
+}
+
+void Pins::edge(int pin, bool level, Cycle at) {
+  if (!is_output(pin)) tell_listeners(pin, level, at);
+}
+
+void Pins::tell_listeners(int pin, bool level, Cycle at) {
+  bool& heard = state_.heard_level[static_cast<std::size_t>(pin)];
+  if (heard == level) return;
+  heard = level;
+  for (std::size_t i = 0; i < listeners_.size(); ++i)
+    if (listeners_[i].pin == pin && state_.listening >> i & 1)
+      listeners_[i].listener.call(listeners_[i].listener.self, pin, level, at);
+}
+
+}  // namespace robosim::avr

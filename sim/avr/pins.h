@@ -1,0 +1,112 @@
+// The chip's pins: ports, what else may drive a pin, and who listens to one. Data sheet DS40002061B, chapter 14.
+//
+//   PORTx DDRx ──► ┐
+//   timers, UARTs ─┴─► drive ──► Surroundings::driven
+//   Surroundings::level ─► synchroniser ─► PINx           own outputs come back by the same way
+//   Surroundings' edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
+//
+// A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to PINx
+// toggles PORTx. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/avr/core.h"
+
+namespace robosim::avr {
+
+class Pins final : public Peripheral {
+ public:
+  explicit Pins(Core& core);
+
+  void reset(Cycle at) override;
+
+  // --- for peripherals that drive pins
+  /// From now on `drive` holds in place of the port's latch. `even_input`: also where DDRx says input (a UART's
+  /// transmitter); otherwise only while it says output (timers).
+  void take(int pin, const PinDrive& drive, bool even_input = false);
+  void give_back(int pin);
+
+  // --- for peripherals that listen to pins
+  struct Listener {
+    void (*call)(void* self, int pin, bool level, Cycle at) = nullptr;
+    void* self = nullptr;
+  };
+  /// `Method` of `owner` is called with (pin, level, cycle) whenever the level changes, while listening is on.
+  /// Returns the listener's number, for listen().
+  template <auto Method, typename Owner>
+  int add_listener(int pin, Owner* owner) {
+    listeners_.push_back({pin, {[](void* self, int number, bool level, Cycle at) {
+                                  (static_cast<Owner*>(self)->*Method)(number, level, at);
+                                }, owner}});
+    if (listeners_.size() > kMostListeners) throw std::logic_error("a chip with more listeners than 64");
+    return static_cast<int>(listeners_.size() - 1);
+  }
+  void listen(int listener, bool on);
+
+  /// The level of a pin now, whoever drives it.
+  bool level(int pin);
+  /// From outside: the level of a pin that somebody listens to has changed.
+  void edge(int pin, bool level, Cycle at);
+
+  /// The last pin whose input was read by an instruction, and when; -1 = none yet.
+  int last_read() const { return state_.last_read; }
+  Cycle last_read_at() const { return state_.last_read_at; }
+
+  /// The chip's pin at a bit of a port, by its letter; -1 = none.
+  int at(char port, int bit) const;
+
+ private:
+  static constexpr std::size_t kMostListeners = 64, kMostPorts = 16, kMostPins = 100;
+  struct Heard {
+    int pin;
+    Listener listener;
+  };
+  struct PortState {
+    std::uint8_t seen = 0;  ///< levels found at the last look
+    std::uint8_t latch_before = 0, direction_before = 0;
+    Cycle changed_at = 0;
+  };
+  struct Taken {
+    bool taken = false;
+    bool even_input = false;
+    PinDrive drive;
+  };
+  struct State {
+    std::array<PortState, kMostPorts> ports{};
+    std::array<Taken, kMostPins> taken{};
+    std::array<bool, kMostPins> heard_level{};
+    std::uint64_t listening = 0;  ///< a bit a listener
+    int last_read = -1;
+    Cycle last_read_at = 0;
+  };
+
+  std::uint8_t read_pins(Address address);
+  void toggle(Address address, std::uint8_t value);
+  void toggle_bit(Address address, std::uint8_t value, std::uint8_t bit);
+  void write_latch(Address address, std::uint8_t value);
+  void write_direction(Address address, std::uint8_t value);
+  void set_latch(int port, std::uint8_t value);
+  void will_change(int port);
+  void changed(int port, std::uint8_t bits);
+  std::uint8_t asked_bits() const;
+  bool is_heard(int pin) const;
+  bool is_output(int pin) const;
+  bool output_level(int pin) const;
+  void tell_drive(int pin);
+  void tell_listeners(int pin, bool level, Cycle at);
+
+  Address pin_register(int port) const { return static_cast<Address>(core_.chip.ports[port].address); }
+  Address direction_register(int port) const { return static_cast<Address>(pin_register(port) + 1); }
+  Address latch_register(int port) const { return static_cast<Address>(pin_register(port) + 2); }
+
+  Core& core_;
+  std::vector<int> port_at_;                             ///< by register address; -1 = none
+  std::array<std::array<int, 8>, kMostPorts> pin_at_{};  ///< by port and bit; -1 = none
+  std::vector<Heard> listeners_;
+  State state_;
+};
+
+}  // namespace robosim::avr

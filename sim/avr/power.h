@@ -1,0 +1,64 @@
+// Clocks and sleep: SMCR, PRR, CLKPR, MCUSR. Data sheet DS40002061B, chapters 9 to 11.
+//
+//   mode             processor   I/O clock   ADC clock   start-up when it wakes
+//   idle             stands      runs        runs        none
+//   noise reduction  stands      stands      runs        none
+//   the others       stands      stands      stands      the oscillator's (table 9-1: a crystal, 16384 cycles)
+//
+// A chip that wakes stands still for 4 cycles more, before the 4 of the interrupt (10.2). Timer 2's own crystal
+// is not modelled: all timers use the I/O clock.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/avr/core.h"
+
+namespace robosim::avr {
+
+class Power final : public Peripheral {
+ public:
+  enum class Clock : std::uint8_t { io, adc };
+
+  explicit Power(Core& core);
+
+  /// `bit` of PRR stops the peripheral, as does a sleep mode that stops `clock`. Without a bit: -1.
+  void supply(Peripheral& peripheral, Clock clock, Address reduction, int bit);
+
+  void reset(Cycle at) override;
+
+  /// SLEEP has run. False where SE is not set: it does nothing.
+  bool sleep(Cycle at);
+  bool is_asleep() const { return state_.asleep; }
+  /// An interrupt wakes the chip: the processor runs on when the start-up time is over.
+  void wake(Cycle at);
+  /// Cycles slept.
+  Cycle slept(Cycle now) const { return state_.slept + (state_.asleep ? now - state_.slept_from : 0); }
+
+ private:
+  struct Supplied {
+    Peripheral* peripheral = nullptr;
+    Clock clock = Clock::io;
+    Address reduction = 0;
+    std::uint8_t mask = 0;
+    bool runs = true;
+  };
+  struct State {
+    bool asleep = false;
+    bool io_runs = true, adc_runs = true;
+    Cycle slept_from = 0, slept = 0;
+    std::uint64_t stopped = 0;  ///< a bit a supplied peripheral
+    Cycle divisor_unlocked_until = 0;
+  };
+
+  void write_reduction(Address address, std::uint8_t value);
+  void write_divisor(Address address, std::uint8_t value);
+  void write_reset_flags(Address address, std::uint8_t value);
+  void update(Cycle at);
+
+  Core& core_;
+  std::vector<Supplied> supplied_;
+  State state_;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,48 @@
+// What lies outside of a chip, as the chip sees it: the one seam of this room. Whoever uses a chip stands
+// behind it, be it a robot's board, a test or a page.
+//
+// Pins are told by their index in ChipSpec::pins; moments in cycles of the processor. Moments never go back
+// by more than the few cycles of an instruction.
+#pragma once
+
+#include "hal/board/board.h"
+#include "sim/avr/cycle.h"
+
+namespace robosim::avr {
+
+class Surroundings {
+ public:
+  // --- pins
+  /// The level of a pin that the chip does not drive; `pull_up`: what it has if nothing else drives it.
+  virtual bool level(int pin, bool pull_up, Cycle at) = 0;
+  /// Volts at an analog input, when the converter samples it. `channel` is below AdcSpec::pins.
+  virtual double volts(int channel, Cycle at) = 0;
+  /// The chip drives a pin in another way than before.
+  virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
+  /// From now on changes of the pin's level are wanted as Chip::edge(), or no longer.
+  virtual void wants_edges(int pin, bool wanted, Cycle at) = 0;
+
+  // --- serial lines
+  /// A frame begins to leave the chip.
+  virtual void sent(int uart, std::uint16_t data, Cycle at) = 0;
+  /// What a received frame takes from now on; 0 = the receiver is off.
+  virtual void listens(int uart, Cycle frame, Cycle at) = 0;
+
+  // --- memory that outlives the power
+  virtual std::uint8_t* eeprom() = 0;
+  /// The chip begins to write (or erase) a byte of it, which is done when it calls this.
+  virtual void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) = 0;
+
+  // --- time
+  /// The moment that was asked for by Chip::call_at() has come.
+  virtual void called(Cycle at) = 0;
+  /// From `at` the processor's clock runs at the oscillator's divided by `divisor` (CLKPR), and 1 at reset.
+  virtual void clock_divided(int divisor, Cycle at) = 0;
+  /// The chip has reset itself: registers are as after power-on, memory is kept. `flags` are MCUSR's.
+  virtual void was_reset(std::uint8_t flags, Cycle at) = 0;
+
+ protected:
+  ~Surroundings() = default;
+};
+
+}  // namespace robosim::avr
