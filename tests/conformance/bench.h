@@ -1,0 +1,73 @@
+// A chip on a bench, with nothing around it but what a test sets: pins at levels, voltages, a list of what it did.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/avr/chip.h"
+
+namespace robosim::conformance {
+
+class Bench final : public avr::Surroundings {
+ public:
+  explicit Bench(const ChipSpec& spec, std::span<const std::uint8_t> flash)
+      : chip(spec, flash, static_cast<avr::Address>(ram_end(spec) - 1), *this) {
+    chip.cpu().on_write<&Bench::report>(kReport, this);
+    chip.cpu().on_write<&Bench::end>(kEnd, this);
+    eeprom_.fill(0xFF);
+  }
+
+  /// Runs until the program ends, something stops it, or so many cycles have passed.
+  avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
+  /// A pin's level changes; the chip hears of it if it listens.
+  void set_level(int pin, bool level) {
+    levels[pin] = level;
+    chip.edge(pin, level, chip.cycle());
+  }
+
+  std::map<int, bool> levels;     ///< of pins, by number; others have their pull-up's
+  std::map<int, double> voltages;  ///< of channels
+  std::map<int, PinDrive> drives;  ///< how the chip drives its pins
+  std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
+  std::vector<std::uint8_t> reported;
+  bool ended = false;
+  int resets = 0;
+
+  avr::Chip chip;
+
+ private:
+  static constexpr avr::Address kReport = 0x3E, kEnd = 0x4A;  // GPIOR0, GPIOR1
+
+  void report(avr::Address, std::uint8_t byte) { reported.push_back(byte); }
+  void end(avr::Address, std::uint8_t) {
+    ended = true;
+    chip.cpu().stop();
+  }
+
+  bool level(int pin, bool pull_up, avr::Cycle) override {
+    const auto found = levels.find(pin);
+    return found == levels.end() ? pull_up : found->second;
+  }
+  double volts(int channel, avr::Cycle) override {
+    const auto found = voltages.find(channel);
+    return found == voltages.end() ? 0.0 : found->second;
+  }
+  void driven(int pin, const PinDrive& drive, avr::Cycle) override { drives[pin] = drive; }
+  void wants_edges(int, bool, avr::Cycle) override {}
+  void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
+  void listens(int, avr::Cycle, avr::Cycle) override {}
+  std::uint8_t* eeprom() override { return eeprom_.data(); }
+  void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override { eeprom_[address] = value; }
+  void called(avr::Cycle) override {}
+  void clock_divided(int, avr::Cycle) override {}
+  void was_reset(std::uint8_t, avr::Cycle) override { ++resets; }
+
+  std::array<std::uint8_t, 4096> eeprom_;
+};
+
+}  // namespace robosim::conformance

@@ -1,0 +1,115 @@
+#include "tests/conformance/program.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "sim/base/file.h"
+#include "sim/elf/elf_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::conformance {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+  throw std::runtime_error(file.filename().string() + ": " + what);
+}
+
+std::vector<std::optional<std::uint8_t>> bytes_of(const std::filesystem::path& file, const std::string& text) {
+  std::vector<std::optional<std::uint8_t>> bytes;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (word == "..") {
+      bytes.push_back(std::nullopt);
+      continue;
+    }
+    std::size_t used = 0;
+    const unsigned long value = std::stoul(word, &used, 16);
+    if (used != word.size() || value > 0xFF) refuse(file, "'" + word + "' is no byte in hex");
+    bytes.push_back(static_cast<std::uint8_t>(value));
+  }
+  return bytes;
+}
+
+Program read(const std::filesystem::path& file) {
+  Program program;
+  program.file = file;
+  program.name = file.stem().string();
+  std::ifstream in(file);
+  bool has_expectation = false;
+  for (std::string line; std::getline(in, line) && line.rfind("//", 0) == 0;) {
+    const std::string text = line.size() > 3 ? line.substr(3) : "";
+    const auto field = [&](const char* name) -> std::optional<std::string> {
+      const std::string start = std::string(name) + ": ";
+      if (text.rfind(start, 0) != 0) return std::nullopt;
+      return text.substr(start.size());
+    };
+    if (const auto source = field("Source")) {
+      program.source = *source;
+    } else if (const auto expected = field("Expect")) {
+      program.expected = bytes_of(file, *expected);
+      has_expectation = true;
+    } else if (const auto ends = field("Ends")) {
+      program.cycles = std::stoull(*ends);
+    } else if (program.source.empty()) {
+      program.sentence += (program.sentence.empty() ? "" : " ") + text;
+    }
+  }
+  if (program.sentence.empty()) refuse(file, "begins without the sentence that must hold");
+  if (program.source.empty()) refuse(file, "names no source");
+  if (!has_expectation) refuse(file, "expects nothing");
+  return program;
+}
+
+template <typename Bytes, typename Text>
+std::string joined(const Bytes& bytes, Text text) {
+  std::string all;
+  for (const auto& byte : bytes) all += (all.empty() ? "" : " ") + text(byte);
+  return all;
+}
+
+std::string hex(std::uint8_t byte) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  return {kDigits[byte >> 4], kDigits[byte & 15]};
+}
+
+}  // namespace
+
+std::vector<Program> programs_in(const std::filesystem::path& folder) {
+  std::vector<Program> programs;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".c") programs.push_back(read(entry.path()));
+  std::sort(programs.begin(), programs.end(), [](const Program& a, const Program& b) { return a.name < b.name; });
+  return programs;
+}
+
+std::vector<std::uint8_t> compile(const Program& program, const std::string& chip) {
+  const test::TemporaryFolder folder;
+  const auto image = folder.path() / "program.elf", errors = folder.path() / "errors";
+  const std::string command = "avr-gcc -mmcu=" + chip + " -Os -std=gnu11 -Wall -Werror -o '" + image.string() + "' '" +
+                              program.file.string() + "' 2>'" + errors.string() + "'";
+  if (std::system(command.c_str()) != 0) refuse(program.file, "does not compile: " + read_file(errors));
+  const ElfFile elf(read_file(image), image.string());
+  std::vector<std::uint8_t> flash;
+  for (const ElfSegment& segment : elf.segments()) {
+    if (segment.address >= 0x800000) continue;
+    flash.resize(std::max<std::size_t>(flash.size(), segment.address + segment.bytes.size()), 0xFF);
+    std::copy(segment.bytes.begin(), segment.bytes.end(), flash.begin() + static_cast<std::ptrdiff_t>(segment.address));
+  }
+  return flash;
+}
+
+std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes) {
+  return joined(bytes, [](const auto& byte) { return byte ? hex(*byte) : std::string(".."); });
+}
+
+std::string text_of(const std::vector<std::uint8_t>& bytes) { return joined(bytes, hex); }
+
+bool matches(const std::vector<std::optional<std::uint8_t>>& expected, const std::vector<std::uint8_t>& reported) {
+  return std::equal(expected.begin(), expected.end(), reported.begin(), reported.end(),
+                    [](const auto& want, std::uint8_t have) { return !want || *want == have; });
+}
+
+}  // namespace robosim::conformance

@@ -1,0 +1,34 @@
+// Programs for a chip that are judged by what they report (avr/report.h): read, compiled, and run on the core.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace robosim::conformance {
+
+struct Program {
+  std::filesystem::path file;
+  std::string name;      ///< the file's, without its ending
+  std::string sentence;  ///< what must hold
+  std::string source;    ///< "DS40002061B, 15.7.2"
+  std::vector<std::optional<std::uint8_t>> expected;  ///< none: any
+  std::uint64_t cycles = 100000;                      ///< after which it is stopped
+};
+
+/// All programs of a folder, by name. Throws std::runtime_error where one lacks its sentence, source or
+/// expectation.
+std::vector<Program> programs_in(const std::filesystem::path& folder);
+
+/// The program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with what the
+/// compiler said.
+std::vector<std::uint8_t> compile(const Program& program, const std::string& chip);
+
+/// "05 .. ff"
+std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes);
+std::string text_of(const std::vector<std::uint8_t>& bytes);
+bool matches(const std::vector<std::optional<std::uint8_t>>& expected, const std::vector<std::uint8_t>& reported);
+
+}  // namespace robosim::conformance
