@@ -109,6 +109,7 @@ std::uint8_t Pins::read_pins(Address address) {
     }
     port.seen = static_cast<std::uint8_t>(level ? port.seen | mask : port.seen & ~mask);
   }
+  core_.at(address) = port.seen;
   return port.seen;
 }
 
@@ -199,8 +200,8 @@ void Pins::listen(int listener, bool on) {
   state_.listening ^= bit;
   const bool now = is_heard(pin);
   if (before == now) return;
-  core_.outside.wants_edges(pin, now, core_.now());
-  if (now) state_.heard_level[static_cast<std::size_t>(pin)] = level(pin);
+  const bool found = core_.outside.wants_edges(pin, now, core_.now());
+  if (now) state_.heard_level[static_cast<std::size_t>(pin)] = is_output(pin) ? output_level(pin) : found;
 }
 
 void Pins::edge(int pin, bool level, Cycle at) {

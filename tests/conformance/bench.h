@@ -58,7 +58,7 @@ class Bench final : public avr::Surroundings {
     return found == voltages.end() ? 0.0 : found->second;
   }
   void driven(int pin, const PinDrive& drive, avr::Cycle) override { drives[pin] = drive; }
-  void wants_edges(int, bool, avr::Cycle) override {}
+  bool wants_edges(int pin, bool, avr::Cycle at) override { return level(pin, true, at); }
   void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
   void listens(int, avr::Cycle, avr::Cycle) override {}
   std::uint8_t* eeprom() override { return eeprom_.data(); }
