@@ -26,7 +26,7 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace robosim::conformance

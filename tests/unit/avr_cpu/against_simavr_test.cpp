@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::uint32_t kAt = 0x1000;  // flash address of the instruction
 constexpr Address kLastRam = 0x8FF, kFirstRam = 0x100;
-constexpr int kInstructions = 100000;
+constexpr std::size_t kFlash = 0x2000;  // the rest is erased
+constexpr int kInstructions = 20000;
 
 bool is_compared(const Instruction& i) {
   switch (i.op) {
@@ -67,6 +68,13 @@ class Simavr {
 
 class Pair {
  public:
+  explicit Pair(std::mt19937& random) : flash_(kFlash), noise_(2 * ram_end(kAtmega328p)) {
+    for (auto& byte : flash_) byte = static_cast<std::uint8_t>(random());
+    for (auto& byte : noise_) byte = static_cast<std::uint8_t>(random());
+    std::memset(theirs_->flash, 0xFF, kAtmega328p.flash_bytes);
+    std::memcpy(theirs_->flash, flash_.data(), flash_.size());
+  }
+
   /// One random instruction; false if it is one that is left out.
   bool run(std::mt19937& random) {
     const auto word = static_cast<std::uint16_t>(random());
@@ -74,14 +82,14 @@ class Pair {
     const Instruction instruction = decode(word, next);
     if (!is_compared(instruction)) return false;
     if (instruction.op == Op::lds || instruction.op == Op::sts) next = kFirstRam + next % 0x700;
-    std::vector<std::uint8_t> flash(kAtmega328p.flash_bytes);
-    for (auto& byte : flash) byte = static_cast<std::uint8_t>(random());
-    put(flash, kAt, word);
-    put(flash, kAt + 2, next);
-    Cpu ours(kAtmega328p, flash, kLastRam);
-    std::memcpy(theirs_->flash, flash.data(), flash.size());
-    for (Address i = 0; i <= kLastRam; ++i)
-      if (i < 32 || i >= kFirstRam) ours.data[i] = theirs_->data[i] = static_cast<std::uint8_t>(random());
+    put(kAt, word);
+    put(kAt + 2, next);
+    Cpu ours(kAtmega328p, flash_, kLastRam);
+    const std::uint8_t* const noise = noise_.data() + random() % ram_end(kAtmega328p);
+    std::memcpy(ours.data.data(), noise, 32);
+    std::memcpy(ours.data.data() + kFirstRam, noise + kFirstRam, kLastRam + 1u - kFirstRam);
+    std::memcpy(theirs_->data, noise, 32);
+    std::memcpy(theirs_->data + kFirstRam, noise + kFirstRam, kLastRam + 1u - kFirstRam);
     for (const Address pointer : {26, 28, 30}) {
       const std::uint32_t to = 0x140 + random() % 0x600;
       ours.data[pointer] = theirs_->data[pointer] = static_cast<std::uint8_t>(to);
@@ -102,7 +110,7 @@ class Pair {
     theirs_->state = cpu_Running;
 
     const avr_flashaddr_t their_pc = avr_run_one(theirs_.get());
-    if (ours.run(1001) == Cpu::Stop::outside || ours.pc() >= kAtmega328p.flash_bytes / 2) return false;
+    if (ours.run(1001) == Cpu::Stop::outside || ours.pc() >= kFlash / 2) return false;
     std::uint8_t their_status = 0;
     for (int bit = 0; bit < 8; ++bit) their_status |= static_cast<std::uint8_t>((theirs_->sreg[bit] ? 1 : 0) << bit);
     SCOPED_TRACE(testing::Message() << std::hex << "opcode " << word << " " << next << ", SREG before " << int{status});
@@ -117,20 +125,21 @@ class Pair {
   }
 
  private:
-  static void put(std::vector<std::uint8_t>& flash, std::uint32_t at, std::uint16_t word) {
-    flash[at] = static_cast<std::uint8_t>(word);
-    flash[at + 1] = static_cast<std::uint8_t>(word >> 8);
+  void put(std::uint32_t at, std::uint16_t word) {
+    flash_[at] = theirs_->flash[at] = static_cast<std::uint8_t>(word);
+    flash_[at + 1] = theirs_->flash[at + 1] = static_cast<std::uint8_t>(word >> 8);
   }
 
   Simavr theirs_;
+  std::vector<std::uint8_t> flash_, noise_;
 };
 
 TEST(Cpu, DoesWithRandomInstructionsWhatSimavrDoes) {
   std::mt19937 random(1);
-  Pair pair;
+  Pair pair(random);
   int compared = 0;
   for (int i = 0; i < kInstructions && !HasFailure(); ++i) compared += pair.run(random);
-  EXPECT_GT(compared, kInstructions * 3 / 4);
+  EXPECT_GT(compared, kInstructions / 2);
 }
 
 }  // namespace
