@@ -35,7 +35,7 @@ constexpr TimerSpec kTimers[] = {
 };
 
 // 20
-constexpr UartSpec kUarts[] = {{0xC0, 0xC4, 0xC6, 18, "PD0", "PD1"}};
+constexpr UartSpec kUarts[] = {{0xC0, 0xC4, 0xC6, 18, "PD0", "PD1", 0x64, 1}};
 
 }  // namespace atmega328p
 
@@ -60,6 +60,8 @@ constexpr ChipSpec kAtmega328p = {
     .external_count = 2,
     .change_vector = 3,
     .change_count = 3,
+    .watchdog_vector = 6,
+    .eeprom_vector = 22,
     .pins = atmega328p::kPins,
     .pin_count = sizeof atmega328p::kPins / sizeof *atmega328p::kPins,
     .ports = atmega328p::kPorts,
@@ -68,7 +70,14 @@ constexpr ChipSpec kAtmega328p = {
     .timer_count = 3,
     .uarts = atmega328p::kUarts,
     .uart_count = 1,
-    .adc = {.bits = 10, .pins = 8, .bandgap_volts = 1.1, .bandgap_channel = 14, .vector = 21},  // 24
+    .adc = {.bits = 10,  // 24
+            .pins = 8,
+            .bandgap_volts = 1.1,
+            .bandgap_channel = 14,
+            .vector = 21,
+            .triggers = {0, 23, 1, 14, 16, 12, 13, 10},  // table 24-6
+            .reduction = 0x64,
+            .reduction_bit = 0},
 };
 
 }  // namespace robosim

@@ -49,6 +49,8 @@ struct UartSpec {
   uint8_t vector;    ///< a byte was received; on an AVR `data register empty` and `sent` follow
   const char* rx;    ///< pins
   const char* tx;
+  uint16_t reduction = 0;     ///< address of PRR
+  int8_t reduction_bit = -1;  ///< that stops it there
 };
 
 struct AdcSpec {
@@ -57,6 +59,9 @@ struct AdcSpec {
   double bandgap_volts;    ///< the internal reference; 0 = none
   int8_t bandgap_channel;  ///< that measures it; -1 = none
   uint8_t vector;
+  uint8_t triggers[8] = {};  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
+  uint16_t reduction = 0;     ///< address of PRR
+  int8_t reduction_bit = -1;  ///< that stops it there
 };
 
 struct ChipSpec {
@@ -82,6 +87,8 @@ struct ChipSpec {
   uint8_t external_count;   ///< INTn
   uint8_t change_vector;    ///< of PCINT0 to 7, which the others follow by eights
   uint8_t change_count;     ///< groups of eight
+  uint8_t watchdog_vector = 0;
+  uint8_t eeprom_vector = 0;
 
   const ChipPin* pins;
   uint8_t pin_count;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "hal/board/avr_registers.h"
 
@@ -12,24 +13,34 @@ constexpr std::uint8_t kPowerOnReset = 0x01;
 
 Chip::Stop chip_stop(Cpu::Stop why) {
   switch (why) {
-    case Cpu::Stop::mark: return Chip::Stop::mark;
-    case Cpu::Stop::break_: return Chip::Stop::break_;
-    case Cpu::Stop::illegal: return Chip::Stop::illegal;
-    case Cpu::Stop::outside: return Chip::Stop::outside;
-    case Cpu::Stop::bad_read: return Chip::Stop::bad_read;
-    case Cpu::Stop::bad_write: return Chip::Stop::bad_write;
-    case Cpu::Stop::spm: return Chip::Stop::spm;
-    default: return Chip::Stop::stopped;
+    case Cpu::Stop::mark:
+      return Chip::Stop::mark;
+    case Cpu::Stop::break_:
+      return Chip::Stop::break_;
+    case Cpu::Stop::illegal:
+      return Chip::Stop::illegal;
+    case Cpu::Stop::outside:
+      return Chip::Stop::outside;
+    case Cpu::Stop::bad_read:
+      return Chip::Stop::bad_read;
+    case Cpu::Stop::bad_write:
+      return Chip::Stop::bad_write;
+    case Cpu::Stop::spm:
+      return Chip::Stop::spm;
+    default:
+      return Chip::Stop::stopped;
   }
 }
 
 }  // namespace
 
-Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around)
-    : core_(spec, flash, last_ram, around), pins_(core_), power_(core_) {
+Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
+           std::int64_t oscillator_hz)
+    : core_(spec, flash, last_ram, around, oscillator_hz), pins_(core_), power_(core_) {
   core_.cpu.on_time = Cpu::call<&Chip::do_due>(this);
-  core_.reset = [](void* self, std::uint8_t flags) { static_cast<Chip*>(self)->reset(flags); };
+  core_.reset = [](void* self, std::uint8_t flags) { static_cast<Chip*>(self)->reset_later(flags); };
   core_.reset_self = this;
+  core_.keep(reset_flags_);
   call_ = core_.events.add<&Chip::called>(this);
   make_peripherals();
   power_on();
@@ -53,13 +64,18 @@ void Chip::reset(std::uint8_t flags) {
   core_.events.cancel_all();
   core_.interrupts.state = 0;
   core_.cpu.reset();
+  core_.at(reg::kMcusr) = earlier | flags;
   power_.reset(now);
   pins_.reset(now);
   for (const auto& peripheral : peripherals_) peripheral->reset(now);
-  core_.at(reg::kMcusr) = earlier | flags;
   core_.events.schedule(call_, call);
   core_.cpu.look_up();
   core_.outside.was_reset(core_.at(reg::kMcusr), now);
+}
+
+void Chip::reset_later(std::uint8_t flags) {
+  reset_flags_ |= flags;
+  core_.cpu.look_up();
 }
 
 void Chip::do_due() { core_.events.run(core_.now()); }
@@ -68,6 +84,7 @@ Chip::Stop Chip::run_to(Cycle until) {
   Cpu& cpu = core_.cpu;
   for (;;) {
     core_.events.run(cpu.cycle());
+    if (reset_flags_) reset(std::exchange(reset_flags_, std::uint8_t{0}));
     const bool requested = core_.interrupts.any() && cpu.interrupts_enabled();
     if (power_.is_asleep()) {
       if (!requested) {

@@ -22,7 +22,8 @@ namespace robosim::avr {
 class Chip {
  public:
   /// `last_ram`: the last address of data memory, that of the chip or a later one.
-  Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around);
+  Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
+       std::int64_t oscillator_hz = 16'000'000);
   ~Chip();
   Chip(const Chip&) = delete;
   Chip& operator=(const Chip&) = delete;
@@ -73,6 +74,7 @@ class Chip {
   void power_on();
   void do_due();
   void called(Cycle at) { core_.outside.called(at); }
+  void reset_later(std::uint8_t flags);
 
   Core core_;
   Pins pins_;
@@ -80,6 +82,7 @@ class Chip {
   std::vector<std::unique_ptr<Peripheral>> peripherals_;
   Events::Id call_ = 0;
   bool singly_ = false;
+  std::uint8_t reset_flags_ = 0;  ///< a peripheral wants a reset
 };
 
 }  // namespace robosim::avr

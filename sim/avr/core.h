@@ -1,5 +1,5 @@
-// What the peripherals of one chip share: the processor with its registers, the queue, the interrupts, and the
-// surroundings. A peripheral holds a reference to it, and hooks its registers in its constructor:
+// What the peripherals of one chip share: the processor with its registers, the queue, the interrupts, and
+// the surroundings. A peripheral holds a reference to it, and hooks its registers in its constructor:
 //
 //   Eeprom::Eeprom(Core& core) : core_(core) {
 //     core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
@@ -17,6 +17,7 @@
 #include "sim/avr/events.h"
 #include "sim/avr/interrupts.h"
 #include "sim/avr/surroundings.h"
+#include "sim/avr/triggers.h"
 
 namespace robosim::avr {
 
@@ -24,27 +25,35 @@ namespace robosim::avr {
 class Peripheral {
  public:
   virtual ~Peripheral() = default;
-  /// As after power-on: its registers hold their initial values (the processor has put 0 into all of them), its
-  /// events are cancelled and its requests taken back already.
+  /// As after power-on: its registers hold their initial values (the processor has put 0 into all of them),
+  /// its events are cancelled and its requests taken back already.
   virtual void reset(Cycle at) = 0;
   /// Its clock stands still from `at` on, or runs on: a sleep mode, or its bit in PRR.
   virtual void clock_runs(bool runs, Cycle at) {
     (void)runs;
     (void)at;
   }
-  /// The processor falls asleep: in the ADC's noise reduction mode, or another. Its clock may stop next.
-  virtual void falls_asleep(bool noise_reduction, Cycle at) {
-    (void)noise_reduction;
+  /// The processor falls asleep, in a mode that keeps the ADC's clock running or in another. Its own clock
+  /// may stop next.
+  virtual void falls_asleep(bool adc_clock_runs, Cycle at) {
+    (void)adc_clock_runs;
     (void)at;
   }
 };
 
 struct Core {
-  Core(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around)
-      : chip(spec), cpu(spec, flash, last_ram), outside(around) {
+  Core(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
+       std::int64_t oscillator)
+      : chip(spec),
+        cpu(spec, flash, last_ram),
+        outside(around),
+        oscillator_hz(oscillator),
+        clock_hz(oscillator) {
     keep(cpu.state);
     keep(events.state);
     keep(interrupts.state);
+    keep(triggers.state);
+    keep(clock_hz);
   }
 
   Cycle now() const { return cpu.cycle(); }
@@ -60,6 +69,32 @@ struct Core {
     if (requested) cpu.look_up();
   }
 
+  /// Cycles of the processor in a time, not less.
+  Cycle cycles(std::int64_t nanoseconds) const {
+    constexpr std::int64_t kSecond = 1'000'000'000;
+    return static_cast<Cycle>((nanoseconds * clock_hz + kSecond - 1) / kSecond);
+  }
+  /// The processor's clock runs at the oscillator's divided by `divisor` from now on.
+  void divide_clock(int divisor) {
+    const std::int64_t before = clock_hz;
+    clock_hz = oscillator_hz / divisor;
+    if (clock_hz == before) return;
+    for (const ClockChange& change : clock_changes_) change.call(change.self, before);
+  }
+  /// void Owner::Method(std::int64_t hz_before) is called when the processor's clock has changed: what takes
+  /// a time of its own takes another number of cycles.
+  template <auto Method, typename Owner>
+  void on_clock_change(Owner* owner) {
+    clock_changes_.push_back(
+        {[](void* self, std::int64_t before) { (static_cast<Owner*>(self)->*Method)(before); }, owner});
+  }
+  /// `at`, which was cycles of a clock of `hz_before`, in cycles of the processor's clock of now.
+  Cycle rescaled(Cycle at, std::int64_t hz_before) const {
+    if (at == kNoCycle || at <= now()) return at;
+    const auto before = static_cast<Cycle>(hz_before);
+    return now() + ((at - now()) * static_cast<Cycle>(clock_hz) + before - 1) / before;
+  }
+
   /// `state` is a part of what changes while the chip runs: snapshots copy it byte by byte.
   template <typename State>
   void keep(State& state) {
@@ -71,7 +106,11 @@ struct Core {
   Cpu cpu;
   Events events;
   Interrupts interrupts;
+  Triggers triggers;
   Surroundings& outside;
+  const std::int64_t oscillator_hz;
+  std::int64_t clock_hz;      ///< the processor's: the oscillator's, divided by CLKPR
+  double supply_volts = 5.0;  ///< AVCC has them too. Whoever uses the chip may set them.
   struct Kept {
     std::byte* bytes = nullptr;
     std::size_t size = 0;
@@ -79,9 +118,16 @@ struct Core {
   std::vector<Kept> kept;
   /// A reset may come though interrupts are off: the watchdog's.
   bool reset_may_come = false;
-  /// The chip resets itself; `flags` are MCUSR's. Set by the chip.
+  /// The chip resets itself behind the instruction that runs; `flags` are MCUSR's. Set by the chip.
   void (*reset)(void* self, std::uint8_t flags) = nullptr;
   void* reset_self = nullptr;
+
+ private:
+  struct ClockChange {
+    void (*call)(void* self, std::int64_t hz_before) = nullptr;
+    void* self = nullptr;
+  };
+  std::vector<ClockChange> clock_changes_;
 };
 
 }  // namespace robosim::avr

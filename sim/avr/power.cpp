@@ -5,15 +5,30 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kSleepEnable = 0x01, kModeMask = 0x0E, kIdle = 0x00, kNoiseReduction = 0x02;
+constexpr std::uint8_t kSleepEnable = 0x01, kSleepModeMask = 0x0E, kIdle = 0x00, kNoiseReduction = 0x02;
+constexpr std::uint8_t kStandby = 0x0C, kExtendedStandby = 0x0E;
 constexpr std::uint8_t kClockChangeEnable = 0x80, kDivisorMask = 0x0F, kLargestDivisor = 8;
 constexpr std::uint8_t kResetFlags = 0x0F;
 constexpr Cycle kDivisorWindow = 4;
-constexpr Cycle kWakeCycles = 4, kStartUpCycles = 16384;
+constexpr Cycle kWakeCycles = 4, kCrystalStartUp = 16384, kStandbyStartUp = 6;
+
+constexpr Cycle start_up_of(int mode) {
+  switch (mode) {
+    case kIdle:
+    case kNoiseReduction:
+      return 0;
+    case kStandby:
+    case kExtendedStandby:
+      return kStandbyStartUp;
+    default:
+      return kCrystalStartUp;
+  }
+}
 
 }  // namespace
 
 Power::Power(Core& core) : core_(core) {
+  core.cpu.on_read<&Power::read_divisor>(reg::kClkpr, this);
   core.cpu.on_write<&Power::write_divisor>(reg::kClkpr, this);
   core.cpu.on_write<&Power::write_reset_flags>(reg::kMcusr, this);
   core.keep(state_);
@@ -29,6 +44,7 @@ void Power::reset(Cycle at) {
   const Cycle slept = state_.slept;
   state_ = {};
   state_.slept = slept;
+  core_.divide_clock(1);
 }
 
 void Power::write_reduction(Address address, std::uint8_t value) {
@@ -36,19 +52,22 @@ void Power::write_reduction(Address address, std::uint8_t value) {
   update(core_.now());
 }
 
-// 9.12.2: CLKPCE alone first, the divisor within four cycles.
+std::uint8_t Power::read_divisor(Address address) {
+  const bool unlocked = core_.now() <= state_.divisor_unlocked_until;
+  return static_cast<std::uint8_t>(core_.at(address) | (unlocked ? kClockChangeEnable : 0));
+}
+
+// 9.12.2: CLKPCE alone first, the divisor within four cycles. CLKPCE again does not make them more.
 void Power::write_divisor(Address address, std::uint8_t value) {
   const Cycle now = core_.now();
-  if (value == kClockChangeEnable) {
-    state_.divisor_unlocked_until = now + kDivisorWindow;
-    core_.at(address) |= kClockChangeEnable;
-    return;
-  }
-  if (value & kClockChangeEnable || now > state_.divisor_unlocked_until) return;
+  const bool unlocked = now <= state_.divisor_unlocked_until;
+  if (value == kClockChangeEnable && !unlocked) state_.divisor_unlocked_until = now + kDivisorWindow;
+  if (value & kClockChangeEnable || !unlocked) return;
   state_.divisor_unlocked_until = 0;
   const auto divisor = static_cast<std::uint8_t>(value & kDivisorMask);
   if (divisor > kLargestDivisor) return;
   core_.at(address) = divisor;
+  core_.divide_clock(1 << divisor);
   core_.outside.clock_divided(1 << divisor, now);
 }
 
@@ -72,23 +91,24 @@ void Power::update(Cycle at) {
 bool Power::sleep(Cycle at) {
   const std::uint8_t control = core_.at(reg::kSmcr);
   if (!(control & kSleepEnable)) return false;
-  const int mode = control & kModeMask;
+  const int mode = control & kSleepModeMask;
+  const bool adc_runs = mode == kIdle || mode == kNoiseReduction;
   state_.asleep = true;
   state_.slept_from = at;
-  for (const Supplied& supplied : supplied_) supplied.peripheral->falls_asleep(mode == kNoiseReduction, at);
+  for (const Supplied& supplied : supplied_) supplied.peripheral->falls_asleep(adc_runs, at);
   state_.io_runs = mode == kIdle;
-  state_.adc_runs = mode == kIdle || mode == kNoiseReduction;
+  state_.adc_runs = adc_runs;
+  state_.start_up = start_up_of(mode);
   update(at);
   return true;
 }
 
 void Power::wake(Cycle at) {
-  const Cycle start_up = state_.adc_runs ? 0 : kStartUpCycles;
-  core_.cpu.skip_to(at + start_up + kWakeCycles);
+  core_.cpu.skip_to(at + state_.start_up + kWakeCycles);
   state_.asleep = false;
   state_.slept += core_.now() - state_.slept_from;
   state_.io_runs = state_.adc_runs = true;
-  update(at + start_up);
+  update(at + state_.start_up);
 }
 
 }  // namespace robosim::avr

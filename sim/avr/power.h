@@ -3,10 +3,14 @@
 //   mode             processor   I/O clock   ADC clock   start-up when it wakes
 //   idle             stands      runs        runs        none
 //   noise reduction  stands      stands      runs        none
-//   the others       stands      stands      stands      the oscillator's (table 9-1: a crystal, 16384 cycles)
+//   standby          stands      stands      stands      6 cycles, extended standby too
+//   the others       stands      stands      stands      the oscillator's (table 9-4: a crystal, 16384
+//   cycles)
 //
-// A chip that wakes stands still for 4 cycles more, before the 4 of the interrupt (10.2). Timer 2's own crystal
-// is not modelled: all timers use the I/O clock.
+// A chip that wakes stands still for 4 cycles more, before the 4 of the interrupt (10.2). The registers of a
+// peripheral that its bit in PRR has stopped read 0 and keep what they have (10.11.3). CLKPR divides all
+// clocks but those of the watchdog and of the EEPROM. Timer 2's own crystal is not modelled: all timers use
+// the I/O clock.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +26,8 @@ class Power final : public Peripheral {
 
   explicit Power(Core& core);
 
-  /// `bit` of PRR stops the peripheral, as does a sleep mode that stops `clock`. Without a bit: -1.
+  /// `bit` of PRR, at `reduction`, stops the peripheral, as does a sleep mode that stops `clock`. Without a
+  /// bit: -1.
   void supply(Peripheral& peripheral, Clock clock, Address reduction, int bit);
 
   void reset(Cycle at) override;
@@ -41,17 +46,18 @@ class Power final : public Peripheral {
     Clock clock = Clock::io;
     Address reduction = 0;
     std::uint8_t mask = 0;
-    bool runs = true;
   };
   struct State {
     bool asleep = false;
     bool io_runs = true, adc_runs = true;
     Cycle slept_from = 0, slept = 0;
     std::uint64_t stopped = 0;  ///< a bit a supplied peripheral
+    Cycle start_up = 0;         ///< when it wakes
     Cycle divisor_unlocked_until = 0;
   };
 
   void write_reduction(Address address, std::uint8_t value);
+  std::uint8_t read_divisor(Address address);
   void write_divisor(Address address, std::uint8_t value);
   void write_reset_flags(Address address, std::uint8_t value);
   void update(Cycle at);

@@ -1,0 +1,76 @@
+// Flags that start something elsewhere in the chip: a timer's match begins a conversion of the ADC. A flag is
+// named by the vector of its interrupt; one peripheral waits, for one flag at a time.
+//
+//   core.triggers.offer<&Timer::awaited>(vector, this);   once: this peripheral has that flag
+//   core.triggers.raised(vector, at);                     whenever it becomes set; costs nothing if nobody
+//   waits
+//
+// A peripheral that works out its flags only when somebody looks has to do so in time while one is awaited.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sim/avr/cycle.h"
+#include "sim/avr/interrupts.h"
+
+namespace robosim::avr {
+
+class Triggers {
+ public:
+  static constexpr int kNone = 0;  ///< the reset's vector: nobody waits
+
+  /// bool Owner::Method(int vector, bool awaited): from now on the flag is awaited, or no longer. Says
+  /// whether it is set now.
+  template <auto Method, typename Owner>
+  void offer(int vector, Owner* owner) {
+    offers_[static_cast<std::size_t>(vector)] = {[](void* self, int number, bool awaited) {
+                                                   return (static_cast<Owner*>(self)->*Method)(number,
+                                                                                               awaited);
+                                                 },
+                                                 owner};
+  }
+  /// The flag was not set before.
+  void raised(int vector, Cycle at) const {
+    if (vector == state.awaited && started_.call) started_.call(started_.self, at);
+  }
+  bool is_awaited(int vector) const { return vector == state.awaited; }
+
+  // --- for the one that waits
+  /// void Owner::Method(Cycle)
+  template <auto Method, typename Owner>
+  void on_trigger(Owner* owner) {
+    started_ = {[](void* self, Cycle at) { (static_cast<Owner*>(self)->*Method)(at); }, owner};
+  }
+  /// Says whether the flag is set already.
+  bool await(int vector) {
+    if (vector == state.awaited) return tell(vector, true);
+    tell(state.awaited, false);
+    state.awaited = vector;
+    return tell(vector, true);
+  }
+
+  struct State {
+    int awaited = kNone;
+  };
+  State state;
+
+ private:
+  struct Offer {
+    bool (*call)(void* self, int vector, bool awaited) = nullptr;
+    void* self = nullptr;
+  };
+  struct Started {
+    void (*call)(void* self, Cycle at) = nullptr;
+    void* self = nullptr;
+  };
+  bool tell(int vector, bool awaited) const {
+    const Offer& offer = offers_[static_cast<std::size_t>(vector)];
+    return vector != kNone && offer.call && offer.call(offer.self, vector, awaited);
+  }
+
+  std::array<Offer, Interrupts::kMost> offers_{};
+  Started started_;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,11 @@
+// SLEEP does nothing where SE is 0.
+// Source: DS40002061B, 10.11.1
+// Expect: 05
+#include "report.h"
+
+int main(void) {
+  SMCR = _BV(SM1);
+  __asm__ volatile("sleep");
+  report(5);
+  end_program();
+}
