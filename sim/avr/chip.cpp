@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hal/board/avr_registers.h"
+#include "sim/avr/external_interrupts.h"
 
 namespace robosim::avr {
 namespace {
@@ -48,7 +49,14 @@ Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address la
 
 Chip::~Chip() = default;
 
-void Chip::make_peripherals() {}
+void Chip::make_peripherals() {
+  const auto add = [this](auto made) -> auto& {
+    auto& peripheral = *made;
+    peripherals_.push_back(std::move(made));
+    return peripheral;
+  };
+  power_.supply(add(std::make_unique<ExternalInterrupts>(core_, pins_)), Power::Clock::io, 0, -1);
+}
 
 void Chip::power_on() {
   power_.reset(0);

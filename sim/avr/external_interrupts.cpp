@@ -1,0 +1,214 @@
+#include "sim/avr/external_interrupts.h"
+
+#include <algorithm>
+
+#include "hal/board/avr_registers.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr Cycle kIntCycles = 2, kPcintCycles = 3;
+constexpr std::size_t kSensesPerRegister = 4;  // ISCn in EICRA, the others in EICRB
+
+constexpr std::uint8_t flag_bit(std::size_t number) { return static_cast<std::uint8_t>(1u << number); }
+constexpr std::uint8_t flag_bits(std::size_t count) { return static_cast<std::uint8_t>((1u << count) - 1); }
+
+}  // namespace
+
+ExternalInterrupts::ExternalInterrupts(Core& core, Pins& pins) : core_(core), pins_(pins) {
+  using Self = ExternalInterrupts;
+  for (Group& group : groups_) group.pins.fill(-1);
+  for (int pin = 0; pin < core.chip.pin_count; ++pin) {
+    const ChipPin& place = core.chip.pins[pin];
+    if (place.external >= 0)
+      lines_[static_cast<std::size_t>(place.external)] = {
+          pin, pins.add_listener<&Self::external_changed>(pin, this)};
+    if (place.change < 0) continue;
+    Group& group = groups_[static_cast<std::size_t>(place.change / 8)];
+    const auto bit = static_cast<std::size_t>(place.change % 8);
+    group.pins[bit] = pin;
+    group.listeners[bit] = pins.add_listener<&Self::pin_changed>(pin, this);
+  }
+  for (std::size_t number = 0; number < lines(); ++number) {
+    if (number % kSensesPerRegister == 0)
+      core.cpu.on_write<&Self::write_sense>(static_cast<Address>(reg::kEicra + number / kSensesPerRegister),
+                                            this);
+    core.interrupts.on_entry<&Self::external_entered>(vector(number), this);
+    core.triggers.offer<&Self::awaited>(vector(number), this);
+  }
+  for (std::size_t group = 0; group < groups(); ++group) {
+    core.cpu.on_write<&Self::write_change_mask>(static_cast<Address>(reg::kPcmsk0 + group), this);
+    core.interrupts.on_entry<&Self::change_entered>(change_vector(group), this);
+  }
+  core.cpu.on_write<&Self::write_enables>(reg::kEimsk, this);
+  core.cpu.on_write<&Self::write_flags>(reg::kEifr, this);
+  core.cpu.on_write_bit<&Self::write_flag_bit>(reg::kEifr, this);
+  core.cpu.on_write<&Self::write_change_enables>(reg::kPcicr, this);
+  core.cpu.on_write<&Self::write_change_flags>(reg::kPcifr, this);
+  core.cpu.on_write_bit<&Self::write_change_flag_bit>(reg::kPcifr, this);
+  flags_ = core.events.add<&Self::set_flags>(this);
+  core.keep(state_);
+}
+
+void ExternalInterrupts::reset(Cycle) { state_ = {}; }
+
+ExternalInterrupts::Sense ExternalInterrupts::sense(std::size_t number) const {
+  const std::uint8_t control = core_.cpu.data[reg::kEicra + number / kSensesPerRegister];
+  return static_cast<Sense>(control >> (2 * (number % kSensesPerRegister)) & 3);
+}
+
+void ExternalInterrupts::listen_or_not(std::size_t number) {
+  LineState& line = state_.lines[number];
+  const bool listens = sense(number) != Sense::low_level || core_.at(reg::kEimsk) & flag_bit(number);
+  if (listens == line.listening || lines_[number].pin < 0) return;
+  line.listening = listens;
+  pins_.listen(lines_[number].listener, listens);
+  if (listens) line.level = line.clocked_level = pins_.level(lines_[number].pin);
+}
+
+void ExternalInterrupts::request(std::size_t number) {
+  const std::uint8_t bit = flag_bit(number);
+  const LineState& line = state_.lines[number];
+  const bool by_level = sense(number) == Sense::low_level;
+  const bool wanted = by_level ? line.listening && !line.level : (core_.at(reg::kEifr) & bit) != 0;
+  core_.request(vector(number), wanted && core_.at(reg::kEimsk) & bit);
+}
+
+void ExternalInterrupts::request_change(std::size_t group) {
+  core_.request(change_vector(group), core_.at(reg::kPcifr) & core_.at(reg::kPcicr) & flag_bit(group));
+}
+
+void ExternalInterrupts::write_sense(Address address, std::uint8_t value) {
+  core_.at(address) = value;
+  for (std::size_t number = 0; number < lines(); ++number) {
+    if (sense(number) == Sense::low_level) {
+      core_.at(reg::kEifr) &= static_cast<std::uint8_t>(~flag_bit(number));
+      state_.lines[number].flag_at = kNoCycle;
+    }
+    listen_or_not(number);
+    request(number);
+  }
+  schedule();
+}
+
+void ExternalInterrupts::write_enables(Address address, std::uint8_t value) {
+  core_.at(address) = value & flag_bits(lines());
+  for (std::size_t number = 0; number < lines(); ++number) {
+    listen_or_not(number);
+    request(number);
+  }
+}
+
+void ExternalInterrupts::write_flags(Address address, std::uint8_t value) {
+  core_.at(address) &= static_cast<std::uint8_t>(~value);
+  for (std::size_t number = 0; number < lines(); ++number) request(number);
+}
+
+void ExternalInterrupts::write_flag_bit(Address address, std::uint8_t value, std::uint8_t bit) {
+  write_flags(address, value & bit);
+}
+
+void ExternalInterrupts::write_change_enables(Address address, std::uint8_t value) {
+  core_.at(address) = value & flag_bits(groups());
+  for (std::size_t group = 0; group < groups(); ++group) request_change(group);
+}
+
+void ExternalInterrupts::write_change_mask(Address address, std::uint8_t value) {
+  const Group& group = groups_[static_cast<std::size_t>(address - reg::kPcmsk0)];
+  const std::uint8_t changed = core_.at(address) ^ value;
+  core_.at(address) = value;
+  for (std::size_t bit = 0; bit < 8; ++bit)
+    if (changed & flag_bit(bit) && group.pins[bit] >= 0)
+      pins_.listen(group.listeners[bit], value & flag_bit(bit));
+}
+
+void ExternalInterrupts::write_change_flags(Address address, std::uint8_t value) {
+  core_.at(address) &= static_cast<std::uint8_t>(~value);
+  for (std::size_t group = 0; group < groups(); ++group) request_change(group);
+}
+
+void ExternalInterrupts::write_change_flag_bit(Address address, std::uint8_t value, std::uint8_t bit) {
+  write_change_flags(address, value & bit);
+}
+
+void ExternalInterrupts::external_changed(int pin, bool level, Cycle at) {
+  const auto number = static_cast<std::size_t>(core_.chip.pins[pin].external);
+  state_.lines[number].level = level;
+  if (sense(number) == Sense::low_level) {
+    request(number);
+  } else if (state_.io_clock_runs) {
+    edge(number, level, at);
+  }
+}
+
+void ExternalInterrupts::edge(std::size_t number, bool level, Cycle at) {
+  const Sense wanted = sense(number);
+  if (wanted == Sense::low_level || wanted == (level ? Sense::falling : Sense::rising)) return;
+  LineState& line = state_.lines[number];
+  line.flag_at = std::min(line.flag_at, at + kIntCycles);
+  schedule();
+}
+
+void ExternalInterrupts::pin_changed(int pin, bool, Cycle at) {
+  Cycle& flag_at = state_.change_flag_at[static_cast<std::size_t>(core_.chip.pins[pin].change / 8)];
+  flag_at = std::min(flag_at, at + kPcintCycles);
+  schedule();
+}
+
+void ExternalInterrupts::schedule() {
+  Cycle next = kNoCycle;
+  for (const LineState& line : state_.lines) next = std::min(next, line.flag_at);
+  for (const Cycle flag_at : state_.change_flag_at) next = std::min(next, flag_at);
+  if (next != core_.events.due(flags_)) core_.schedule(flags_, next);
+}
+
+void ExternalInterrupts::set_flags(Cycle at) {
+  for (std::size_t number = 0; number < lines(); ++number) {
+    LineState& line = state_.lines[number];
+    if (line.flag_at > at) continue;
+    line.flag_at = kNoCycle;
+    std::uint8_t& flags = core_.at(reg::kEifr);
+    const bool rises = !(flags & flag_bit(number));
+    flags |= flag_bit(number);
+    request(number);
+    if (rises) core_.triggers.raised(vector(number), at);
+  }
+  for (std::size_t group = 0; group < groups(); ++group) {
+    if (state_.change_flag_at[group] > at) continue;
+    state_.change_flag_at[group] = kNoCycle;
+    core_.at(reg::kPcifr) |= flag_bit(group);
+    request_change(group);
+  }
+  schedule();
+}
+
+void ExternalInterrupts::external_entered(int vector) {
+  const auto number = static_cast<std::size_t>(vector - core_.chip.external_vector);
+  core_.at(reg::kEifr) &= static_cast<std::uint8_t>(~flag_bit(number));
+  request(number);
+}
+
+void ExternalInterrupts::change_entered(int vector) {
+  const auto group = static_cast<std::size_t>(vector - core_.chip.change_vector);
+  core_.at(reg::kPcifr) &= static_cast<std::uint8_t>(~flag_bit(group));
+  request_change(group);
+}
+
+bool ExternalInterrupts::awaited(int vector, bool) {
+  return core_.at(reg::kEifr) & flag_bit(static_cast<std::size_t>(vector - core_.chip.external_vector));
+}
+
+void ExternalInterrupts::clock_runs(bool runs, Cycle at) {
+  state_.io_clock_runs = runs;
+  for (std::size_t number = 0; number < lines(); ++number) {
+    LineState& line = state_.lines[number];
+    if (!line.listening) continue;
+    if (!runs) {
+      line.clocked_level = line.level;
+    } else if (line.level != line.clocked_level) {
+      edge(number, line.level, at);
+    }
+  }
+}
+
+}  // namespace robosim::avr

@@ -1,0 +1,90 @@
+// Interrupts by pins: INTn and the pin changes PCINTn. Data sheet DS40002061B, chapter 13.
+//
+//   EICRA    ISCn   what sets INTFn         request
+//   00       low level    nothing           as long as the pin is low
+//   01       any edge     both edges        INTFn
+//   10, 11   falling, rising                INTFn
+//   PCMSKg   a bit a pin of group g: its changes set PCIFg, both edges
+//
+// A request counts where EIMSK or PCICR has its bit; entering its vector clears the flag, as does writing 1
+// to it. An edge passes the input's synchroniser: INTFn is set 2 cycles behind it, PCIFg 3 (figure 13-1).
+// Edges of INTn need the I/O clock, levels and pin changes do not. Pins that outputs of the chip's own move
+// count.
+//
+// Nobody listens to a pin until its ISCn or its bit in EIMSK is written 1, or its bit in PCMSKg.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/avr/pins.h"
+
+namespace robosim::avr {
+
+class ExternalInterrupts final : public Peripheral {
+ public:
+  ExternalInterrupts(Core& core, Pins& pins);
+
+  void reset(Cycle at) override;
+  void clock_runs(bool runs, Cycle at) override;
+
+ private:
+  static constexpr std::size_t kMost = 8, kMostGroups = 4;
+  enum class Sense : std::uint8_t { low_level, any_edge, falling, rising };
+
+  struct Line {
+    int pin = -1;
+    int listener = -1;
+  };
+  struct Group {
+    std::array<int, 8> pins{};  ///< -1 = none
+    std::array<int, 8> listeners{};
+  };
+  struct LineState {
+    bool listening = false;
+    bool level = false;
+    bool clocked_level = false;  ///< when the I/O clock stopped
+    Cycle flag_at = kNoCycle;
+  };
+  struct State {
+    std::array<LineState, kMost> lines{};
+    std::array<Cycle, kMostGroups> change_flag_at;
+    bool io_clock_runs = true;
+    State() { change_flag_at.fill(kNoCycle); }
+  };
+
+  void write_sense(Address address, std::uint8_t value);
+  void write_enables(Address address, std::uint8_t value);
+  void write_flags(Address address, std::uint8_t value);
+  void write_flag_bit(Address address, std::uint8_t value, std::uint8_t bit);
+  void write_change_enables(Address address, std::uint8_t value);
+  void write_change_mask(Address address, std::uint8_t value);
+  void write_change_flags(Address address, std::uint8_t value);
+  void write_change_flag_bit(Address address, std::uint8_t value, std::uint8_t bit);
+  void external_changed(int pin, bool level, Cycle at);
+  void pin_changed(int pin, bool level, Cycle at);
+  void edge(std::size_t number, bool level, Cycle at);
+  void set_flags(Cycle at);
+  void schedule();
+  void external_entered(int vector);
+  void change_entered(int vector);
+  bool awaited(int vector, bool is);
+  void listen_or_not(std::size_t number);
+  void request(std::size_t number);
+  void request_change(std::size_t group);
+
+  Sense sense(std::size_t number) const;
+  std::size_t lines() const { return core_.chip.external_count; }
+  std::size_t groups() const { return core_.chip.change_count; }
+  int vector(std::size_t number) const { return core_.chip.external_vector + static_cast<int>(number); }
+  int change_vector(std::size_t group) const { return core_.chip.change_vector + static_cast<int>(group); }
+
+  Core& core_;
+  Pins& pins_;
+  std::array<Line, kMost> lines_{};
+  std::array<Group, kMostGroups> groups_{};
+  Events::Id flags_ = 0;
+  State state_;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,21 @@
+// SBI on EIFR clears that flag and no other; CBI and writing 0 clear none.
+// Source: DS40002061B, 13.2.3
+// Expect: 03 03 03 02 00
+#include "report.h"
+
+int main(void) {
+  DDRD = _BV(DDD2) | _BV(DDD3);
+  EICRA = _BV(ISC00) | _BV(ISC10);
+  PORTD = _BV(PORTD2) | _BV(PORTD3);
+  NOPS(4);
+  report(EIFR);
+  EIFR = 0;
+  report(EIFR);
+  __asm__ volatile("cbi %0, 0" ::"I"(_SFR_IO_ADDR(EIFR)));
+  report(EIFR);
+  __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(EIFR)));
+  report(EIFR);
+  EIFR = _BV(INTF1);
+  report(EIFR);
+  end_program();
+}

@@ -1,0 +1,18 @@
+// SBI on PCIFR clears that flag and no other.
+// Source: DS40002061B, 13.2.5
+// Expect: 05 04
+#include "report.h"
+
+int main(void) {
+  DDRB = _BV(DDB0);
+  DDRD = _BV(DDD7);
+  PCMSK0 = _BV(PCINT0);
+  PCMSK2 = _BV(PCINT23);
+  PORTB = _BV(PORTB0);
+  PORTD = _BV(PORTD7);
+  NOPS(4);
+  report(PCIFR);
+  __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(PCIFR)));
+  report(PCIFR);
+  end_program();
+}
