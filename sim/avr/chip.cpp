@@ -6,6 +6,7 @@
 
 #include "hal/board/avr_registers.h"
 #include "sim/avr/external_interrupts.h"
+#include "sim/avr/usart.h"
 
 namespace robosim::avr {
 namespace {
@@ -56,6 +57,11 @@ void Chip::make_peripherals() {
     return peripheral;
   };
   power_.supply(add(std::make_unique<ExternalInterrupts>(core_, pins_)), Power::Clock::io, 0, -1);
+  for (int number = 0; number < core_.chip.uart_count; ++number) {
+    const UartSpec& spec = core_.chip.uarts[number];
+    usarts_.push_back(&add(std::make_unique<Usart>(core_, pins_, number)));
+    power_.supply(*usarts_.back(), Power::Clock::io, spec.reduction, spec.reduction_bit);
+  }
 }
 
 void Chip::power_on() {

@@ -16,6 +16,7 @@
 #include "sim/avr/core.h"
 #include "sim/avr/pins.h"
 #include "sim/avr/power.h"
+#include "sim/avr/usart.h"
 
 namespace robosim::avr {
 
@@ -54,6 +55,10 @@ class Chip {
   // --- from outside
   /// The level of a pin (by its index in ChipSpec::pins) that edges are wanted of has changed.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
+  /// A whole frame has arrived at a UART, at `at`. It is lost where the receiver is off.
+  void receive(int uart, std::uint16_t data, Cycle at) {
+    usarts_[static_cast<std::size_t>(uart)]->receive(data, at);
+  }
   /// Surroundings::called() shall be called at `cycle`; a new call replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
   /// As by the reset pin or the power; `flags` are MCUSR's.
@@ -80,6 +85,7 @@ class Chip {
   Pins pins_;
   Power power_;
   std::vector<std::unique_ptr<Peripheral>> peripherals_;
+  std::vector<Usart*> usarts_;
   Events::Id call_ = 0;
   bool singly_ = false;
   std::uint8_t reset_flags_ = 0;  ///< a peripheral wants a reset

@@ -1,0 +1,207 @@
+#include "sim/avr/usart.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace robosim::avr {
+namespace {
+
+// UCSRnA
+constexpr std::uint8_t kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02, kMpcm = 0x01;
+// UCSRnB
+constexpr std::uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20;
+constexpr std::uint8_t kRxen = 0x10, kTxen = 0x08, kUcsz2 = 0x04, kRxb8 = 0x02, kTxb8 = 0x01;
+// UCSRnC
+constexpr std::uint8_t kUmselMask = 0xC0, kUmselSynchronous = 0x40, kUpm1 = 0x20, kUsbs = 0x08;
+constexpr std::uint8_t kUcsrcAtReset = 0x06;
+
+constexpr std::uint8_t kUbrrHighBits = 0x0F;
+constexpr std::uint16_t kNinthBit = 0x100;
+
+int pin_named(const ChipSpec& chip, std::string_view name) {
+  for (int pin = 0; pin < chip.pin_count; ++pin)
+    if (name == chip.pins[pin].name) return pin;
+  return -1;
+}
+
+}  // namespace
+
+Usart::Usart(Core& core, Pins& pins, int number)
+    : core_(core),
+      pins_(pins),
+      number_(number),
+      spec_(core.chip.uarts[number]),
+      status_(static_cast<Address>(spec_.address)),
+      control_(static_cast<Address>(status_ + 1)),
+      format_(static_cast<Address>(status_ + 2)),
+      divider_(spec_.divider),
+      data_(spec_.data),
+      rx_pin_(pin_named(core.chip, spec_.rx)),
+      tx_pin_(pin_named(core.chip, spec_.tx)) {
+  for (const Address address :
+       {status_, control_, format_, divider_, static_cast<Address>(divider_ + 1), data_}) {
+    core.cpu.on_read<&Usart::read>(address, this);
+    core.cpu.on_write<&Usart::write>(address, this);
+  }
+  core.interrupts.on_entry<&Usart::sent_entered>(spec_.vector + 2, this);
+  shifted_ = core.events.add<&Usart::shifted>(this);
+  core.keep(state_);
+}
+
+void Usart::reset(Cycle at) {
+  const bool told = state_.told != 0;
+  state_ = {};
+  core_.at(format_) = kUcsrcAtReset;
+  if (told) core_.outside.listens(number_, 0, at);
+}
+
+int Usart::data_bits() const {
+  const int size = (data(format_) >> 1 & 3) | (data(control_) & kUcsz2);
+  return size == 7 ? 9 : 5 + (size & 3);
+}
+
+Cycle Usart::frame() const {
+  const std::uint8_t format = data(format_);
+  const int bits = 1 + data_bits() + (format & kUpm1 ? 1 : 0) + (format & kUsbs ? 2 : 1);
+  int clocks = data(status_) & kU2x ? 8 : 16;
+  if ((format & kUmselMask) == kUmselSynchronous) clocks = 2;
+  return static_cast<Cycle>(bits * clocks * (core_.cpu.pair(divider_) + 1));
+}
+
+void Usart::tell() {
+  const Cycle now = state_.runs && data(control_) & kRxen ? frame() : 0;
+  if (now == state_.told) return;
+  state_.told = now;
+  core_.outside.listens(number_, now, core_.now());
+}
+
+void Usart::request() {
+  const std::uint8_t control = data(control_);
+  core_.request(spec_.vector, state_.received_count > 0 && control & kRxcie);
+  core_.request(spec_.vector + 1, !state_.waiting && control & kUdrie);
+  core_.request(spec_.vector + 2, data(status_) & kTxc && control & kTxcie);
+}
+
+void Usart::sent_entered(int) {
+  core_.at(status_) &= static_cast<std::uint8_t>(~kTxc);
+  request();
+}
+
+std::uint8_t Usart::read(Address address) {
+  if (!state_.runs) return 0;
+  if (address == data_) return read_data();
+  std::uint8_t value = data(address);
+  if (address == status_) {
+    if (state_.received_count > 0) value |= kRxc;
+    if (!state_.waiting) value |= kUdre;
+    if (state_.overrun) value |= kDor;
+  } else if (address == control_) {
+    const std::uint16_t next = state_.received_count > 0 ? state_.received[0] : state_.last_read;
+    if (next & kNinthBit) value |= kRxb8;
+  }
+  return value;
+}
+
+std::uint8_t Usart::read_data() {
+  if (state_.received_count > 0) {
+    state_.last_read = state_.received[0];
+    std::copy(state_.received.begin() + 1, state_.received.end(), state_.received.begin());
+    --state_.received_count;
+  }
+  state_.overrun = false;
+  request();
+  return static_cast<std::uint8_t>(state_.last_read);
+}
+
+void Usart::write(Address address, std::uint8_t value) {
+  if (!state_.runs) return;
+  if (address == data_) return write_data(value);
+  if (address == control_) return write_control(value);
+  if (address == status_) {
+    const auto sent = static_cast<std::uint8_t>(data(status_) & kTxc & ~value);
+    core_.at(status_) = static_cast<std::uint8_t>(sent | (value & (kU2x | kMpcm)));
+    request();
+  } else if (address == divider_ + 1) {
+    core_.at(address) = value & kUbrrHighBits;
+  } else {
+    core_.at(address) = value;
+  }
+  tell();
+}
+
+void Usart::write_control(std::uint8_t value) {
+  core_.at(control_) = value & static_cast<std::uint8_t>(~kRxb8);
+  if (!(value & kRxen)) {
+    state_.received_count = 0;
+    state_.overrun = false;
+  }
+  drive();
+  request();
+  tell();
+}
+
+// 20.6.5: TXEN = 0 counts when nothing is left to send.
+void Usart::drive() {
+  const bool sends = data(control_) & kTxen || state_.shifting;
+  if (sends == state_.drives || tx_pin_ < 0) return;
+  state_.drives = sends;
+  if (!sends) return pins_.give_back(tx_pin_);
+  PinDrive idle;
+  idle.mode = PinMode::output;
+  idle.level = true;
+  idle.duty = 1.0;
+  pins_.take(tx_pin_, idle, true);
+}
+
+void Usart::write_data(std::uint8_t value) {
+  if (!(data(control_) & kTxen) || state_.waiting) return;
+  const auto frame_data = static_cast<std::uint16_t>(value | (data(control_) & kTxb8 ? kNinthBit : 0));
+  if (!state_.shifting) return begin(frame_data, core_.now());
+  state_.waiting = true;
+  state_.waiting_data = frame_data;
+  request();
+}
+
+void Usart::begin(std::uint16_t frame_data, Cycle at) {
+  state_.shifting = true;
+  const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
+  core_.outside.sent(number_, frame_data & mask, at);
+  core_.schedule(shifted_, at + frame());
+}
+
+void Usart::shifted(Cycle at) {
+  if (state_.waiting) {
+    state_.waiting = false;
+    begin(state_.waiting_data, at);
+  } else {
+    state_.shifting = false;
+    core_.at(status_) |= kTxc;
+    drive();
+  }
+  request();
+}
+
+void Usart::receive(std::uint16_t frame_data, Cycle) {
+  if (!state_.runs || !(data(control_) & kRxen)) return;
+  if (state_.received_count == state_.received.size()) {
+    state_.overrun = true;
+    --state_.received_count;
+  }
+  const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
+  state_.received[state_.received_count++] = frame_data & mask;
+  request();
+}
+
+void Usart::clock_runs(bool runs, Cycle at) {
+  state_.runs = runs;
+  if (!runs) {
+    state_.stopped = at;
+    state_.end_due = core_.events.due(shifted_);
+    core_.events.cancel(shifted_);
+  } else if (state_.end_due != kNoCycle) {
+    core_.schedule(shifted_, state_.end_due + (at - state_.stopped));
+  }
+  tell();
+}
+
+}  // namespace robosim::avr

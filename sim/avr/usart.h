@@ -1,0 +1,74 @@
+// A USART as UART. Data sheet DS40002061B, chapter 20.
+//
+//   frame     (start + 5..9 data + parity + 1..2 stop) bits of (U2X ? 8 : 16) (UBRR + 1) cycles (table 20-1)
+//             synchronous (UMSEL 1): bits of 2 (UBRR + 1) cycles
+//   send      UDR ─► buffer ─► shift register ─► TxD      UDRE: the buffer is empty
+//                                                         TXC: both are empty, after a frame has left
+//   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer holds a frame
+//
+// A third frame waits in the shift register. The one behind it takes its place, and DOR tells so until UDR is
+// read. RXC and UDRE request interrupts as long as they are set; TXC is cleared by its vector or by
+// writing 1. RXEN = 0 empties the buffer; TXEN = 0 counts once everything has left, and only then TxD is the
+// port's again. Frames begin to leave at once. Frames come without errors: FE and UPE are 0. The
+// multi-processor mode (MPCM), the clock pin and the USART as SPI (UMSEL 3) are not modelled.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/avr/pins.h"
+
+namespace robosim::avr {
+
+class Usart final : public Peripheral {
+ public:
+  Usart(Core& core, Pins& pins, int number);
+
+  void reset(Cycle at) override;
+  void clock_runs(bool runs, Cycle at) override;
+
+  /// A frame has arrived as a whole, at `at`.
+  void receive(std::uint16_t data, Cycle at);
+
+ private:
+  struct State {
+    std::array<std::uint16_t, 3> received{};  ///< the last one of three is still in the shift register
+    std::uint8_t received_count = 0;
+    std::uint16_t last_read = 0;
+    std::uint16_t waiting_data = 0;
+    bool waiting = false;  ///< a frame waits for the shift register
+    bool shifting = false;
+    bool overrun = false;
+    bool drives = false;  ///< TxD
+    bool runs = true;
+    Cycle stopped = 0, end_due = kNoCycle;  ///< since when the clock stands, and what was due then
+    Cycle told = 0;                         ///< the frame that the surroundings know of; 0 = off
+  };
+
+  std::uint8_t read(Address address);
+  void write(Address address, std::uint8_t value);
+  void write_data(std::uint8_t value);
+  std::uint8_t read_data();
+  void write_control(std::uint8_t value);
+  void begin(std::uint16_t data, Cycle at);
+  void shifted(Cycle at);
+  void sent_entered(int vector);
+  void request();
+  void tell();
+  void drive();
+  int data_bits() const;
+  Cycle frame() const;
+
+  std::uint8_t data(Address address) const { return core_.cpu.data[address]; }
+
+  Core& core_;
+  Pins& pins_;
+  const int number_;
+  const UartSpec& spec_;
+  Address status_, control_, format_, divider_, data_;
+  int rx_pin_ = -1, tx_pin_ = -1;
+  Events::Id shifted_ = 0;
+  State state_;
+};
+
+}  // namespace robosim::avr

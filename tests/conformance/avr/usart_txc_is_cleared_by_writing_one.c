@@ -1,0 +1,16 @@
+// TXC stays until 1 is written to it; 0 leaves it.
+// Source: DS40002061B, 20.11.2
+// Expect: 60 60 20
+#include "report.h"
+
+int main(void) {
+  UCSR0B = _BV(TXEN0);
+  UDR0 = 0;
+  __builtin_avr_delay_cycles(200);
+  report(UCSR0A);
+  UCSR0A = 0;
+  report(UCSR0A);
+  UCSR0A = _BV(TXC0);
+  report(UCSR0A);
+  end_program();
+}
