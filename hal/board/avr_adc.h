@@ -1,5 +1,5 @@
 // What the registers of an AVR's analog-digital converter mean (ATmega328P, data sheet DS40002061B, chapter
-// 24). For the host target and for the emulated chip.
+// 24). For the host target and for the emulated chip. What samples a board's pins is in avr_adc_sample.h.
 //
 // A conversion takes 13 clocks of the ADC and samples after 1.5; the first one after it was switched on 12
 // more of each (table 24-1). References: AVCC is the supply; AREF, where nothing is wired to it here, the
@@ -8,8 +8,7 @@
 
 #include <stdint.h>
 
-#include "hal/board/board_spec.h"
-#include "hal/board/firmware_port.h"
+#include "hal/board/chip_spec.h"
 
 namespace robosim {
 namespace avr {
@@ -42,18 +41,17 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// Samples the channel that ADMUX selects.
-inline uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, SimTime t) {
-  const BoardSpec& spec = board.spec();
+/// The code of the channel that ADMUX selects; `pin_volts(channel)` are those at an analog input.
+template <typename PinVolts>
+uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, double supply_volts, PinVolts pin_volts) {
   const int channel = adc_channel(multiplexer);
   double volts = 0.0;
   if (channel < adc.pins) {
-    const int pin = spec.analog_pin_0 + channel;
-    if (pin < spec.pin_count) volts = board.read_volts(static_cast<Pin>(pin), t);
+    volts = pin_volts(channel);
   } else if (channel == adc.bandgap_channel) {
     volts = adc.bandgap_volts;
   }
-  return adc_code(volts, adc_reference_volts(adc, multiplexer, spec.supply_volts));
+  return adc_code(volts, adc_reference_volts(adc, multiplexer, supply_volts));
 }
 
 }  // namespace avr

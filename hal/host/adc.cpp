@@ -1,6 +1,6 @@
 #include "hal/host/adc.h"
 
-#include "hal/board/avr_adc.h"
+#include "hal/board/avr_adc_sample.h"
 #include "hal/host/clock.h"
 
 namespace robosim {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hal/board/avr_registers.h"
+#include "sim/avr/adc.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/usart.h"
 
@@ -62,6 +63,8 @@ void Chip::make_peripherals() {
     usarts_.push_back(&add(std::make_unique<Usart>(core_, pins_, number)));
     power_.supply(*usarts_.back(), Power::Clock::io, spec.reduction, spec.reduction_bit);
   }
+  const AdcSpec& adc = core_.chip.adc;
+  power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
 }
 
 void Chip::power_on() {

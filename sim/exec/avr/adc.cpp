@@ -1,6 +1,6 @@
 #include "sim/exec/avr/adc.h"
 
-#include "hal/board/avr_adc.h"
+#include "hal/board/avr_adc_sample.h"
 
 namespace robosim::exec::avr {
 Adc::Adc(Link& link) : link_(link), module_(link.chip.find_module<avr_adc_t>("adc")) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hal/board/atmega328p.h"
-#include "hal/board/avr_adc.h"
+#include "hal/board/avr_adc_sample.h"
 #include "hal/board/avr_timer.h"
 
 namespace robosim::avr {

@@ -1,0 +1,168 @@
+#include "sim/avr/adc.h"
+
+#include "hal/board/avr_adc.h"
+#include "hal/board/avr_registers.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr std::uint8_t kAden = 0x80, kAdsc = 0x40, kAdate = 0x20, kAdif = 0x10, kAdie = 0x08;
+constexpr std::uint8_t kAdcsrbBits = 0x47, kAdtsMask = 0x07, kAdmuxBits = 0xEF;
+constexpr Cycle kAutoTriggerCycles = 3;
+
+}  // namespace
+
+Adc::Adc(Core& core) : core_(core) {
+  core.cpu.on_read<&Adc::read_control>(reg::kAdcsra, this);
+  core.cpu.on_write<&Adc::write_control>(reg::kAdcsra, this);
+  core.cpu.on_read<&Adc::read_plain>(reg::kAdcsrb, this);
+  core.cpu.on_write<&Adc::write_control_b>(reg::kAdcsrb, this);
+  core.cpu.on_read<&Adc::read_plain>(reg::kAdmux, this);
+  core.cpu.on_write<&Adc::write_multiplexer>(reg::kAdmux, this);
+  core.cpu.on_read<&Adc::read_data>(reg::kAdcL, this);
+  core.cpu.on_read<&Adc::read_data>(reg::kAdcH, this);
+  core.interrupts.on_entry<&Adc::entered>(core.chip.adc.vector, this);
+  core.triggers.on_trigger<&Adc::triggered>(this);
+  sample_ = core.events.add<&Adc::sample>(this);
+  end_ = core.events.add<&Adc::end>(this);
+  core.keep(state_);
+}
+
+void Adc::reset(Cycle) {
+  state_ = {};
+  core_.triggers.await(Triggers::kNone);
+}
+
+Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.data[reg::kAdcsra])); }
+
+Cycle Adc::edge_after(Cycle cycle) const {
+  const Cycle first = state_.origin + clock() / 2;
+  return cycle < first ? first : first + ((cycle - first) / clock() + 1) * clock();
+}
+
+int Adc::trigger() const {
+  const std::uint8_t control = core_.cpu.data[reg::kAdcsra];
+  if (!(control & kAden) || !(control & kAdate)) return Triggers::kNone;
+  return core_.chip.adc.triggers[core_.cpu.data[reg::kAdcsrb] & kAdtsMask];
+}
+
+void Adc::request() {
+  const std::uint8_t control = core_.at(reg::kAdcsra);
+  core_.request(core_.chip.adc.vector, control & kAdif && control & kAdie);
+}
+
+void Adc::entered(int) {
+  core_.at(reg::kAdcsra) &= static_cast<std::uint8_t>(~kAdif);
+  request();
+}
+
+std::uint8_t Adc::read_control(Address address) {
+  if (!state_.runs) return 0;
+  return static_cast<std::uint8_t>(core_.at(address) | (state_.converting ? kAdsc : 0));
+}
+
+std::uint8_t Adc::read_plain(Address address) { return state_.runs ? core_.at(address) : std::uint8_t{0}; }
+
+std::uint8_t Adc::read_data(Address address) {
+  if (!state_.runs) return 0;
+  state_.locked = address == reg::kAdcL;
+  const std::uint16_t data = adc_data(core_.at(reg::kAdmux), state_.result);
+  return static_cast<std::uint8_t>(address == reg::kAdcL ? data : data >> 8);
+}
+
+void Adc::write_control(Address address, std::uint8_t value) {
+  if (!state_.runs) return;
+  const std::uint8_t before = core_.at(address);
+  const auto flag = static_cast<std::uint8_t>(value & kAdif ? 0 : before & kAdif);
+  core_.at(address) = static_cast<std::uint8_t>((value & ~(kAdif | kAdsc)) | flag);
+  if (!(value & kAden)) {
+    abort();
+  } else {
+    if (!(before & kAden)) {
+      state_.origin = core_.now();
+      state_.first = true;
+    }
+    if (value & kAdsc && !state_.converting) start(edge_after(core_.now()));
+  }
+  core_.triggers.await(trigger());
+  request();
+}
+
+// 24.4: the flags reach the converter by one line, whose rising edge starts it, be it by another choice.
+void Adc::write_control_b(Address address, std::uint8_t value) {
+  if (!state_.runs) return;
+  const int before = trigger();
+  const bool was_set =
+      before == Triggers::kNone ? (core_.at(reg::kAdcsra) & kAdif) != 0 : core_.triggers.await(before);
+  core_.at(address) = value & kAdcsrbBits;
+  const int now = trigger();
+  const bool is_set = core_.triggers.await(now);
+  if (now != Triggers::kNone && is_set && !was_set) triggered(core_.now());
+}
+
+void Adc::write_multiplexer(Address address, std::uint8_t value) {
+  if (!state_.runs) return;
+  core_.at(address) = value & kAdmuxBits;
+  if (state_.converting && core_.now() < state_.start) state_.multiplexer = core_.at(address);
+}
+
+void Adc::triggered(Cycle at) {
+  if (state_.converting || !state_.runs) return;
+  state_.origin = at + kAutoTriggerCycles;
+  start(edge_after(state_.origin));
+}
+
+void Adc::start(Cycle edge) {
+  state_.converting = true;
+  state_.start = edge;
+  state_.multiplexer = core_.at(reg::kAdmux);
+  const bool first = state_.first;
+  state_.first = false;
+  core_.schedule(sample_, edge + static_cast<Cycle>(adc_half_clocks_to_sample(first)) * clock() / 2);
+  core_.schedule(end_, edge + static_cast<Cycle>(adc_clocks(first)) * clock());
+}
+
+void Adc::sample(Cycle at) {
+  state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, core_.supply_volts,
+                              [&](int channel) { return core_.outside.volts(channel, at); });
+}
+
+void Adc::end(Cycle at) {
+  state_.converting = false;
+  if (!state_.locked) state_.result = state_.sampled;
+  std::uint8_t& control = core_.at(reg::kAdcsra);
+  control |= kAdif;
+  request();
+  if (control & kAdate && trigger() == Triggers::kNone) start(at);
+}
+
+void Adc::abort() {
+  state_.converting = false;
+  core_.events.cancel(sample_);
+  core_.events.cancel(end_);
+}
+
+void Adc::falls_asleep(bool adc_clock_runs, Cycle at) {
+  const std::uint8_t control = core_.at(reg::kAdcsra);
+  if (!adc_clock_runs || !state_.runs || state_.converting || !(control & kAden) || control & kAdate) return;
+  start(edge_after(at));
+}
+
+void Adc::clock_runs(bool runs, Cycle at) {
+  state_.runs = runs;
+  if (!runs) {
+    state_.stopped = at;
+    state_.sample_due = core_.events.due(sample_);
+    state_.end_due = core_.events.due(end_);
+    core_.events.cancel(sample_);
+    core_.events.cancel(end_);
+    return;
+  }
+  const Cycle stood = at - state_.stopped;
+  state_.origin += stood;
+  state_.start += stood;
+  if (state_.sample_due != kNoCycle) core_.schedule(sample_, state_.sample_due + stood);
+  if (state_.end_due != kNoCycle) core_.schedule(end_, state_.end_due + stood);
+}
+
+}  // namespace robosim::avr

@@ -1,0 +1,65 @@
+// The analog-digital converter. Data sheet DS40002061B, chapter 24; what its registers mean is
+// hal/board/avr_adc.h's. One of its clocks is P cycles (ADPS), and its prescaler counts from ADEN on, so that
+// rising edges come at
+//
+//   e = origin + P/2 + k P            origin: when ADEN was set
+//   start    the first e behind the write of ADSC; there ADMUX is taken over
+//   sample   start + 1.5 P,  13.5 P in the first conversion behind ADEN
+//   end      start + 13 P,   25 P     ADIF is set, ADSC reads 0; free running starts at once again
+//
+// An auto trigger puts origin to 3 cycles behind its flag, so that it samples 2 P later and ends 13.5 P later
+// (table 24-1). Falling asleep with the ADC's clock running starts a conversion too, where none is triggered
+// automatically (10.3, 24.6). A stopped clock (PRR, deeper sleep) holds a conversion, ADEN = 0 ends it.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/avr/core.h"
+
+namespace robosim::avr {
+
+class Adc final : public Peripheral {
+ public:
+  explicit Adc(Core& core);
+
+  void reset(Cycle at) override;
+  void clock_runs(bool runs, Cycle at) override;
+  void falls_asleep(bool adc_clock_runs, Cycle at) override;
+
+ private:
+  struct State {
+    Cycle origin = 0;                                 ///< since when the prescaler counts
+    Cycle start = 0;                                  ///< of the conversion
+    Cycle stopped = 0;                                ///< since when the clock stands
+    Cycle sample_due = kNoCycle, end_due = kNoCycle;  ///< as they were then
+    std::uint16_t sampled = 0, result = 0;
+    std::uint8_t multiplexer = 0;  ///< ADMUX, as the conversion has it
+    bool runs = true;
+    bool first = false;  ///< no conversion has begun since ADEN was set
+    bool converting = false;
+    bool locked = false;  ///< ADCL was read and ADCH not yet
+  };
+
+  std::uint8_t read_control(Address address);
+  std::uint8_t read_data(Address address);
+  std::uint8_t read_plain(Address address);
+  void write_control(Address address, std::uint8_t value);
+  void write_control_b(Address address, std::uint8_t value);
+  void write_multiplexer(Address address, std::uint8_t value);
+  void triggered(Cycle at);
+  void start(Cycle edge);
+  void sample(Cycle at);
+  void end(Cycle at);
+  void abort();
+  void entered(int vector);
+  void request();
+  int trigger() const;
+  Cycle clock() const;
+  Cycle edge_after(Cycle cycle) const;
+
+  Core& core_;
+  Events::Id sample_ = 0, end_ = 0;
+  State state_;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,22 @@
+// The first conversion behind ADEN takes 25 clocks of the ADC, from the first rising edge of its clock on, half a clock
+// behind ADEN.
+// Source: DS40002061B, 24.4, table 24-1
+// Expect: c0 90
+#include "report.h"
+
+// 1 + 25 * 2 cycles
+#define CONTROL_AFTER(cycles)                 \
+  ({                                          \
+    ADCSRA = 0;                               \
+    ADCSRA = _BV(ADIF);                       \
+    ADCSRA = _BV(ADEN) | _BV(ADSC);           \
+    __builtin_avr_delay_cycles((cycles) - 2); \
+    uint8_t control = ADCSRA;                 \
+    control;                                  \
+  })
+
+int main(void) {
+  report(CONTROL_AFTER(50));
+  report(CONTROL_AFTER(51));
+  end_program();
+}

@@ -1,0 +1,15 @@
+// Writing 1 to ADIF clears it, so reading and writing ADCSRA back does; 0 leaves it.
+// Source: DS40002061B, 24.9.2
+// Expect: 90 90 80
+#include "report.h"
+
+int main(void) {
+  ADCSRA = _BV(ADEN) | _BV(ADSC);
+  __builtin_avr_delay_cycles(60);
+  report(ADCSRA);
+  ADCSRA = _BV(ADEN);
+  report(ADCSRA);
+  ADCSRA |= 0;
+  report(ADCSRA);
+  end_program();
+}

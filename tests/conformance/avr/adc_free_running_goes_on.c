@@ -1,0 +1,28 @@
+// In free running mode a conversion follows the other without a pause, whatever ADIF is, and ADSC stays 1.
+// Source: DS40002061B, 24.3, 24.4
+// Expect: f0 e0 e0 f0
+#include "report.h"
+
+// They end at 51, 77, 103, … cycles behind ADEN. ADIF is cleared at 60.
+#define CONTROL_AT(cycle)                                       \
+  ({                                                            \
+    ADCSRA = _BV(ADIF);                                         \
+    ADCSRA = _BV(ADEN) | _BV(ADSC) | _BV(ADATE);                \
+    __builtin_avr_delay_cycles(58);                             \
+    ADCSRA = _BV(ADEN) | _BV(ADATE) | _BV(ADIF);                \
+    __builtin_avr_delay_cycles((cycle) - 60 - 2);               \
+    uint8_t control = ADCSRA;                                   \
+    ADCSRA = 0;                                                 \
+    control;                                                    \
+  })
+
+int main(void) {
+  ADCSRA = _BV(ADEN) | _BV(ADSC) | _BV(ADATE);
+  __builtin_avr_delay_cycles(70);
+  report(ADCSRA);
+  ADCSRA = 0;
+  report(CONTROL_AT(64));
+  report(CONTROL_AT(76));
+  report(CONTROL_AT(77));
+  end_program();
+}

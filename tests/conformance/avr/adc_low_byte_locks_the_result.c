@@ -1,0 +1,22 @@
+// Reading ADCL keeps both bytes until ADCH is read: a conversion that ends between is lost, the next one is not.
+// Source: DS40002061B, 24.2, 24.9.3
+// Expect: 40 38 38 00
+#include "report.h"
+
+static void convert(uint8_t channel) {
+  ADMUX = _BV(REFS0) | _BV(ADLAR) | channel;
+  ADCSRA = _BV(ADEN) | _BV(ADSC);
+  while (ADCSRA & _BV(ADSC)) {
+  }
+}
+
+int main(void) {
+  convert(14);  // 0x3840
+  report(ADCL);
+  convert(15);  // 0
+  report(ADCH);
+  report(ADCH);
+  convert(15);
+  report(ADCH);
+  end_program();
+}

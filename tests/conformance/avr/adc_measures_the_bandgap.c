@@ -1,0 +1,19 @@
+// Channel 14 is the bandgap's 1.1 V, 15 is ground: 225 of 1024 with AVCC of 5 V, full scale with the bandgap itself.
+// Source: DS40002061B, 24.7, tables 24-3 and 24-4
+// Expect: 00 e1 00 00 03 ff
+#include "report.h"
+
+static void convert(uint8_t multiplexer) {
+  ADMUX = multiplexer;
+  ADCSRA = _BV(ADEN) | _BV(ADSC);
+  while (ADCSRA & _BV(ADSC)) {
+  }
+  report_word(ADC);
+}
+
+int main(void) {
+  convert(_BV(REFS0) | 14);
+  convert(_BV(REFS0) | 15);
+  convert(_BV(REFS1) | _BV(REFS0) | 14);
+  end_program();
+}

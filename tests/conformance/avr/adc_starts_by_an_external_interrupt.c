@@ -1,0 +1,28 @@
+// A flag that is set starts a conversion: its prescaler starts anew 3 cycles behind it, and 13.5 clocks later it is done.
+// Source: DS40002061B, 24.3, 24.4, table 24-1
+// Expect: e0 b0
+#include "report.h"
+
+// INTF0 is set 2 cycles behind the edge, the prescaler starts at 5, the conversion ends at 5 + 13.5 * 2 = 32.
+#define CONTROL_AFTER(cycles)                         \
+  ({                                                  \
+    PORTD &= (uint8_t)~_BV(PORTD2);                   \
+    EIFR = _BV(INTF0);                                \
+    ADCSRA = _BV(ADEN) | _BV(ADATE) | _BV(ADIF);      \
+    PORTD |= _BV(PORTD2);                             \
+    __builtin_avr_delay_cycles((cycles) - 2);         \
+    uint8_t control = ADCSRA;                         \
+    control;                                          \
+  })
+
+int main(void) {
+  DDRD = _BV(DDD2);
+  EICRA = _BV(ISC01) | _BV(ISC00);
+  ADCSRB = _BV(ADTS1);
+  ADCSRA = _BV(ADEN) | _BV(ADSC);
+  __builtin_avr_delay_cycles(60);
+  report(CONTROL_AFTER(31));
+  __builtin_avr_delay_cycles(60);
+  report(CONTROL_AFTER(32));
+  end_program();
+}
