@@ -6,6 +6,7 @@
 
 #include "hal/board/avr_registers.h"
 #include "sim/avr/adc.h"
+#include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/usart.h"
 
@@ -65,6 +66,7 @@ void Chip::make_peripherals() {
   }
   const AdcSpec& adc = core_.chip.adc;
   power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
+  add(std::make_unique<Eeprom>(core_));
 }
 
 void Chip::power_on() {

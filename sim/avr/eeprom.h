@@ -1,0 +1,50 @@
+// The EEPROM. Data sheet DS40002061B, 8.4 and 8.6.
+//
+//   read    EERE: EEDR holds the byte at once; the processor stands for 4 cycles
+//   write   EEMPE, and within 4 cycles EEPE; the processor stands for 2 cycles, EEPE reads 1 until it is done
+//
+//   EEPM   0 erase and write, 3.4 ms      the byte becomes EEDR
+//          1 erase only, 1.8 ms           0xFF
+//          2 write only, 1.8 ms           its old value AND EEDR
+//
+// While it writes, EEAR and EEPM stay as they are, and nothing is read. EERIE requests EE_READY whenever it
+// does not write. It goes on writing through sleep and resets. It keeps its own time, whatever CLKPR says.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/avr/core.h"
+
+namespace robosim::avr {
+
+class Eeprom final : public Peripheral {
+ public:
+  explicit Eeprom(Core& core);
+
+  void reset(Cycle at) override;
+
+ private:
+  struct State {
+    Cycle unlocked_until = 0;  ///< EEMPE reads 1
+    Cycle done_at = kNoCycle;
+    std::uint8_t mode = 0;  ///< EEPM of what is being written
+    bool writing = false;
+  };
+
+  std::uint8_t read_control(Address address);
+  void write_control(Address address, std::uint8_t value);
+  void write_control_bit(Address address, std::uint8_t value, std::uint8_t bit);
+  void control(std::uint8_t value, std::uint8_t written);
+  void write_address(Address address, std::uint8_t value);
+  void begin();
+  void done(Cycle at);
+  void clock_changed(std::int64_t hz_before);
+  void request();
+  std::uint16_t address() const;
+
+  Core& core_;
+  Events::Id done_ = 0;
+  State state_;
+};
+
+}  // namespace robosim::avr

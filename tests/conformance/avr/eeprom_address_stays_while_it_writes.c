@@ -1,0 +1,21 @@
+// While a byte is written EEAR cannot be changed, and nothing is read.
+// Source: DS40002061B, 8.6.1, 8.6.3
+// Expect: 05 33 77
+#include "report.h"
+
+int main(void) {
+  EEAR = 5;
+  EEDR = 0x77;
+  EECR |= _BV(EEMPE);
+  EECR |= _BV(EEPE);
+  EEAR = 9;
+  report(EEARL);
+  EEDR = 0x33;
+  EECR |= _BV(EERE);
+  report(EEDR);
+  while (EECR & _BV(EEPE)) {
+  }
+  EECR |= _BV(EERE);
+  report(EEDR);
+  end_program();
+}

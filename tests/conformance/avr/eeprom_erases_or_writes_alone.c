@@ -1,0 +1,34 @@
+// EEPM 1 erases to 0xFF, EEPM 2 clears bits only; either takes 1.8 ms: 28800 cycles of 16 MHz.
+// Source: DS40002061B, 8.6.3, table 8-1
+// Expect: 22 20 f0 22 20 30 12 10 ff
+// Ends: 400000
+#include "report.h"
+
+static uint8_t byte(void) {
+  EEDR = 0x11;
+  EECR |= _BV(EERE);
+  return EEDR;
+}
+
+// The processor is halted for 2 of them, IN takes 1.
+#define WRITE(mode, data)               \
+  ({                                    \
+    EECR = (mode);                      \
+    EEDR = (data);                      \
+    EECR |= _BV(EEMPE);                 \
+    EECR |= _BV(EEPE);                  \
+    __builtin_avr_delay_cycles(28796);  \
+    uint8_t before = EECR;              \
+    uint8_t after = EECR;               \
+    report(before);                     \
+    report(after);                      \
+    report(byte());                     \
+  })
+
+int main(void) {
+  EEAR = 0x123;
+  WRITE(_BV(EEPM1), 0xF0);
+  WRITE(_BV(EEPM1), 0x3C);
+  WRITE(_BV(EEPM0), 0x00);
+  end_program();
+}

@@ -1,0 +1,23 @@
+// A read of the EEPROM halts the processor for 4 cycles.
+// Source: DS40002061B, 8.4
+// Expect: 20 60
+#include "report.h"
+
+// A frame of the USART takes 160 cycles: SBI 2, halted 4, LDS 2.
+#define STATUS_AFTER(cycles)                  \
+  ({                                          \
+    UCSR0A = _BV(TXC0);                       \
+    UDR0 = 0;                                 \
+    EECR |= _BV(EERE);                        \
+    __builtin_avr_delay_cycles((cycles) - 8); \
+    uint8_t status = UCSR0A;                  \
+    __builtin_avr_delay_cycles(500);          \
+    status;                                   \
+  })
+
+int main(void) {
+  UCSR0B = _BV(TXEN0);
+  report(STATUS_AFTER(159));
+  report(STATUS_AFTER(160));
+  end_program();
+}

@@ -1,0 +1,21 @@
+// EE_READY is requested whenever EERIE is set and no byte is written: not during the write, then again and again.
+// Source: DS40002061B, 8.6.3
+// Expect: 00 02
+#include "report.h"
+
+static volatile uint8_t served;
+ISR(EE_READY_vect) {
+  if (++served == 2) EECR = 0;
+}
+
+int main(void) {
+  EECR |= _BV(EEMPE);
+  EECR |= _BV(EEPE);
+  EECR |= _BV(EERIE);
+  sei();
+  __builtin_avr_delay_cycles(54000);
+  report(served);
+  __builtin_avr_delay_cycles(1000);
+  report(served);
+  end_program();
+}

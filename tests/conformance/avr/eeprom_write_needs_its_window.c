@@ -1,0 +1,35 @@
+// EEPE counts within 4 cycles of EEMPE, which reads 0 behind them; without EEMPE it does nothing.
+// Source: DS40002061B, 8.6.3
+// Expect: 00 00 02 04 00
+#include "report.h"
+
+#define WRITE_BEHIND(nops)                                                                                      \
+  ({                                                                                                            \
+    uint8_t control;                                                                                            \
+    __asm__ volatile("sbi %1, 2\n\t.rept " #nops "\n\tnop\n\t.endr\n\tsbi %1, 1\n\tnop\n\tnop\n\tnop\n\tnop\n\t" \
+                     "in %0, %1"                                                                                \
+                     : "=r"(control)                                                                            \
+                     : "I"(_SFR_IO_ADDR(EECR)));                                                                \
+    control;                                                                                                    \
+  })
+#define MASTER_BEHIND(nops)                                                             \
+  ({                                                                                    \
+    uint8_t control;                                                                    \
+    __asm__ volatile("sbi %1, 2\n\t.rept " #nops "\n\tnop\n\t.endr\n\tin %0, %1"        \
+                     : "=r"(control)                                                    \
+                     : "I"(_SFR_IO_ADDR(EECR)));                                        \
+    control;                                                                            \
+  })
+
+int main(void) {
+  EECR |= _BV(EEPE);
+  report(EECR);
+  report(WRITE_BEHIND(3));
+  report(WRITE_BEHIND(2));
+  while (EECR & _BV(EEPE)) {
+  }
+  report(MASTER_BEHIND(3));
+  NOPS(4);
+  report(MASTER_BEHIND(4));
+  end_program();
+}
