@@ -9,6 +9,7 @@
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/usart.h"
+#include "sim/avr/watchdog.h"
 
 namespace robosim::avr {
 namespace {
@@ -67,6 +68,7 @@ void Chip::make_peripherals() {
   const AdcSpec& adc = core_.chip.adc;
   power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
   add(std::make_unique<Eeprom>(core_));
+  add(std::make_unique<Watchdog>(core_));
 }
 
 void Chip::power_on() {

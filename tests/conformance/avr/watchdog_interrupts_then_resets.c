@@ -1,0 +1,17 @@
+// With WDE and WDIE the first time interrupts, which clears WDIE, and the second resets.
+// Source: DS40002061B, 11.9.2, table 11-1
+// Expect: 01 48 08 09
+// Ends: 2000000
+#include "report.h"
+
+ISR(WDT_vect) { report(WDTCSR); }
+
+int main(void) {
+  report(MCUSR);
+  if (MCUSR & _BV(WDRF)) end_program();
+  WDTCSR = _BV(WDE) | _BV(WDIE);
+  report(WDTCSR);
+  sei();
+  for (;;) {
+  }
+}

@@ -1,0 +1,17 @@
+// WDR begins the time anew.
+// Source: DS40002061B, 11.8
+// Expect: 08 08
+// Ends: 1000000
+#include "report.h"
+
+int main(void) {
+  WDTCSR = _BV(WDE);
+  __builtin_avr_delay_cycles(250000);
+  __asm__ volatile("wdr");
+  __builtin_avr_delay_cycles(250000);
+  __asm__ volatile("wdr");
+  report(WDTCSR);
+  __builtin_avr_delay_cycles(255000);
+  report(WDTCSR);
+  end_program();
+}

@@ -1,0 +1,16 @@
+// In reset mode the watchdog resets the chip, tells so by WDRF, and runs on: WDRF holds WDE.
+// Source: DS40002061B, 11.5, 11.9.1, 11.9.2
+// Expect: 01 09 08
+// Ends: 1000000
+#include "report.h"
+
+int main(void) {
+  report(MCUSR);
+  if (MCUSR & _BV(WDRF)) {
+    report(WDTCSR);
+    end_program();
+  }
+  WDTCSR = _BV(WDE);
+  for (;;) {
+  }
+}

@@ -1,0 +1,15 @@
+// With WDE and WDIE the second time resets too where the interrupt was not entered.
+// Source: DS40002061B, 11.9.2
+// Expect: 01 c8 09
+// Ends: 2000000
+#include "report.h"
+
+int main(void) {
+  report(MCUSR);
+  if (MCUSR & _BV(WDRF)) end_program();
+  WDTCSR = _BV(WDE) | _BV(WDIE);
+  __builtin_avr_delay_cycles(300000);
+  report(WDTCSR);
+  for (;;) {
+  }
+}
