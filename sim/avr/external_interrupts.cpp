@@ -63,7 +63,7 @@ void ExternalInterrupts::listen_or_not(std::size_t number) {
   if (listens == line.listening || lines_[number].pin < 0) return;
   line.listening = listens;
   pins_.listen(lines_[number].listener, listens);
-  if (listens) line.level = line.clocked_level = pins_.level(lines_[number].pin);
+  if (listens) line.level = line.clocked_level = pins_.heard_level(lines_[number].pin);
 }
 
 void ExternalInterrupts::request(std::size_t number) {

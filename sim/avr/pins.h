@@ -1,12 +1,13 @@
-// The chip's pins: ports, what else may drive a pin, and who listens to one. Data sheet DS40002061B, chapter 14.
+// The chip's pins: ports, what else may drive a pin, and who listens to one. Data sheet DS40002061B,
+// chapter 14.
 //
 //   PORTx DDRx ──► ┐
 //   timers, UARTs ─┴─► drive ──► Surroundings::driven
 //   Surroundings::level ─► synchroniser ─► PINx           own outputs come back by the same way
 //   Surroundings' edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
-// A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to PINx
-// toggles PORTx. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
+// A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to
+// PINx toggles PORTx. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
 #pragma once
 
 #include <array>
@@ -24,8 +25,8 @@ class Pins final : public Peripheral {
   void reset(Cycle at) override;
 
   // --- for peripherals that drive pins
-  /// From now on `drive` holds in place of the port's latch. `even_input`: also where DDRx says input (a UART's
-  /// transmitter); otherwise only while it says output (timers).
+  /// From now on `drive` holds in place of the port's latch. `even_input`: also where DDRx says input (a
+  /// UART's transmitter); otherwise only while it says output (timers).
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
@@ -34,17 +35,21 @@ class Pins final : public Peripheral {
     void (*call)(void* self, int pin, bool level, Cycle at) = nullptr;
     void* self = nullptr;
   };
-  /// `Method` of `owner` is called with (pin, level, cycle) whenever the level changes, while listening is on.
-  /// Returns the listener's number, for listen().
+  /// `Method` of `owner` is called with (pin, level, cycle) whenever the level changes, while listening is
+  /// on. Returns the listener's number, for listen().
   template <auto Method, typename Owner>
   int add_listener(int pin, Owner* owner) {
-    listeners_.push_back({pin, {[](void* self, int number, bool level, Cycle at) {
-                                  (static_cast<Owner*>(self)->*Method)(number, level, at);
-                                }, owner}});
+    listeners_.push_back({pin,
+                          {[](void* self, int number, bool level, Cycle at) {
+                             (static_cast<Owner*>(self)->*Method)(number, level, at);
+                           },
+                           owner}});
     if (listeners_.size() > kMostListeners) throw std::logic_error("a chip with more listeners than 64");
     return static_cast<int>(listeners_.size() - 1);
   }
   void listen(int listener, bool on);
+  /// The level of a pin that somebody listens to, as they know it.
+  bool heard_level(int pin) const { return state_.heard_level[static_cast<std::size_t>(pin)]; }
 
   /// The level of a pin now, whoever drives it.
   bool level(int pin);

@@ -34,6 +34,9 @@ class Bench final : public avr::Surroundings {
   std::map<int, double> voltages;  ///< of channels
   std::map<int, PinDrive> drives;  ///< how the chip drives its pins
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
+  std::vector<std::pair<avr::Cycle, int>> samples;        ///< channels whose voltage was asked for, and when
+  std::map<int, bool> listens_to;                         ///< pins whose edges the chip wants
+  std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< what a received frame takes, and since when
   std::vector<std::uint8_t> reported;
   bool ended = false;
   int resets = 0;
@@ -53,14 +56,18 @@ class Bench final : public avr::Surroundings {
     const auto found = levels.find(pin);
     return found == levels.end() ? pull_up : found->second;
   }
-  double volts(int channel, avr::Cycle) override {
+  double volts(int channel, avr::Cycle at) override {
+    samples.emplace_back(at, channel);
     const auto found = voltages.find(channel);
     return found == voltages.end() ? 0.0 : found->second;
   }
   void driven(int pin, const PinDrive& drive, avr::Cycle) override { drives[pin] = drive; }
-  bool wants_edges(int pin, bool, avr::Cycle at) override { return level(pin, true, at); }
+  bool wants_edges(int pin, bool wanted, avr::Cycle at) override {
+    listens_to[pin] = wanted;
+    return level(pin, true, at);
+  }
   void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
-  void listens(int, avr::Cycle, avr::Cycle) override {}
+  void listens(int, avr::Cycle frame, avr::Cycle at) override { frames.emplace_back(at, frame); }
   std::uint8_t* eeprom() override { return eeprom_.data(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override { eeprom_[address] = value; }
   void called(avr::Cycle) override {}

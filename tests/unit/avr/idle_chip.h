@@ -1,0 +1,49 @@
+// A chip whose processor waits, in an endless loop at each vector: a test writes its registers, as firmware
+// would.
+#pragma once
+
+#include <vector>
+
+#include "hal/board/atmega328p.h"
+#include "hal/board/avr_registers.h"
+#include "tests/conformance/bench.h"
+
+namespace robosim::avr {
+
+class IdleChip {
+ public:
+  void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
+  std::uint8_t read(Address address) { return bench.chip.cpu().load(address); }
+  void run(Cycle cycles) { bench.run(cycles); }
+  /// Until exactly this cycle, where the loop's two cycles allow it.
+  void run_to(Cycle cycle) { bench.chip.run_to(cycle); }
+  Cycle now() { return bench.chip.cycle(); }
+  int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }
+  void let_interrupts() { bench.chip.cpu().set_sreg(Cpu::kI); }
+  /// By SLEEP, behind which it waits in a loop again.
+  void fall_asleep() {
+    bench.chip.cpu().set_pc(kSleep);
+    run(1);
+  }
+  /// The vector whose loop it is in; 0 = none since the reset.
+  int vector() { return static_cast<int>(bench.chip.cpu().pc() / 2); }
+
+ private:
+  static constexpr std::uint32_t kSleep = 0x1000;  // in words
+
+  static std::vector<std::uint8_t> loops() {
+    std::vector<std::uint8_t> flash(kAtmega328p.flash_bytes);
+    for (std::size_t i = 0; i < flash.size(); i += 2) {
+      flash[i] = 0xFF;  // rjmp .-2
+      flash[i + 1] = 0xCF;
+    }
+    flash[2 * kSleep] = 0x88;
+    flash[2 * kSleep + 1] = 0x95;
+    return flash;
+  }
+
+ public:
+  conformance::Bench bench{kAtmega328p, loops()};
+};
+
+}  // namespace robosim::avr
