@@ -25,7 +25,8 @@ using Address = std::uint16_t;  ///< in data memory
 
 class Cpu {
  public:
-  enum Flag : std::uint8_t { kC = 1, kZ = 2, kN = 4, kV = 8, kS = 16, kH = 32, kT = 64, kI = 128 };
+  /// Bits of SREG.
+  static constexpr std::uint8_t kC = 1, kZ = 2, kN = 4, kV = 8, kS = 16, kH = 32, kT = 64, kI = 128;
 
   /// Why run() came back.
   enum class Stop : std::uint8_t {
@@ -182,6 +183,8 @@ class Cpu {
   State state;
 
  private:
+  static constexpr Address kSpl = 0x5D, kSph = 0x5E, kSreg = 0x5F;
+
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
@@ -195,6 +198,8 @@ class Cpu {
   void push_pc(std::uint32_t pc);
   std::uint32_t pop_pc();
   void leave_handler();
+  void write_bit(Address address, std::uint8_t bit, bool set);
+  void skip_if(bool taken);
 
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;

@@ -10,27 +10,35 @@
 namespace robosim::avr {
 
 // clang-format off
+/// All operations: X(name) for each.
+#define ROBOSIM_AVR_OPERATIONS(X) \
+  /* two registers: a = Rd, b = Rr */ \
+  X(add) X(adc) X(sub) X(sbc) X(and_) X(or_) X(eor) X(mov) X(cp) X(cpc) X(cpse) X(mul) X(muls) X(mulsu) \
+  X(fmul) X(fmuls) X(fmulsu) X(movw) \
+  /* a register and a constant: a = Rd, b = K */ \
+  X(subi) X(sbci) X(andi) X(ori) X(ldi) X(cpi) X(adiw) X(sbiw) \
+  /* a register: a = Rd; bld, bst: b = the bit's mask */ \
+  X(com) X(neg) X(swap) X(inc) X(asr) X(lsr) X(ror) X(dec) X(bld) X(bst) X(push) X(pop) \
+  /* data memory: a = the register, b = q, k = an address */ \
+  X(ld_x) X(ld_x_inc) X(ld_x_dec) X(ldd_y) X(ld_y_inc) X(ld_y_dec) X(ldd_z) X(ld_z_inc) X(ld_z_dec) X(lds) \
+  X(st_x) X(st_x_inc) X(st_x_dec) X(std_y) X(st_y_inc) X(st_y_dec) X(std_z) X(st_z_inc) X(st_z_dec) X(sts) \
+  /* program memory: a = the register */ \
+  X(lpm_0) X(lpm) X(lpm_inc) X(elpm_0) X(elpm) X(elpm_inc) X(spm) \
+  /* I/O: a = the register, b = the bit's mask, k = the data address */ \
+  X(in) X(out) X(sbi) X(cbi) X(sbic) X(sbis) \
+  /* jumps: k = the target's word address, or how far (signed); brbs, brbc, sbrc, sbrs: b = the bit's mask */ \
+  X(rjmp) X(rcall) X(jmp) X(call) X(ijmp) X(icall) X(eijmp) X(eicall) X(ret) X(reti) \
+  X(brbs) X(brbc) X(sbrc) X(sbrs) \
+  /* the status register: b = the bit's mask */ \
+  X(bset) X(bclr) \
+  X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
+  /* none of the chip's: a mark in front of an instruction, and what is behind the flash */ \
+  X(mark) X(outside)
+
 enum class Op : std::uint8_t {
-  // two registers: a = Rd, b = Rr
-  add, adc, sub, sbc, and_, or_, eor, mov, cp, cpc, cpse, mul, muls, mulsu, fmul, fmuls, fmulsu, movw,
-  // a register and a constant: a = Rd, b = K
-  subi, sbci, andi, ori, ldi, cpi, adiw, sbiw,
-  // a register: a = Rd
-  com, neg, swap, inc, asr, lsr, ror, dec, bld, bst, push, pop,  // bld, bst: b = the bit's mask
-  // data memory: a = the register, b = q, k = an address
-  ld_x, ld_x_inc, ld_x_dec, ldd_y, ld_y_inc, ld_y_dec, ldd_z, ld_z_inc, ld_z_dec, lds,
-  st_x, st_x_inc, st_x_dec, std_y, st_y_inc, st_y_dec, std_z, st_z_inc, st_z_dec, sts,
-  // program memory: a = the register
-  lpm_0, lpm, lpm_inc, elpm_0, elpm, elpm_inc, spm,
-  // I/O: a = the register, b = the bit's mask, k = the data address
-  in, out, sbi, cbi, sbic, sbis,
-  // jumps: k = the target's word address, or how far (signed); brbs, brbc, sbrc, sbrs: b = the bit's mask
-  rjmp, rcall, jmp, call, ijmp, icall, eijmp, eicall, ret, reti, brbs, brbc, sbrc, sbrs,
-  // the status register: b = the bit's mask
-  bset, bclr,
-  nop, sleep, wdr, break_, illegal,
-  // none of the chip's: a mark in front of an instruction, and what is behind the flash
-  mark, outside,
+#define ROBOSIM_AVR_NAME(name) name,
+  ROBOSIM_AVR_OPERATIONS(ROBOSIM_AVR_NAME)
+#undef ROBOSIM_AVR_NAME
 };
 // clang-format on
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::vector<std::uint8_t> compile(const Program& program, const std::string& chi
 /// "05 .. ff"
 std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes);
 std::string text_of(const std::vector<std::uint8_t>& bytes);
+/// For gtest.
+inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
+
 bool matches(const std::vector<std::optional<std::uint8_t>>& expected, const std::vector<std::uint8_t>& reported);
 
 }  // namespace robosim::conformance

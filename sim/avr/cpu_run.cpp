@@ -1,0 +1,505 @@
+// The interpreter's loop: each operation ends with a jump to the next one's code.
+#include <array>
+#include <bit>
+
+#include "sim/avr/cpu.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
+constexpr Address kRampz = 0x5B, kEind = 0x5C;
+
+/// Z, and S and N as they are without overflow, of each result.
+constexpr std::array<std::uint8_t, 256> signs_of_results() {
+  std::array<std::uint8_t, 256> signs{};
+  for (unsigned i = 0; i < 256; ++i) signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
+  return signs;
+}
+constexpr auto kSigns = signs_of_results();
+
+}  // namespace
+
+#if defined(__EMSCRIPTEN__)
+#define GO_TO_OPERATION(op) \
+  which = op;               \
+  goto choose
+#else
+#define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
+#endif
+// NEXT(words): the operation is done; `left` has its cycles already.
+#define DISPATCH                        \
+  if (left <= 0) [[unlikely]] goto leave; \
+  GO_TO_OPERATION(i->op)
+#define NEXT(words) \
+  i += (words);     \
+  DISPATCH
+#define OPERATION(name, cycles) \
+  L_##name : left -= (cycles);
+// From here on what the processor is holds in `state`, with the program counter behind the instruction; RESUME goes on
+// from there.
+#define PUT(words)                                               \
+  state.cycle = end - static_cast<Cycle>(left);                  \
+  state.last_pc = static_cast<std::uint32_t>(i - code);          \
+  state.pc = state.last_pc + static_cast<std::uint32_t>(words);  \
+  state.sreg = static_cast<std::uint8_t>(sreg);                  \
+  state.sp = sp
+#define RESUME goto resume
+#define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
+
+#define LOAD(to, address, words)     \
+  {                                  \
+    const Address at = (address);    \
+    if (IS_RAM(at)) [[likely]] {     \
+      r[to] = r[at];                 \
+      NEXT(words);                   \
+    }                                \
+    PUT(words);                      \
+    r[to] = load_elsewhere(at);      \
+    RESUME;                          \
+  }
+#define STORE(address, value, words)          \
+  {                                           \
+    const Address at = (address);             \
+    const std::uint8_t stored = (value);      \
+    if (IS_RAM(at)) [[likely]] {              \
+      r[at] = stored;                         \
+      NEXT(words);                            \
+    }                                         \
+    PUT(words);                               \
+    store_elsewhere(at, stored);              \
+    RESUME;                                   \
+  }
+// The return address is behind the instruction.
+#define CALL(words, target)                                                            \
+  {                                                                                    \
+    const auto back = static_cast<std::uint32_t>(i - code) + (words);                  \
+    const std::uint32_t to = (target);                                                 \
+    note_jump(back - (words));                                                         \
+    if (pc_bytes == 2 && IS_RAM(sp) && IS_RAM(sp - 1) && sp - 2 >= watch) [[likely]] { \
+      r[sp] = static_cast<std::uint8_t>(back);                                         \
+      r[sp - 1] = static_cast<std::uint8_t>(back >> 8);                                \
+      sp = static_cast<std::uint16_t>(sp - 2);                                         \
+      i = code + (to < words_of_flash ? to : words_of_flash);                          \
+      DISPATCH;                                                                        \
+    }                                                                                  \
+    PUT(words);                                                                        \
+    push_pc(back);                                                                     \
+    state.pc = to < words_of_flash ? to : words_of_flash;                              \
+    RESUME;                                                                            \
+  }
+#define JUMP(target)                                              \
+  {                                                               \
+    const std::uint32_t next = (target);                          \
+    i = code + (next < words_of_flash ? next : words_of_flash); \
+    DISPATCH;                                                     \
+  }
+#define STOP(why, words)  \
+  {                       \
+    PUT(words);           \
+    stop_ = (why);        \
+    return stop_;         \
+  }
+#define RELATIVE(k) ((static_cast<std::uint32_t>(i - code) + 1 + static_cast<std::uint32_t>(k)) & wrap)
+#define SKIP_IF(taken)              \
+  if (taken) {                      \
+    const unsigned skipped = i[1].words; \
+    left -= skipped;                \
+    NEXT(1 + skipped);              \
+  }                                 \
+  NEXT(1)
+
+Cpu::Stop Cpu::run(Cycle until) {
+  stop_ = Stop::horizon;
+  horizon_ = until;
+  state.held = false;
+
+  // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
+  std::uint8_t* const r = data.data();
+  const Instruction* const code = code_.data();
+  const auto words_of_flash = static_cast<std::uint32_t>(code_.size() - 2);
+  const std::uint32_t wrap = std::bit_ceil(words_of_flash) - 1;
+  const Address ram_begin = ram_begin_, ram_span = static_cast<Address>(last_ram_ - ram_begin_);
+  const unsigned pc_bytes = chip_.return_address_bytes;
+  const Instruction* i = nullptr;
+  Cycle end = 0;
+  std::int64_t left = 0;  // cycles to `end`
+  unsigned sreg = 0;
+  std::uint16_t sp = 0, watch = 0;
+
+#define INLINE __attribute__((always_inline))
+  const auto pair = [&](Address low) INLINE { return static_cast<std::uint16_t>(r[low] | r[low + 1] << 8); };
+  const auto set_pair = [&](Address low, unsigned value) INLINE {
+    r[low] = static_cast<std::uint8_t>(value);
+    r[low + 1] = static_cast<std::uint8_t>(value >> 8);
+  };
+  const auto sum = [&](unsigned d, unsigned s, unsigned carry) INLINE {
+    const unsigned wide = d + s + carry, result = wide & 0xFF;
+    const unsigned v = (d ^ result) & (s ^ result) & 0x80;
+    sreg = (sreg & (kI | kT)) | ((kSigns[result] | v >> 4) ^ v >> 3) | wide >> 8 | ((d ^ s ^ result) << 1 & kH);
+    return static_cast<std::uint8_t>(result);
+  };
+  // `zero`: kZ where the result alone tells whether it is zero; else what Z was.
+  const auto difference = [&](unsigned d, unsigned s, unsigned carry, unsigned zero) INLINE {
+    const unsigned wide = d - s - carry, result = wide & 0xFF;
+    const unsigned v = (d ^ s) & (d ^ result) & 0x80;
+    sreg = (sreg & (kI | kT)) | (((kSigns[result] & (zero | ~unsigned{kZ})) | v >> 4) ^ v >> 3) | (wide >> 8 & kC) |
+           ((d ^ s ^ result) << 1 & kH);
+    return static_cast<std::uint8_t>(result);
+  };
+  const auto logic = [&](unsigned result) INLINE {
+    sreg = (sreg & (kI | kT | kH | kC)) | kSigns[result];
+    return static_cast<std::uint8_t>(result);
+  };
+  const auto counted = [&](unsigned value, bool v) INLINE {
+    const unsigned result = value & 0xFF, overflow = v ? 0x80 : 0;
+    sreg = (sreg & (kI | kT | kH | kC)) | ((kSigns[result] | overflow >> 4) ^ overflow >> 3);
+    return static_cast<std::uint8_t>(result);
+  };
+  const auto shifted = [&](unsigned value, unsigned c) INLINE {
+    const unsigned result = value & 0xFF, v = (result & 0x80) ^ c << 7;
+    sreg = (sreg & (kI | kT | kH)) | ((kSigns[result] | v >> 4) ^ v >> 3) | c;
+    return static_cast<std::uint8_t>(result);
+  };
+  const auto added_word = [&](unsigned after, bool v) INLINE {
+    const bool n = after & 0x8000;
+    sreg = (sreg & (kI | kT | kH)) | ((after & 0xFFFF) == 0 ? kZ : 0u) | (n ? kN : 0u) | (v ? kV : 0u) |
+           (n != v ? kS : 0u) | (after & 0x10000 ? kC : 0u);
+  };
+  const auto product = [&](int value, int shift) INLINE {
+    const auto result = static_cast<std::uint16_t>(value << shift);
+    sreg = (sreg & ~static_cast<unsigned>(kC | kZ)) | (value & 0x8000 ? kC : 0u) | (result == 0 ? kZ : 0u);
+    set_pair(0, result);
+  };
+  const auto s8 = [&](Address at) INLINE { return static_cast<std::int8_t>(r[at]); };
+  const auto program = [&](std::uint32_t address) INLINE {
+    return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF};
+  };
+#undef INLINE
+
+#if !defined(__EMSCRIPTEN__)
+  static const void* const kLabels[] = {
+#define LABEL(name) &&L_##name,
+      ROBOSIM_AVR_OPERATIONS(LABEL)
+#undef LABEL
+  };
+#else
+  Op which = Op::nop;
+#endif
+
+resume:
+  end = horizon_;
+  left = static_cast<std::int64_t>(end - state.cycle);
+  i = code + state.pc;
+  sreg = state.sreg;
+  sp = state.sp;
+  watch = state.sp_watch;
+  DISPATCH;
+
+#if defined(__EMSCRIPTEN__)
+choose:
+  switch (which) {
+#define LABEL(name) \
+  case Op::name: goto L_##name;
+    ROBOSIM_AVR_OPERATIONS(LABEL)
+#undef LABEL
+  }
+#endif
+
+  OPERATION(nop, 1) NEXT(1);
+  OPERATION(add, 1) r[i->a] = sum(r[i->a], r[i->b], 0);
+  NEXT(1);
+  OPERATION(adc, 1) r[i->a] = sum(r[i->a], r[i->b], sreg & kC);
+  NEXT(1);
+  OPERATION(sub, 1) r[i->a] = difference(r[i->a], r[i->b], 0, kZ);
+  NEXT(1);
+  OPERATION(sbc, 1) r[i->a] = difference(r[i->a], r[i->b], sreg & kC, sreg);
+  NEXT(1);
+  OPERATION(and_, 1) r[i->a] = logic(r[i->a] & r[i->b]);
+  NEXT(1);
+  OPERATION(or_, 1) r[i->a] = logic(r[i->a] | r[i->b]);
+  NEXT(1);
+  OPERATION(eor, 1) r[i->a] = logic(r[i->a] ^ r[i->b]);
+  NEXT(1);
+  OPERATION(mov, 1) r[i->a] = r[i->b];
+  NEXT(1);
+  OPERATION(movw, 1) r[i->a] = r[i->b];
+  r[i->a + 1] = r[i->b + 1];
+  NEXT(1);
+  OPERATION(cp, 1) difference(r[i->a], r[i->b], 0, kZ);
+  NEXT(1);
+  OPERATION(cpc, 1) difference(r[i->a], r[i->b], sreg & kC, sreg);
+  NEXT(1);
+  OPERATION(cpse, 1) SKIP_IF(r[i->a] == r[i->b]);
+  OPERATION(mul, 2) product(r[i->a] * r[i->b], 0);
+  NEXT(1);
+  OPERATION(muls, 2) product(s8(i->a) * s8(i->b), 0);
+  NEXT(1);
+  OPERATION(mulsu, 2) product(s8(i->a) * r[i->b], 0);
+  NEXT(1);
+  OPERATION(fmul, 2) product(r[i->a] * r[i->b], 1);
+  NEXT(1);
+  OPERATION(fmuls, 2) product(s8(i->a) * s8(i->b), 1);
+  NEXT(1);
+  OPERATION(fmulsu, 2) product(s8(i->a) * r[i->b], 1);
+  NEXT(1);
+
+  OPERATION(subi, 1) r[i->a] = difference(r[i->a], i->b, 0, kZ);
+  NEXT(1);
+  OPERATION(sbci, 1) r[i->a] = difference(r[i->a], i->b, sreg & kC, sreg);
+  NEXT(1);
+  OPERATION(andi, 1) r[i->a] = logic(r[i->a] & i->b);
+  NEXT(1);
+  OPERATION(ori, 1) r[i->a] = logic(r[i->a] | i->b);
+  NEXT(1);
+  OPERATION(ldi, 1) r[i->a] = i->b;
+  NEXT(1);
+  OPERATION(cpi, 1) difference(r[i->a], i->b, 0, kZ);
+  NEXT(1);
+  OPERATION(adiw, 2) {
+    const unsigned before = pair(i->a), after = before + i->b;
+    set_pair(i->a, after);
+    added_word(after, ~before & after & 0x8000);
+    NEXT(1);
+  }
+  OPERATION(sbiw, 2) {
+    const unsigned before = pair(i->a), after = before - i->b;
+    set_pair(i->a, after);
+    added_word(after, before & ~after & 0x8000);
+    NEXT(1);
+  }
+
+  OPERATION(com, 1) r[i->a] = logic(~r[i->a] & 0xFFu);
+  sreg |= kC;
+  NEXT(1);
+  OPERATION(neg, 1) r[i->a] = difference(0, r[i->a], 0, kZ);
+  NEXT(1);
+  OPERATION(swap, 1) r[i->a] = static_cast<std::uint8_t>(r[i->a] << 4 | r[i->a] >> 4);
+  NEXT(1);
+  OPERATION(inc, 1) r[i->a] = counted(r[i->a] + 1u, r[i->a] == 0x7F);
+  NEXT(1);
+  OPERATION(dec, 1) r[i->a] = counted(r[i->a] - 1u, r[i->a] == 0x80);
+  NEXT(1);
+  OPERATION(asr, 1) r[i->a] = shifted(static_cast<unsigned>(s8(i->a) >> 1), r[i->a] & 1u);
+  NEXT(1);
+  OPERATION(lsr, 1) r[i->a] = shifted(r[i->a] >> 1u, r[i->a] & 1u);
+  NEXT(1);
+  OPERATION(ror, 1) r[i->a] = shifted(r[i->a] >> 1u | (sreg & kC) << 7, r[i->a] & 1u);
+  NEXT(1);
+  OPERATION(bld, 1) r[i->a] = static_cast<std::uint8_t>(sreg & kT ? r[i->a] | i->b : r[i->a] & ~i->b);
+  NEXT(1);
+  OPERATION(bst, 1) sreg = r[i->a] & i->b ? sreg | kT : sreg & ~static_cast<unsigned>(kT);
+  NEXT(1);
+
+  OPERATION(push, 2) {
+    if (IS_RAM(sp) && sp - 1 >= watch) [[likely]] {
+      r[sp] = r[i->a];
+      sp = static_cast<std::uint16_t>(sp - 1);
+      NEXT(1);
+    }
+    PUT(1);
+    push(r[i->a]);
+    RESUME;
+  }
+  OPERATION(pop, 2) {
+    sp = static_cast<std::uint16_t>(sp + 1);
+    LOAD(i->a, sp, 1);
+  }
+
+  OPERATION(ld_x, 2) LOAD(i->a, pair(kXLow), 1);
+  OPERATION(ldd_y, 2) LOAD(i->a, static_cast<Address>(pair(kYLow) + i->b), 1);
+  OPERATION(ldd_z, 2) LOAD(i->a, static_cast<Address>(pair(kZLow) + i->b), 1);
+  OPERATION(lds, 2) LOAD(i->a, static_cast<Address>(i->k), 2);
+#define LOAD_AND_STEP(low)                   \
+  {                                          \
+    const Address pointer = pair(low);       \
+    set_pair(low, pointer + 1u);             \
+    LOAD(i->a, pointer, 1);                  \
+  }
+#define STEP_AND_LOAD(low)                                    \
+  {                                                           \
+    const auto pointer = static_cast<Address>(pair(low) - 1); \
+    set_pair(low, pointer);                                   \
+    LOAD(i->a, pointer, 1);                                   \
+  }
+  OPERATION(ld_x_inc, 2) LOAD_AND_STEP(kXLow);
+  OPERATION(ld_y_inc, 2) LOAD_AND_STEP(kYLow);
+  OPERATION(ld_z_inc, 2) LOAD_AND_STEP(kZLow);
+  OPERATION(ld_x_dec, 2) STEP_AND_LOAD(kXLow);
+  OPERATION(ld_y_dec, 2) STEP_AND_LOAD(kYLow);
+  OPERATION(ld_z_dec, 2) STEP_AND_LOAD(kZLow);
+  OPERATION(st_x, 2) STORE(pair(kXLow), r[i->a], 1);
+  OPERATION(std_y, 2) STORE(static_cast<Address>(pair(kYLow) + i->b), r[i->a], 1);
+  OPERATION(std_z, 2) STORE(static_cast<Address>(pair(kZLow) + i->b), r[i->a], 1);
+  OPERATION(sts, 2) STORE(static_cast<Address>(i->k), r[i->a], 2);
+// What is stored is the register before the pointer has moved, though it may be a part of it.
+#define STORE_AND_STEP(low)                  \
+  {                                          \
+    const Address pointer = pair(low);       \
+    const std::uint8_t before = r[i->a];     \
+    set_pair(low, pointer + 1u);             \
+    STORE(pointer, before, 1);               \
+  }
+#define STEP_AND_STORE(low)                                   \
+  {                                                           \
+    const auto pointer = static_cast<Address>(pair(low) - 1); \
+    const std::uint8_t before = r[i->a];                      \
+    set_pair(low, pointer);                                   \
+    STORE(pointer, before, 1);                                \
+  }
+  OPERATION(st_x_inc, 2) STORE_AND_STEP(kXLow);
+  OPERATION(st_y_inc, 2) STORE_AND_STEP(kYLow);
+  OPERATION(st_z_inc, 2) STORE_AND_STEP(kZLow);
+  OPERATION(st_x_dec, 2) STEP_AND_STORE(kXLow);
+  OPERATION(st_y_dec, 2) STEP_AND_STORE(kYLow);
+  OPERATION(st_z_dec, 2) STEP_AND_STORE(kZLow);
+
+  OPERATION(lpm_0, 3) r[0] = program(pair(kZLow));
+  NEXT(1);
+  OPERATION(lpm, 3) r[i->a] = program(pair(kZLow));
+  NEXT(1);
+  OPERATION(lpm_inc, 3) {
+    const Address at = pair(kZLow);
+    set_pair(kZLow, at + 1u);
+    r[i->a] = program(at);
+    NEXT(1);
+  }
+#define FAR_Z (pair(kZLow) | static_cast<std::uint32_t>(r[kRampz]) << 16)
+  OPERATION(elpm_0, 3) r[0] = program(FAR_Z);
+  NEXT(1);
+  OPERATION(elpm, 3) r[i->a] = program(FAR_Z);
+  NEXT(1);
+  OPERATION(elpm_inc, 3) {
+    const std::uint32_t at = FAR_Z;
+    set_pair(kZLow, at + 1);
+    r[kRampz] = static_cast<std::uint8_t>((at + 1) >> 16);
+    r[i->a] = program(at);
+    NEXT(1);
+  }
+
+  OPERATION(in, 1) {
+    if (i->k == kSreg) {
+      r[i->a] = static_cast<std::uint8_t>(sreg);
+      NEXT(1);
+    }
+    PUT(1);
+    r[i->a] = load_elsewhere(static_cast<Address>(i->k));
+    RESUME;
+  }
+  OPERATION(out, 1) {
+    PUT(1);
+    store_elsewhere(static_cast<Address>(i->k), r[i->a]);
+    RESUME;
+  }
+  OPERATION(sbi, 2) {
+    PUT(1);
+    write_bit(static_cast<Address>(i->k), i->b, true);
+    RESUME;
+  }
+  OPERATION(cbi, 2) {
+    PUT(1);
+    write_bit(static_cast<Address>(i->k), i->b, false);
+    RESUME;
+  }
+  OPERATION(sbic, 1) {
+    PUT(1);
+    skip_if(!(load_elsewhere(static_cast<Address>(i->k)) & i->b));
+    RESUME;
+  }
+  OPERATION(sbis, 1) {
+    PUT(1);
+    skip_if(load_elsewhere(static_cast<Address>(i->k)) & i->b);
+    RESUME;
+  }
+
+  OPERATION(rjmp, 2) i = code + RELATIVE(i->k);
+  DISPATCH;
+  OPERATION(jmp, 3) JUMP(static_cast<std::uint32_t>(i->k));
+  OPERATION(ijmp, 2) JUMP(pair(kZLow));
+  OPERATION(eijmp, 2) JUMP(pair(kZLow) | static_cast<std::uint32_t>(r[kEind]) << 16);
+  OPERATION(rcall, 1 + pc_bytes) CALL(1, RELATIVE(i->k));
+  OPERATION(call, 2 + pc_bytes) CALL(2, static_cast<std::uint32_t>(i->k));
+  OPERATION(icall, 1 + pc_bytes) CALL(1, pair(kZLow));
+  OPERATION(eicall, 4) CALL(1, pair(kZLow) | static_cast<std::uint32_t>(r[kEind]) << 16);
+  OPERATION(ret, 2 + pc_bytes) {
+    note_jump(static_cast<std::uint32_t>(i - code));
+    if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2)) [[likely]] {
+      const auto to = static_cast<std::uint32_t>(r[sp + 1] << 8 | r[sp + 2]);
+      sp = static_cast<std::uint16_t>(sp + 2);
+      JUMP(to);
+    }
+    PUT(1);
+    const std::uint32_t to = pop_pc();
+    state.pc = to < words_of_flash ? to : words_of_flash;
+    RESUME;
+  }
+  OPERATION(reti, 2 + pc_bytes) {
+    note_jump(static_cast<std::uint32_t>(i - code));
+    PUT(1);
+    const std::uint32_t to = pop_pc();
+    state.pc = to < words_of_flash ? to : words_of_flash;
+    leave_handler();
+    set_sreg(static_cast<std::uint8_t>(sreg | kI));
+    RESUME;
+  }
+  OPERATION(brbs, 1) {
+    if (sreg & i->b) {
+      left -= 1;
+      i = code + RELATIVE(i->k);
+      DISPATCH;
+    }
+    NEXT(1);
+  }
+  OPERATION(brbc, 1) {
+    if (!(sreg & i->b)) {
+      left -= 1;
+      i = code + RELATIVE(i->k);
+      DISPATCH;
+    }
+    NEXT(1);
+  }
+  OPERATION(sbrc, 1) SKIP_IF(!(r[i->a] & i->b));
+  OPERATION(sbrs, 1) SKIP_IF(r[i->a] & i->b);
+
+  OPERATION(bset, 1) {
+    if (i->b == kI && !(sreg & kI)) {
+      PUT(1);
+      set_sreg(static_cast<std::uint8_t>(sreg | kI));
+      RESUME;
+    }
+    sreg |= i->b;
+    NEXT(1);
+  }
+  OPERATION(bclr, 1) sreg &= ~static_cast<unsigned>(i->b);
+  NEXT(1);
+  OPERATION(wdr, 1) {
+    PUT(1);
+    on_time();
+    on_wdr();
+    RESUME;
+  }
+  OPERATION(sleep, 1) STOP(Stop::sleep, 1);
+  OPERATION(break_, 1) STOP(Stop::break_, 1);
+  OPERATION(spm, 1) STOP(Stop::spm, 1);
+  OPERATION(mark, 0) {
+    const auto pc = static_cast<std::uint32_t>(i - code);
+    if (state.passing == pc) {
+      state.passing = ~0u;
+      GO_TO_OPERATION(original_[pc].op);
+    }
+    state.passing = pc;
+    STOP(Stop::mark, 0);
+  }
+  OPERATION(illegal, 0) STOP(Stop::illegal, 0);
+  OPERATION(outside, 0) STOP(Stop::outside, 0);
+
+leave:
+  // The program counter is at the instruction that has not run yet.
+  state.cycle = end - static_cast<Cycle>(left);
+  state.pc = static_cast<std::uint32_t>(i - code);
+  state.sreg = static_cast<std::uint8_t>(sreg);
+  state.sp = sp;
+  return stop_;
+}
+
+}  // namespace robosim::avr
