@@ -72,10 +72,14 @@ std::uint8_t Cpu::load_elsewhere(Address address) {
     return 0;
   }
   switch (address) {
-    case kSreg: return state.sreg;
-    case kSpl: return static_cast<std::uint8_t>(state.sp);
-    case kSph: return static_cast<std::uint8_t>(state.sp >> 8);
-    default: break;
+    case kSreg:
+      return state.sreg;
+    case kSpl:
+      return static_cast<std::uint8_t>(state.sp);
+    case kSph:
+      return static_cast<std::uint8_t>(state.sp >> 8);
+    default:
+      break;
   }
   touch();
   on_time();
@@ -93,14 +97,16 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
     return stop_with(Stop::bad_write);
   }
   switch (address) {
-    case kSreg: return set_sreg(value);
+    case kSreg:
+      return set_sreg(value);
     case kSpl:
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF00) | value);
       return on_sp_written();
     case kSph:
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF) | value << 8);
       return on_sp_written();
-    default: break;
+    default:
+      break;
   }
   touch();
   on_time();
@@ -163,9 +169,7 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
-void Cpu::set_mark(std::uint32_t pc, bool set) {
-  code_[pc].op = set ? Op::mark : original_[pc].op;
-}
+void Cpu::set_mark(std::uint32_t pc, bool set) { code_[pc].op = set ? Op::mark : original_[pc].op; }
 
 std::vector<std::uint32_t> Cpu::last_jumps() const {
   std::vector<std::uint32_t> jumps;

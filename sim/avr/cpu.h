@@ -1,5 +1,6 @@
 // The processor of an AVR: registers, status, program counter, memory, and a loop that runs decoded
-// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter 7.
+// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B,
+// chapter 7.
 //
 //   cycle     an instruction that begins at cycle c and takes n touches memory and registers at c + n: two IN
 //             that follow each other read one cycle apart, two LDS two
@@ -30,13 +31,13 @@ class Cpu {
 
   /// Why run() came back.
   enum class Stop : std::uint8_t {
-    horizon,      ///< the cycle was reached
-    sleep,        ///< SLEEP ran; the program counter is behind it
-    mark,         ///< the instruction at the program counter has a mark; run() again runs it
-    break_,       ///< BREAK ran
-    illegal,      ///< a reserved opcode; the program counter is at it
-    outside,      ///< the program counter is behind the flash
-    bad_read,     ///< the instruction before has touched bad_address(), which has no memory
+    horizon,   ///< the cycle was reached
+    sleep,     ///< SLEEP ran; the program counter is behind it
+    mark,      ///< the instruction at the program counter has a mark; run() again runs it
+    break_,    ///< BREAK ran
+    illegal,   ///< a reserved opcode; the program counter is at it
+    outside,   ///< the program counter is behind the flash
+    bad_read,  ///< the instruction before has touched bad_address(), which has no memory
     bad_write,
     spm,          ///< SPM ran
     interrupted,  ///< somebody called stop()
@@ -84,8 +85,8 @@ class Cpu {
   struct Hook {
     std::uint8_t (*read)(void* self, Address address) = nullptr;
     void (*write)(void* self, Address address, std::uint8_t value) = nullptr;
-    /// SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it they read
-    /// and write.
+    /// SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it they
+    /// read and write.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
     void* read_self = nullptr;
     void* write_self = nullptr;

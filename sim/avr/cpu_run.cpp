@@ -13,7 +13,8 @@ constexpr Address kRampz = 0x5B, kEind = 0x5C;
 /// Z, and S and N as they are without overflow, of each result.
 constexpr std::array<std::uint8_t, 256> signs_of_results() {
   std::array<std::uint8_t, 256> signs{};
-  for (unsigned i = 0; i < 256; ++i) signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
+  for (unsigned i = 0; i < 256; ++i)
+    signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
   return signs;
 }
 constexpr auto kSigns = signs_of_results();
@@ -28,47 +29,47 @@ constexpr auto kSigns = signs_of_results();
 #define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
 #endif
 // NEXT(words): the operation is done; `left` has its cycles already.
-#define DISPATCH                        \
-  if (left <= 0) [[unlikely]] goto leave; \
+#define DISPATCH              \
+  if (left <= 0) [[unlikely]] \
+    goto leave;               \
   GO_TO_OPERATION(i->op)
 #define NEXT(words) \
   i += (words);     \
   DISPATCH
-#define OPERATION(name, cycles) \
-  L_##name : left -= (cycles);
-// From here on what the processor is holds in `state`, with the program counter behind the instruction; RESUME goes on
-// from there.
-#define PUT(words)                                               \
-  state.cycle = end - static_cast<Cycle>(left);                  \
-  state.last_pc = static_cast<std::uint32_t>(i - code);          \
-  state.pc = state.last_pc + static_cast<std::uint32_t>(words);  \
-  state.sreg = static_cast<std::uint8_t>(sreg);                  \
+#define OPERATION(name, cycles) L_##name : left -= (cycles);
+// From here on what the processor is holds in `state`, with the program counter behind the instruction;
+// RESUME goes on from there.
+#define PUT(words)                                              \
+  state.cycle = end - static_cast<Cycle>(left);                 \
+  state.last_pc = static_cast<std::uint32_t>(i - code);         \
+  state.pc = state.last_pc + static_cast<std::uint32_t>(words); \
+  state.sreg = static_cast<std::uint8_t>(sreg);                 \
   state.sp = sp
 #define RESUME goto resume
 #define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
 
-#define LOAD(to, address, words)     \
-  {                                  \
-    const Address at = (address);    \
-    if (IS_RAM(at)) [[likely]] {     \
-      r[to] = r[at];                 \
-      NEXT(words);                   \
-    }                                \
-    PUT(words);                      \
-    r[to] = load_elsewhere(at);      \
-    RESUME;                          \
+#define LOAD(to, address, words)  \
+  {                               \
+    const Address at = (address); \
+    if (IS_RAM(at)) [[likely]] {  \
+      r[to] = r[at];              \
+      NEXT(words);                \
+    }                             \
+    PUT(words);                   \
+    r[to] = load_elsewhere(at);   \
+    RESUME;                       \
   }
-#define STORE(address, value, words)          \
-  {                                           \
-    const Address at = (address);             \
-    const std::uint8_t stored = (value);      \
-    if (IS_RAM(at)) [[likely]] {              \
-      r[at] = stored;                         \
-      NEXT(words);                            \
-    }                                         \
-    PUT(words);                               \
-    store_elsewhere(at, stored);              \
-    RESUME;                                   \
+#define STORE(address, value, words)     \
+  {                                      \
+    const Address at = (address);        \
+    const std::uint8_t stored = (value); \
+    if (IS_RAM(at)) [[likely]] {         \
+      r[at] = stored;                    \
+      NEXT(words);                       \
+    }                                    \
+    PUT(words);                          \
+    store_elsewhere(at, stored);         \
+    RESUME;                              \
   }
 // The return address is behind the instruction.
 #define CALL(words, target)                                                            \
@@ -88,25 +89,25 @@ constexpr auto kSigns = signs_of_results();
     state.pc = to < words_of_flash ? to : words_of_flash;                              \
     RESUME;                                                                            \
   }
-#define JUMP(target)                                              \
-  {                                                               \
-    const std::uint32_t next = (target);                          \
+#define JUMP(target)                                            \
+  {                                                             \
+    const std::uint32_t next = (target);                        \
     i = code + (next < words_of_flash ? next : words_of_flash); \
-    DISPATCH;                                                     \
+    DISPATCH;                                                   \
   }
-#define STOP(why, words)  \
-  {                       \
-    PUT(words);           \
-    stop_ = (why);        \
-    return stop_;         \
+#define STOP(why, words) \
+  {                      \
+    PUT(words);          \
+    stop_ = (why);       \
+    return stop_;        \
   }
 #define RELATIVE(k) ((static_cast<std::uint32_t>(i - code) + 1 + static_cast<std::uint32_t>(k)) & wrap)
-#define SKIP_IF(taken)              \
-  if (taken) {                      \
+#define SKIP_IF(taken)                   \
+  if (taken) {                           \
     const unsigned skipped = i[1].words; \
-    left -= skipped;                \
-    NEXT(1 + skipped);              \
-  }                                 \
+    left -= skipped;                     \
+    NEXT(1 + skipped);                   \
+  }                                      \
   NEXT(1)
 
 Cpu::Stop Cpu::run(Cycle until) {
@@ -136,15 +137,16 @@ Cpu::Stop Cpu::run(Cycle until) {
   const auto sum = [&](unsigned d, unsigned s, unsigned carry) INLINE {
     const unsigned wide = d + s + carry, result = wide & 0xFF;
     const unsigned v = (d ^ result) & (s ^ result) & 0x80;
-    sreg = (sreg & (kI | kT)) | ((kSigns[result] | v >> 4) ^ v >> 3) | wide >> 8 | ((d ^ s ^ result) << 1 & kH);
+    sreg =
+        (sreg & (kI | kT)) | ((kSigns[result] | v >> 4) ^ v >> 3) | wide >> 8 | ((d ^ s ^ result) << 1 & kH);
     return static_cast<std::uint8_t>(result);
   };
   // `zero`: kZ where the result alone tells whether it is zero; else what Z was.
   const auto difference = [&](unsigned d, unsigned s, unsigned carry, unsigned zero) INLINE {
     const unsigned wide = d - s - carry, result = wide & 0xFF;
     const unsigned v = (d ^ s) & (d ^ result) & 0x80;
-    sreg = (sreg & (kI | kT)) | (((kSigns[result] & (zero | ~unsigned{kZ})) | v >> 4) ^ v >> 3) | (wide >> 8 & kC) |
-           ((d ^ s ^ result) << 1 & kH);
+    sreg = (sreg & (kI | kT)) | (((kSigns[result] & (zero | ~unsigned{kZ})) | v >> 4) ^ v >> 3) |
+           (wide >> 8 & kC) | ((d ^ s ^ result) << 1 & kH);
     return static_cast<std::uint8_t>(result);
   };
   const auto logic = [&](unsigned result) INLINE {
@@ -172,9 +174,8 @@ Cpu::Stop Cpu::run(Cycle until) {
     set_pair(0, result);
   };
   const auto s8 = [&](Address at) INLINE { return static_cast<std::int8_t>(r[at]); };
-  const auto program = [&](std::uint32_t address) INLINE {
-    return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF};
-  };
+  const auto program = [&](std::uint32_t address)
+                           INLINE { return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF}; };
 #undef INLINE
 
 #if !defined(__EMSCRIPTEN__)
@@ -200,7 +201,8 @@ resume:
 choose:
   switch (which) {
 #define LABEL(name) \
-  case Op::name: goto L_##name;
+  case Op::name:    \
+    goto L_##name;
     ROBOSIM_AVR_OPERATIONS(LABEL)
 #undef LABEL
   }
@@ -310,11 +312,11 @@ choose:
   OPERATION(ldd_y, 2) LOAD(i->a, static_cast<Address>(pair(kYLow) + i->b), 1);
   OPERATION(ldd_z, 2) LOAD(i->a, static_cast<Address>(pair(kZLow) + i->b), 1);
   OPERATION(lds, 2) LOAD(i->a, static_cast<Address>(i->k), 2);
-#define LOAD_AND_STEP(low)                   \
-  {                                          \
-    const Address pointer = pair(low);       \
-    set_pair(low, pointer + 1u);             \
-    LOAD(i->a, pointer, 1);                  \
+#define LOAD_AND_STEP(low)             \
+  {                                    \
+    const Address pointer = pair(low); \
+    set_pair(low, pointer + 1u);       \
+    LOAD(i->a, pointer, 1);            \
   }
 #define STEP_AND_LOAD(low)                                    \
   {                                                           \
@@ -333,12 +335,12 @@ choose:
   OPERATION(std_z, 2) STORE(static_cast<Address>(pair(kZLow) + i->b), r[i->a], 1);
   OPERATION(sts, 2) STORE(static_cast<Address>(i->k), r[i->a], 2);
 // What is stored is the register before the pointer has moved, though it may be a part of it.
-#define STORE_AND_STEP(low)                  \
-  {                                          \
-    const Address pointer = pair(low);       \
-    const std::uint8_t before = r[i->a];     \
-    set_pair(low, pointer + 1u);             \
-    STORE(pointer, before, 1);               \
+#define STORE_AND_STEP(low)              \
+  {                                      \
+    const Address pointer = pair(low);   \
+    const std::uint8_t before = r[i->a]; \
+    set_pair(low, pointer + 1u);         \
+    STORE(pointer, before, 1);           \
   }
 #define STEP_AND_STORE(low)                                   \
   {                                                           \

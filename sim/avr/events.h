@@ -26,8 +26,8 @@ class Events {
     State() { due.fill(kNoCycle); }
   };
 
-  /// `Method` of `owner` is called with the cycle that the event was due at; the processor may be a few cycles
-  /// ahead, in the middle of an instruction.
+  /// `Method` of `owner` is called with the cycle that the event was due at; the processor may be a few
+  /// cycles ahead, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
     if (count_ == kMost) throw std::logic_error("a chip with more events than Events::kMost");

@@ -19,8 +19,8 @@ class Surroundings {
   virtual double volts(int channel, Cycle at) = 0;
   /// The chip drives a pin in another way than before.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
-  /// From now on changes of the pin's level are wanted as Chip::edge(), or no longer: changes of the level that
-  /// this returns (where they are no longer wanted, it does not matter).
+  /// From now on changes of the pin's level are wanted as Chip::edge(), or no longer: changes of the level
+  /// that this returns (where they are no longer wanted, it does not matter).
   virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
 
   // --- serial lines

@@ -1,4 +1,5 @@
-// A chip on a bench, with nothing around it but what a test sets: pins at levels, voltages, a list of what it did.
+// A chip on a bench, with nothing around it but what a test sets: pins at levels, voltages, a list of what it
+// did.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ class Bench final : public avr::Surroundings {
     chip.edge(pin, level, chip.cycle());
   }
 
-  std::map<int, bool> levels;     ///< of pins, by number; others have their pull-up's
+  std::map<int, bool> levels;      ///< of pins, by number; others have their pull-up's
   std::map<int, double> voltages;  ///< of channels
   std::map<int, PinDrive> drives;  ///< how the chip drives its pins
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
@@ -69,7 +70,9 @@ class Bench final : public avr::Surroundings {
   void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
   void listens(int, avr::Cycle frame, avr::Cycle at) override { frames.emplace_back(at, frame); }
   std::uint8_t* eeprom() override { return eeprom_.data(); }
-  void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override { eeprom_[address] = value; }
+  void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override {
+    eeprom_[address] = value;
+  }
   void called(avr::Cycle) override {}
   void clock_divided(int, avr::Cycle) override {}
   void was_reset(std::uint8_t, avr::Cycle) override { ++resets; }

@@ -17,7 +17,8 @@ namespace {
   throw std::runtime_error(file.filename().string() + ": " + what);
 }
 
-std::vector<std::optional<std::uint8_t>> bytes_of(const std::filesystem::path& file, const std::string& text) {
+std::vector<std::optional<std::uint8_t>> bytes_of(const std::filesystem::path& file,
+                                                  const std::string& text) {
   std::vector<std::optional<std::uint8_t>> bytes;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -81,22 +82,25 @@ std::vector<Program> programs_in(const std::filesystem::path& folder) {
   std::vector<Program> programs;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".c") programs.push_back(read(entry.path()));
-  std::sort(programs.begin(), programs.end(), [](const Program& a, const Program& b) { return a.name < b.name; });
+  std::sort(programs.begin(), programs.end(),
+            [](const Program& a, const Program& b) { return a.name < b.name; });
   return programs;
 }
 
 std::vector<std::uint8_t> compile(const Program& program, const std::string& chip) {
   const test::TemporaryFolder folder;
   const auto image = folder.path() / "program.elf", errors = folder.path() / "errors";
-  const std::string command = "avr-gcc -mmcu=" + chip + " -Os -std=gnu11 -Wall -Werror -o '" + image.string() + "' '" +
-                              program.file.string() + "' 2>'" + errors.string() + "'";
+  const std::string command = "avr-gcc -mmcu=" + chip + " -Os -std=gnu11 -Wall -Werror -o '" +
+                              image.string() + "' '" + program.file.string() + "' 2>'" + errors.string() +
+                              "'";
   if (std::system(command.c_str()) != 0) refuse(program.file, "does not compile: " + read_file(errors));
   const ElfFile elf(read_file(image), image.string());
   std::vector<std::uint8_t> flash;
   for (const ElfSegment& segment : elf.segments()) {
     if (segment.address >= 0x800000) continue;
     flash.resize(std::max<std::size_t>(flash.size(), segment.address + segment.bytes.size()), 0xFF);
-    std::copy(segment.bytes.begin(), segment.bytes.end(), flash.begin() + static_cast<std::ptrdiff_t>(segment.address));
+    std::copy(segment.bytes.begin(), segment.bytes.end(),
+              flash.begin() + static_cast<std::ptrdiff_t>(segment.address));
   }
   return flash;
 }
@@ -107,7 +111,8 @@ std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes) {
 
 std::string text_of(const std::vector<std::uint8_t>& bytes) { return joined(bytes, hex); }
 
-bool matches(const std::vector<std::optional<std::uint8_t>>& expected, const std::vector<std::uint8_t>& reported) {
+bool matches(const std::vector<std::optional<std::uint8_t>>& expected,
+             const std::vector<std::uint8_t>& reported) {
   return std::equal(expected.begin(), expected.end(), reported.begin(), reported.end(),
                     [](const auto& want, std::uint8_t have) { return !want || *want == have; });
 }

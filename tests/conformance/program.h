@@ -1,4 +1,5 @@
-// Programs for a chip that are judged by what they report (avr/report.h): read, compiled, and run on the core.
+// Programs for a chip that are judged by what they report (avr/report.h): read, compiled, and run on the
+// core.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,9 @@ namespace robosim::conformance {
 
 struct Program {
   std::filesystem::path file;
-  std::string name;      ///< the file's, without its ending
-  std::string sentence;  ///< what must hold
-  std::string source;    ///< "DS40002061B, 15.7.2"
+  std::string name;                                   ///< the file's, without its ending
+  std::string sentence;                               ///< what must hold
+  std::string source;                                 ///< "DS40002061B, 15.7.2"
   std::vector<std::optional<std::uint8_t>> expected;  ///< none: any
   std::uint64_t cycles = 100000;                      ///< after which it is stopped
 };
@@ -23,8 +24,8 @@ struct Program {
 /// expectation.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
 
-/// The program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with what the
-/// compiler said.
+/// The program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with what
+/// the compiler said.
 std::vector<std::uint8_t> compile(const Program& program, const std::string& chip);
 
 /// "05 .. ff"
@@ -33,6 +34,7 @@ std::string text_of(const std::vector<std::uint8_t>& bytes);
 /// For gtest.
 inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
 
-bool matches(const std::vector<std::optional<std::uint8_t>>& expected, const std::vector<std::uint8_t>& reported);
+bool matches(const std::vector<std::optional<std::uint8_t>>& expected,
+             const std::vector<std::uint8_t>& reported);
 
 }  // namespace robosim::conformance

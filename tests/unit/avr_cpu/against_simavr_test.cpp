@@ -1,8 +1,9 @@
-// Random instructions on the processor and on libsimavr's, from the same random state: afterwards program counter,
-// cycles, status, stack pointer, registers and memory are equal.
+// Random instructions on the processor and on libsimavr's, from the same random state: afterwards program
+// counter, cycles, status, stack pointer, registers and memory are equal.
 //
-// Left out is what libsimavr 1.6 does otherwise than the chip, or not at all: SPM, SLEEP, BREAK; I/O, which is not the
-// processor's; LPM into its own pointer, which the manual leaves undefined; jumps out of the flash.
+// Left out is what libsimavr 1.6 does otherwise than the chip, or not at all: SPM, SLEEP, BREAK; I/O, which
+// is not the processor's; LPM into its own pointer, which the manual leaves undefined; jumps out of the
+// flash.
 extern "C" {
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
@@ -42,9 +43,12 @@ bool is_compared(const Instruction& i) {
     case Op::elpm_0:
     case Op::elpm_inc:
     case Op::eijmp:
-    case Op::eicall: return false;
-    case Op::lpm_inc: return i.a != 30 && i.a != 31;
-    default: return true;
+    case Op::eicall:
+      return false;
+    case Op::lpm_inc:
+      return i.a != 30 && i.a != 31;
+    default:
+      return true;
   }
 }
 
@@ -112,14 +116,17 @@ class Pair {
     const avr_flashaddr_t their_pc = avr_run_one(theirs_.get());
     if (ours.run(1001) == Cpu::Stop::outside || ours.pc() >= kFlash / 2) return false;
     std::uint8_t their_status = 0;
-    for (int bit = 0; bit < 8; ++bit) their_status |= static_cast<std::uint8_t>((theirs_->sreg[bit] ? 1 : 0) << bit);
-    SCOPED_TRACE(testing::Message() << std::hex << "opcode " << word << " " << next << ", SREG before " << int{status});
+    for (int bit = 0; bit < 8; ++bit)
+      their_status |= static_cast<std::uint8_t>((theirs_->sreg[bit] ? 1 : 0) << bit);
+    SCOPED_TRACE(testing::Message() << std::hex << "opcode " << word << " " << next << ", SREG before "
+                                    << int{status});
     EXPECT_EQ(2 * ours.pc(), their_pc);
     EXPECT_EQ(ours.cycle(), theirs_->cycle);
     EXPECT_EQ(int{ours.sreg()}, int{their_status});
     EXPECT_EQ(ours.sp(), theirs_->data[R_SPL] | theirs_->data[R_SPH] << 8);
     EXPECT_EQ(0, std::memcmp(ours.data.data(), theirs_->data, 32)) << "registers";
-    EXPECT_EQ(0, std::memcmp(ours.data.data() + kFirstRam, theirs_->data + kFirstRam, kLastRam + 1u - kFirstRam))
+    EXPECT_EQ(0,
+              std::memcmp(ours.data.data() + kFirstRam, theirs_->data + kFirstRam, kLastRam + 1u - kFirstRam))
         << "memory";
     return true;
   }
