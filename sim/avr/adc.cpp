@@ -151,18 +151,15 @@ void Adc::falls_asleep(bool adc_clock_runs, Cycle at) {
 void Adc::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
   if (!runs) {
-    state_.stopped = at;
-    state_.sample_due = core_.events.due(sample_);
-    state_.end_due = core_.events.due(end_);
-    core_.events.cancel(sample_);
-    core_.events.cancel(end_);
+    core_.hold(sample_, state_.held_sample, at);
+    core_.hold(end_, state_.held_end, at);
     return;
   }
-  const Cycle stood = at - state_.stopped;
+  const Cycle stood = at - state_.held_end.since;
   state_.origin += stood;
   state_.start += stood;
-  if (state_.sample_due != kNoCycle) core_.schedule(sample_, state_.sample_due + stood);
-  if (state_.end_due != kNoCycle) core_.schedule(end_, state_.end_due + stood);
+  core_.go_on(sample_, state_.held_sample, at);
+  core_.go_on(end_, state_.held_end, at);
 }
 
 }  // namespace robosim::avr

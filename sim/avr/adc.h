@@ -28,10 +28,9 @@ class Adc final : public Peripheral {
 
  private:
   struct State {
-    Cycle origin = 0;                                 ///< since when the prescaler counts
-    Cycle start = 0;                                  ///< of the conversion
-    Cycle stopped = 0;                                ///< since when the clock stands
-    Cycle sample_due = kNoCycle, end_due = kNoCycle;  ///< as they were then
+    Cycle origin = 0;  ///< since when the prescaler counts
+    Cycle start = 0;   ///< of the conversion
+    Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
     std::uint8_t multiplexer = 0;  ///< ADMUX, as the conversion has it
     bool runs = true;

@@ -54,6 +54,7 @@ struct Core {
     keep(interrupts.state);
     keep(triggers.state);
     keep(clock_hz);
+    keep(reset_may_come);
   }
 
   Cycle now() const { return cpu.cycle(); }
@@ -63,6 +64,19 @@ struct Core {
   void schedule(Events::Id id, Cycle cycle) {
     events.schedule(id, cycle);
     cpu.look_up();
+  }
+  /// When the clock stopped that an event waits for, and when it was due.
+  struct Held {
+    Cycle since = 0, due = kNoCycle;
+  };
+  /// An event does not come while its peripheral's clock stands still, and comes so much later when it goes
+  /// on.
+  void hold(Events::Id id, Held& held, Cycle at) {
+    held = {at, events.due(id)};
+    events.cancel(id);
+  }
+  void go_on(Events::Id id, const Held& held, Cycle at) {
+    if (held.due != kNoCycle) schedule(id, held.due + (at - held.since));
   }
   void request(int vector, bool requested) {
     interrupts.request(vector, requested);

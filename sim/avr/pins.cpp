@@ -45,6 +45,12 @@ int Pins::at(char letter, int bit) const {
   return -1;
 }
 
+int Pins::named(std::string_view name) const {
+  for (int pin = 0; pin < core_.chip.pin_count; ++pin)
+    if (name == core_.chip.pins[pin].name) return pin;
+  return -1;
+}
+
 bool Pins::is_output(int pin) const {
   const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
   if (taken.taken && taken.even_input) return taken.drive.mode == PinMode::output;
@@ -66,8 +72,8 @@ bool Pins::level(int pin) {
   return core_.outside.level(pin, pull_up, core_.now());
 }
 
-// Which bits of PINx the instruction that reads it looks at: a sensor's answer may be costly, and may use up a
-// sample of its noise.
+// Which bits of PINx the instruction that reads it looks at: a sensor's answer may be costly, and may use up
+// a sample of its noise.
 std::uint8_t Pins::asked_bits() const {
   const std::uint32_t pc = core_.cpu.last_pc();
   const Instruction& reads = core_.cpu.instruction(pc);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "sim/avr/core.h"
@@ -62,6 +63,8 @@ class Pins final : public Peripheral {
 
   /// The chip's pin at a bit of a port, by its letter; -1 = none.
   int at(char port, int bit) const;
+  /// The same by the data sheet's name for it.
+  int named(std::string_view name) const;
 
  private:
   static constexpr std::size_t kMostListeners = 64, kMostPorts = 16, kMostPins = 100;

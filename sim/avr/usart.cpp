@@ -1,7 +1,6 @@
 #include "sim/avr/usart.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace robosim::avr {
 namespace {
@@ -18,12 +17,6 @@ constexpr std::uint8_t kUcsrcAtReset = 0x06;
 constexpr std::uint8_t kUbrrHighBits = 0x0F;
 constexpr std::uint16_t kNinthBit = 0x100;
 
-int pin_named(const ChipSpec& chip, std::string_view name) {
-  for (int pin = 0; pin < chip.pin_count; ++pin)
-    if (name == chip.pins[pin].name) return pin;
-  return -1;
-}
-
 }  // namespace
 
 Usart::Usart(Core& core, Pins& pins, int number)
@@ -36,8 +29,8 @@ Usart::Usart(Core& core, Pins& pins, int number)
       format_(static_cast<Address>(status_ + 2)),
       divider_(spec_.divider),
       data_(spec_.data),
-      rx_pin_(pin_named(core.chip, spec_.rx)),
-      tx_pin_(pin_named(core.chip, spec_.tx)) {
+      rx_pin_(pins.named(spec_.rx)),
+      tx_pin_(pins.named(spec_.tx)) {
   for (const Address address :
        {status_, control_, format_, divider_, static_cast<Address>(divider_ + 1), data_}) {
     core.cpu.on_read<&Usart::read>(address, this);
@@ -194,12 +187,10 @@ void Usart::receive(std::uint16_t frame_data, Cycle) {
 
 void Usart::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
-  if (!runs) {
-    state_.stopped = at;
-    state_.end_due = core_.events.due(shifted_);
-    core_.events.cancel(shifted_);
-  } else if (state_.end_due != kNoCycle) {
-    core_.schedule(shifted_, state_.end_due + (at - state_.stopped));
+  if (runs) {
+    core_.go_on(shifted_, state_.held, at);
+  } else {
+    core_.hold(shifted_, state_.held, at);
   }
   tell();
 }

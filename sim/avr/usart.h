@@ -41,8 +41,8 @@ class Usart final : public Peripheral {
     bool overrun = false;
     bool drives = false;  ///< TxD
     bool runs = true;
-    Cycle stopped = 0, end_due = kNoCycle;  ///< since when the clock stands, and what was due then
-    Cycle told = 0;                         ///< the frame that the surroundings know of; 0 = off
+    Core::Held held;
+    Cycle told = 0;  ///< the frame that the surroundings know of; 0 = off
   };
 
   std::uint8_t read(Address address);

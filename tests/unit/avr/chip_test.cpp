@@ -1,0 +1,94 @@
+// A chip as a whole: snapshots, resets.
+#include <gtest/gtest.h>
+
+#include "tests/unit/avr/idle_chip.h"
+
+namespace robosim::avr {
+namespace {
+
+class ChipTest : public testing::Test, protected IdleChip {
+ protected:
+  /// Everything at once is under way.
+  void begin_everything() {
+    write(reg::kAdcsra, 0xEF);  // free running, with its interrupt
+    write(0xC1, 0x58);          // USART: both ways, with TXCIE
+    write(0xC6, 0x55);
+    write(0xC6, 0xAA);
+    write(reg::kEedr, 0x12);
+    write(reg::kEecr, 0x04);
+    write(reg::kEecr, 0x02);
+    write(reg::kWdtcsr, 0x40);
+    write(0x24, 0x2C);  // DDRB: SS, MOSI, SCK
+    write(0x4C, 0xD3);  // SPI
+    write(0x4E, 0x99);
+    write(0xBC, 0xA5);  // TWI: START
+    write(reg::kEicra, 0x05);
+    write(reg::kPcmsk2, 0x0C);
+    write(reg::kPcicr, 0x04);
+    bench.chip.receive(0, 0x77, now());
+  }
+  std::vector<std::uint8_t> registers() {
+    std::vector<std::uint8_t> values;
+    for (Address address = reg::kFirstIo; address < 0x100; ++address) values.push_back(read(address));
+    return values;
+  }
+};
+
+TEST_F(ChipTest, ARestoredOneRunsOnAsBefore) {
+  begin_everything();
+  run(100);
+  const auto snapshot = bench.chip.snapshot();
+  const auto go_on = [&] {
+    bench.samples.clear();
+    bench.sent_bytes.clear();
+    let_interrupts();
+    bench.set_level(pin('D', 2), true);
+    run(300000);
+    return registers();
+  };
+  const auto once = go_on();
+  const Cycle end = now();
+  const auto samples = bench.samples;
+  const auto sent = bench.sent_bytes;
+  ASSERT_FALSE(samples.empty());
+  ASSERT_FALSE(sent.empty());
+  bench.set_level(pin('D', 2), false);
+  bench.chip.restore(snapshot);
+  EXPECT_EQ(go_on(), once);
+  EXPECT_EQ(now(), end);
+  EXPECT_EQ(bench.samples, samples);
+  EXPECT_EQ(bench.sent_bytes, sent);
+}
+
+TEST_F(ChipTest, AResetLeavesItAsAfterPowerOn) {
+  run(10);
+  const auto fresh = registers();
+  begin_everything();
+  run(60000);
+  bench.chip.reset(0x02);
+  auto again = registers();
+  EXPECT_EQ(again[reg::kMcusr - reg::kFirstIo], 0x03);
+  again[reg::kMcusr - reg::kFirstIo] = fresh[reg::kMcusr - reg::kFirstIo];
+  EXPECT_EQ(again, fresh);
+  EXPECT_EQ(bench.chip.core().interrupts.state, 0u);
+  EXPECT_EQ(bench.chip.core().events.next(), kNoCycle);
+}
+
+TEST_F(ChipTest, AResetDoesNotEndAWriteOfTheEeprom) {
+  write(reg::kEedr, 0x12);
+  write(reg::kEecr, 0x04);
+  write(reg::kEecr, 0x02);
+  bench.chip.reset(0x02);
+  run(54000);
+  EXPECT_EQ(read(reg::kEecr), 0x02);
+  run(1000);
+  EXPECT_EQ(read(reg::kEecr), 0x00);
+}
+
+TEST_F(ChipTest, AnIdleOneHasNothingToDo) {
+  run(1000);
+  EXPECT_EQ(bench.chip.core().events.next(), kNoCycle);
+}
+
+}  // namespace
+}  // namespace robosim::avr
