@@ -78,6 +78,8 @@ constexpr ChipSpec kAtmega328p = {
             .triggers = {0, 23, 1, 14, 16, 12, 13, 10},  // table 24-6
             .reduction = 0x64,
             .reduction_bit = 0},
+    .spi = {0x4C, 17, "PB2", "PB3", "PB4", "PB5", 0x64, 2},  // 19
+    .twi = {0xB8, 24, "PC4", "PC5", 0x64, 7},                // 21
 };
 
 }  // namespace robosim

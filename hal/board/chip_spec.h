@@ -59,9 +59,30 @@ struct AdcSpec {
   double bandgap_volts;    ///< the internal reference; 0 = none
   int8_t bandgap_channel;  ///< that measures it; -1 = none
   uint8_t vector;
-  uint8_t triggers[8] = {};  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
-  uint16_t reduction = 0;     ///< address of PRR
+  uint8_t triggers[8] =
+      {};                  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
+  uint16_t reduction = 0;  ///< address of PRR
   int8_t reduction_bit = -1;  ///< that stops it there
+};
+
+struct SpiSpec {
+  uint16_t address = 0;  ///< of an AVR's SPCR, which SPSR and SPDR follow; 0 = none that we know
+  uint8_t vector = 0;
+  const char* select = "";  ///< pins: SS, MOSI, MISO, SCK
+  const char* out = "";
+  const char* in = "";
+  const char* clock = "";
+  uint16_t reduction = 0;
+  int8_t reduction_bit = -1;
+};
+
+struct TwiSpec {
+  uint16_t address = 0;  ///< of an AVR's TWBR, which TWSR, TWAR, TWDR and TWCR follow; 0 = none that we know
+  uint8_t vector = 0;
+  const char* data = "";  ///< pins: SDA, SCL
+  const char* clock = "";
+  uint16_t reduction = 0;
+  int8_t reduction_bit = -1;
 };
 
 struct ChipSpec {
@@ -99,6 +120,8 @@ struct ChipSpec {
   const UartSpec* uarts;
   uint8_t uart_count;
   AdcSpec adc;
+  SpiSpec spi = {};
+  TwiSpec twi = {};
 };
 
 constexpr uint32_t ram_end(const ChipSpec& chip) { return chip.ram_address + chip.ram_bytes; }

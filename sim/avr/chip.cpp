@@ -8,6 +8,8 @@
 #include "sim/avr/adc.h"
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
+#include "sim/avr/spi.h"
+#include "sim/avr/twi.h"
 #include "sim/avr/usart.h"
 #include "sim/avr/watchdog.h"
 
@@ -67,6 +69,12 @@ void Chip::make_peripherals() {
   }
   const AdcSpec& adc = core_.chip.adc;
   power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
+  if (const SpiSpec& spi = core_.chip.spi; spi.address)
+    power_.supply(add(std::make_unique<Spi>(core_, pins_)), Power::Clock::io, spi.reduction,
+                  spi.reduction_bit);
+  if (const TwiSpec& twi = core_.chip.twi; twi.address)
+    power_.supply(add(std::make_unique<Twi>(core_, pins_)), Power::Clock::io, twi.reduction,
+                  twi.reduction_bit);
   add(std::make_unique<Eeprom>(core_));
   add(std::make_unique<Watchdog>(core_));
 }

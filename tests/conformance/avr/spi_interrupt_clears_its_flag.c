@@ -1,0 +1,20 @@
+// SPIF that was set before SPIE requests its interrupt when SPIE comes; entering it clears SPIF.
+// Source: DS40002061B, 19.5.2
+// Expect: 01 00
+#include "report.h"
+
+static volatile uint8_t served;
+ISR(SPI_STC_vect) { ++served; }
+
+int main(void) {
+  DDRB = _BV(DDB2) | _BV(DDB3) | _BV(DDB5);
+  sei();
+  SPCR = _BV(SPE) | _BV(MSTR);
+  SPDR = 1;
+  NOPS(40);
+  SPCR = _BV(SPE) | _BV(MSTR) | _BV(SPIE);
+  NOPS(4);
+  report(served);
+  report(SPSR);
+  end_program();
+}

@@ -1,0 +1,17 @@
+// TWDR that is written while TWINT is 0 keeps its value and sets TWWC, until it is written while TWINT is 1.
+// Source: DS40002061B, 21.9.2
+// Expect: ff 08 55 a4
+#include "report.h"
+
+int main(void) {
+  TWDR = 0x55;
+  report(TWDR);
+  report(TWCR);
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTA);
+  while (!(TWCR & _BV(TWINT))) {
+  }
+  TWDR = 0x55;
+  report(TWDR);
+  report(TWCR);
+  end_program();
+}

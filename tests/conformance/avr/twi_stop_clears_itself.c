@@ -1,0 +1,20 @@
+// TWSTO reads 0 when STOP has left; TWINT is not set by it, and the next START is a first one.
+// Source: DS40002061B, 21.9.2
+// Expect: 14 04 f8 08
+#include "report.h"
+
+int main(void) {
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTA);
+  while (!(TWCR & _BV(TWINT))) {
+  }
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
+  report(TWCR);
+  NOPS(20);
+  report(TWCR);
+  report(TWSR);
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTA);
+  while (!(TWCR & _BV(TWINT))) {
+  }
+  report(TWSR);
+  end_program();
+}
