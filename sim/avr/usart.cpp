@@ -1,6 +1,7 @@
 #include "sim/avr/usart.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace robosim::avr {
 namespace {
@@ -128,6 +129,8 @@ void Usart::write_control(std::uint8_t value) {
     state_.received_count = 0;
     state_.overrun = false;
   }
+  if (value & kTxen && std::exchange(state_.early, false) && !state_.shifting)
+    begin(state_.waiting_data, core_.now());
   drive();
   request();
   tell();
@@ -147,8 +150,13 @@ void Usart::drive() {
 }
 
 void Usart::write_data(std::uint8_t value) {
-  if (!(data(control_) & kTxen) || state_.waiting) return;
+  if (state_.waiting) return;
   const auto frame_data = static_cast<std::uint16_t>(value | (data(control_) & kTxb8 ? kNinthBit : 0));
+  if (!(data(control_) & kTxen)) {
+    state_.early = true;
+    state_.waiting_data = frame_data;
+    return;
+  }
   if (!state_.shifting) return begin(frame_data, core_.now());
   state_.waiting = true;
   state_.waiting_data = frame_data;

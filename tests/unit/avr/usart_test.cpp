@@ -94,6 +94,18 @@ TEST_F(UsartTest, SendsTheNinthBitOfItsControlRegister) {
   EXPECT_THAT(bench.sent_bytes, ElementsAre(Pair(0, 0x112), Pair(176, 0x034)));
 }
 
+TEST_F(UsartTest, SendsTheLastByteThatWasWrittenBeforeItsTransmitterWasOn) {
+  write(kData, 1);
+  write(kData, 2);
+  EXPECT_EQ(read(kStatus), kEmpty);
+  run(500);
+  EXPECT_TRUE(bench.sent_bytes.empty());
+  const Cycle on = now();
+  write(kControl, kTransmitter);
+  run(500);
+  EXPECT_THAT(bench.sent_bytes, ElementsAre(Pair(on, 2)));
+}
+
 TEST_F(UsartTest, TellsWhatAFrameTakes) {
   write(kDivider, 103);
   EXPECT_TRUE(bench.frames.empty());
