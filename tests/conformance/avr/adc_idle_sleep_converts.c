@@ -1,0 +1,19 @@
+// Falling asleep in idle mode starts a conversion too, with or without its interrupt.
+// Source: DS40002061B, 10.3, 24.6
+// Expect: c7 97
+#include "report.h"
+
+ISR(USART_TX_vect) {}
+
+int main(void) {
+  ADCSRA = _BV(ADEN) | 7;
+  UCSR0B = _BV(TXEN0) | _BV(TXCIE0);
+  SMCR = _BV(SE);
+  sei();
+  UDR0 = 0;
+  __asm__ volatile("sleep");
+  report(ADCSRA);
+  __builtin_avr_delay_cycles(26 * 128);
+  report(ADCSRA);
+  end_program();
+}
