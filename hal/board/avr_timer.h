@@ -6,7 +6,8 @@
 //   period     TOP + 1 ticks, or 2 TOP where it counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
-//   COM = 1             toggles at each match: half the time high, a match a period
+//   COM = 1             toggles at each match: half the time high, a match a period; in PWM modes only
+//                       OCnA, and only where TOP can be set (not by ICRn in the two that count up and down)
 #pragma once
 
 #include <stdint.h>
@@ -30,7 +31,8 @@ struct Counting {
   Kind kind = Kind::normal;
   bool dual_slope = false;  ///< up and down: phase correct, phase and frequency correct
   Top top = Top::fixed;
-  uint16_t fixed_top = 0xFF;  ///< where `top` is fixed
+  uint16_t fixed_top = 0xFF;       ///< where `top` is fixed
+  bool frequency_correct = false;  ///< of dual slope: OCRnx is taken over at BOTTOM, not at TOP
 };
 
 /// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal.
@@ -53,8 +55,8 @@ constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t c
                                     {Kind::pwm, false, Top::fixed, 0xFF},
                                     {Kind::pwm, false, Top::fixed, 0x1FF},
                                     {Kind::pwm, false, Top::fixed, 0x3FF},
-                                    {Kind::pwm, true, Top::capture, 0xFFFF},
-                                    {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                    {Kind::pwm, true, Top::capture, 0xFFFF, true},
+                                    {Kind::pwm, true, Top::compare_a, 0xFFFF, true},
                                     {Kind::pwm, true, Top::capture, 0xFFFF},
                                     {Kind::pwm, true, Top::compare_a, 0xFFFF},
                                     {Kind::clear_on_match, false, Top::capture, 0xFFFF},
@@ -82,6 +84,15 @@ constexpr uint8_t connection(uint8_t control_a, int channel) {
   return control_a >> (channel == 0 ? 6 : 4) & 3;
 }
 
+/// Whether COM of a channel gives its pin to the timer, which takes it while DDRx says output: COM = 1 does
+/// not in every PWM mode.
+constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
+  return com != 1 ? com != 0
+                  : how.kind != Counting::Kind::pwm ||
+                        (channel == 0 && (how.top == Counting::Top::compare_a ||
+                                          (how.top == Counting::Top::capture && !how.dual_slope)));
+}
+
 /// How a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that channel's
 /// OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
 inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,
@@ -90,10 +101,9 @@ inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top,
   drive.mode = PinMode::output;
   if (prescaler == 0) return drive;
   if (com == 1) {
-    const int64_t count = how.dual_slope ? (top > 0 ? top : 1) : top + 1;
     drive.pwm = true;
     drive.duty = 0.5;
-    drive.tone_hz = static_cast<uint32_t>(clock_hz / (2 * prescaler * count));
+    drive.tone_hz = static_cast<uint32_t>(clock_hz / (2 * prescaler * period_of(how, top)));
     return drive;
   }
   if (how.kind != Counting::Kind::pwm) {

@@ -40,6 +40,11 @@ struct TimerSpec {
   uint16_t enables;        ///< address of TIMSKn
   uint16_t prescalers[8];  ///< by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
   uint8_t vector;          ///< of compare A, which compare B and the overflow follow; an STM32's update
+  // Of an AVR's:
+  uint16_t flags = 0;          ///< address of TIFRn
+  bool own_prescaler = false;  ///< it shares none with the others
+  uint16_t reduction = 0;      ///< address of PRR
+  int8_t reduction_bit = -1;   ///< that stops it there
 };
 
 struct UartSpec {

@@ -108,6 +108,19 @@ TEST(AvrTimer, AToggledPinHasTheFrequencyOfTheDataSheetsFormula) {
   const PinDrive tone = driven(2, 0x42, 4, 141, 0);
   EXPECT_EQ(tone.tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(tone.duty, 0.5);
+  // One match, at TOP, in 2 TOP ticks.
+  EXPECT_EQ(driven(2, 0x41, 0x0C, 100, 0).tone_hz, 16'000'000u / (2 * 64 * 200));
+}
+
+TEST(AvrTimer, InPwmModesOnlyChannelAIsToggledAndOnlyWhereTopCanBeSet) {
+  EXPECT_TRUE(drives_pin(counting(kTimers[0], 0, 0), 1, 1));
+  EXPECT_FALSE(drives_pin(counting(kTimers[0], 3, 0), 1, 0));
+  EXPECT_TRUE(drives_pin(counting(kTimers[0], 3, 8), 1, 0));
+  EXPECT_FALSE(drives_pin(counting(kTimers[0], 3, 8), 1, 1));
+  EXPECT_TRUE(drives_pin(counting(kTimers[1], 2, 0x18), 1, 0)) << "mode 14";
+  EXPECT_FALSE(drives_pin(counting(kTimers[1], 2, 0x10), 1, 0)) << "mode 10";
+  EXPECT_TRUE(drives_pin(counting(kTimers[0], 3, 0), 2, 1));
+  EXPECT_FALSE(drives_pin(counting(kTimers[0], 3, 0), 0, 1));
 }
 
 TEST(AvrTimer, WhatStandsStillOrComparesWithoutPwmHoldsItsPin) {

@@ -104,6 +104,9 @@ TEST(Chips, TheAtmega328pIsAvrLibcs) {
     EXPECT_EQ(timer.compare[1], number("OCR" + n + "B"));
     EXPECT_EQ(timer.enables, number("TIMSK" + n));
     EXPECT_EQ(timer.vector, number("TIMER" + n + "_COMPA_vect_num"));
+    EXPECT_EQ(timer.flags, number("TIFR" + n));
+    EXPECT_EQ(timer.reduction, number("PRR"));
+    EXPECT_EQ(timer.reduction_bit, number("PRTIM" + n));
     if (timer.capture) {
       EXPECT_EQ(timer.capture, number("ICR" + n));
     }
