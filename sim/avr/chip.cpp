@@ -9,6 +9,7 @@
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/spi.h"
+#include "sim/avr/timer.h"
 #include "sim/avr/twi.h"
 #include "sim/avr/usart.h"
 #include "sim/avr/watchdog.h"
@@ -62,6 +63,13 @@ void Chip::make_peripherals() {
     return peripheral;
   };
   power_.supply(add(std::make_unique<ExternalInterrupts>(core_, pins_)), Power::Clock::io, 0, -1);
+  Prescalers& prescalers = add(std::make_unique<Prescalers>(core_));
+  power_.supply(prescalers, Power::Clock::io, 0, -1);
+  for (int index = 0; index < core_.chip.timer_count; ++index) {
+    const TimerSpec& spec = core_.chip.timers[index];
+    power_.supply(add(std::make_unique<Timer>(core_, pins_, prescalers, index)), Power::Clock::io,
+                  spec.reduction, spec.reduction_bit);
+  }
   for (int number = 0; number < core_.chip.uart_count; ++number) {
     const UartSpec& spec = core_.chip.uarts[number];
     usarts_.push_back(&add(std::make_unique<Usart>(core_, pins_, number)));

@@ -1,0 +1,202 @@
+#include "sim/avr/timer.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace robosim::avr {
+
+Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
+    : core_(core), pins_(pins), prescalers_(prescalers), spec_(core.chip.timers[index]) {
+  hook_registers();
+  for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB, Counter::kTop}) {
+    if (flag == kCaptured && !spec_.capture) continue;
+    core.interrupts.on_entry<&Timer::entered>(vector_of(flag), this);
+    core.triggers.offer<&Timer::awaited>(vector_of(flag), this);
+  }
+  for (int pin = 0; pin < core.chip.pin_count; ++pin) {
+    const ChipPin& place = core.chip.pins[pin];
+    if (place.timer == index) output_pins_[place.output] = pin;
+    if (place.counted_by == index) pulse_listener_ = pins.add_listener<&Timer::pulsed>(pin, this);
+    if (place.captured_by != index) continue;
+    capture_listener_ = pins.add_listener<&Timer::captured>(pin, this);
+    capture_pin_ = pin;
+  }
+  core.on_clock_change<&Timer::clock_changed>(this);
+  due_ = core.events.add<&Timer::due>(this);
+  prescalers.add(*this);
+  core.keep(state_);
+}
+
+void Timer::reset(Cycle at) {
+  state_ = {};
+  state_.at = at;
+  core_.events.cancel(due_);
+  set_mode();
+}
+
+void Timer::clock_runs(bool runs, Cycle at) {
+  if (runs) {
+    state_.at = at;
+  } else {
+    count_to(at);
+    state_.pulses = {};
+    state_.captures = {};
+  }
+  state_.runs = runs;
+  state_.drives_stale = true;
+  settle();
+}
+
+bool Timer::awaited(int vector, bool awaited) {
+  count_to(before_now());
+  const std::uint8_t flag = flag_of(vector);
+  state_.watched = static_cast<std::uint8_t>(awaited ? state_.watched | flag : state_.watched & ~flag);
+  settle();
+  return state_.flags & flag;
+}
+
+void Timer::clock_changed(std::int64_t) {
+  state_.drives_stale = true;
+  settle();
+}
+
+void Timer::set_mode() {
+  state_.counter.count(counting(spec_, control_a(), control_b()), is_wide() ? 0xFFFF : 0xFF);
+  const auto divisor = static_cast<unsigned>(prescaler(spec_, control_b()));
+  state_.shift = divisor ? std::countr_zero(divisor) : -1;
+  if (!is_external()) state_.pulses = {};
+  state_.drives_stale = true;
+  listen();
+}
+
+// A prescaler of 1 is none.
+bool Timer::ticks_come() const {
+  const auto which = spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared;
+  return state_.runs && state_.shift >= 0 && (state_.shift == 0 || !prescalers_.is_held(which));
+}
+
+void Timer::count_ticks(Cycle to) {
+  if (to <= state_.at) return;
+  if (ticks_come()) {
+    const Cycle began = prescalers_.began(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared);
+    const Cycle ticks = ((to - began) >> state_.shift) - ((state_.at - began) >> state_.shift);
+    if (ticks > 0) set_flags(state_.counter.advance(ticks), to);
+  }
+  state_.at = to;
+}
+
+void Timer::count_to(Cycle to) {
+  for (;;) {
+    const Cycle edge = std::min(state_.pulses.next(), state_.captures.next());
+    if (edge > to || edge == kNoCycle) break;
+    count_ticks(edge - 1);
+    if (state_.captures.next() == edge) {
+      state_.captures.take_first();
+      state_.counter.set_capture(state_.counter.value());
+      set_flags(kCaptured, edge);
+    }
+    if (state_.pulses.next() == edge) {
+      state_.pulses.take_first();
+      set_flags(state_.counter.advance(1), edge);
+      state_.at = edge;
+    }
+  }
+  count_ticks(to);
+}
+
+void Timer::set_flags(std::uint8_t hits, Cycle at) {
+  if (state_.counter.how().kind != Counting::Kind::pwm)
+    for (std::size_t channel = 0; channel < Counter::kMatch.size(); ++channel)
+      if (hits & Counter::kMatch[channel] && connection(control_a(), static_cast<int>(channel)) > 1)
+        match(channel);
+  if (hits & Counter::kTakenOver) state_.drives_stale = true;
+  const auto fresh = static_cast<std::uint8_t>(hits & (kCounted | kCaptured) & ~state_.flags);
+  state_.flags |= fresh;
+  if (const auto started = static_cast<std::uint8_t>(fresh & state_.watched))
+    core_.triggers.raised(vector_of(started), at + 1);
+}
+
+int Timer::vector_of(std::uint8_t flag) const {
+  switch (flag) {
+    case Counter::kMatchA:
+      return spec_.vector;
+    case Counter::kMatchB:
+      return spec_.vector + 1;
+    case Counter::kOverflow:
+      return spec_.vector + 2;
+    default:
+      return spec_.vector - 1;
+  }
+}
+
+std::uint8_t Timer::flag_of(int vector) const {
+  for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB})
+    if (vector_of(flag) == vector) return flag;
+  return kCaptured;
+}
+
+void Timer::due(Cycle at) {
+  count_to(at - 1);
+  for (unsigned fresh = state_.flags & enables() & ~state_.requested; fresh; fresh &= fresh - 1)
+    core_.request(vector_of(static_cast<std::uint8_t>(fresh & -fresh)), true);
+  state_.requested = state_.flags & enables();
+  settle();
+}
+
+void Timer::entered(int vector) {
+  count_to(before_now());
+  state_.flags &= static_cast<std::uint8_t>(~flag_of(vector));
+  settle();
+}
+
+void Timer::settle() {
+  for (unsigned gone = state_.requested & ~(state_.flags & enables()); gone; gone &= gone - 1)
+    core_.request(vector_of(static_cast<std::uint8_t>(gone & -gone)), false);
+  state_.requested &= state_.flags & enables();
+  if (state_.drives_stale) tell_drives();
+  schedule();
+}
+
+// What cannot be left until somebody looks.
+std::uint8_t Timer::wanted() const {
+  const Counter& counter = state_.counter;
+  unsigned wanted = (enables() | state_.watched) & ~state_.flags & kCounted;
+  if (counter.how().top == Counting::Top::capture)
+    wanted |= (enables() | state_.watched) & ~state_.flags & kCaptured;
+  for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
+    if (!drives(channel)) continue;
+    const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
+    if (counter.how().kind == Counting::Kind::pwm) {
+      if (counter.waits()) wanted |= Counter::kTakenOver;
+    } else if (com > 1 && state_.outputs[channel].level != (com == 3)) {
+      wanted |= Counter::kMatch[channel];
+    }
+  }
+  return static_cast<std::uint8_t>(wanted);
+}
+
+Cycle Timer::when_due() const {
+  if (state_.flags & enables() & ~state_.requested) return state_.at + 1;
+  Cycle tick = std::min(state_.pulses.next(), state_.captures.next());
+  if (ticks_come()) {
+    const std::uint8_t hits = wanted();
+    const Cycle ticks = hits ? state_.counter.ticks_to(hits) : kNoCycle;
+    if (ticks != kNoCycle) {
+      const Cycle began = prescalers_.began(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared);
+      tick = std::min(tick, began + ((((state_.at - began) >> state_.shift) + ticks) << state_.shift));
+    }
+  }
+  return tick == kNoCycle ? kNoCycle : tick + 1;
+}
+
+void Timer::schedule() {
+  const Cycle at = when_due();
+  if (at == core_.events.due(due_)) return;
+  if (at == kNoCycle) {
+    core_.events.cancel(due_);
+  } else {
+    core_.schedule(due_, at);
+  }
+}
+
+}  // namespace robosim::avr

@@ -1,0 +1,138 @@
+// The timers of 8 and of 16 bits. ATmega328P data sheet DS40002061B: 15 (timer 0), 16 (timer 1), 17
+// (prescaler), 18 (timer 2, with the processor's clock).
+//
+//   prescaler, pin Tn ─► Counter ─► flags in TIFRn ─► interrupts, ADC
+//                         ▲   └───► pins OCnA, OCnB
+//   pin ICPn ─► canceler ─┘ ICRn
+//
+// Time: at each cycle of its clock the timer does what its registers held before; a write is there
+// afterwards. With a prescaler of 1, what is written to TCNTn in cycle c is read as written in c + 1, one
+// more in c + 2. A flag is read, and interrupts, from the cycle after its tick on. A flag that is set in the
+// cycle in which 1 is written to it stays set.
+//
+// Counting is done when somebody looks: events are scheduled only for what the world would see, a flag whose
+// interrupt is enabled and that is not set, a level of a pin that changes, OCRnx that change a duty.
+//
+// Pins: PWM is told as a duty, a toggled pin (COM = 1) as a tone of its frequency; in the other modes COM = 2
+// and 3 change the pin's level at the match. A counter without a clock holds its pin at the level that it
+// has.
+//
+// Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
+// at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator captures nothing.
+// Not modelled: timer 2's crystal (ASSR), the level of a pin while it toggles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/avr/core.h"
+#include "sim/avr/pins.h"
+#include "sim/avr/timer_counter.h"
+#include "sim/avr/timer_edges.h"
+#include "sim/avr/timer_prescaler.h"
+
+namespace robosim::avr {
+
+class Timer final : public Peripheral {
+ public:
+  /// `index`: in ChipSpec::timers.
+  Timer(Core& core, Pins& pins, Prescalers& prescalers, int index);
+
+  void reset(Cycle at) override;
+  void clock_runs(bool runs, Cycle at) override;
+
+  /// Up to the tick at `at`, and its flags.
+  void count_to(Cycle at);
+  /// After a change: requests, pins, and the next event.
+  void settle();
+
+  const Counter& counter() const { return state_.counter; }
+
+ private:
+  // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
+  static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
+  static constexpr std::uint8_t kCaptured = Counter::kTop;
+  static constexpr std::uint8_t kCounted = Counter::kOverflow | Counter::kMatchA | Counter::kMatchB;
+
+  struct Output {
+    bool taken = false;
+    bool level = false;  ///< in modes without PWM, as the last match left it
+    PinDrive drive;
+  };
+  struct State {
+    Counter counter;
+    Cycle at = 0;  ///< all ticks up to this cycle are counted
+    std::uint8_t flags = 0, requested = 0, watched = 0;
+    std::uint8_t temp = 0;  ///< the high byte between the two accesses
+    bool runs = true;       ///< it has a clock: PRR, sleep
+    int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no clock from it
+    bool drives_stale = false;
+    std::array<Output, 2> outputs{};
+    EdgesUnderWay pulses, captures;
+    NoiseCanceler canceler;
+    bool wants_captures = false;
+  };
+  // registers
+  void hook_registers();
+  void write_control_a(Address address, std::uint8_t value);
+  void write_control_b(Address address, std::uint8_t value);
+  void write_control_c(Address address, std::uint8_t value);
+  void write_enables(Address address, std::uint8_t value);
+  std::uint8_t read_flags(Address address);
+  void write_flags(Address address, std::uint8_t value);
+  void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
+  std::uint8_t read_count(Address address);
+  void write_count(Address address, std::uint8_t value);
+  void write_compare(Address address, std::uint8_t value);
+  std::uint8_t read_capture(Address address);
+  void write_capture(Address address, std::uint8_t value);
+  std::uint8_t read_temp(Address) { return state_.temp; }
+  void write_temp(Address address, std::uint8_t value);
+  std::uint16_t with_temp(std::uint8_t low) const;
+  void clear_flags(std::uint8_t flags);
+  bool is_wide() const { return spec_.bits == 16; }
+  std::uint8_t control_a() const { return core_.cpu.data[spec_.control]; }
+  std::uint8_t control_b() const { return core_.cpu.data[spec_.control + 1]; }
+  std::uint8_t enables() const { return core_.cpu.data[spec_.enables]; }
+
+  // counting
+  void set_mode();
+  void count_ticks(Cycle to);
+  Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
+  bool ticks_come() const;  ///< from the prescaler, as things stand
+  void set_flags(std::uint8_t hits, Cycle at);
+  void due(Cycle at);
+  void entered(int vector);
+  bool awaited(int vector, bool awaited);
+  void clock_changed(std::int64_t hz_before);
+  void schedule();
+  Cycle when_due() const;
+  std::uint8_t wanted() const;
+  int vector_of(std::uint8_t flag) const;
+  std::uint8_t flag_of(int vector) const;
+
+  // pins
+  bool is_external() const { return state_.shift < 0 && (control_b() & 7) >= 6; }
+  void pulsed(int pin, bool level, Cycle at);
+  void captured(int pin, bool level, Cycle at);
+  void listen();
+  void want_captures();
+  bool drives(std::size_t channel) const;
+  void match(std::size_t channel);
+  void force(std::uint8_t control);
+  bool pwm_level(std::size_t channel) const;
+  PinDrive drive_of(std::size_t channel) const;
+  void tell_drives();
+
+  Core& core_;
+  Pins& pins_;
+  Prescalers& prescalers_;
+  const TimerSpec& spec_;
+  std::array<int, 2> output_pins_{-1, -1};
+  int pulse_listener_ = -1, capture_listener_ = -1, capture_pin_ = -1;
+  Events::Id due_ = 0;
+  State state_;
+};
+
+}  // namespace robosim::avr

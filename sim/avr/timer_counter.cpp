@@ -1,0 +1,118 @@
+#include "sim/avr/timer_counter.h"
+
+#include <algorithm>
+
+namespace robosim::avr {
+namespace {
+
+// Within so many ends every counter has come into its regular period: on to MAX, then a new TOP, then twice
+// around.
+constexpr int kTurnsUntilRegular = 8;
+
+}  // namespace
+
+void Counter::count(const Counting& how, std::uint16_t max) {
+  how_ = how;
+  max_ = max;
+  if (!how.dual_slope) down_ = false;
+  if (how.kind != Counting::Kind::pwm) compare_ = written_;
+}
+
+void Counter::write_compare(std::size_t channel, std::uint16_t value) {
+  written_[channel] = value;
+  if (how_.kind != Counting::Kind::pwm) compare_ = written_;
+}
+
+std::uint8_t Counter::take_over() {
+  if (!waits()) return 0;
+  compare_ = written_;
+  return kTakenOver;
+}
+
+std::uint8_t Counter::tick() {
+  const std::uint16_t left = value_, end = top();
+  std::uint8_t hits = 0;
+  for (std::size_t channel = 0; channel < kMatch.size() && !hidden_; ++channel)
+    if (left == compare_[channel]) hits |= kMatch[channel];
+  const bool at_top = left == end && !down_ && !(hidden_ && how_.top != Counting::Top::fixed);
+  const bool at_bottom = left == 0 && !(hidden_ && down_);
+  hidden_ = false;
+  if (at_top && how_.top == Counting::Top::capture) hits |= kTop;
+
+  if (how_.dual_slope) {
+    if (at_bottom) {
+      hits |= kOverflow;
+      down_ = false;
+    }
+    if (how_.frequency_correct ? at_bottom : at_top) hits |= take_over();
+    if (at_top && at_bottom) return hits;
+    if (at_top) down_ = true;
+    value_ = static_cast<std::uint16_t>(down_ ? left - 1 : left + 1) & max_;
+    return hits;
+  }
+  const bool pwm = how_.kind == Counting::Kind::pwm;
+  if (pwm ? at_top : left == max_) hits |= kOverflow;
+  if (!at_top && left != max_) {
+    value_ = static_cast<std::uint16_t>(left + 1);
+    return hits;
+  }
+  value_ = 0;
+  return pwm ? hits | take_over() : hits;
+}
+
+// Ticks until the value is one whose leaving is more than a match.
+std::uint16_t Counter::straight() const {
+  if (hidden_) return 0;
+  if (down_) return value_;
+  if (how_.dual_slope && value_ == 0) return 0;
+  const std::uint16_t end = top();
+  return static_cast<std::uint16_t>((value_ <= end ? end : max_) - value_);
+}
+
+Counter::Ran Counter::run(Cycle most, std::uint8_t wanted, int turns) {
+  Ran ran;
+  while (ran.ticks < most && !(ran.hits & wanted)) {
+    Cycle ticks = std::min<Cycle>(straight(), most - ran.ticks);
+    if (ticks == 0) {
+      if (turns-- == 0) break;
+      ran.hits |= tick();
+      ran.ticks += 1;
+      continue;
+    }
+    std::array<std::uint16_t, 2> distance;
+    for (std::size_t channel = 0; channel < distance.size(); ++channel) {
+      const int ahead = compare_[channel] - value_;
+      distance[channel] = static_cast<std::uint16_t>(down_ ? -ahead : ahead);
+      if (wanted & kMatch[channel]) ticks = std::min<Cycle>(ticks, distance[channel] + Cycle{1});
+    }
+    for (std::size_t channel = 0; channel < distance.size(); ++channel)
+      if (distance[channel] < ticks) ran.hits |= kMatch[channel];
+    const auto by = static_cast<std::uint16_t>(ticks);
+    value_ = static_cast<std::uint16_t>(down_ ? value_ - by : value_ + by);
+    ran.ticks += ticks;
+  }
+  return ran;
+}
+
+std::uint8_t Counter::advance(Cycle ticks) {
+  std::uint8_t hits = 0;
+  if (hidden_ || waits() || value_ > top()) {
+    const Ran ran = run(ticks, 0, kTurnsUntilRegular);
+    hits |= ran.hits;
+    ticks -= ran.ticks;
+  }
+  const auto period = static_cast<Cycle>(period_of(how_, top()));
+  if (ticks > 2 * period) {
+    hits |= run(period, 0, kManyTurns).hits;
+    ticks = (ticks - period) % period;
+  }
+  return hits | run(ticks, 0, kManyTurns).hits;
+}
+
+Cycle Counter::ticks_to(std::uint8_t wanted) const {
+  Counter ahead = *this;
+  const Ran ran = ahead.run(kNoCycle, wanted, kTurnsUntilRegular);
+  return ran.hits & wanted ? ran.ticks : kNoCycle;
+}
+
+}  // namespace robosim::avr

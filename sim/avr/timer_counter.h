@@ -1,0 +1,93 @@
+// The counter of a timer, tick by tick. ATmega328P data sheet DS40002061B: 15.4 to 15.8, 16.4 to 16.10, 18.4
+// to 18.7.
+//
+//   MAX     0xFF, or 0xFFFF
+//   TOP     where it turns or begins anew: fixed, OCRnA or ICRn
+//   BOTTOM  0
+//
+// All that happens, happens at the tick by which the counter leaves a value (figures 15-8 to 15-11, 16-10 to
+// 16-13):
+//
+//   leaves      in               what
+//   OCRnx       all              a match: OCFnx, and the pin
+//   TOP         clear on match   next is 0
+//   TOP         fast PWM         next is 0, TOV, OCRnx are taken over
+//   TOP         phase correct    it turns, OCRnx are taken over; phase and frequency correct: it turns
+//   TOP = ICRn  all              ICF
+//   BOTTOM      dual slope       it turns, TOV; phase and frequency correct: OCRnx are taken over
+//   MAX         all              next is 0; TOV in normal mode and where a match clears
+//
+// A counter above TOP, which was lowered below it, runs on to MAX. A TOP of 0 holds a counter of dual slope
+// at 0.
+//
+// A write to TCNTn hides the value from the comparators at the next tick: no match, no TOP of OCRnA or ICRn,
+// and no turn at BOTTOM for one that counts down (15.5.3, 16.7.3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "hal/board/avr_timer.h"
+#include "sim/avr/cycle.h"
+
+namespace robosim::avr {
+
+class Counter {
+ public:
+  /// What happened, as the bits of TIFRn.
+  enum Hit : std::uint8_t {
+    kOverflow = 0x01,
+    kMatchA = 0x02,
+    kMatchB = 0x04,
+    kTop = 0x20,
+    kTakenOver = 0x80
+  };
+  static constexpr std::array<std::uint8_t, 2> kMatch{kMatchA, kMatchB};
+
+  std::uint16_t value() const { return value_; }
+  const Counting& how() const { return how_; }
+  bool counts_down() const { return down_; }
+  std::uint16_t top() const { return static_cast<std::uint16_t>(top_of(how_, compare_[0], capture_)); }
+  /// In force; what was written to OCRnx may wait until it is.
+  std::uint16_t compare(std::size_t channel) const { return compare_[channel]; }
+  bool waits() const { return compare_ != written_; }
+  std::uint16_t capture() const { return capture_; }
+
+  void count(const Counting& how, std::uint16_t max);
+  void set_value(std::uint16_t value) {
+    value_ = value;
+    hidden_ = true;
+  }
+  void write_compare(std::size_t channel, std::uint16_t value);
+  void set_capture(std::uint16_t value) { capture_ = value; }
+
+  /// So many ticks. Returns what happened, as a sum of Hit.
+  std::uint8_t advance(Cycle ticks);
+  /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.
+  Cycle ticks_to(std::uint8_t wanted) const;
+
+ private:
+  struct Ran {
+    Cycle ticks = 0;
+    std::uint8_t hits = 0;
+  };
+  static constexpr int kManyTurns = std::numeric_limits<int>::max();
+
+  /// Until something of `wanted` has happened, but at most so many ticks, and so many ticks that leave an
+  /// end.
+  Ran run(Cycle most, std::uint8_t wanted, int turns);
+  std::uint8_t tick();
+  std::uint16_t straight() const;
+  std::uint8_t take_over();
+
+  Counting how_;
+  std::uint16_t max_ = 0xFF;
+  std::uint16_t value_ = 0;
+  std::array<std::uint16_t, 2> compare_{}, written_{};
+  std::uint16_t capture_ = 0;
+  bool down_ = false;
+  bool hidden_ = false;  ///< TCNTn was written since the last tick
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,66 @@
+// Edges of pins on their way into a timer. ATmega328P data sheet DS40002061B: 16.6 (capture), 17.2 (external
+// clock).
+//
+//   pin ─► synchroniser, edge detector: 3 cycles ─► counter, or ICRn
+//   pin ─► noise canceler: 4 cycles more, and a level that lasts less is none
+//
+// The delay is 2.5 to 3.5 cycles for an edge at any moment; one that the chip makes itself comes with its
+// clock.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/avr/cycle.h"
+
+namespace robosim::avr {
+
+constexpr Cycle kEdgeCycles = 3, kCancelerCycles = 4;
+
+/// When the edges that are on their way arrive.
+class EdgesUnderWay {
+ public:
+  Cycle next() const { return count_ ? at_[0] : kNoCycle; }
+  void add(Cycle at) {
+    if (count_ == at_.size()) return;
+    if (count_ && at <= at_[count_ - 1]) at = at_[count_ - 1] + 1;
+    at_[count_++] = at;
+  }
+  void take_first() {
+    --count_;
+    for (std::size_t i = 0; i < count_; ++i) at_[i] = at_[i + 1];
+  }
+  void take_last() { --count_; }
+  bool any() const { return count_ > 0; }
+
+ private:
+  std::array<Cycle, 8> at_{};
+  std::uint8_t count_ = 0;
+};
+
+/// What the noise canceler lets through.
+class NoiseCanceler {
+ public:
+  enum class Verdict : std::uint8_t { passes, takes_back };
+  /// The level that is there when it is switched on.
+  void begin(bool level) {
+    behind_ = before_ = level;
+    since_ = 0;
+  }
+  /// A change of the pin's level at its input: it passes, unless it ends one that was too short, which it
+  /// takes back.
+  Verdict change(bool level, Cycle at) {
+    if (at - since_ >= kCancelerCycles) behind_ = before_;
+    before_ = level;
+    since_ = at;
+    return level == behind_ ? Verdict::takes_back : Verdict::passes;
+  }
+
+ private:
+  bool behind_ = false;  ///< its output, as far as it has settled
+  bool before_ = false;  ///< the pin
+  Cycle since_ = 0;
+};
+
+}  // namespace robosim::avr

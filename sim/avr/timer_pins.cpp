@@ -1,0 +1,106 @@
+// The pins of a timer: what it drives (DS40002061B, 15.6, 16.8, 18.6), and what it listens to (16.6, 17.2).
+#include <algorithm>
+
+#include "sim/avr/timer.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr std::uint8_t kForceA = 0x80;  // FOCnA, which FOCnB follows
+constexpr std::uint8_t kClockSelect = 7, kRisingClock = 7;
+
+}  // namespace
+
+bool Timer::drives(std::size_t channel) const {
+  const auto number = static_cast<int>(channel);
+  return output_pins_[channel] >= 0 &&
+         drives_pin(state_.counter.how(), connection(control_a(), number), number);
+}
+
+void Timer::match(std::size_t channel) {
+  bool& level = state_.outputs[channel].level;
+  const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
+  const bool then = com == 1 ? !level : com == 2 ? false : com == 3 ? true : level;
+  if (then != level) state_.drives_stale = true;
+  level = then;
+}
+
+void Timer::force(std::uint8_t control) {
+  if (state_.counter.how().kind == Counting::Kind::pwm) return;
+  for (std::size_t channel = 0; channel < state_.outputs.size(); ++channel)
+    if (control & kForceA >> channel) match(channel);
+}
+
+// The level of a pin with PWM when the clock stops.
+bool Timer::pwm_level(std::size_t channel) const {
+  const Counter& counter = state_.counter;
+  const std::uint16_t compare = counter.compare(channel), value = counter.value();
+  bool high = compare >= counter.top() || value < compare || (value == compare && !counter.counts_down());
+  if (counter.how().dual_slope && compare == 0) high = false;
+  return high != (connection(control_a(), static_cast<int>(channel)) == 3);
+}
+
+PinDrive Timer::drive_of(std::size_t channel) const {
+  const Counter& counter = state_.counter;
+  const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
+  const bool pwm = counter.how().kind == Counting::Kind::pwm && com != 1;
+  const bool counts = ticks_come() || (state_.runs && is_external());
+  const bool toggles = com == 1 && ticks_come() && counter.compare(channel) <= counter.top();
+  if ((pwm && counts) || toggles)
+    return timer_drive(counter.how(), 1 << std::max(state_.shift, 0), counter.top(), counter.compare(channel),
+                       com, core_.clock_hz);
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  drive.level = pwm ? pwm_level(channel) : state_.outputs[channel].level;
+  drive.duty = drive.level ? 1.0 : 0.0;
+  return drive;
+}
+
+void Timer::tell_drives() {
+  state_.drives_stale = false;
+  for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
+    Output& output = state_.outputs[channel];
+    if (!drives(channel)) {
+      if (output.taken) pins_.give_back(output_pins_[channel]);
+      output.taken = false;
+      continue;
+    }
+    const PinDrive drive = drive_of(channel);
+    if (output.taken && drive == output.drive) continue;
+    output.taken = true;
+    output.drive = drive;
+    pins_.take(output_pins_[channel], drive);
+  }
+}
+
+void Timer::listen() {
+  if (pulse_listener_ >= 0) pins_.listen(pulse_listener_, is_external());
+  if (capture_listener_ >= 0)
+    pins_.listen(capture_listener_,
+                 state_.wants_captures && state_.counter.how().top != Counting::Top::capture);
+}
+
+void Timer::want_captures() {
+  if (state_.wants_captures || capture_listener_ < 0) return;
+  state_.wants_captures = true;
+  listen();
+}
+
+void Timer::pulsed(int, bool level, Cycle at) {
+  if (!state_.runs || level != ((control_b() & kClockSelect) == kRisingClock)) return;
+  state_.pulses.add(std::max(at + kEdgeCycles, state_.at + 1));
+  schedule();
+}
+
+void Timer::captured(int, bool level, Cycle at) {
+  if (!state_.runs) return;
+  const bool rising = control_b() & kRisingEdge, cancels = control_b() & kCanceler;
+  if (cancels && state_.canceler.change(level, at) == NoiseCanceler::Verdict::takes_back) {
+    if (level != rising && state_.captures.any()) state_.captures.take_last();
+  } else if (level == rising) {
+    state_.captures.add(std::max(at + kEdgeCycles + (cancels ? kCancelerCycles : 0), state_.at + 1));
+  }
+  schedule();
+}
+
+}  // namespace robosim::avr

@@ -1,0 +1,141 @@
+// The registers of a timer. DS40002061B: 15.9, 16.3 (16 bits through TEMP), 16.11, 18.11.
+#include "sim/avr/timer.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr std::uint8_t kForceBits = 0xC0;  // FOCnA, FOCnB
+
+constexpr Address high(std::uint16_t address) { return static_cast<Address>(address + 1); }
+
+}  // namespace
+
+void Timer::hook_registers() {
+  Cpu& cpu = core_.cpu;
+  const auto control = static_cast<Address>(spec_.control);
+  cpu.on_write<&Timer::write_control_a>(control, this);
+  cpu.on_write<&Timer::write_control_b>(high(control), this);
+  cpu.on_write<&Timer::write_enables>(spec_.enables, this);
+  cpu.on_read<&Timer::read_flags>(spec_.flags, this);
+  cpu.on_write<&Timer::write_flags>(spec_.flags, this);
+  cpu.on_write_bit<&Timer::write_flag>(spec_.flags, this);
+  cpu.on_read<&Timer::read_count>(spec_.count, this);
+  cpu.on_write<&Timer::write_count>(spec_.count, this);
+  for (const std::uint16_t compare : spec_.compare) cpu.on_write<&Timer::write_compare>(compare, this);
+  if (!is_wide()) return;
+  cpu.on_write<&Timer::write_control_c>(static_cast<Address>(control + 2), this);
+  for (const std::uint16_t low : {spec_.count, spec_.compare[0], spec_.compare[1], spec_.capture})
+    cpu.on_write<&Timer::write_temp>(high(low), this);
+  cpu.on_read<&Timer::read_temp>(high(spec_.count), this);
+  cpu.on_read<&Timer::read_temp>(high(spec_.capture), this);
+  cpu.on_read<&Timer::read_capture>(spec_.capture, this);
+  cpu.on_write<&Timer::write_capture>(spec_.capture, this);
+}
+
+void Timer::write_control_a(Address address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  core_.at(address) = value;
+  set_mode();
+  settle();
+}
+
+void Timer::write_control_b(Address address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  const std::uint8_t before = core_.at(address);
+  core_.at(address) = is_wide() ? value : static_cast<std::uint8_t>(value & ~kForceBits);
+  if (spec_.capture) {
+    if (value & ~before & kCanceler) state_.canceler.begin(pins_.level(capture_pin_));
+    if (value & (kCanceler | kRisingEdge)) want_captures();
+  }
+  set_mode();
+  if (!is_wide()) force(value);
+  settle();
+}
+
+void Timer::write_control_c(Address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  force(value);
+  settle();
+}
+
+void Timer::write_enables(Address address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  core_.at(address) = value & (spec_.capture ? kCounted | kCaptured : kCounted);
+  if (enables() & kCaptured) want_captures();
+  settle();
+}
+
+std::uint8_t Timer::read_flags(Address address) {
+  count_to(before_now());
+  want_captures();
+  return core_.at(address) = state_.flags;
+}
+
+void Timer::write_flags(Address, std::uint8_t value) { clear_flags(value); }
+
+void Timer::write_flag(Address, std::uint8_t value, std::uint8_t bit) { clear_flags(value & bit); }
+
+void Timer::clear_flags(std::uint8_t flags) {
+  count_to(before_now());
+  if (!state_.runs) return;
+  if (flags & kCaptured) want_captures();
+  state_.flags &= static_cast<std::uint8_t>(~flags);
+  settle();
+}
+
+std::uint16_t Timer::with_temp(std::uint8_t low) const {
+  return static_cast<std::uint16_t>(is_wide() ? state_.temp << 8 | low : low);
+}
+
+void Timer::write_temp(Address, std::uint8_t value) {
+  if (state_.runs) state_.temp = value;
+}
+
+std::uint8_t Timer::read_count(Address) {
+  count_to(before_now());
+  const std::uint16_t value = state_.counter.value();
+  state_.temp = static_cast<std::uint8_t>(value >> 8);
+  return static_cast<std::uint8_t>(value);
+}
+
+void Timer::write_count(Address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  state_.counter.set_value(with_temp(value));
+  if (!ticks_come()) state_.drives_stale = true;
+  settle();
+}
+
+void Timer::write_compare(Address address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs) return;
+  const std::uint16_t compare = with_temp(value);
+  core_.at(address) = value;
+  if (is_wide()) core_.at(high(address)) = static_cast<std::uint8_t>(compare >> 8);
+  state_.counter.write_compare(address == spec_.compare[0] ? 0 : 1, compare);
+  if (!state_.counter.waits()) state_.drives_stale = true;
+  settle();
+}
+
+std::uint8_t Timer::read_capture(Address) {
+  count_to(before_now());
+  want_captures();
+  const std::uint16_t value = state_.counter.capture();
+  state_.temp = static_cast<std::uint8_t>(value >> 8);
+  return static_cast<std::uint8_t>(value);
+}
+
+// 16.11.7: it can be written only where it is TOP.
+void Timer::write_capture(Address, std::uint8_t value) {
+  count_to(core_.now());
+  if (!state_.runs || state_.counter.how().top != Counting::Top::capture) return;
+  state_.counter.set_capture(with_temp(value));
+  state_.drives_stale = true;
+  settle();
+}
+
+}  // namespace robosim::avr

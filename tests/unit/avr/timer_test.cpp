@@ -1,0 +1,175 @@
+// What timers do that no program can report: the duties they tell, the events they cost, edges from outside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/avr/idle_chip.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr Address kDdrb = 0x24, kDdrd = 0x2A, kPortd = 0x2B, kTifr1 = 0x36;
+constexpr Address kTccr0a = 0x44, kTccr0b = 0x45, kTcnt0 = 0x46, kOcr0a = 0x47, kTimsk0 = 0x6E,
+                  kTimsk1 = 0x6F;
+constexpr Address kTccr1a = 0x80, kTccr1b = 0x81, kTcnt1l = 0x84, kIcr1l = 0x86;
+constexpr Address kTccr2a = 0xB0, kTccr2b = 0xB1, kOcr2a = 0xB3;
+constexpr std::uint8_t kPd6 = 1 << 6, kPb3 = 1 << 3;
+
+class TimerTest : public testing::Test, protected IdleChip {
+ protected:
+  PinDrive drive(char port, int bit) { return bench.drives[pin(port, bit)]; }
+  /// That come within so many cycles, which pass.
+  int events(Cycle cycles) {
+    const Cycle end = now() + cycles;
+    for (int count = 0;; ++count) {
+      const Cycle next = bench.chip.core().events.next();
+      run_to(std::min(next, end));
+      if (next > end) return count;
+    }
+  }
+};
+
+TEST_F(TimerTest, TellsADutyThatChangesWithTheBufferedRegister) {
+  write(kDdrd, kPd6);
+  write(kTccr0b, 3);
+  write(kTccr0a, 0x83);
+  EXPECT_TRUE(drive('D', 6).pwm);
+  EXPECT_EQ(drive('D', 6).duty, 1.0 / 256);
+  run(64 * 100);
+  write(kOcr0a, 127);
+  EXPECT_EQ(drive('D', 6).duty, 1.0 / 256) << "not before BOTTOM";
+  run(64 * 256);
+  EXPECT_EQ(drive('D', 6).duty, 0.5);
+}
+
+TEST_F(TimerTest, GivesThePinBackToThePort) {
+  write(kDdrd, kPd6);
+  write(kTccr0b, 3);
+  write(kTccr0a, 0x83);
+  write(kPortd, kPd6);
+  write(kTccr0a, 0x03);
+  EXPECT_FALSE(drive('D', 6).pwm);
+  EXPECT_TRUE(drive('D', 6).level);
+  EXPECT_EQ(drive('D', 6).duty, 1.0);
+}
+
+TEST_F(TimerTest, HoldsThePinsLevelWhenItsClockStops) {
+  write(kDdrd, kPd6);
+  write(kOcr0a, 100);
+  write(kTccr0a, 0x83);
+  for (const int count : {50, 150}) {
+    write(kTccr0b, 1);
+    write(kTcnt0, static_cast<std::uint8_t>(count));
+    write(kTccr0b, 0);
+    EXPECT_FALSE(drive('D', 6).pwm);
+    EXPECT_EQ(drive('D', 6).level, count <= 100);
+  }
+}
+
+TEST_F(TimerTest, TellsATogglingPinAsATone) {
+  write(kDdrb, kPb3);
+  write(kOcr2a, 141);
+  write(kTccr2a, 0x42);
+  write(kTccr2b, 4);
+  EXPECT_EQ(drive('B', 3).tone_hz, 16'000'000u / (2 * 64 * 142));
+  EXPECT_EQ(drive('B', 3).duty, 0.5);
+  write(reg::kClkpr, 0x80);
+  write(reg::kClkpr, 0x01);
+  EXPECT_EQ(drive('B', 3).tone_hz, 8'000'000u / (2 * 64 * 142));
+}
+
+TEST_F(TimerTest, CostsAnEventAnOverflowWhenOnlyThatInterruptIsOn) {
+  write(kTccr0a, 3);
+  write(kTccr0b, 3);
+  write(kTimsk0, 1);
+  run(100);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(events(16384), 1);
+    write(reg::kTifr0, 1);
+  }
+}
+
+TEST_F(TimerTest, CostsNothingWithoutInterrupts) {
+  write(kTccr0a, 3);
+  write(kTccr0b, 3);
+  write(kTccr1a, 1);
+  write(kTccr1b, 3);
+  write(kTccr2a, 1);
+  write(kTccr2b, 4);
+  EXPECT_EQ(events(1'000'000), 0);
+}
+
+TEST_F(TimerTest, KnowsItsCountAfterALongTime) {
+  run(10);
+  write(kOcr0a, 9);
+  write(kTccr0a, 2);
+  write(kTccr0b, 1);
+  write(kTcnt0, 0);
+  const Cycle written = now();
+  bench.chip.cpu().skip_to(16'000'000'000);
+  EXPECT_EQ(read(kTcnt0), (now() - written - 1) % 10);
+}
+
+TEST_F(TimerTest, StandsStillInDeepSleep) {
+  write(kTccr0b, 1);
+  write(kTimsk0, 1);
+  write(reg::kSmcr, 0x05);  // power-down
+  let_interrupts();
+  run(20);
+  const std::uint8_t count = read(kTcnt0);
+  fall_asleep();
+  run(100'000);
+  EXPECT_TRUE(bench.chip.is_asleep());
+  EXPECT_LE(read(kTcnt0), count + 4);
+  EXPECT_EQ(bench.chip.core().events.next(), kNoCycle);
+}
+
+TEST_F(TimerTest, WantsEdgesOfItsPinsOnlyWhileItCountsOrCapturesThem) {
+  const int clock = pin('D', 5), capture = pin('B', 0);
+  write(kTccr1b, 3);
+  EXPECT_FALSE(bench.listens_to[clock]);
+  EXPECT_FALSE(bench.listens_to[capture]);
+  write(kTccr1b, 7);
+  EXPECT_TRUE(bench.listens_to[clock]);
+  write(kTccr1b, 0x41);
+  EXPECT_FALSE(bench.listens_to[clock]);
+  EXPECT_TRUE(bench.listens_to[capture]);
+  write(kTccr1b, 0x59);
+  EXPECT_FALSE(bench.listens_to[capture]) << "ICR1 is TOP";
+}
+
+TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {
+  bench.set_level(pin('D', 5), false);
+  bench.set_level(pin('B', 0), false);
+  run(10);
+  write(kTccr1b, 0x47);
+  write(kTimsk1, 0x20);
+  for (int i = 0; i < 5; ++i) {
+    bench.set_level(pin('D', 5), true);
+    run(10);
+    bench.set_level(pin('D', 5), false);
+    run(10);
+  }
+  EXPECT_EQ(read(kTcnt1l), 5);
+  EXPECT_EQ(read(kTifr1) & 0x20, 0);
+  bench.set_level(pin('B', 0), true);
+  run(10);
+  EXPECT_EQ(read(kTifr1) & 0x20, 0x20);
+  EXPECT_EQ(read(kIcr1l), 5);
+}
+
+TEST_F(TimerTest, StartsConversionsByAFlag) {
+  write(kOcr0a, 99);
+  write(kTccr0a, 2);
+  write(reg::kAdcsrb, 3);     // timer 0's compare A
+  write(reg::kAdcsra, 0xA4);  // enabled, by a trigger, prescaler 16
+  write(kTccr0b, 1);
+  run(1000);
+  EXPECT_EQ(bench.samples.size(), 1u) << "the flag stays set";
+  write(reg::kTifr0, 2);
+  run(700);
+  EXPECT_EQ(bench.samples.size(), 2u);
+}
+
+}  // namespace
+}  // namespace robosim::avr
