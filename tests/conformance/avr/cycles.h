@@ -1,0 +1,34 @@
+// For programs that look at a cycle: a write, so many NOPs, and a read, without anything in between.
+//
+//   OUT_IN    the read comes nops + 1 cycles after the write; both registers are of the first 64 of I/O
+//   STS_LDS   the read comes nops + 2 cycles after the write
+#pragma once
+
+#include "report.h"
+
+#define OUT_IN(to, value, nops, from)                                                                      \
+  ({                                                                                                       \
+    uint8_t found_;                                                                                        \
+    __asm__ volatile("out %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tin %0, %4"                                   \
+                     : "=r"(found_)                                                                        \
+                     : "I"(_SFR_IO_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "I"(_SFR_IO_ADDR(from)));  \
+    found_;                                                                                                \
+  })
+#define STS_LDS(to, value, nops, from)                                                                     \
+  ({                                                                                                       \
+    uint8_t found_;                                                                                        \
+    __asm__ volatile("sts %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tlds %0, %4"                                  \
+                     : "=r"(found_)                                                                        \
+                     : "n"(_SFR_MEM_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "n"(_SFR_MEM_ADDR(from))); \
+    found_;                                                                                                \
+  })
+/// Two OUTs in two cycles, then an IN nops + 1 cycles after the second.
+#define OUT_OUT_IN(first, value1, second, value2, nops, from)                                              \
+  ({                                                                                                       \
+    uint8_t found_;                                                                                        \
+    __asm__ volatile("out %1, %2\n\tout %3, %4\n\t.rept %5\n\tnop\n\t.endr\n\tin %0, %6"                    \
+                     : "=r"(found_)                                                                        \
+                     : "I"(_SFR_IO_ADDR(first)), "r"((uint8_t)(value1)), "I"(_SFR_IO_ADDR(second)),        \
+                       "r"((uint8_t)(value2)), "n"(nops), "I"(_SFR_IO_ADDR(from)));                        \
+    found_;                                                                                                \
+  })

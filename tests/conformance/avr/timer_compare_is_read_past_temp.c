@@ -1,0 +1,14 @@
+// Reading OCR1A does not go through the temporary byte.
+// Source: DS40002061B, 16.3
+// Expect: 12 56
+#include "cycles.h"
+
+int main(void) {
+  OCR1A = 0x1234;
+  TCNT1 = 0x5600;
+  (void)TCNT1L;
+  (void)OCR1AL;
+  report(OCR1AH);
+  report(TCNT1H);
+  end_program();
+}

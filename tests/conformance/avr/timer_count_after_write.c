@@ -1,0 +1,13 @@
+// What is written to TCNT0 is read as written in the next cycle, and as one more in each later one.
+// Source: DS40002061B, 15.5.3
+// Expect: 30 31 32 39
+#include "cycles.h"
+
+int main(void) {
+  TCCR0B = _BV(CS00);
+  report(OUT_IN(TCNT0, 0x30, 0, TCNT0));
+  report(OUT_IN(TCNT0, 0x30, 1, TCNT0));
+  report(OUT_IN(TCNT0, 0x30, 2, TCNT0));
+  report(OUT_IN(TCNT0, 0x30, 9, TCNT0));
+  end_program();
+}

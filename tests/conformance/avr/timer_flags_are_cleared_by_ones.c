@@ -1,0 +1,18 @@
+// A flag is cleared by writing 1 to it; SBI clears no other.
+// Source: DS40002061B, 15.9.7
+// Expect: 07 05 04 04
+#include "cycles.h"
+
+int main(void) {
+  TCCR0B = _BV(CS00);
+  NOPS(300);
+  TCCR0B = 0;
+  report(TIFR0);
+  TIFR0 = _BV(OCF0A);
+  report(TIFR0);
+  __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(TIFR0)));
+  report(TIFR0);
+  __asm__ volatile("cbi %0, 2" ::"I"(_SFR_IO_ADDR(TIFR0)));
+  report(TIFR0);
+  end_program();
+}

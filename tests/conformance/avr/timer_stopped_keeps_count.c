@@ -1,0 +1,19 @@
+// A timer that is stopped keeps its count, and goes on from it, whatever the clock.
+// Source: DS40002061B, 15.4
+// Expect: 22 22 25 25
+#include "cycles.h"
+
+int main(void) {
+  TCNT0 = 0x21;
+  report(OUT_OUT_IN(TCCR0B, _BV(CS00), TCCR0B, 0, 0, TCNT0));
+  NOPS(50);
+  report(TCNT0);
+  report(OUT_IN(TCCR0B, _BV(CS00), 3, TCNT0));
+  TCCR0B = 0;
+  TCNT0 = 0x25;
+  GTCCR = _BV(PSRSYNC);
+  TCCR0B = _BV(CS02) | _BV(CS00);
+  NOPS(50);
+  report(TCNT0);
+  end_program();
+}

@@ -1,0 +1,18 @@
+// The registers of 16 bits share one byte for the high part: written before the low one, kept when that is read.
+// Source: DS40002061B, 16.3
+// Expect: 12 34 ff 01 02
+#include "cycles.h"
+
+int main(void) {
+  TCNT1H = 0x12;
+  OCR1AL = 0x34;
+  report_word(OCR1A);
+  TCNT1 = 0x01FF;
+  report(TCNT1L);
+  TCCR1B = _BV(CS10);
+  NOPS(10);
+  report(TCNT1H);
+  (void)TCNT1L;
+  report(TCNT1H);
+  end_program();
+}
