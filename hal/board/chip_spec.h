@@ -90,6 +90,13 @@ struct TwiSpec {
   int8_t reduction_bit = -1;
 };
 
+struct ComparatorSpec {
+  uint16_t address = 0;  ///< of an AVR's ACSR; 0 = none that we know
+  uint8_t vector = 0;
+  const char* positive = "";  ///< pins: AIN0, AIN1
+  const char* negative = "";
+};
+
 struct ChipSpec {
   const char* name;           ///< the maker's: "ATmega328P"
   const char* target;         ///< who executes its firmware, as users name it: "avr"
@@ -127,6 +134,7 @@ struct ChipSpec {
   AdcSpec adc;
   SpiSpec spi = {};
   TwiSpec twi = {};
+  ComparatorSpec comparator = {};
 };
 
 constexpr uint32_t ram_end(const ChipSpec& chip) { return chip.ram_address + chip.ram_bytes; }

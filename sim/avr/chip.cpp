@@ -6,6 +6,7 @@
 
 #include "hal/board/avr_registers.h"
 #include "sim/avr/adc.h"
+#include "sim/avr/comparator.h"
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/spi.h"
@@ -77,6 +78,8 @@ void Chip::make_peripherals() {
   }
   const AdcSpec& adc = core_.chip.adc;
   power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
+  if (core_.chip.comparator.address)
+    power_.supply(add(std::make_unique<Comparator>(core_, pins_)), Power::Clock::io, 0, -1);
   if (const SpiSpec& spi = core_.chip.spi; spi.address)
     power_.supply(add(std::make_unique<Spi>(core_, pins_)), Power::Clock::io, spi.reduction,
                   spi.reduction_bit);

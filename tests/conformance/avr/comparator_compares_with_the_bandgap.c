@@ -1,0 +1,15 @@
+// With ACBG the bandgap's 1.1 V is compared: AIN1 is lower at low level, higher at high level.
+// Source: DS40002061B, 23.3.1
+// Expect: 60 40
+#include "report.h"
+
+int main(void) {
+  DDRD = _BV(DDD7);
+  ACSR = _BV(ACBG);
+  NOPS(4);
+  report(ACSR & (uint8_t)~_BV(ACI));
+  PORTD = _BV(PORTD7);
+  NOPS(4);
+  report(ACSR & (uint8_t)~_BV(ACI));
+  end_program();
+}
