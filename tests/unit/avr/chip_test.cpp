@@ -25,6 +25,13 @@ class ChipTest : public testing::Test, protected IdleChip {
     write(reg::kEicra, 0x05);
     write(reg::kPcmsk2, 0x0C);
     write(reg::kPcicr, 0x04);
+    for (const Address control :
+         {0x44, 0x80, 0xB0}) {  // timers: PWM, a prescaler of 64 or 32, all interrupts
+      write(control, 0x81);
+      write(control + 1, 0x43);
+    }
+    for (const Address enables : {0x6E, 0x6F, 0x70}) write(enables, 0x27);
+    for (const Address compare : {0x47, 0x88, 0xB3}) write(compare, 0x40);
     bench.chip.receive(0, 0x77, now());
   }
   std::vector<std::uint8_t> registers() {
