@@ -105,10 +105,8 @@ void Timer::count_to(Cycle to) {
 }
 
 void Timer::set_flags(std::uint8_t hits, Cycle at) {
-  if (state_.counter.how().kind != Counting::Kind::pwm)
-    for (std::size_t channel = 0; channel < Counter::kMatch.size(); ++channel)
-      if (hits & Counter::kMatch[channel] && connection(control_a(), static_cast<int>(channel)) > 1)
-        match(channel);
+  for (std::size_t channel = 0; channel < Counter::kMatch.size(); ++channel)
+    if (hits & Counter::kMatch[channel] && changes_at_match(channel)) match(channel);
   if (hits & Counter::kTakenOver) state_.drives_stale = true;
   const auto fresh = static_cast<std::uint8_t>(hits & (kCounted | kCaptured) & ~state_.flags);
   state_.flags |= fresh;
@@ -165,12 +163,10 @@ std::uint8_t Timer::wanted() const {
     wanted |= (enables() | state_.watched) & ~state_.flags & kCaptured;
   for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
     if (!drives(channel)) continue;
+    if (counter.waits()) wanted |= Counter::kTakenOver;
     const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
-    if (counter.how().kind == Counting::Kind::pwm) {
-      if (counter.waits()) wanted |= Counter::kTakenOver;
-    } else if (com > 1 && state_.outputs[channel].level != (com == 3)) {
+    if (changes_at_match(channel) && (com == 1 || state_.outputs[channel].level != (com == 3)))
       wanted |= Counter::kMatch[channel];
-    }
   }
   return static_cast<std::uint8_t>(wanted);
 }

@@ -19,7 +19,7 @@
 //
 // Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
 // at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator captures nothing.
-// Not modelled: timer 2's crystal (ASSR), the level of a pin while it toggles.
+// Not modelled: timer 2's crystal (ASSR), the level of a pin while it is told as a tone.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ class Timer final : public Peripheral {
 
   struct Output {
     bool taken = false;
-    bool level = false;  ///< in modes without PWM, as the last match left it
+    bool level = false;  ///< as the last match left it, where each match is looked at
     PinDrive drive;
   };
   struct State {
@@ -79,6 +79,7 @@ class Timer final : public Peripheral {
   void write_control_b(Address address, std::uint8_t value);
   void write_control_c(Address address, std::uint8_t value);
   void write_enables(Address address, std::uint8_t value);
+  std::uint8_t read_plain(Address address) { return state_.runs ? core_.at(address) : std::uint8_t{0}; }
   std::uint8_t read_flags(Address address);
   void write_flags(Address address, std::uint8_t value);
   void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
@@ -87,7 +88,7 @@ class Timer final : public Peripheral {
   void write_compare(Address address, std::uint8_t value);
   std::uint8_t read_capture(Address address);
   void write_capture(Address address, std::uint8_t value);
-  std::uint8_t read_temp(Address) { return state_.temp; }
+  std::uint8_t read_temp(Address) { return state_.runs ? state_.temp : std::uint8_t{0}; }
   void write_temp(Address address, std::uint8_t value);
   std::uint16_t with_temp(std::uint8_t low) const;
   void clear_flags(std::uint8_t flags);
@@ -122,6 +123,7 @@ class Timer final : public Peripheral {
   void match(std::size_t channel);
   void force(std::uint8_t control);
   bool pwm_level(std::size_t channel) const;
+  bool changes_at_match(std::size_t channel) const;
   PinDrive drive_of(std::size_t channel) const;
   void tell_drives();
 

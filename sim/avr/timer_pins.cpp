@@ -6,6 +6,7 @@
 namespace robosim::avr {
 namespace {
 
+constexpr std::int64_t kLowestTone_hz = 20;
 constexpr std::uint8_t kForceA = 0x80;  // FOCnA, which FOCnB follows
 constexpr std::uint8_t kClockSelect = 7, kRisingClock = 7;
 
@@ -31,6 +32,16 @@ void Timer::force(std::uint8_t control) {
     if (control & kForceA >> channel) match(channel);
 }
 
+// Whether the level of a pin is told at each match.
+bool Timer::changes_at_match(std::size_t channel) const {
+  const Counter& counter = state_.counter;
+  if (!drives(channel)) return false;
+  if (connection(control_a(), static_cast<int>(channel)) != 1)
+    return counter.how().kind != Counting::Kind::pwm;
+  const std::int64_t period = period_of(counter.how(), counter.top()) << std::max(state_.shift, 0);
+  return is_external() || 2 * kLowestTone_hz * period > core_.clock_hz;
+}
+
 // The level of a pin with PWM when the clock stops.
 bool Timer::pwm_level(std::size_t channel) const {
   const Counter& counter = state_.counter;
@@ -45,7 +56,8 @@ PinDrive Timer::drive_of(std::size_t channel) const {
   const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
   const bool pwm = counter.how().kind == Counting::Kind::pwm && com != 1;
   const bool counts = ticks_come() || (state_.runs && is_external());
-  const bool toggles = com == 1 && ticks_come() && counter.compare(channel) <= counter.top();
+  const bool toggles =
+      com == 1 && ticks_come() && counter.compare(channel) <= counter.top() && !changes_at_match(channel);
   if ((pwm && counts) || toggles)
     return timer_drive(counter.how(), 1 << std::max(state_.shift, 0), counter.top(), counter.compare(channel),
                        com, core_.clock_hz);

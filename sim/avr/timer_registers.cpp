@@ -22,7 +22,11 @@ void Timer::hook_registers() {
   cpu.on_read<&Timer::read_count>(spec_.count, this);
   cpu.on_write<&Timer::write_count>(spec_.count, this);
   for (const std::uint16_t compare : spec_.compare) cpu.on_write<&Timer::write_compare>(compare, this);
+  for (const Address plain :
+       {control, high(control), Address{spec_.enables}, Address{spec_.compare[0]}, Address{spec_.compare[1]}})
+    cpu.on_read<&Timer::read_plain>(plain, this);
   if (!is_wide()) return;
+  for (const std::uint16_t compare : spec_.compare) cpu.on_read<&Timer::read_plain>(high(compare), this);
   cpu.on_write<&Timer::write_control_c>(static_cast<Address>(control + 2), this);
   for (const std::uint16_t low : {spec_.count, spec_.compare[0], spec_.compare[1], spec_.capture})
     cpu.on_write<&Timer::write_temp>(high(low), this);
@@ -70,6 +74,7 @@ void Timer::write_enables(Address address, std::uint8_t value) {
 }
 
 std::uint8_t Timer::read_flags(Address address) {
+  if (!state_.runs) return 0;
   count_to(before_now());
   want_captures();
   return core_.at(address) = state_.flags;
@@ -96,6 +101,7 @@ void Timer::write_temp(Address, std::uint8_t value) {
 }
 
 std::uint8_t Timer::read_count(Address) {
+  if (!state_.runs) return 0;
   count_to(before_now());
   const std::uint16_t value = state_.counter.value();
   state_.temp = static_cast<std::uint8_t>(value >> 8);
@@ -122,6 +128,7 @@ void Timer::write_compare(Address address, std::uint8_t value) {
 }
 
 std::uint8_t Timer::read_capture(Address) {
+  if (!state_.runs) return 0;
   count_to(before_now());
   want_captures();
   const std::uint16_t value = state_.counter.capture();

@@ -1,6 +1,6 @@
-// PRTIM0 stops timer 0 where it is; what is written to its registers meanwhile is lost.
+// PRTIM0 stops timer 0 where it is; its registers meanwhile read 0, and what is written to them is lost.
 // Source: DS40002061B, 10.10, 10.11.3
-// Expect: 12
+// Expect: 12 00 05
 #include "cycles.h"
 
 int main(void) {
@@ -13,5 +13,10 @@ int main(void) {
       : [count] "I"(_SFR_IO_ADDR(TCNT0)), [start] "r"((uint8_t)0x10), [power] "n"(_SFR_MEM_ADDR(PRR)),
         [off] "r"((uint8_t)_BV(PRTIM0)));
   report(found);
+  OCR0A = 5;
+  PRR = _BV(PRTIM0);
+  report(OCR0A);
+  PRR = 0;
+  report(OCR0A);
   end_program();
 }
