@@ -131,22 +131,28 @@ void Usart::write_control(std::uint8_t value) {
   }
   if (value & kTxen && std::exchange(state_.early, false) && !state_.shifting)
     begin(state_.waiting_data, core_.now());
-  drive();
+  take_pins();
   request();
   tell();
 }
 
 // 20.6.5: TXEN = 0 counts when nothing is left to send.
-void Usart::drive() {
-  const bool sends = data(control_) & kTxen || state_.shifting;
-  if (sends == state_.drives || tx_pin_ < 0) return;
-  state_.drives = sends;
-  if (!sends) return pins_.give_back(tx_pin_);
+void Usart::take_pins() {
+  const auto update = [this](int pin, bool taken, bool& before, const PinDrive& drive) {
+    if (pin < 0 || taken == before) return;
+    before = taken;
+    if (taken) {
+      pins_.take(pin, drive, true);
+    } else {
+      pins_.give_back(pin);
+    }
+  };
   PinDrive idle;
   idle.mode = PinMode::output;
   idle.level = true;
   idle.duty = 1.0;
-  pins_.take(tx_pin_, idle, true);
+  update(tx_pin_, data(control_) & kTxen || state_.shifting, state_.drives, idle);
+  update(rx_pin_, data(control_) & kRxen, state_.listens, {});
 }
 
 void Usart::write_data(std::uint8_t value) {
@@ -177,7 +183,7 @@ void Usart::shifted(Cycle at) {
   } else {
     state_.shifting = false;
     core_.at(status_) |= kTxc;
-    drive();
+    take_pins();
   }
   request();
 }

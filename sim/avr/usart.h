@@ -40,7 +40,8 @@ class Usart final : public Peripheral {
     bool early = false;    ///< one was written before TXEN
     bool shifting = false;
     bool overrun = false;
-    bool drives = false;  ///< TxD
+    bool drives = false;   ///< TxD
+    bool listens = false;  ///< to RxD, which is an input whatever the port says
     bool runs = true;
     Core::Held held;
     Cycle told = 0;  ///< the frame that the surroundings know of; 0 = off
@@ -56,7 +57,7 @@ class Usart final : public Peripheral {
   void sent_entered(int vector);
   void request();
   void tell();
-  void drive();
+  void take_pins();
   int data_bits() const;
   Cycle frame() const;
 

@@ -138,6 +138,18 @@ TEST_F(UsartTest, OwnsItsPinUntilEverythingHasLeft) {
   EXPECT_EQ(bench.drives[txd].mode, PinMode::input);
 }
 
+TEST_F(UsartTest, ItsInputIsAnInputWhateverThePortSays) {
+  const int rxd = pin('D', 0);
+  write(0x2A, 0x01);  // DDRD
+  EXPECT_EQ(bench.drives[rxd].mode, PinMode::output);
+  write(kControl, kReceiver);
+  EXPECT_EQ(bench.drives[rxd].mode, PinMode::input);
+  write(0x2B, 0x01);  // PORTD
+  EXPECT_EQ(bench.drives[rxd].mode, PinMode::input_pullup);
+  write(kControl, 0);
+  EXPECT_EQ(bench.drives[rxd].mode, PinMode::output);
+}
+
 TEST_F(UsartTest, IsAsAfterPowerOnBehindAReset) {
   write(kControl, kReceiver | kTransmitter);
   write(kData, 1);
