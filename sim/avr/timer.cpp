@@ -6,7 +6,11 @@
 namespace robosim::avr {
 
 Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
-    : core_(core), pins_(pins), prescalers_(prescalers), spec_(core.chip.timers[index]) {
+    : core_(core),
+      pins_(pins),
+      prescalers_(prescalers),
+      spec_(core.chip.timers[index]),
+      prescaler_(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared) {
   hook_registers();
   for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB, Counter::kTop}) {
     if (flag == kCaptured && !spec_.capture) continue;
@@ -71,14 +75,13 @@ void Timer::set_mode() {
 
 // A prescaler of 1 is none.
 bool Timer::ticks_come() const {
-  const auto which = spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared;
-  return state_.runs && state_.shift >= 0 && (state_.shift == 0 || !prescalers_.is_held(which));
+  return state_.runs && state_.shift >= 0 && (state_.shift == 0 || !prescalers_.is_held(prescaler_));
 }
 
 void Timer::count_ticks(Cycle to) {
   if (to <= state_.at) return;
   if (ticks_come()) {
-    const Cycle began = prescalers_.began(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared);
+    const Cycle began = prescalers_.began(prescaler_);
     const Cycle ticks = ((to - began) >> state_.shift) - ((state_.at - began) >> state_.shift);
     if (ticks > 0) set_flags(state_.counter.advance(ticks), to);
   }
@@ -87,7 +90,7 @@ void Timer::count_ticks(Cycle to) {
 
 void Timer::count_to(Cycle to) {
   for (;;) {
-    const Cycle edge = std::min(state_.pulses.next(), state_.captures.next());
+    const Cycle edge = next_edge();
     if (edge > to || edge == kNoCycle) break;
     count_ticks(edge - 1);
     if (state_.captures.next() == edge) {
@@ -133,34 +136,59 @@ std::uint8_t Timer::flag_of(int vector) const {
   return kCaptured;
 }
 
+// What the clock's edge at `at` will set, where all before it are counted.
+std::uint8_t Timer::coming(Cycle at) const {
+  std::uint8_t hits = next_edge() == at ? coming_by_edge() : std::uint8_t{0};
+  if (ticks_come() && tick_after(state_.at, 1) == at) {
+    Counter ahead = state_.counter;
+    hits |= ahead.advance(1);
+  }
+  return hits;
+}
+
+std::uint8_t Timer::coming_by_edge() const {
+  const Cycle edge = next_edge();
+  std::uint8_t hits = state_.captures.next() == edge ? kCaptured : std::uint8_t{0};
+  if (state_.pulses.next() == edge) {
+    Counter ahead = state_.counter;
+    hits |= ahead.advance(1);
+  }
+  return hits;
+}
+
+void Timer::request(unsigned flags) {
+  state_.requested |= static_cast<std::uint8_t>(flags);
+  for (; flags; flags &= flags - 1)
+    core_.request(vector_of(static_cast<std::uint8_t>(flags & (0 - flags))), true);
+}
+
+// The processor sees a flag with the edge that sets it, registers are read as they were before.
 void Timer::due(Cycle at) {
   count_to(at - 1);
-  for (unsigned fresh = state_.flags & enables() & ~state_.requested; fresh; fresh &= fresh - 1)
-    core_.request(vector_of(static_cast<std::uint8_t>(fresh & -fresh)), true);
-  state_.requested = state_.flags & enables();
-  settle();
+  request((state_.flags | coming(at)) & enables() & ~state_.requested);
+  if (state_.drives_stale) tell_drives();
+  schedule();
 }
 
 void Timer::entered(int vector) {
-  count_to(before_now());
+  count_to(core_.now());
   state_.flags &= static_cast<std::uint8_t>(~flag_of(vector));
   settle();
 }
 
 void Timer::settle() {
   for (unsigned gone = state_.requested & ~(state_.flags & enables()); gone; gone &= gone - 1)
-    core_.request(vector_of(static_cast<std::uint8_t>(gone & -gone)), false);
+    core_.request(vector_of(static_cast<std::uint8_t>(gone & (0 - gone))), false);
   state_.requested &= state_.flags & enables();
+  request(state_.flags & enables() & ~state_.requested);
   if (state_.drives_stale) tell_drives();
   schedule();
 }
 
-// What cannot be left until somebody looks.
+// What others see than the processor.
 std::uint8_t Timer::wanted() const {
   const Counter& counter = state_.counter;
-  unsigned wanted = (enables() | state_.watched) & ~state_.flags & kCounted;
-  if (counter.how().top == Counting::Top::capture)
-    wanted |= (enables() | state_.watched) & ~state_.flags & kCaptured;
+  unsigned wanted = state_.watched & ~state_.flags & flags_of_ticks();
   for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
     if (!drives(channel)) continue;
     if (counter.waits()) wanted |= Counter::kTakenOver;
@@ -171,18 +199,25 @@ std::uint8_t Timer::wanted() const {
   return static_cast<std::uint8_t>(wanted);
 }
 
+Cycle Timer::tick_after(Cycle at, Cycle ticks) const {
+  if (ticks == kNoCycle) return kNoCycle;
+  const Cycle began = prescalers_.began(prescaler_);
+  return began + ((((at - began) >> state_.shift) + ticks) << state_.shift);
+}
+
 Cycle Timer::when_due() const {
-  if (state_.flags & enables() & ~state_.requested) return state_.at + 1;
-  Cycle tick = std::min(state_.pulses.next(), state_.captures.next());
-  if (ticks_come()) {
-    const std::uint8_t hits = wanted();
-    const Cycle ticks = hits ? state_.counter.ticks_to(hits) : kNoCycle;
-    if (ticks != kNoCycle) {
-      const Cycle began = prescalers_.began(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared);
-      tick = std::min(tick, began + ((((state_.at - began) >> state_.shift) + ticks) << state_.shift));
-    }
+  const unsigned unseen = enables() & ~state_.flags & ~state_.requested;
+  Cycle at = next_edge();
+  if (at != kNoCycle && !(coming_by_edge() & unseen)) ++at;
+  if (!ticks_come()) return at;
+  const Counter& counter = state_.counter;
+  if (const std::uint8_t flags = unseen & flags_of_ticks())
+    at = std::min(at, tick_after(state_.at, counter.ticks_to(flags)));
+  if (const std::uint8_t hits = wanted()) {
+    const Cycle tick = tick_after(state_.at, counter.ticks_to(hits));
+    if (tick != kNoCycle) at = std::min(at, tick + 1);
   }
-  return tick == kNoCycle ? kNoCycle : tick + 1;
+  return at;
 }
 
 void Timer::schedule() {

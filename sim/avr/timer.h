@@ -7,21 +7,25 @@
 //
 // Time: at each cycle of its clock the timer does what its registers held before; a write is there
 // afterwards. With a prescaler of 1, what is written to TCNTn in cycle c is read as written in c + 1, one
-// more in c + 2. A flag is read, and interrupts, from the cycle after its tick on. A flag that is set in the
-// cycle in which 1 is written to it stays set.
+// more in c + 2. A flag is read from the cycle after its tick on; its interrupt may be entered with the tick.
+// A flag that is set in the cycle in which 1 is written to it stays set.
 //
 // Counting is done when somebody looks: events are scheduled only for what the world would see, a flag whose
 // interrupt is enabled and that is not set, a level of a pin that changes, OCRnx that change a duty.
 //
-// Pins: PWM is told as a duty, a toggled pin (COM = 1) as a tone of its frequency; in the other modes COM = 2
-// and 3 change the pin's level at the match. A counter without a clock holds its pin at the level that it
-// has.
+// Pins: PWM is told as a duty, a pin that is toggled (COM = 1) as a tone of its frequency, but for one that
+// is too slow to be heard: its level changes at each match, as by COM = 2 and 3 in modes without PWM. A
+// counter without a clock holds its pin at the level that it has.
 //
 // Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
 // at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator captures nothing.
+//
+// PRR: without a clock the registers read 0 and are not written (10.10).
+//
 // Not modelled: timer 2's crystal (ASSR), the level of a pin while it is told as a tone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -109,6 +113,14 @@ class Timer final : public Peripheral {
   void clock_changed(std::int64_t hz_before);
   void schedule();
   Cycle when_due() const;
+  Cycle tick_after(Cycle at, Cycle ticks) const;
+  Cycle next_edge() const { return std::min(state_.pulses.next(), state_.captures.next()); }
+  std::uint8_t coming(Cycle at) const;
+  std::uint8_t coming_by_edge() const;
+  std::uint8_t flags_of_ticks() const {
+    return state_.counter.how().top == Counting::Top::capture ? kCounted | kCaptured : kCounted;
+  }
+  void request(unsigned flags);
   std::uint8_t wanted() const;
   int vector_of(std::uint8_t flag) const;
   std::uint8_t flag_of(int vector) const;
@@ -131,6 +143,7 @@ class Timer final : public Peripheral {
   Pins& pins_;
   Prescalers& prescalers_;
   const TimerSpec& spec_;
+  const Prescalers::Which prescaler_;
   std::array<int, 2> output_pins_{-1, -1};
   int pulse_listener_ = -1, capture_listener_ = -1, capture_pin_ = -1;
   Events::Id due_ = 0;

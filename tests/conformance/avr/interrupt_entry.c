@@ -1,10 +1,10 @@
 // Entering an interrupt takes 4 cycles; the vector's JMP takes 3 more.
 // Source: DS40002061B, 7.7.1
-// Expect: 08 00
+// Expect: 07 00
 #include "report.h"
 
-// Timer 0 runs at the processor's clock. Its flag is there one cycle after it overflowed, in a row of NOPs, and the
-// handler reads it at once: 4 cycles of entry, 3 of the JMP, 1 of the IN.
+// Timer 0 runs at the processor's clock. It overflows behind some NOP of a row, and the handler reads it at once: 4
+// cycles of entry, 3 of the JMP, and the IN sees what the timer has counted in them.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"
