@@ -1,10 +1,13 @@
 #include "sim/avr/pins.h"
 
+#include "hal/board/avr_registers.h"
+
 namespace robosim::avr {
 namespace {
 
 constexpr std::uint8_t kAllBits = 0xFF;
 constexpr Cycle kSynchroniserCycles = 2;
+constexpr std::uint8_t kPud = 0x10;
 
 constexpr std::uint8_t mask_of(int bit) { return static_cast<std::uint8_t>(1 << bit); }
 
@@ -24,6 +27,7 @@ Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
     core.cpu.on_write<&Pins::write_direction>(direction_register(port), this);
     core.cpu.on_write<&Pins::write_latch>(latch_register(port), this);
   }
+  core.cpu.on_write<&Pins::write_control>(reg::kMcucr, this);
   core.keep(state_);
 }
 
@@ -68,8 +72,29 @@ bool Pins::output_level(int pin) const {
 bool Pins::level(int pin) {
   if (is_output(pin)) return output_level(pin);
   const ChipPin& place = core_.chip.pins[pin];
-  const bool pull_up = core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
-  return core_.outside.level(pin, pull_up, core_.now());
+  const bool latch = core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
+  return core_.outside.level(pin, latch && has_pull_ups(), core_.now());
+}
+
+bool Pins::has_pull_ups() const { return !(core_.cpu.data[reg::kMcucr] & kPud); }
+
+void Pins::write_control(Address address, std::uint8_t value) {
+  const bool before = has_pull_ups();
+  core_.at(address) = value;
+  if (before == has_pull_ups()) return;
+  for (int pin = 0; pin < core_.chip.pin_count; ++pin)
+    if (core_.chip.pins[pin].port >= 0 && !is_output(pin)) tell_drive(pin);
+}
+
+// DIDR0 and DIDR1: 24.9.5, 23.3.2.
+bool Pins::is_read(int pin) const {
+  const std::uint8_t analog = core_.cpu.data[reg::kDidr0], comparator = core_.cpu.data[reg::kDidr1];
+  if (!(analog | comparator)) [[likely]]
+    return true;
+  const ChipPin& place = core_.chip.pins[pin];
+  if (place.analog_channel >= 0 && analog >> place.analog_channel & 1) return false;
+  return !(comparator & 1 && pin == named(core_.chip.comparator.positive)) &&
+         !(comparator & 2 && pin == named(core_.chip.comparator.negative));
 }
 
 // Which bits of PINx the instruction that reads it looks at: a sensor's answer may be costly, and may use up
@@ -106,10 +131,12 @@ std::uint8_t Pins::read_pins(Address address) {
     if (!(asked & mask) || pin < 0) continue;
     const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
     bool level = latch_then & mask;
-    if (taken.taken && is_output(pin)) {
+    if (!is_read(pin)) {
+      level = false;
+    } else if (taken.taken && is_output(pin)) {
       level = output_level(pin);
     } else if (!(output_then & mask)) {
-      level = core_.outside.level(pin, level, now);
+      level = core_.outside.level(pin, level && has_pull_ups(), now);
       state_.last_read = pin;
       state_.last_read_at = now;
     }
@@ -169,7 +196,7 @@ void Pins::tell_drive(int pin) {
   if (taken.taken && is_output(pin)) {
     drive = taken.drive;
   } else if (!is_output(pin)) {
-    drive.mode = latch ? PinMode::input_pullup : PinMode::input;
+    drive.mode = latch && has_pull_ups() ? PinMode::input_pullup : PinMode::input;
   } else {
     drive.mode = PinMode::output;
     drive.level = latch;

@@ -7,7 +7,8 @@
 //   Surroundings' edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
 // A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to
-// PINx toggles PORTx. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
+// PINx toggles PORTx. PUD switches all pull-ups off; a pin whose digital input DIDR0 or DIDR1 switches off
+// reads 0. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
 #pragma once
 
 #include <array>
@@ -92,6 +93,9 @@ class Pins final : public Peripheral {
   };
 
   std::uint8_t read_pins(Address address);
+  void write_control(Address address, std::uint8_t value);
+  bool has_pull_ups() const;
+  bool is_read(int pin) const;
   void toggle(Address address, std::uint8_t value);
   void toggle_bit(Address address, std::uint8_t value, std::uint8_t bit);
   void write_latch(Address address, std::uint8_t value);

@@ -1,0 +1,19 @@
+// PUD switches all pull-ups off; outputs stay as they are.
+// Source: DS40002061B, 14.2.1, 14.4.1
+// Expect: 06 02 06
+#include "report.h"
+
+// PB1 is an output, PB2 an input with its pull-up and nothing else at it.
+int main(void) {
+  DDRB = _BV(DDB1);
+  PORTB = _BV(PORTB1) | _BV(PORTB2);
+  NOPS(2);
+  report(PINB & 0x06);
+  MCUCR = _BV(PUD);
+  NOPS(2);
+  report(PINB & 0x06);
+  MCUCR = 0;
+  NOPS(2);
+  report(PINB & 0x06);
+  end_program();
+}
