@@ -95,6 +95,8 @@ class Timer final : public Peripheral {
   std::uint8_t read_temp(Address) { return state_.runs ? state_.temp : std::uint8_t{0}; }
   void write_temp(Address address, std::uint8_t value);
   std::uint16_t with_temp(std::uint8_t low) const;
+  /// Data memory holds what was read or written last; returns the low byte.
+  std::uint8_t show(Address address, std::uint16_t value);
   void clear_flags(std::uint8_t flags);
   bool is_wide() const { return spec_.bits == 16; }
   std::uint8_t control_a() const { return core_.cpu.data[spec_.control]; }

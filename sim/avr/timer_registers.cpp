@@ -100,12 +100,18 @@ void Timer::write_temp(Address, std::uint8_t value) {
   if (state_.runs) state_.temp = value;
 }
 
-std::uint8_t Timer::read_count(Address) {
+std::uint8_t Timer::show(Address address, std::uint16_t value) {
+  core_.at(address) = static_cast<std::uint8_t>(value);
+  if (is_wide()) core_.at(high(address)) = static_cast<std::uint8_t>(value >> 8);
+  return core_.at(address);
+}
+
+std::uint8_t Timer::read_count(Address address) {
   if (!state_.runs) return 0;
   count_to(before_now());
   const std::uint16_t value = state_.counter.value();
   state_.temp = static_cast<std::uint8_t>(value >> 8);
-  return static_cast<std::uint8_t>(value);
+  return show(address, value);
 }
 
 void Timer::write_count(Address, std::uint8_t value) {
@@ -120,27 +126,27 @@ void Timer::write_compare(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
   const std::uint16_t compare = with_temp(value);
-  core_.at(address) = value;
-  if (is_wide()) core_.at(high(address)) = static_cast<std::uint8_t>(compare >> 8);
+  show(address, compare);
   state_.counter.write_compare(address == spec_.compare[0] ? 0 : 1, compare);
   if (!state_.counter.waits()) state_.drives_stale = true;
   settle();
 }
 
-std::uint8_t Timer::read_capture(Address) {
+std::uint8_t Timer::read_capture(Address address) {
   if (!state_.runs) return 0;
   count_to(before_now());
   want_captures();
   const std::uint16_t value = state_.counter.capture();
   state_.temp = static_cast<std::uint8_t>(value >> 8);
-  return static_cast<std::uint8_t>(value);
+  return show(address, value);
 }
 
 // 16.11.7: it can be written only where it is TOP.
-void Timer::write_capture(Address, std::uint8_t value) {
+void Timer::write_capture(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs || state_.counter.how().top != Counting::Top::capture) return;
   state_.counter.set_capture(with_temp(value));
+  show(address, with_temp(value));
   state_.drives_stale = true;
   settle();
 }
