@@ -108,7 +108,7 @@ void Timer::count_to(Cycle to) {
 }
 
 void Timer::set_flags(std::uint8_t hits, Cycle at) {
-  for (std::size_t channel = 0; channel < Counter::kMatch.size(); ++channel)
+  for (std::size_t channel = 0; channel < Counter::kMatch.size() && control_a() & kConnections; ++channel)
     if (hits & Counter::kMatch[channel] && changes_at_match(channel)) match(channel);
   if (hits & Counter::kTakenOver) state_.drives_stale = true;
   const auto fresh = static_cast<std::uint8_t>(hits & (kCounted | kCaptured) & ~state_.flags);
@@ -189,6 +189,7 @@ void Timer::settle() {
 std::uint8_t Timer::wanted() const {
   const Counter& counter = state_.counter;
   unsigned wanted = state_.watched & ~state_.flags & flags_of_ticks();
+  if (!(control_a() & kConnections)) return static_cast<std::uint8_t>(wanted);
   for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
     if (!drives(channel)) continue;
     if (counter.waits()) wanted |= Counter::kTakenOver;

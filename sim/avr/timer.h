@@ -56,6 +56,7 @@ class Timer final : public Peripheral {
  private:
   // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
   static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
+  static constexpr std::uint8_t kConnections = 0xF0;  ///< COM of both channels in TCCRnA
   static constexpr std::uint8_t kCaptured = Counter::kTop;
   static constexpr std::uint8_t kCounted = Counter::kOverflow | Counter::kMatchA | Counter::kMatchB;
 

@@ -51,7 +51,7 @@ class Counter {
   std::uint16_t top() const { return static_cast<std::uint16_t>(top_of(how_, compare_[0], capture_)); }
   /// In force; what was written to OCRnx may wait until it is.
   std::uint16_t compare(std::size_t channel) const { return compare_[channel]; }
-  bool waits() const { return compare_ != written_; }
+  bool waits() const { return compare_[0] != written_[0] || compare_[1] != written_[1]; }
   std::uint16_t capture() const { return capture_; }
 
   void count(const Counting& how, std::uint16_t max);
