@@ -6,29 +6,29 @@
 
 #include "report.h"
 
-#define OUT_IN(to, value, nops, from)                                                                      \
-  ({                                                                                                       \
-    uint8_t found_;                                                                                        \
-    __asm__ volatile("out %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tin %0, %4"                                   \
-                     : "=r"(found_)                                                                        \
-                     : "I"(_SFR_IO_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "I"(_SFR_IO_ADDR(from)));  \
-    found_;                                                                                                \
+#define OUT_IN(to, value, nops, from)                                                                     \
+  ({                                                                                                      \
+    uint8_t found_;                                                                                       \
+    __asm__ volatile("out %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tin %0, %4"                                \
+                     : "=r"(found_)                                                                       \
+                     : "I"(_SFR_IO_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "I"(_SFR_IO_ADDR(from))); \
+    found_;                                                                                               \
   })
-#define STS_LDS(to, value, nops, from)                                                                     \
-  ({                                                                                                       \
-    uint8_t found_;                                                                                        \
-    __asm__ volatile("sts %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tlds %0, %4"                                  \
-                     : "=r"(found_)                                                                        \
+#define STS_LDS(to, value, nops, from)                                                                      \
+  ({                                                                                                        \
+    uint8_t found_;                                                                                         \
+    __asm__ volatile("sts %1, %2\n\t.rept %3\n\tnop\n\t.endr\n\tlds %0, %4"                                 \
+                     : "=r"(found_)                                                                         \
                      : "n"(_SFR_MEM_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "n"(_SFR_MEM_ADDR(from))); \
-    found_;                                                                                                \
+    found_;                                                                                                 \
   })
 /// Two OUTs in two cycles, then an IN nops + 1 cycles after the second.
-#define OUT_OUT_IN(first, value1, second, value2, nops, from)                                              \
-  ({                                                                                                       \
-    uint8_t found_;                                                                                        \
-    __asm__ volatile("out %1, %2\n\tout %3, %4\n\t.rept %5\n\tnop\n\t.endr\n\tin %0, %6"                    \
-                     : "=r"(found_)                                                                        \
-                     : "I"(_SFR_IO_ADDR(first)), "r"((uint8_t)(value1)), "I"(_SFR_IO_ADDR(second)),        \
-                       "r"((uint8_t)(value2)), "n"(nops), "I"(_SFR_IO_ADDR(from)));                        \
-    found_;                                                                                                \
+#define OUT_OUT_IN(first, value1, second, value2, nops, from)                                       \
+  ({                                                                                                \
+    uint8_t found_;                                                                                 \
+    __asm__ volatile("out %1, %2\n\tout %3, %4\n\t.rept %5\n\tnop\n\t.endr\n\tin %0, %6"            \
+                     : "=r"(found_)                                                                 \
+                     : "I"(_SFR_IO_ADDR(first)), "r"((uint8_t)(value1)), "I"(_SFR_IO_ADDR(second)), \
+                       "r"((uint8_t)(value2)), "n"(nops), "I"(_SFR_IO_ADDR(from)));                 \
+    found_;                                                                                         \
   })

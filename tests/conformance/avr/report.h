@@ -1,5 +1,5 @@
-// For programs that are judged by what they report, on any emulator and on the chip: each byte that is written to
-// GPIOR0 is reported, a write to GPIOR1 ends the program. A program begins with comments:
+// For programs that are judged by what they report, on any emulator and on the chip: each byte that is
+// written to GPIOR0 is reported, a write to GPIOR1 ends the program. A program begins with comments:
 //
 //   // What must hold, as a sentence.
 //   // Source: DS40002061B, 15.7.2

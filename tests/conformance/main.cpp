@@ -1,0 +1,71 @@
+// robosim_conformance [FILE]: runs each program on our core and on the referees, and prints the table; with a
+// file, writes it between the lines "<!-- table -->" and "<!-- end -->".
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+#include "sim/base/file.h"
+#include "tests/conformance/referees.h"
+
+namespace robosim::conformance {
+namespace {
+
+std::string cell(const Program& program, const std::optional<Report>& report) {
+  if (!report) return "";
+  if (is_right(program, *report)) return "yes";
+  const std::string bytes = text_of(report->bytes);
+  return (bytes.empty() ? "nothing" : "`" + bytes.substr(0, 47) + (bytes.size() > 47 ? "…`" : "`")) +
+         (report->ended ? "" : ", does not end");
+}
+
+std::string table(int& wrong) {
+  std::string text =
+      "| program | what must hold | source | due | ours | simavr 1.6 | avr8js "
+      "|\n|---|---|---|---|---|---|---|\n";
+  int count = 0, simavr_right = 0, avr8js_right = 0;
+  for (const Program& program : programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)) {
+    const auto flash = compile(program, "atmega328p");
+    const Report ours = run_on_ours(program, flash), simavr = run_on_simavr(program, flash);
+    const std::optional<Report> avr8js = run_on_avr8js(program, flash);
+    ++count;
+    wrong += !is_right(program, ours);
+    simavr_right += is_right(program, simavr);
+    avr8js_right += avr8js && is_right(program, *avr8js);
+    text += fmt::format("| `{}` | {} | {} | `{}` | {} | {} | {} |\n", program.name, program.sentence,
+                        program.source, text_of(program.expected), cell(program, ours), cell(program, simavr),
+                        cell(program, avr8js));
+  }
+  return text + fmt::format("| {} programs | | | | {} | {} | {} |\n", count, count - wrong, simavr_right,
+                            avr8js_right);
+}
+
+int write_table(const std::filesystem::path& file) {
+  constexpr const char* kBegin = "<!-- table -->\n";
+  constexpr const char* kEnd = "<!-- end -->\n";
+  int wrong = 0;
+  const std::string made = table(wrong);
+  if (file.empty()) {
+    fmt::print("{}", made);
+  } else {
+    std::string page = read_file(file);
+    const auto begin = page.find(kBegin), end = page.find(kEnd);
+    if (begin == page.npos || end == page.npos)
+      throw std::runtime_error(file.string() + " has no place for the table");
+    const auto from = begin + std::string(kBegin).size();
+    page.replace(from, end - from, made);
+    std::ofstream(file) << page;
+  }
+  return wrong;
+}
+
+}  // namespace
+}  // namespace robosim::conformance
+
+int main(int argc, char** argv) try {
+  return robosim::conformance::write_table(argc > 1 ? argv[1] : "") > 0 ? 1 : 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "robosim_conformance: {}\n", error.what());
+  return 1;
+}

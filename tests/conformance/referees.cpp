@@ -1,0 +1,79 @@
+extern "C" {
+#include <simavr/avr_ioport.h>
+#include <simavr/sim_avr.h>
+#include <simavr/sim_io.h>
+}
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "hal/board/atmega328p.h"
+#include "sim/base/child.h"
+#include "tests/conformance/bench.h"
+#include "tests/conformance/referees.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::conformance {
+namespace {
+
+constexpr avr_io_addr_t kReport = 0x3E, kEnd = 0x4A;  // GPIOR0, GPIOR1
+
+void on_report(avr_t*, avr_io_addr_t, std::uint8_t value, void* report) {
+  static_cast<Report*>(report)->bytes.push_back(value);
+}
+
+void on_end(avr_t*, avr_io_addr_t, std::uint8_t, void* report) { static_cast<Report*>(report)->ended = true; }
+
+}  // namespace
+
+bool is_right(const Program& program, const Report& report) {
+  return report.ended && matches(program.expected, report.bytes);
+}
+
+Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash) {
+  Bench bench(kAtmega328p, flash);
+  bench.run(program.cycles);
+  return {bench.reported, bench.ended};
+}
+
+Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash) {
+  Report report;
+  avr_t* const avr = avr_make_mcu_by_name("atmega328p");
+  avr_init(avr);
+  avr->log = LOG_NONE;
+  avr->frequency = 16'000'000;
+  avr->vcc = avr->avcc = avr->aref = 5000;
+  avr->sleep = [](avr_t*, avr_cycle_count_t) {};
+  std::memcpy(avr->flash, flash.data(), flash.size());
+  avr->codeend = static_cast<avr_flashaddr_t>(flash.size());
+  avr_register_io_write(avr, kReport, on_report, &report);
+  avr_register_io_write(avr, kEnd, on_end, &report);
+  int state = cpu_Running;
+  while (!report.ended && state != cpu_Done && state != cpu_Crashed && avr->cycle < program.cycles)
+    state = avr_run(avr);
+  avr_terminate(avr);
+  std::free(avr);
+  return report;
+}
+
+std::optional<Report> run_on_avr8js(const Program& program, std::span<const std::uint8_t> flash) {
+  const char* const folder = std::getenv("ROBOSIM_AVR8JS");
+  if (!folder) return std::nullopt;
+  const test::TemporaryFolder scratch;
+  const auto image = scratch.path() / "flash.bin";
+  std::ofstream(image, std::ios::binary)
+      .write(reinterpret_cast<const char*>(flash.data()), static_cast<std::streamsize>(flash.size()));
+  std::istringstream words(
+      output_of({"node", ROBOSIM_AVR8JS_SCRIPT, folder, image.string(), std::to_string(program.cycles)}));
+  Report report;
+  std::string how;
+  if (!(words >> how)) return std::nullopt;
+  report.ended = how == "ended";
+  for (std::string byte; words >> byte;)
+    report.bytes.push_back(static_cast<std::uint8_t>(std::stoul(byte, nullptr, 16)));
+  return report;
+}
+
+}  // namespace robosim::conformance
