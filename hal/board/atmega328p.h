@@ -47,7 +47,6 @@ constexpr ChipSpec kAtmega328p = {
     .macro = "__AVR_ATmega328P__",
     .registers = "iom328p.h",
     .avrdude_name = "atmega328p",
-    .emulator_name = "atmega328p",
     .signature = {0x1E, 0x95, 0x0F},  // 28.3
     .flash_address = 0,
     .flash_bytes = 0x8000,  // 8.2 to 8.4

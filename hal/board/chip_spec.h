@@ -105,7 +105,6 @@ struct ChipSpec {
   const char* macro;          ///< what avr-gcc defines for it; null = nothing
   const char* registers;      ///< avr-libc's header of its registers; null = none
   const char* avrdude_name;   ///< null = avrdude does not know it
-  const char* emulator_name;  ///< libsimavr's; null = not emulated by that
   uint8_t signature[3];       ///< what a programmer reads from it; zeros = nothing
 
   uint32_t flash_address;  ///< in its own address space, as far as it is one

@@ -79,7 +79,6 @@ constexpr ChipSpec kStm32f103c8 = {
     .macro = nullptr,
     .registers = nullptr,
     .avrdude_name = nullptr,
-    .emulator_name = nullptr,
     .signature = {},
     .flash_address = 0x08000000,  // 3.3
     .flash_bytes = 64 * 1024,

@@ -63,7 +63,7 @@ void Chip::make_peripherals() {
     peripherals_.push_back(std::move(made));
     return peripheral;
   };
-  power_.supply(add(std::make_unique<ExternalInterrupts>(core_, pins_)), Power::Clock::io, 0, -1);
+  add(std::make_unique<ExternalInterrupts>(core_, pins_));
   Prescalers& prescalers = add(std::make_unique<Prescalers>(core_));
   power_.supply(prescalers, Power::Clock::io, 0, -1);
   for (int index = 0; index < core_.chip.timer_count; ++index) {

@@ -10,6 +10,9 @@ constexpr Address kFirstIo = 0x20;
 constexpr std::uint8_t kErased = 0xFF;
 // Above this the vectors are two words apart, room for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
+constexpr Address kStackHigh = 0x5E;
+
+bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == kStackHigh; }
 
 }  // namespace
 
@@ -98,6 +101,8 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
   }
   switch (address) {
     case kSreg:
+      // Between the halves of the stack pointer it is a function's that makes room for its variables.
+      if (state.last_pc == 0 || !writes_sph(original_[state.last_pc - 1])) touch();
       return set_sreg(value);
     case kSpl:
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF00) | value);

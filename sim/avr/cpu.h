@@ -36,7 +36,7 @@ class Cpu {
     mark,      ///< the instruction at the program counter has a mark; run() again runs it
     break_,    ///< BREAK ran
     illegal,   ///< a reserved opcode; the program counter is at it
-    outside,   ///< the program counter is behind the flash
+    outside,   ///< the program counter is behind the flash: by a jump to outside_pc(), or by running on
     bad_read,  ///< the instruction before has touched bad_address(), which has no memory
     bad_write,
     spm,          ///< SPM ran
@@ -136,6 +136,8 @@ class Cpu {
   void skip_to(Cycle cycle) { state.cycle = cycle; }
   /// Of the instruction that runs or ran last, in words.
   std::uint32_t last_pc() const { return state.last_pc; }
+  /// Where the last jump out of the flash led to, in words.
+  std::uint32_t outside_pc() const { return state.outside_pc; }
   Address bad_address() const { return state.bad_address; }
   Address last_ram() const { return last_ram_; }
 
@@ -172,6 +174,7 @@ class Cpu {
     std::uint8_t sreg = 0;
     bool held = false;  ///< one more instruction runs before an interrupt
     Address bad_address = 0;
+    std::uint32_t outside_pc = 0;
     std::uint32_t passing = ~0u;  ///< where the mark has been told
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
@@ -199,6 +202,13 @@ class Cpu {
   void push_pc(std::uint32_t pc);
   std::uint32_t pop_pc();
   void leave_handler();
+  /// Where the program counter goes on: behind the flash, if `pc` is.
+  std::uint32_t target_of(std::uint32_t pc) {
+    const auto words = static_cast<std::uint32_t>(code_.size() - 2);
+    if (pc < words) return pc;
+    state.outside_pc = pc;
+    return words;
+  }
   void write_bit(Address address, std::uint8_t bit, bool set);
   void skip_if(bool taken);
 

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "sim/avr/cpu.h"
+#include "sim/avr/cpu_steps.h"
 
 namespace robosim::avr {
 namespace {
@@ -20,95 +21,6 @@ constexpr std::array<std::uint8_t, 256> signs_of_results() {
 constexpr auto kSigns = signs_of_results();
 
 }  // namespace
-
-#if defined(__EMSCRIPTEN__)
-#define GO_TO_OPERATION(op) \
-  which = op;               \
-  goto choose
-#else
-#define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
-#endif
-// NEXT(words): the operation is done; `left` has its cycles already.
-#define DISPATCH              \
-  if (left <= 0) [[unlikely]] \
-    goto leave;               \
-  GO_TO_OPERATION(i->op)
-#define NEXT(words) \
-  i += (words);     \
-  DISPATCH
-#define OPERATION(name, cycles) L_##name : left -= (cycles);
-// From here on what the processor is holds in `state`, with the program counter behind the instruction;
-// RESUME goes on from there.
-#define PUT(words)                                              \
-  state.cycle = end - static_cast<Cycle>(left);                 \
-  state.last_pc = static_cast<std::uint32_t>(i - code);         \
-  state.pc = state.last_pc + static_cast<std::uint32_t>(words); \
-  state.sreg = static_cast<std::uint8_t>(sreg);                 \
-  state.sp = sp
-#define RESUME goto resume
-#define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
-
-#define LOAD(to, address, words)  \
-  {                               \
-    const Address at = (address); \
-    if (IS_RAM(at)) [[likely]] {  \
-      r[to] = r[at];              \
-      NEXT(words);                \
-    }                             \
-    PUT(words);                   \
-    r[to] = load_elsewhere(at);   \
-    RESUME;                       \
-  }
-#define STORE(address, value, words)     \
-  {                                      \
-    const Address at = (address);        \
-    const std::uint8_t stored = (value); \
-    if (IS_RAM(at)) [[likely]] {         \
-      r[at] = stored;                    \
-      NEXT(words);                       \
-    }                                    \
-    PUT(words);                          \
-    store_elsewhere(at, stored);         \
-    RESUME;                              \
-  }
-// The return address is behind the instruction.
-#define CALL(words, target)                                                            \
-  {                                                                                    \
-    const auto back = static_cast<std::uint32_t>(i - code) + (words);                  \
-    const std::uint32_t to = (target);                                                 \
-    note_jump(back - (words));                                                         \
-    if (pc_bytes == 2 && IS_RAM(sp) && IS_RAM(sp - 1) && sp - 2 >= watch) [[likely]] { \
-      r[sp] = static_cast<std::uint8_t>(back);                                         \
-      r[sp - 1] = static_cast<std::uint8_t>(back >> 8);                                \
-      sp = static_cast<std::uint16_t>(sp - 2);                                         \
-      i = code + (to < words_of_flash ? to : words_of_flash);                          \
-      DISPATCH;                                                                        \
-    }                                                                                  \
-    PUT(words);                                                                        \
-    push_pc(back);                                                                     \
-    state.pc = to < words_of_flash ? to : words_of_flash;                              \
-    RESUME;                                                                            \
-  }
-#define JUMP(target)                                            \
-  {                                                             \
-    const std::uint32_t next = (target);                        \
-    i = code + (next < words_of_flash ? next : words_of_flash); \
-    DISPATCH;                                                   \
-  }
-#define STOP(why, words) \
-  {                      \
-    PUT(words);          \
-    stop_ = (why);       \
-    return stop_;        \
-  }
-#define RELATIVE(k) ((static_cast<std::uint32_t>(i - code) + 1 + static_cast<std::uint32_t>(k)) & wrap)
-#define SKIP_IF(taken)                   \
-  if (taken) {                           \
-    const unsigned skipped = i[1].words; \
-    left -= skipped;                     \
-    NEXT(1 + skipped);                   \
-  }                                      \
-  NEXT(1)
 
 Cpu::Stop Cpu::run(Cycle until) {
   stop_ = Stop::horizon;
@@ -312,18 +224,6 @@ choose:
   OPERATION(ldd_y, 2) LOAD(i->a, static_cast<Address>(pair(kYLow) + i->b), 1);
   OPERATION(ldd_z, 2) LOAD(i->a, static_cast<Address>(pair(kZLow) + i->b), 1);
   OPERATION(lds, 2) LOAD(i->a, static_cast<Address>(i->k), 2);
-#define LOAD_AND_STEP(low)             \
-  {                                    \
-    const Address pointer = pair(low); \
-    set_pair(low, pointer + 1u);       \
-    LOAD(i->a, pointer, 1);            \
-  }
-#define STEP_AND_LOAD(low)                                    \
-  {                                                           \
-    const auto pointer = static_cast<Address>(pair(low) - 1); \
-    set_pair(low, pointer);                                   \
-    LOAD(i->a, pointer, 1);                                   \
-  }
   OPERATION(ld_x_inc, 2) LOAD_AND_STEP(kXLow);
   OPERATION(ld_y_inc, 2) LOAD_AND_STEP(kYLow);
   OPERATION(ld_z_inc, 2) LOAD_AND_STEP(kZLow);
@@ -334,21 +234,6 @@ choose:
   OPERATION(std_y, 2) STORE(static_cast<Address>(pair(kYLow) + i->b), r[i->a], 1);
   OPERATION(std_z, 2) STORE(static_cast<Address>(pair(kZLow) + i->b), r[i->a], 1);
   OPERATION(sts, 2) STORE(static_cast<Address>(i->k), r[i->a], 2);
-// What is stored is the register before the pointer has moved, though it may be a part of it.
-#define STORE_AND_STEP(low)              \
-  {                                      \
-    const Address pointer = pair(low);   \
-    const std::uint8_t before = r[i->a]; \
-    set_pair(low, pointer + 1u);         \
-    STORE(pointer, before, 1);           \
-  }
-#define STEP_AND_STORE(low)                                   \
-  {                                                           \
-    const auto pointer = static_cast<Address>(pair(low) - 1); \
-    const std::uint8_t before = r[i->a];                      \
-    set_pair(low, pointer);                                   \
-    STORE(pointer, before, 1);                                \
-  }
   OPERATION(st_x_inc, 2) STORE_AND_STEP(kXLow);
   OPERATION(st_y_inc, 2) STORE_AND_STEP(kYLow);
   OPERATION(st_z_inc, 2) STORE_AND_STEP(kZLow);
@@ -432,14 +317,14 @@ choose:
     }
     PUT(1);
     const std::uint32_t to = pop_pc();
-    state.pc = to < words_of_flash ? to : words_of_flash;
+    state.pc = target_of(to);
     RESUME;
   }
   OPERATION(reti, 2 + pc_bytes) {
     note_jump(static_cast<std::uint32_t>(i - code));
     PUT(1);
     const std::uint32_t to = pop_pc();
-    state.pc = to < words_of_flash ? to : words_of_flash;
+    state.pc = target_of(to);
     leave_handler();
     set_sreg(static_cast<std::uint8_t>(sreg | kI));
     RESUME;

@@ -63,7 +63,7 @@ void ExternalInterrupts::listen_or_not(std::size_t number) {
   if (listens == line.listening || lines_[number].pin < 0) return;
   line.listening = listens;
   pins_.listen(lines_[number].listener, listens);
-  if (listens) line.level = line.clocked_level = pins_.heard_level(lines_[number].pin);
+  if (listens) line.level = pins_.heard_level(lines_[number].pin);
 }
 
 void ExternalInterrupts::request(std::size_t number) {
@@ -136,7 +136,7 @@ void ExternalInterrupts::external_changed(int pin, bool level, Cycle at) {
   state_.lines[number].level = level;
   if (sense(number) == Sense::low_level) {
     request(number);
-  } else if (state_.io_clock_runs) {
+  } else {
     edge(number, level, at);
   }
 }
@@ -196,19 +196,6 @@ void ExternalInterrupts::change_entered(int vector) {
 
 bool ExternalInterrupts::awaited(int vector, bool) {
   return core_.at(reg::kEifr) & flag_bit(static_cast<std::size_t>(vector - core_.chip.external_vector));
-}
-
-void ExternalInterrupts::clock_runs(bool runs, Cycle at) {
-  state_.io_clock_runs = runs;
-  for (std::size_t number = 0; number < lines(); ++number) {
-    LineState& line = state_.lines[number];
-    if (!line.listening) continue;
-    if (!runs) {
-      line.clocked_level = line.level;
-    } else if (line.level != line.clocked_level) {
-      edge(number, line.level, at);
-    }
-  }
 }
 
 }  // namespace robosim::avr

@@ -8,8 +8,8 @@
 //
 // A request counts where EIMSK or PCICR has its bit; entering its vector clears the flag, as does writing 1
 // to it. An edge passes the input's synchroniser: INTFn is set 2 cycles behind it, PCIFg 3 (figure 13-1).
-// Edges of INTn need the I/O clock, levels and pin changes do not. Pins that outputs of the chip's own move
-// count.
+// Pins that outputs of the chip's own move count. Edges of INTn wake the chip from every sleep mode: 13.1
+// says that they need the I/O clock, but real chips notice them without, and sketches rely on it.
 //
 // Nobody listens to a pin until its ISCn or its bit in EIMSK is written 1, or its bit in PCMSKg.
 #pragma once
@@ -26,7 +26,6 @@ class ExternalInterrupts final : public Peripheral {
   ExternalInterrupts(Core& core, Pins& pins);
 
   void reset(Cycle at) override;
-  void clock_runs(bool runs, Cycle at) override;
 
  private:
   static constexpr std::size_t kMost = 8, kMostGroups = 4;
@@ -43,13 +42,11 @@ class ExternalInterrupts final : public Peripheral {
   struct LineState {
     bool listening = false;
     bool level = false;
-    bool clocked_level = false;  ///< when the I/O clock stopped
     Cycle flag_at = kNoCycle;
   };
   struct State {
     std::array<LineState, kMost> lines{};
     std::array<Cycle, kMostGroups> change_flag_at;
-    bool io_clock_runs = true;
     State() { change_flag_at.fill(kNoCycle); }
   };
 

@@ -19,7 +19,7 @@ std::string program_of(const std::string& target) {
   const fs::path program = helper_folder() / ("robosim-" + target);
   std::error_code error;
   if (!fs::exists(program, error)) {
-    const std::string packages = target == "avr"     ? "libsimavr-dev libdw-dev"
+    const std::string packages = target == "avr"     ? "libdw-dev"
                                  : target == "stm32" ? "libunicorn-dev libdw-dev"
                                                      : "";
     if (!packages.empty() && helper_folder().filename() == "robosim") {  // libexec/robosim: it is installed

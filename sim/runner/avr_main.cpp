@@ -1,5 +1,4 @@
-// The runner of the target avr. It links libsimavr and is therefore, as a program, under the GPL-3
-// (sim/exec/avr/simavr.h).
+// The runner of the target avr.
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/runner/session.h"
 

@@ -1,5 +1,4 @@
-// How many times faster than real time the emulated chip runs, on one core. An executable of its own: what
-// links libsimavr (GPL-3) shall link no other emulator.
+// How many times faster than real time the emulated chip runs, on one core.
 
 #include <benchmark/benchmark.h>
 

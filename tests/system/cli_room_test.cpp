@@ -52,7 +52,9 @@ TEST_F(CliRoom, SoManyNodesFitIntoAiNavigatorAsItsRunSays) {
   const int nodes = said(run);
   EXPECT_GT(nodes, 205) << run.out;
   EXPECT_LT(nodes, 253) << run.out;
-  const Ended full = scan_with(nodes, kBallast_bytes);
+  // An interrupt may come where the stack is deepest in one run and not in another: its frame stays free.
+  constexpr int kNodesOfAHandler = 8;
+  const Ended full = scan_with(nodes - kNodesOfAHandler, kBallast_bytes);
   EXPECT_EQ(full.status, 0) << full.out << full.err;
   const Ended over = scan_with(nodes + 8, kBallast_bytes);
   EXPECT_EQ(over.status, 1);

@@ -127,7 +127,7 @@ TEST_F(OnTheChip, AFollowersRunIsPinned) {
   const std::string compiler = build::build(request).compiler;
   if (compiler != "gcc 5.4.0 avr") GTEST_SKIP() << "pinned for gcc 5.4.0 avr, this is " << compiler;
   const wire::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
-  EXPECT_EQ(r.trace_hash, "1:6d18cecf76a602d6") << r.why;
+  EXPECT_EQ(r.trace_hash, "1:9fbebd1df5d48061") << r.why;
 }
 
 TEST_F(OnTheChip, MillisWrapsInATest) {

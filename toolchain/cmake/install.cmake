@@ -1,5 +1,5 @@
 # `cmake --install` and CPack: what an installed Robosim is made of. sim/base/file.h says how it finds it.
-# One component for each licence: host (MIT), avr (GPL-3 by libsimavr), stm32 (GPL-2 by Unicorn); each a Debian package.
+# One component for each target: host and avr (MIT), stm32 (GPL-2 by Unicorn); each a Debian package.
 if(NOT TARGET robosim OR NOT TARGET robosim-host)
   return()
 endif()

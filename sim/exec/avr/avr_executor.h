@@ -1,6 +1,6 @@
-// The target avr: an emulated ATmega328P (libsimavr, see avr/simavr.h about its licence).
+// The target avr: the very ELF that is flashed, in an emulated chip (sim/avr).
 //
-//   ELF ──► Chip (libsimavr) ──► Ports, Adc, Uart ──► FirmwarePort
+//   ELF ──► WatchedChip ── Chip of sim/avr ──► Outside ──► FirmwarePort
 //
 // Time: the chip's clock is the board's; a tick may end up to 3 cycles late.
 #pragma once

@@ -12,7 +12,7 @@ constexpr reg::Address kData = 24, kValue = 22, kOther = 20;  // registers that 
 /// The chip's memory, as gcc's data lies in it.
 class Memory {
  public:
-  explicit Memory(const Chip& chip) : chip_(chip) {}
+  explicit Memory(const WatchedChip& chip) : chip_(chip) {}
 
   std::uint16_t word(unsigned at) const { return static_cast<std::uint16_t>(bytes(at, kWord)); }
   std::uint64_t bytes(unsigned at, unsigned count) const {
@@ -33,7 +33,7 @@ class Memory {
 
  private:
   static constexpr std::size_t kLongest = 4096;  // of a path
-  const Chip& chip_;
+  const WatchedChip& chip_;
 };
 
 /// A type's description, as it would lie in this program's memory.
@@ -72,7 +72,7 @@ bool lacks_location(const Memory& memory, unsigned data) {
 
 }  // namespace
 
-std::optional<Undefined> failed_check(const Firmware& firmware, const Chip& chip, const Fault& fault) {
+std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChip& chip, const Fault& fault) {
   const Symbol* const handler =
       fault.kind == Fault::Kind::bad_opcode ? firmware.function_at(fault.pc) : nullptr;
   if (!handler || !handler->name.starts_with(kCheckPrefix)) return std::nullopt;

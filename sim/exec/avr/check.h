@@ -4,12 +4,12 @@
 
 #include <optional>
 
-#include "sim/exec/avr/chip.h"
+#include "sim/exec/avr/watched_chip.h"
 #include "sim/exec/host/undefined.h"
 
 namespace robosim::exec::avr {
 
 /// If the chip has stopped in a check's handler (hal/avr/undefined.c).
-std::optional<Undefined> failed_check(const Firmware& firmware, const Chip& chip, const Fault& fault);
+std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChip& chip, const Fault& fault);
 
 }  // namespace robosim::exec::avr

@@ -39,9 +39,9 @@ void DebugPort::poke(std::uint32_t address, std::uint8_t value) {
 
 void DebugPort::trap(std::uint32_t address, bool set) {
   if (set)
-    chip().set_trap(Chip::kBreakpoint, address);
+    chip().set_trap(WatchedChip::kBreakpoint, address);
   else
-    chip().clear_trap(Chip::kBreakpoint, address);
+    chip().clear_trap(WatchedChip::kBreakpoint, address);
 }
 
 std::uint32_t DebugPort::data_end() const { return kAvrData + firmware_.last_ram + 1u; }

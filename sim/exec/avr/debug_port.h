@@ -3,7 +3,7 @@
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
 //   addresses   flash from 0, data memory from kAvrData, EEPROM from kAvrEeprom (sim/elf/avr_addresses.h)
 //
-// Breakpoints cost nothing: they are traps in the emulator's flash.
+// Breakpoints cost nothing: they are traps in the core's decoded flash.
 #pragma once
 
 #include "sim/exec/avr/machine.h"
@@ -30,7 +30,7 @@ class DebugPort final : public gdb::DebugPort {
   bool is_asleep() const override { return chip().is_asleep(); }
   std::size_t open_handlers() const override { return static_cast<std::size_t>(chip().open_handlers()); }
   std::uint64_t cycle() const override { return chip().cycle(); }
-  SimTime time() const override { return board_.to_world(machine_->link().now()); }
+  SimTime time() const override { return board_.to_world(machine_->now()); }
   bool has_code(std::uint32_t address) const override { return address < flash_end(); }
   bool has_ram(std::uint32_t address, std::size_t size) const override;
   void poke(std::uint32_t address, std::uint8_t value) override;
@@ -40,7 +40,7 @@ class DebugPort final : public gdb::DebugPort {
   std::uint32_t pc() const;
   std::uint32_t flash_end() const;  ///< an image built with checks may exceed the real chip's
   std::uint32_t data_end() const;
-  Chip& chip() const { return machine_->chip(); }
+  WatchedChip& chip() const { return machine_->chip(); }
 
   const Firmware& firmware_;
   ClockedBoard& board_;

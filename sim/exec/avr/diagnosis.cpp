@@ -38,7 +38,7 @@ SourceLine Diagnosis::place_of_calls(const std::vector<Stack::Call>& calls) cons
 }
 
 SourceLine Diagnosis::where_now() const {
-  const Chip& chip = machine_.chip();
+  const WatchedChip& chip = machine_.chip();
   SourceLine where = place(chip.pc());
   if (where.file.empty() && chip.in_handler()) where = place(chip.interrupted_pc());
   return where.file.empty() ? place_of_calls(machine_.stack().open_calls()) : where;
@@ -99,10 +99,9 @@ std::vector<SourceLine> Diagnosis::call_chain(std::uint32_t pc) const {
 }
 
 std::string Diagnosis::registers() const {
-  const Chip& chip = machine_.chip();
-  const std::uint8_t* flags = const_cast<Chip&>(chip).simavr()->sreg;
+  const WatchedChip& chip = machine_.chip();
   std::string sreg;
-  for (int bit = 7; bit >= 0; --bit) sreg += flags[bit] ? "CZNVSHTI"[bit] : '-';
+  for (int bit = 7; bit >= 0; --bit) sreg += chip.status() >> bit & 1 ? "CZNVSHTI"[bit] : '-';
   std::string text = fmt::format("PC 0x{:04X}  SP 0x{:04X}  SREG {}", chip.pc(), chip.sp(), sreg);
   for (reg::Address r = 0; r < 32; ++r)
     text += fmt::format("{}r{} {:02X}", r % 16 == 0 ? "\n" : "  ", r, chip.data(r));
@@ -162,21 +161,21 @@ std::string Diagnosis::api_call(std::uint32_t pc) const {
 }
 
 std::string Diagnosis::stopped_by() const {
-  const Chip& chip = machine_.chip();
+  const WatchedChip& chip = machine_.chip();
   if (chip.is_off()) return "sleeping with interrupts off";
   const auto stop = firmware_.find("__stop_program");
   return stop && chip.pc() == *stop ? "exit()" : "";
 }
 
 Activity Diagnosis::activity() const {
-  const Chip& chip = machine_.chip();
+  const WatchedChip& chip = machine_.chip();
   Activity activity;
   activity.call = api_call(chip.last_io_pc());
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
-    activity.pin = machine_.ports().last_read();
+    activity.pin = machine_.outside().last_read();
   const Cycle second = machine_.chip().clock_hz();
-  if (machine_.ports().last_read() != kNoPin && chip.cycle() - machine_.ports().last_read_at() <= second)
-    activity.polled = machine_.ports().last_read();
+  if (machine_.outside().last_read() != kNoPin && chip.cycle() - machine_.outside().last_read_at() <= second)
+    activity.polled = machine_.outside().last_read();
   activity.where = where_now();
   activity.stopped_by = stopped_by();
   return activity;

@@ -62,7 +62,7 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   firmware.file = file.string();
   firmware.chip = board.chip;
   firmware.last_ram = static_cast<std::uint16_t>(ram_end(*board.chip) - 1);
-  if (!board.chip->emulator_name)
+  if (std::string_view(board.chip->target) != "avr")
     throw InputError({firmware.file},
                      fmt::format("is for an AVR chip, and the robot's board is the {}", board.name));
   load_symbols(elf, board, firmware);

@@ -1,23 +1,39 @@
-// What the chip's peripherals share: the chip, the board behind its pins, and the time (by the chip's own
-// clock).
+// The chip's clock against the board's: cycles of the processor, and the time they begin at.
 #pragma once
 
 #include "hal/board/cycle_time.h"
-#include "sim/exec/avr/chip.h"
-#include "sim/exec/core/clocked_board.h"
+#include "sim/avr/cycle.h"
 
 namespace robosim::exec::avr {
 
-struct Link {
-  Chip& chip;
-  ClockedBoard& board;
-  const CycleTime cycles;  ///< how long the chip's take by its own clock
-  SimTime began = 0;       ///< when the power came on, at cycle 0
+using robosim::avr::Cycle;
 
-  SimTime time_of(Cycle cycle) const { return began + cycles.of(static_cast<SimTime>(cycle)); }
+/// Times are by the chip's own clock.
+class Link {
+ public:
+  /// The power came on at `began`, with cycle 0.
+  Link(std::int64_t clock_hz, SimTime began) : clock_hz_(clock_hz), cycles_(clock_hz), began_(began) {}
+
+  SimTime time_of(Cycle cycle) const {
+    return began_ + cycles_.of(static_cast<SimTime>(cycle) - static_cast<SimTime>(first_));
+  }
   /// The first cycle at or after `t`.
-  Cycle cycle_at(SimTime t) const { return t <= began ? 0 : static_cast<Cycle>(cycles.first_at(t - began)); }
-  SimTime now() const { return time_of(chip.cycle()); }
+  Cycle cycle_at(SimTime t) const {
+    return t <= began_ ? first_ : first_ + static_cast<Cycle>(cycles_.first_at(t - began_));
+  }
+  SimTime length_of(Cycle cycles) const { return cycles_.of(static_cast<SimTime>(cycles)); }
+  /// From cycle `at` on the processor's clock is the oscillator's divided by `divisor`.
+  void divide(int divisor, Cycle at) {
+    began_ = time_of(at);
+    first_ = at;
+    cycles_ = CycleTime(clock_hz_ / divisor);
+  }
+
+ private:
+  std::int64_t clock_hz_;
+  CycleTime cycles_;
+  SimTime began_;
+  Cycle first_ = 0;
 };
 
 }  // namespace robosim::exec::avr

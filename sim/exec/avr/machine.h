@@ -1,10 +1,9 @@
 // The chip with everything around it that firmware can touch.
 #pragma once
 
-#include "sim/exec/avr/adc.h"
-#include "sim/exec/avr/ports.h"
+#include "sim/exec/avr/outside.h"
 #include "sim/exec/avr/stack.h"
-#include "sim/exec/avr/uart.h"
+#include "sim/exec/avr/watched_chip.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/written_bytes.h"
 
@@ -19,7 +18,7 @@ struct LoopTimes {
   Cycle total = 0;
 };
 
-class Machine final : Peripherals {
+class Machine final : Outside {
  public:
   /// `loop`: the first instruction of loop(), if it is known. Here as everywhere in the chip, times are by
   /// its own clock.
@@ -40,35 +39,25 @@ class Machine final : Peripherals {
   /// As if the firmware had written there.
   void poke(reg::Address address, std::uint8_t value);
 
-  Chip& chip() { return chip_; }
-  const Chip& chip() const { return chip_; }
+  WatchedChip& chip() { return chip_; }
+  const WatchedChip& chip() const { return chip_; }
   const Stack& stack() const { return stack_; }
-  const Ports& ports() const { return ports_; }
-  const Link& link() const { return link_; }
+  const Outside& outside() const { return *this; }
+  using Outside::link;
+  SimTime now() const { return link().time_of(chip_.cycle()); }
 
  private:
-  void io_write(reg::Address address, std::uint8_t value) override;
-  std::uint8_t io_read(reg::Address address) override;
-  void was_reset() override;
-  void look() override { stack_.look(); }
-
-  static avr_cycle_count_t on_eeprom_written(avr_t* avr, avr_cycle_count_t when, void* self);
-  void write_eeprom_control(std::uint8_t value);
-  void timer_written(reg::Address address);
-  void take_inputs();
+  void was_reset(std::uint8_t flags, Cycle at) override;
+  void look_at_heap(Cycle at);
   void loop_began();
   void start_clock();
   void write_called();
 
   const Firmware& firmware_;
   ClockedBoard& board_;
-  Chip chip_;
-  Link link_;
+  WatchedChip chip_;
   Stack stack_;
-  Ports ports_;
-  Adc adc_;
-  Uart uart_;
-  bool eeprom_busy_ = false;
+  robosim::avr::Events::Id look_ = 0;
   LoopTimes loop_times_;
   Cycle loop_began_ = 0;
   bool looped_ = false;

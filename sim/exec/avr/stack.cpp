@@ -7,7 +7,7 @@ constexpr std::size_t kMostScannedCalls = 12;
 
 }  // namespace
 
-Stack::Stack(Chip& chip, const Firmware& firmware)
+Stack::Stack(WatchedChip& chip, const Firmware& firmware)
     : chip_(chip),
       firmware_(firmware),
       heap_pointer_(firmware.find_variable("__brkval").value_or(0)),

@@ -9,14 +9,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/exec/avr/chip.h"
+#include "sim/exec/avr/watched_chip.h"
 
 namespace robosim::exec::avr {
 
 class Stack {
  public:
-  Stack(Chip& chip, const Firmware& firmware);
+  Stack(WatchedChip& chip, const Firmware& firmware);
 
+  bool has_heap() const { return heap_pointer_ != 0; }
   /// Looks how far the heap has grown: the stack must not cross it.
   void look();
   /// The most bytes that were in use.
@@ -26,7 +27,7 @@ class Stack {
   /// What variables and heap leave.
   std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - heap_end_; }
   /// Whether the stack has reached the variables or the heap.
-  bool has_overflown() const { return chip_.lowest_sp() < heap_end_; }
+  bool has_overflown() const { return chip_.lowest_sp() + 1 < heap_end_; }
 
   /// An instruction in the code that called something.
   struct Call {
@@ -43,7 +44,7 @@ class Stack {
   std::uint32_t return_address(std::uint32_t at) const;
   bool find_call(std::uint32_t return_pc, Call& call) const;
 
-  Chip& chip_;
+  WatchedChip& chip_;
   const Firmware& firmware_;
   std::uint16_t heap_pointer_ = 0;  ///< where malloc keeps the heap's end; 0 = there is no heap
   std::uint16_t heap_end_;          ///< the highest it has been

@@ -24,4 +24,10 @@ const Symbol* Symbols::function_at(std::uint32_t address) const {
   return best;
 }
 
+const Symbol* Symbols::variable_at(std::uint32_t address) const {
+  for (const Symbol& symbol : all_)
+    if (!symbol.code && address >= symbol.address && address < symbol.address + symbol.size) return &symbol;
+  return nullptr;
+}
+
 }  // namespace robosim::exec

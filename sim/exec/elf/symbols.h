@@ -24,6 +24,8 @@ class Symbols {
   const Symbol* find(const std::string& name) const;
   /// The function that holds an address; null if none does.
   const Symbol* function_at(std::uint32_t address) const;
+  /// The variable that holds an address; null if none does.
+  const Symbol* variable_at(std::uint32_t address) const;
 
  private:
   std::vector<Symbol> all_;  ///< by address

@@ -5,8 +5,8 @@
 //   executor ──── stand_still(processor, why) ───► Server ◄── packets ──► gdb
 //            ◄─── go, or one instruction ─────────
 //
-// Why not libsimavr's own: it listens at all network addresses, prints to the standard output (which belongs
-// to the runner protocol), asks its socket at every instruction, and serves one emulator only.
+// Why not an emulator's own: it listens at all network addresses, prints to the standard output (which
+// belongs to the runner protocol), asks its socket at every instruction, and serves one emulator only.
 #pragma once
 
 #include <atomic>

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -17,14 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/exec/avr/simavr.h"
+#include "hal/board/atmega328p.h"
+#include "tests/conformance/bench.h"
 
+namespace robosim {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-// ATmega328P, data space
-constexpr avr_io_addr_t kGpior0 = 0x3E, kGpior1 = 0x4A, kGpior2 = 0x4B;
 
 /// Parents of nodes in preorder; that of node 0 is 0.
 Bytes randomTree(unsigned nodes, std::uint32_t seed) {
@@ -71,46 +69,39 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
   return up;
 }
 
-struct Session {
-  Bytes input, output;
-  std::size_t read = 0;
-  avr_cycle_count_t begin = 0;
-  std::vector<avr_cycle_count_t> spans;
+/// The chip with the program's other side: it reads the tree from GPIOR1, writes ways to GPIOR2, and marks
+/// with GPIOR0 when a search begins (1) and has ended (2).
+class Session final {
+ public:
+  Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {
+    input_[0] = static_cast<std::uint8_t>(parents.size());  // the root has no parent
+    avr::Cpu& cpu = bench_.chip.cpu();
+    cpu.on_write<&Session::mark>(kGpior0, this);
+    cpu.on_read<&Session::read>(kGpior1, this);
+    cpu.on_write<&Session::write>(kGpior2, this);
+    if (bench_.run(kLimit) != avr::Chip::Stop::off)
+      throw std::runtime_error("the program on the chip did not come to its end");
+  }
+
+  Bytes output;
+  std::vector<avr::Cycle> spans;
+
+ private:
+  static constexpr avr::Cycle kLimit = 20'000'000'000;
+  static constexpr avr::Address kGpior0 = 0x3E, kGpior1 = 0x4A, kGpior2 = 0x4B;
+
+  void mark(avr::Address, std::uint8_t value) {
+    if (value == 1) begin_ = bench_.chip.cycle();
+    if (value == 2) spans.push_back(bench_.chip.cycle() - begin_);
+  }
+  std::uint8_t read(avr::Address) { return read_ < input_.size() ? input_[read_++] : std::uint8_t{0}; }
+  void write(avr::Address, std::uint8_t value) { output.push_back(value); }
+
+  Bytes input_;
+  std::size_t read_ = 0;
+  avr::Cycle begin_ = 0;
+  conformance::Bench bench_;
 };
-
-void onMark(avr_t* avr, avr_io_addr_t, std::uint8_t value, void* param) {
-  auto& session = *static_cast<Session*>(param);
-  if (value == 1) session.begin = avr->cycle;
-  if (value == 2) session.spans.push_back(avr->cycle - session.begin);
-}
-std::uint8_t onRead(avr_t*, avr_io_addr_t, void* param) {
-  auto& session = *static_cast<Session*>(param);
-  return session.read < session.input.size() ? session.input[session.read++] : 0;
-}
-void onWrite(avr_t*, avr_io_addr_t, std::uint8_t value, void* param) {
-  static_cast<Session*>(param)->output.push_back(value);
-}
-
-Session runOnChip(Bytes image, const Bytes& parents) {
-  Session session;
-  session.input = parents;
-  session.input[0] = static_cast<std::uint8_t>(parents.size());  // the root has no parent
-  avr_t* const avr = avr_make_mcu_by_name("atmega328p");
-  if (avr == nullptr || avr_init(avr) != 0) throw std::runtime_error("libsimavr has no atmega328p");
-  avr->frequency = 16'000'000;
-  avr_loadcode(avr, image.data(), static_cast<std::uint32_t>(image.size()), 0);
-  avr->codeend = static_cast<avr_flashaddr_t>(image.size());
-  avr_register_io_write(avr, kGpior0, onMark, &session);
-  avr_register_io_read(avr, kGpior1, onRead, &session);
-  avr_register_io_write(avr, kGpior2, onWrite, &session);
-  constexpr avr_cycle_count_t kLimit = 20'000'000'000;
-  int state = cpu_Running;
-  while (state != cpu_Done && state != cpu_Crashed && avr->cycle < kLimit) state = avr_run(avr);
-  avr_terminate(avr);
-  std::free(avr);
-  if (state != cpu_Done) throw std::runtime_error("the program on the chip did not come to its end");
-  return session;
-}
 
 struct Result {
   double cycles = 0, nodes = 0;
@@ -118,7 +109,7 @@ struct Result {
 };
 
 Result measure(const Bytes& image, const Bytes& parents) {
-  const Session session = runOnChip(image, parents);
+  const Session session(image, parents);
   const Bytes& out = session.output;
   Result result;
   result.table_bytes = out.at(0) + 256U * out.at(1);
@@ -193,13 +184,14 @@ void run(const std::string& folder, std::uint32_t seed) {
 }
 
 }  // namespace
+}  // namespace robosim
 
 int main(int argc, char** argv) try {
   if (argc != 2 && argc != 3) {
     fmt::print(stderr, "usage: robosim_bench_planners FOLDER [SEED]\n");
     return 2;
   }
-  run(argv[1], argc == 3 ? static_cast<std::uint32_t>(std::stoul(argv[2])) : 1);
+  robosim::run(argv[1], argc == 3 ? static_cast<std::uint32_t>(std::stoul(argv[2])) : 1);
 } catch (const std::exception& error) {
   fmt::print(stderr, "robosim_bench_planners: {}\n", error.what());
   return 1;

@@ -1,4 +1,4 @@
-// In place of this folder's tests where Robosim was built without the emulator.
+// In place of this folder's tests where Robosim was built without what the target needs.
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,8 @@
 namespace robosim::exec {
 namespace {
 
-TEST(AvrExecutor, NeedsLibsimavr) {
-  const char* const sentence =
-      "the target avr was left out: the Debian packages libsimavr-dev and libdw-dev are missing";
+TEST(AvrExecutor, NeedsLibdw) {
+  const char* const sentence = "the target avr was left out: the Debian package libdw-dev is missing";
   if (test::is_required("avr")) FAIL() << sentence;
   GTEST_SKIP() << sentence;
 }

@@ -1,0 +1,124 @@
+// What the interpreter's loop (cpu_run.cpp) is written with: macros over its local variables, since a jump to
+// a label needs them to be where the label is. Nobody else includes this.
+//
+//   i, code        the instruction, and that of address 0
+//   left, end      cycles to `end`, which is the horizon; what is left tells the cycle
+//   r, sreg, sp    the registers
+#pragma once
+
+#if defined(__EMSCRIPTEN__)
+#define GO_TO_OPERATION(op) \
+  which = op;               \
+  goto choose
+#else
+#define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
+#endif
+// NEXT(words): the operation is done; `left` has its cycles already.
+#define DISPATCH              \
+  if (left <= 0) [[unlikely]] \
+    goto leave;               \
+  GO_TO_OPERATION(i->op)
+#define NEXT(words) \
+  i += (words);     \
+  DISPATCH
+#define OPERATION(name, cycles) L_##name : left -= (cycles);
+// From here on what the processor is holds in `state`, with the program counter behind the instruction;
+// RESUME goes on from there.
+#define PUT(words)                                              \
+  state.cycle = end - static_cast<Cycle>(left);                 \
+  state.last_pc = static_cast<std::uint32_t>(i - code);         \
+  state.pc = state.last_pc + static_cast<std::uint32_t>(words); \
+  state.sreg = static_cast<std::uint8_t>(sreg);                 \
+  state.sp = sp
+#define RESUME goto resume
+#define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
+
+#define LOAD(to, address, words)  \
+  {                               \
+    const Address at = (address); \
+    if (IS_RAM(at)) [[likely]] {  \
+      r[to] = r[at];              \
+      NEXT(words);                \
+    }                             \
+    PUT(words);                   \
+    r[to] = load_elsewhere(at);   \
+    RESUME;                       \
+  }
+#define STORE(address, value, words)     \
+  {                                      \
+    const Address at = (address);        \
+    const std::uint8_t stored = (value); \
+    if (IS_RAM(at)) [[likely]] {         \
+      r[at] = stored;                    \
+      NEXT(words);                       \
+    }                                    \
+    PUT(words);                          \
+    store_elsewhere(at, stored);         \
+    RESUME;                              \
+  }
+// The return address is behind the instruction.
+#define CALL(words, target)                                                            \
+  {                                                                                    \
+    const auto back = static_cast<std::uint32_t>(i - code) + (words);                  \
+    const std::uint32_t to = (target);                                                 \
+    note_jump(back - (words));                                                         \
+    if (pc_bytes == 2 && IS_RAM(sp) && IS_RAM(sp - 1) && sp - 2 >= watch) [[likely]] { \
+      r[sp] = static_cast<std::uint8_t>(back);                                         \
+      r[sp - 1] = static_cast<std::uint8_t>(back >> 8);                                \
+      sp = static_cast<std::uint16_t>(sp - 2);                                         \
+      i = code + (to < words_of_flash ? to : target_of(to));                           \
+      DISPATCH;                                                                        \
+    }                                                                                  \
+    PUT(words);                                                                        \
+    push_pc(back);                                                                     \
+    state.pc = target_of(to);                                                          \
+    RESUME;                                                                            \
+  }
+#define JUMP(target)                                             \
+  {                                                              \
+    const std::uint32_t next = (target);                         \
+    i = code + (next < words_of_flash ? next : target_of(next)); \
+    DISPATCH;                                                    \
+  }
+#define STOP(why, words) \
+  {                      \
+    PUT(words);          \
+    stop_ = (why);       \
+    return stop_;        \
+  }
+#define RELATIVE(k) ((static_cast<std::uint32_t>(i - code) + 1 + static_cast<std::uint32_t>(k)) & wrap)
+#define SKIP_IF(taken)                   \
+  if (taken) {                           \
+    const unsigned skipped = i[1].words; \
+    left -= skipped;                     \
+    NEXT(1 + skipped);                   \
+  }                                      \
+  NEXT(1)
+
+#define LOAD_AND_STEP(low)             \
+  {                                    \
+    const Address pointer = pair(low); \
+    set_pair(low, pointer + 1u);       \
+    LOAD(i->a, pointer, 1);            \
+  }
+#define STEP_AND_LOAD(low)                                    \
+  {                                                           \
+    const auto pointer = static_cast<Address>(pair(low) - 1); \
+    set_pair(low, pointer);                                   \
+    LOAD(i->a, pointer, 1);                                   \
+  }
+// What is stored is the register before the pointer has moved, though it may be a part of it.
+#define STORE_AND_STEP(low)              \
+  {                                      \
+    const Address pointer = pair(low);   \
+    const std::uint8_t before = r[i->a]; \
+    set_pair(low, pointer + 1u);         \
+    STORE(pointer, before, 1);           \
+  }
+#define STEP_AND_STORE(low)                                   \
+  {                                                           \
+    const auto pointer = static_cast<Address>(pair(low) - 1); \
+    const std::uint8_t before = r[i->a];                      \
+    set_pair(low, pointer);                                   \
+    STORE(pointer, before, 1);                                \
+  }

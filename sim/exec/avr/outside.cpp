@@ -1,0 +1,95 @@
+#include "sim/exec/avr/outside.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr int kSerial = 0;  // the UART that the board wires to the outside
+
+bool is_same_place(const ChipPin& a, const ChipPin& b) {
+  return a.port == b.port && a.bit == b.bit && a.analog_channel == b.analog_channel;
+}
+
+}  // namespace
+
+Outside::Outside(ClockedBoard& board, SimTime began)
+    : board_(board),
+      link_(board.spec().clock_hz, began),
+      pins_(board.spec().chip->pin_count, kNoPin),
+      chip_pins_(board.spec().pin_count, -1) {
+  const BoardSpec& spec = board.spec();
+  for (Pin pin = 0; pin < spec.pin_count; ++pin)
+    for (int place = 0; place < spec.chip->pin_count; ++place)
+      if (is_same_place(spec.pins[pin].chip_pin, spec.chip->pins[place])) {
+        pins_[static_cast<std::size_t>(place)] = pin;
+        chip_pins_[pin] = place;
+      }
+}
+
+Pin Outside::last_read() const {
+  const int pin = chip_->pins().last_read();
+  return pin < 0 ? kNoPin : pins_[static_cast<std::size_t>(pin)];
+}
+
+void Outside::take_inputs(Cycle now) {
+  expected_ = kNever;
+  BoardInput input;
+  while (board_.take_input(link_.time_of(now), input)) {
+    if (input.kind == BoardInput::Kind::byte) {
+      chip_->receive(kSerial, input.value, now);
+    } else if (chip_pins_[input.pin] >= 0) {
+      chip_->edge(chip_pins_[input.pin], input.value, now);
+    }
+  }
+  expect_input();
+}
+
+void Outside::expect_input() {
+  const SimTime next = board_.next_input();
+  if (next == expected_ || !chip_) return;
+  expected_ = next;
+  chip_->call_at(next == kNever ? robosim::avr::kNoCycle : link_.cycle_at(next));
+}
+
+bool Outside::level(int pin, bool pull_up, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  return number == kNoPin ? pull_up : board_.read_level(number, link_.time_of(at));
+}
+
+double Outside::volts(int channel, Cycle at) {
+  const BoardSpec& spec = board_.spec();
+  const int pin = spec.analog_pin_0 + channel;
+  return pin < spec.pin_count ? board_.read_volts(static_cast<Pin>(pin), link_.time_of(at)) : 0.0;
+}
+
+void Outside::driven(int pin, const PinDrive& drive, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  if (number == kNoPin) return;
+  board_.set_drive(number, drive, link_.time_of(at));
+  expect_input();
+}
+
+bool Outside::wants_edges(int pin, bool wanted, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  if (number == kNoPin || (!wanted && !board_.wants_edges(number))) return false;
+  const bool found = board_.set_wants_edges(number, wanted, link_.time_of(at));
+  expect_input();
+  return found;
+}
+
+void Outside::sent(int uart, std::uint16_t data, Cycle at) {
+  if (uart != kSerial) return;
+  board_.send_byte(static_cast<std::uint8_t>(data), link_.time_of(at));
+  expect_input();
+}
+
+void Outside::listens(int uart, Cycle frame, Cycle at) {
+  if (uart != kSerial) return;
+  board_.listen(link_.length_of(frame), link_.time_of(at));
+  expect_input();
+}
+
+void Outside::write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) {
+  board_.write_eeprom(address, value, link_.time_of(at));
+}
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,49 @@
+// What lies around the chip on a board: its pins are the board's, its cycles the board's time.
+#pragma once
+
+#include <vector>
+
+#include "sim/avr/chip.h"
+#include "sim/avr/surroundings.h"
+#include "sim/exec/avr/link.h"
+#include "sim/exec/core/clocked_board.h"
+
+namespace robosim::exec::avr {
+
+class Outside : public robosim::avr::Surroundings {
+ public:
+  Outside(ClockedBoard& board, SimTime began);
+
+  /// Before anything else: the chip whose surroundings these are.
+  void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
+  /// What has arrived by now reaches the chip, and it is called when the next input will have.
+  void take_inputs(Cycle now);
+
+  const Link& link() const { return link_; }
+  /// The board's pin that the firmware read last, and when; kNoPin = none yet.
+  Pin last_read() const;
+  Cycle last_read_at() const { return chip_->pins().last_read_at(); }
+
+ private:
+  bool level(int pin, bool pull_up, Cycle at) override;
+  double volts(int channel, Cycle at) override;
+  void driven(int pin, const PinDrive& drive, Cycle at) override;
+  bool wants_edges(int pin, bool wanted, Cycle at) override;
+  void sent(int uart, std::uint16_t data, Cycle at) override;
+  void listens(int uart, Cycle frame, Cycle at) override;
+  std::uint8_t* eeprom() override { return board_.eeprom(); }
+  void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) override;
+  void called(Cycle at) override { take_inputs(at); }
+  void clock_divided(int divisor, Cycle at) override { link_.divide(divisor, at); }
+
+  void expect_input();
+
+  ClockedBoard& board_;
+  Link link_;
+  robosim::avr::Chip* chip_ = nullptr;
+  SimTime expected_ = kNever;   ///< when the chip is called for the next input
+  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not led out
+  std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
+};
+
+}  // namespace robosim::exec::avr

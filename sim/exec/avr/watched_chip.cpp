@@ -1,0 +1,221 @@
+#include "sim/exec/avr/watched_chip.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/elf/avr_addresses.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+using robosim::avr::Chip;
+using robosim::avr::Instruction;
+using robosim::avr::Op;
+
+constexpr std::size_t kLargestFlash = 0x10000;
+constexpr std::uint8_t kErased = 0xFF;
+constexpr std::uint16_t kErasedWord = 0xFFFF;
+constexpr int kIntervalsToRepeat = 3;
+constexpr Cycle kRepeatWithin_s = 10;
+// Between the writes of the two halves of the stack pointer lies at most a write of SREG.
+constexpr Cycle kHalvesApart = 6;
+// How far in front of a write to the stack pointer its value is computed, in instructions.
+constexpr std::uint32_t kLooksBack = 8;
+
+std::vector<std::uint8_t> flash_of(const Firmware& firmware) {
+  std::vector<std::uint8_t> flash = firmware.flash;
+  flash.resize(firmware.needs_larger_chip() ? kLargestFlash : firmware.chip->flash_bytes, kErased);
+  return flash;
+}
+
+/// Where the jump at the reset vector leads, in words.
+std::uint32_t reset_target(const robosim::avr::Cpu& cpu) {
+  const Instruction& first = cpu.instruction(0);
+  if (first.op == Op::jmp) return static_cast<std::uint32_t>(first.k);
+  if (first.op == Op::rjmp) return static_cast<std::uint32_t>(1 + first.k) & (cpu.chip().flash_bytes / 2 - 1);
+  return 0;
+}
+
+}  // namespace
+
+WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
+                         robosim::avr::Surroundings& outside)
+    : firmware_(firmware),
+      spec_(*board.chip),
+      clock_hz_(board.clock_hz),
+      lowest_sp_(firmware.last_ram),
+      chip_(spec_, flash_of(firmware), firmware.last_ram, outside, board.clock_hz) {
+  using robosim::avr::Cpu;
+  chip_.core().supply_volts = board.supply_volts;
+  chip_.cpu().on_sp_low = Cpu::call<&WatchedChip::stack_is_low>(this);
+  chip_.cpu().on_sp_written = Cpu::call<&WatchedChip::stack_pointer_written>(this);
+  start();
+  if (reset_target(chip_.cpu()) != 0) set_trap(kRestartTrap, 0);
+}
+
+void WatchedChip::start() { chip_.cpu().set_pc(reset_target(chip_.cpu())); }
+
+std::uint32_t WatchedChip::return_address(reg::Address at) const {
+  std::uint32_t words = 0;
+  for (int i = 0; i < spec_.return_address_bytes; ++i)
+    words = words << 8 | cpu().data[at + static_cast<unsigned>(i)];
+  return 2 * words;
+}
+
+void WatchedChip::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
+  if (fault_) return;
+  fault_ = Fault{kind, pc, address};
+  chip_.cpu().stop();
+}
+
+Cycle WatchedChip::last_io() const { return is_asleep() ? cycle() : cpu().state.last_io; }
+
+void WatchedChip::step_singly(bool singly) {
+  singly_ = singly;
+  chip_.step_singly(singly);
+}
+
+void WatchedChip::set_pc(std::uint32_t pc) { chip_.cpu().set_pc(pc / 2); }
+
+void WatchedChip::run_to(Cycle cycle) {
+  while (this->cycle() < cycle && !fault_ && !off_ && !trapped_) {
+    const auto why = chip_.run_to(cycle);
+    const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
+    switch (why) {
+      case Chip::Stop::reached:
+        break;
+      case Chip::Stop::off:
+        off_ = true;
+        break;
+      case Chip::Stop::mark: {
+        const auto place = std::find_if(traps_.begin(), traps_.end(),
+                                        [&](const TrapPlace& trap) { return trap.pc == here; });
+        trapped_ = place == traps_.end() ? 0 : place->traps;
+        if (trapped_ & kRestartTrap) fail(Fault::Kind::restart, 0, 0);
+        break;
+      }
+      case Chip::Stop::bad_read:
+        fail(Fault::Kind::bad_read, last, cpu().bad_address());
+        break;
+      case Chip::Stop::bad_write:
+        fail(Fault::Kind::bad_write, last, cpu().bad_address());
+        break;
+      case Chip::Stop::illegal:
+        look_at_code(here);
+        break;
+      case Chip::Stop::outside:
+        fail(Fault::Kind::bad_jump, std::max(here, 2 * cpu().outside_pc()), 0);
+        break;
+      case Chip::Stop::spm:
+        if (data(reg::kSpmcsr) & 1) fail(Fault::Kind::flash_write, last, cpu().pair(30));
+        break;
+      case Chip::Stop::break_:
+        break;  // without a debugger in the chip, it does nothing
+      case Chip::Stop::stopped:
+        break;
+    }
+    if (singly_) break;
+  }
+}
+
+void WatchedChip::look_at_code(std::uint32_t pc) {
+  const auto flash = cpu().flash();
+  const auto word = static_cast<std::uint16_t>(flash[pc] | flash[pc + 1] << 8);
+  if (word == kErasedWord || pc >= firmware_.flash.size()) return fail(Fault::Kind::bad_jump, pc, 0);
+  fail(Fault::Kind::bad_opcode, pc, word);
+}
+
+void WatchedChip::was_reset() {
+  const Cycle now = cycle();
+  watchdog_resets_ =
+      watchdog_resets_ > 0 && now - last_bite_ < kRepeatWithin_s * clock_hz_ ? watchdog_resets_ + 1 : 1;
+  last_bite_ = now;
+  const std::uint32_t bitten_at = 2 * cpu().last_pc();
+  chip_.core().at(reg::kMcusr) = 0;
+  chip_.cpu().store(reg::kWdtcsr, 0x18);
+  chip_.cpu().store(reg::kWdtcsr, 0x00);
+  start();
+  if (watchdog_resets_ >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
+}
+
+// --- traps
+
+void WatchedChip::set_trap(Trap trap, std::uint32_t pc) {
+  auto place = std::find_if(traps_.begin(), traps_.end(), [&](const TrapPlace& at) { return at.pc == pc; });
+  if (place == traps_.end()) place = traps_.insert(place, {pc, 0});
+  place->traps |= trap;
+  chip_.cpu().set_mark(pc / 2, true);
+}
+
+void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
+  const auto place =
+      std::find_if(traps_.begin(), traps_.end(), [&](const TrapPlace& at) { return at.pc == pc; });
+  if (place == traps_.end()) return;
+  place->traps &= ~static_cast<unsigned>(trap);
+  if (place->traps != 0) return;
+  chip_.cpu().set_mark(pc / 2, false);
+  traps_.erase(place);
+}
+
+unsigned WatchedChip::take_traps() { return std::exchange(trapped_, 0); }
+
+// --- the stack
+
+void WatchedChip::set_stack_limit(std::uint16_t limit) { stack_limit_ = limit; }
+
+void WatchedChip::stack_is_low() {
+  pointer_written_ = 0;
+  stack_moved();
+}
+
+void WatchedChip::stack_pointer_written() {
+  // It is whole when both halves are written, or when something is pushed.
+  const Cycle now = cycle();
+  const bool whole = pointer_written_ != 0 && now - pointer_written_ <= kHalvesApart;
+  pointer_written_ = whole ? 0 : now;
+  chip_.cpu().state.sp_watch = 0xFFFF;
+  if (!whole) return;
+  const std::uint16_t now_at = sp();
+  if (now_at + 1 >= stack_limit_) {
+    own_stack_ = false;
+  } else if (!is_computed_from_itself()) {
+    own_stack_ = true;
+    own_limit_ = lowest_place_of_stack_at(now_at);
+  }
+  stack_moved();
+}
+
+/// Whether the value that was just written to the stack pointer was made from it, as a function makes room
+/// for its variables; otherwise it was kept elsewhere, as the stack of another task is.
+bool WatchedChip::is_computed_from_itself() const {
+  const auto& cpu = chip_.cpu();
+  const std::uint32_t pc = cpu.last_pc();
+  const std::uint8_t source = cpu.instruction(pc).a;
+  for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
+    const Instruction& before = cpu.instruction(pc - back);
+    if (before.op == Op::in && before.a == source && (before.k == reg::kSpL || before.k == reg::kSpH))
+      return true;
+  }
+  return false;
+}
+
+/// Of a stack that is kept in a variable, or in the heap.
+std::uint16_t WatchedChip::lowest_place_of_stack_at(std::uint16_t sp) const {
+  const Symbol* const variable = firmware_.symbols.variable_at(kAvrData + sp);
+  return static_cast<std::uint16_t>(variable ? variable->address - kAvrData : firmware_.globals_end);
+}
+
+void WatchedChip::stack_moved() {
+  const std::uint16_t now = sp();
+  if (!own_stack_) lowest_sp_ = std::min(lowest_sp_, now);
+  chip_.cpu().state.sp_watch = static_cast<std::uint16_t>(own_stack_ ? own_limit_ - 1 : lowest_sp_);
+  if (now + 1 < (own_stack_ ? own_limit_ : stack_limit_)) fail(Fault::Kind::stack, 2 * cpu().last_pc(), 0);
+}
+
+std::vector<std::uint32_t> WatchedChip::last_jumps() const {
+  std::vector<std::uint32_t> jumps = cpu().last_jumps();
+  for (std::uint32_t& jump : jumps) jump *= 2;
+  return jumps;
+}
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,119 @@
+// The chip with a sketch in its flash, watched for what goes wrong: wild reads, writes and jumps, a stack
+// that outgrows its place, a watchdog that bites again and again. sim/avr has the chip itself.
+//
+// It starts where the boot loader would jump to, and takes the watchdog's resets as the Uno's boot loader
+// does (optiboot): MCUSR is cleared, and the watchdog is off.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/avr/chip.h"
+#include "sim/exec/avr/firmware.h"
+#include "sim/exec/avr/link.h"
+
+namespace robosim::exec::avr {
+
+/// Why the firmware can run no further. Addresses of flash are in bytes.
+struct Fault {
+  enum class Kind { bad_read, bad_write, bad_opcode, bad_jump, restart, stack, watchdog, flash_write };
+  Kind kind = Kind::bad_jump;
+  std::uint32_t pc = 0;       ///< of the instruction; of a jump, where it led
+  std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
+};
+
+class WatchedChip {
+ public:
+  WatchedChip(const Firmware& firmware, const BoardSpec& board, robosim::avr::Surroundings& outside);
+
+  robosim::avr::Chip& chip() { return chip_; }
+  const ChipSpec& spec() const { return spec_; }
+  std::uint32_t clock_hz() const { return clock_hz_; }
+  Cycle cycle() const { return chip_.cycle(); }
+  std::uint32_t pc() const { return 2 * cpu().pc(); }
+  std::uint16_t sp() const { return cpu().sp(); }
+  std::uint8_t status() const { return cpu().sreg(); }
+  /// As it lies in memory, without effect on the firmware.
+  std::uint8_t data(reg::Address address) const { return cpu().data[address]; }
+  bool in_handler() const { return cpu().open_handlers() > 0; }
+  int open_handlers() const { return cpu().open_handlers(); }
+  /// That a call or interrupt has put on the stack, as a flash address; its first byte is at `at`.
+  std::uint32_t return_address(reg::Address at) const;
+
+  /// Runs until `cycle` or a few cycles later; returns sooner after a fault, before an instruction with a
+  /// trap, or when the firmware has switched itself off.
+  void run_to(Cycle cycle);
+  const std::optional<Fault>& fault() const { return fault_; }
+  /// The firmware sleeps with interrupts off: nothing will ever wake it.
+  bool is_off() const { return off_; }
+  bool is_asleep() const { return chip_.is_asleep() && !off_; }
+
+  // --- traps: run_to() returns before an instruction
+  /// Who wants to know that an instruction is about to run.
+  enum Trap : unsigned { kLoopTrap = 1, kMainTrap = 2, kBreakpoint = 4, kWriteTrap = 8, kRestartTrap = 16 };
+  void set_trap(Trap trap, std::uint32_t pc);
+  void clear_trap(Trap trap, std::uint32_t pc);
+  /// The traps, as a sum, that run_to() returned for.
+  unsigned take_traps();
+
+  // --- for debuggers
+  /// run_to() returns after every instruction, and after every jump of time while the chip sleeps.
+  void step_singly(bool singly);
+  void set_status(std::uint8_t value) { chip_.cpu().set_sreg(value); }
+  void set_pc(std::uint32_t pc);
+
+  // --- the stack
+  std::uint16_t lowest_sp() const { return lowest_sp_; }
+  /// Where variables and heap end: the sketch's stack must not go below.
+  void set_stack_limit(std::uint16_t limit);
+  /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
+  std::vector<std::uint32_t> last_jumps() const;
+
+  // --- accounts, in cycles
+  Cycle last_io() const;  ///< last access to an I/O register outside handlers
+  std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
+  Cycle handler_cycles() const { return cpu().handler_cycles(); }
+  Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
+  int watchdog_resets() const { return watchdog_resets_; }
+  /// Where the firmware was when the handler that runs now, or ran last, interrupted it.
+  std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
+
+  /// The surroundings say that the chip has reset itself.
+  void was_reset();
+
+ private:
+  struct TrapPlace {
+    std::uint32_t pc = 0;
+    unsigned traps = 0;  ///< a sum
+  };
+
+  const robosim::avr::Cpu& cpu() const { return chip_.cpu(); }
+  void fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address);
+  void start();
+  void look_at_code(std::uint32_t pc);
+  void stack_is_low();
+  void stack_pointer_written();
+  void stack_moved();
+  bool is_computed_from_itself() const;
+  std::uint16_t lowest_place_of_stack_at(std::uint16_t sp) const;
+
+  const Firmware& firmware_;
+  const ChipSpec& spec_;
+  std::uint32_t clock_hz_;
+  std::vector<TrapPlace> traps_;
+  unsigned trapped_ = 0;
+  std::optional<Fault> fault_;
+  bool off_ = false;
+  bool singly_ = false;
+  std::uint16_t lowest_sp_;
+  std::uint16_t stack_limit_ = 0;
+  bool own_stack_ = false;       ///< the sketch has loaded another stack, a task's of its own
+  std::uint16_t own_limit_ = 0;  ///< of that
+  Cycle pointer_written_ = 0;    ///< when the first half of the stack pointer was
+  int watchdog_resets_ = 0;
+  Cycle last_bite_ = 0;
+  robosim::avr::Chip chip_;
+};
+
+}  // namespace robosim::exec::avr
