@@ -1,8 +1,11 @@
 #include "sim/exec/avr/diagnosis.h"
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 #include "sim/exec/avr/check.h"
 
@@ -17,6 +20,14 @@ bool is_jump(const Fault& fault) {
 
 bool same_place(const SourceLine& a, const SourceLine& b) {
   return a.function == b.function && a.file == b.file && a.line == b.line;
+}
+
+/// A variable's name as it stands in the sketch.
+std::string readable(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  return status == 0 ? name.get() : symbol;
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -58,11 +69,21 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
   return "jump to " + target;
 }
 
+std::string Diagnosis::overflow_text() const {
+  const WatchedChip& chip = machine_.chip();
+  if (!chip.has_own_stack())
+    return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
+                       machine_.stack().room_bytes());
+  const Symbol* const variable = chip.own_stack_variable();
+  if (!variable) return "stack overflow: a stack that the sketch keeps in the heap has outgrown it";
+  return fmt::format("stack overflow: the stack that the sketch keeps in {} has outgrown its {} bytes",
+                     readable(variable->name), variable->size);
+}
+
 std::string Diagnosis::reason(const Fault& fault) const {
   if (fault.kind == Fault::Kind::stack ||
       (fault.kind != Fault::Kind::watchdog && machine_.stack().has_overflown()))
-    return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
-                       machine_.stack().room_bytes());
+    return overflow_text();
   switch (fault.kind) {
     case Fault::Kind::bad_read:
       return fmt::format("read of address 0x{:04X}, where the chip has no memory (its RAM ends at 0x{:04X})",

@@ -23,6 +23,7 @@ class Diagnosis {
   SourceLine place(std::uint32_t pc) const;
   SourceLine place_of_check(const Undefined& found) const;
   std::string jump_text(const Fault& fault) const;
+  std::string overflow_text() const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
   std::string stopped_by() const;

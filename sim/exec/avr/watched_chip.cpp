@@ -180,7 +180,9 @@ void WatchedChip::stack_pointer_written() {
     own_stack_ = false;
   } else if (!is_computed_from_itself()) {
     own_stack_ = true;
-    own_limit_ = lowest_place_of_stack_at(now_at);
+    own_variable_ = firmware_.symbols.variable_at(kAvrData + now_at);
+    own_limit_ =
+        static_cast<std::uint16_t>(own_variable_ ? own_variable_->address - kAvrData : firmware_.globals_end);
   }
   stack_moved();
 }
@@ -197,12 +199,6 @@ bool WatchedChip::is_computed_from_itself() const {
       return true;
   }
   return false;
-}
-
-/// Of a stack that is kept in a variable, or in the heap.
-std::uint16_t WatchedChip::lowest_place_of_stack_at(std::uint16_t sp) const {
-  const Symbol* const variable = firmware_.symbols.variable_at(kAvrData + sp);
-  return static_cast<std::uint16_t>(variable ? variable->address - kAvrData : firmware_.globals_end);
 }
 
 void WatchedChip::stack_moved() {

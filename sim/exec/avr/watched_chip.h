@@ -67,6 +67,10 @@ class WatchedChip {
   std::uint16_t lowest_sp() const { return lowest_sp_; }
   /// Where variables and heap end: the sketch's stack must not go below.
   void set_stack_limit(std::uint16_t limit);
+  /// Whether the stack in use is one that the sketch has loaded, a task's of its own, and the variable that
+  /// holds it; null = it lies in the heap.
+  bool has_own_stack() const { return own_stack_; }
+  const Symbol* own_stack_variable() const { return own_variable_; }
   /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
 
@@ -96,7 +100,6 @@ class WatchedChip {
   void stack_pointer_written();
   void stack_moved();
   bool is_computed_from_itself() const;
-  std::uint16_t lowest_place_of_stack_at(std::uint16_t sp) const;
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
@@ -108,9 +111,10 @@ class WatchedChip {
   bool singly_ = false;
   std::uint16_t lowest_sp_;
   std::uint16_t stack_limit_ = 0;
-  bool own_stack_ = false;       ///< the sketch has loaded another stack, a task's of its own
-  std::uint16_t own_limit_ = 0;  ///< of that
-  Cycle pointer_written_ = 0;    ///< when the first half of the stack pointer was
+  bool own_stack_ = false;                ///< the sketch has loaded another stack, a task's of its own
+  const Symbol* own_variable_ = nullptr;  ///< that holds it; null = it lies in the heap
+  std::uint16_t own_limit_ = 0;
+  Cycle pointer_written_ = 0;  ///< when the first half of the stack pointer was
   int watchdog_resets_ = 0;
   Cycle last_bite_ = 0;
   robosim::avr::Chip chip_;

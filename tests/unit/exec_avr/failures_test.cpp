@@ -58,6 +58,51 @@ TEST_F(FailuresTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_EQ(activity.where.file, "ChipHang.ino");
 }
 
+// Two coroutines, each on a stack of its own in a variable; BODY is what the second one does each time.
+std::string coroutines(const std::string& body) {
+  return R"(uint8_t stack_a[120], stack_b[120];
+uint8_t *sp_main, *sp_a, *sp_b;
+uint8_t* volatile* from __attribute__((used));
+uint8_t* volatile* to __attribute__((used));
+void __attribute__((naked, noinline)) swap() {
+  __asm__ volatile(
+      ".irp r,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,28,29\n push r\\r\n .endr\n"
+      "lds r30, from\n lds r31, from+1\n in r24, 0x3d\n st Z, r24\n in r24, 0x3e\n std Z+1, r24\n"
+      "lds r30, to\n lds r31, to+1\n ld r24, Z\n ldd r25, Z+1\n"
+      "in r0, 0x3f\n cli\n out 0x3d, r24\n out 0x3e, r25\n out 0x3f, r0\n"
+      ".irp r,29,28,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2\n pop r\\r\n .endr\n ret");
+}
+void switch_to(uint8_t** a, uint8_t** b) { from = a; to = b; swap(); }
+int deep(int n) { volatile char room[20]; room[n] = n; return n == 0 ? 0 : deep(n - 1) + room[n]; }
+void task_a() { for (;;) switch_to(&sp_a, &sp_b); }
+void task_b() { for (int n = 1;; ++n) { )" +
+         body + R"( Serial.println(n); switch_to(&sp_b, &sp_main); } }
+uint8_t* prepare(uint8_t* stack, void (*task)()) {
+  uint8_t* sp = stack + 119;
+  *sp-- = (uint16_t)task & 0xff;
+  *sp-- = (uint16_t)task >> 8;
+  return sp - 18;
+}
+void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = prepare(stack_b, task_b); }
+void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
+}
+
+TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
+  start(coroutines(""));
+  run(95 * kMillisecond);
+  EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_GT(numbers().size(), 7u);
+}
+
+TEST_F(FailuresTest, AStackOfTheSketchsOwnMustStayInItsVariable) {
+  start(coroutines("deep(9);"));
+  run(95 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_EQ(avr_->crash()->reason,
+            "stack overflow: the stack that the sketch keeps in stack_b has outgrown its 120 bytes");
+  EXPECT_EQ(avr_->crash()->where.function, "deep");
+}
+
 TEST_F(FailuresTest, APowerCycleBeginsAfreshAfterACrash) {
   ASSERT_TRUE(crash_of("ChipWildWrite"));
   avr_->power_on(now_);
