@@ -44,7 +44,7 @@ void Power::reset(Cycle at) {
   const Cycle slept = state_.slept;
   state_ = {};
   state_.slept = slept;
-  core_.divide_clock(1);
+  divide_clock(1, at);
 }
 
 void Power::write_reduction(Address address, std::uint8_t value) {
@@ -67,8 +67,13 @@ void Power::write_divisor(Address address, std::uint8_t value) {
   const auto divisor = static_cast<std::uint8_t>(value & kDivisorMask);
   if (divisor > kLargestDivisor) return;
   core_.at(address) = divisor;
-  core_.divide_clock(1 << divisor);
-  core_.outside.clock_divided(1 << divisor, now);
+  divide_clock(1 << divisor, now);
+}
+
+void Power::divide_clock(int divisor, Cycle at) {
+  const std::int64_t before = core_.clock_hz;
+  core_.divide_clock(divisor);
+  if (core_.clock_hz != before) core_.outside.clock_divided(divisor, at);
 }
 
 // 11.9.1: a flag is cleared by writing 0 to it.

@@ -61,6 +61,7 @@ class Power final : public Peripheral {
   void write_divisor(Address address, std::uint8_t value);
   void write_reset_flags(Address address, std::uint8_t value);
   void update(Cycle at);
+  void divide_clock(int divisor, Cycle at);
 
   Core& core_;
   std::vector<Supplied> supplied_;

@@ -37,7 +37,8 @@ class Surroundings {
   // --- time
   /// The moment that was asked for by Chip::call_at() has come.
   virtual void called(Cycle at) = 0;
-  /// From `at` the processor's clock runs at the oscillator's divided by `divisor` (CLKPR), and 1 at reset.
+  /// From `at` the processor's clock runs at the oscillator's divided by `divisor` (CLKPR; a
+  /// reset makes it 1 again).
   virtual void clock_divided(int divisor, Cycle at) = 0;
   /// The chip has reset itself: registers are as after power-on, memory is kept. `flags` are MCUSR's.
   virtual void was_reset(std::uint8_t flags, Cycle at) = 0;

@@ -119,11 +119,10 @@ Resources Machine::resources() const {
 }
 
 void Machine::run_until(SimTime t) {
-  const Cycle end = link().cycle_at(t);
   if (debug_port_) debug_port_->begin_tick();
-  if (chip_.cycle() < end) take_inputs(chip_.cycle());
-  while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
-    chip_.run_to(end);
+  if (now() < t) take_inputs(chip_.cycle());
+  while (now() < t && !chip_.fault() && !chip_.is_off()) {
+    chip_.run_to(link().cycle_at(t));
     const unsigned traps = chip_.take_traps();
     if (traps & WatchedChip::kLoopTrap) loop_began();
     if (traps & WatchedChip::kMainTrap) start_clock();

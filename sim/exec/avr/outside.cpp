@@ -84,8 +84,17 @@ void Outside::sent(int uart, std::uint16_t data, Cycle at) {
 
 void Outside::listens(int uart, Cycle frame, Cycle at) {
   if (uart != kSerial) return;
+  frame_ = frame;
   board_.listen(link_.length_of(frame), link_.time_of(at));
   expect_input();
+}
+
+void Outside::clock_divided(int divisor, Cycle at) {
+  link_.divide(divisor, at);
+  if (frame_ != 0) board_.listen(link_.length_of(frame_), link_.time_of(at));
+  expected_ = kNever;
+  expect_input();
+  chip_->cpu().stop();  // the tick ends at another cycle
 }
 
 void Outside::write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) {

@@ -34,7 +34,7 @@ class Outside : public robosim::avr::Surroundings {
   std::uint8_t* eeprom() override { return board_.eeprom(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) override;
   void called(Cycle at) override { take_inputs(at); }
-  void clock_divided(int divisor, Cycle at) override { link_.divide(divisor, at); }
+  void clock_divided(int divisor, Cycle at) override;
 
   void expect_input();
 
@@ -42,6 +42,7 @@ class Outside : public robosim::avr::Surroundings {
   Link link_;
   robosim::avr::Chip* chip_ = nullptr;
   SimTime expected_ = kNever;   ///< when the chip is called for the next input
+  Cycle frame_ = 0;             ///< what a received one takes; 0 = the receiver is off
   std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not led out
   std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
 };

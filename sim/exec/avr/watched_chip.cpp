@@ -15,6 +15,7 @@ using robosim::avr::Op;
 constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
+constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // WDCE and WDE
 constexpr int kIntervalsToRepeat = 3;
 constexpr Cycle kRepeatWithin_s = 10;
 // Between the writes of the two halves of the stack pointer lies at most a write of SREG.
@@ -112,7 +113,7 @@ void WatchedChip::run_to(Cycle cycle) {
       case Chip::Stop::break_:
         break;  // without a debugger in the chip, it does nothing
       case Chip::Stop::stopped:
-        break;
+        return;
     }
     if (singly_) break;
   }
@@ -132,8 +133,10 @@ void WatchedChip::was_reset() {
   last_bite_ = now;
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   chip_.core().at(reg::kMcusr) = 0;
-  chip_.cpu().store(reg::kWdtcsr, 0x18);
-  chip_.cpu().store(reg::kWdtcsr, 0x00);
+  chip_.cpu().store(reg::kWdtcsr, kWatchdogUnlocked);
+  chip_.cpu().store(reg::kWdtcsr, 0);
+  own_stack_ = false;
+  chip_.cpu().state.sp_watch = lowest_sp_;
   start();
   if (watchdog_resets_ >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
 }

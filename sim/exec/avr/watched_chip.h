@@ -42,7 +42,7 @@ class WatchedChip {
   std::uint32_t return_address(reg::Address at) const;
 
   /// Runs until `cycle` or a few cycles later; returns sooner after a fault, before an instruction with a
-  /// trap, or when the firmware has switched itself off.
+  /// trap, when the firmware has switched itself off, or when somebody has called Cpu::stop().
   void run_to(Cycle cycle);
   const std::optional<Fault>& fault() const { return fault_; }
   /// The firmware sleeps with interrupts off: nothing will ever wake it.

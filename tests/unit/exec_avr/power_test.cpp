@@ -158,6 +158,36 @@ void loop() {})");
   EXPECT_EQ(serial_, "before and after");
 }
 
+TEST_F(PowerTest, ADividedClockMakesEverythingSlowerUntilAReset) {
+  start(R"(#include <avr/wdt.h>
+void pressed() { digitalWrite(12, HIGH); }
+void setup() {
+  pinMode(12, OUTPUT);
+  pinMode(13, OUTPUT);
+  attachInterrupt(0, pressed, RISING);
+  digitalWrite(13, HIGH);
+  delay(10);
+  digitalWrite(13, LOW);
+  CLKPR = 0x80;
+  CLKPR = 3;
+  digitalWrite(13, HIGH);
+  delay(10);
+  digitalWrite(13, LOW);
+  wdt_enable(WDTO_15MS);
+}
+void loop() {})");
+  board().schedule_edge(2, true, 50 * kMillisecond);
+  run(130 * kMillisecond);
+  const std::vector<SimTime> pressed = changes(12), levels = changes(13);
+  ASSERT_GE(pressed.size(), 2u);
+  EXPECT_NEAR(static_cast<double>(pressed[1]), 50e6, 0.1e6);
+  ASSERT_GE(levels.size(), 7u);
+  const auto length = [&](std::size_t i) { return static_cast<double>(levels[i + 1] - levels[i]); };
+  EXPECT_NEAR(length(1), 10e6, 0.1e6);
+  EXPECT_NEAR(length(3), 80e6, 0.5e6);
+  EXPECT_NEAR(length(levels.size() - 3), 10e6, 0.1e6) << "after the watchdog's reset";
+}
+
 TEST_F(PowerTest, SleepWithInterruptsOffIsTheEnd) {
   start("#include <avr/sleep.h>\nvoid setup() { cli(); sleep_enable(); sleep_cpu(); }\nvoid loop() {}");
   run(10 * kMillisecond);
