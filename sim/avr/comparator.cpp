@@ -93,11 +93,7 @@ void Comparator::write(Address address, std::uint8_t value) {
 
 void Comparator::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
-  if (runs) {
-    core_.go_on(look_, state_.held, at);
-  } else {
-    core_.hold(look_, state_.held, at);
-  }
+  core_.hold_or_go_on(look_, state_.held, runs, at);
 }
 
 }  // namespace robosim::avr

@@ -78,6 +78,14 @@ struct Core {
   void go_on(Events::Id id, const Held& held, Cycle at) {
     if (held.due != kNoCycle) schedule(id, held.due + (at - held.since));
   }
+  /// Either, as the clock stops or runs on.
+  void hold_or_go_on(Events::Id id, Held& held, bool runs, Cycle at) {
+    if (runs) {
+      go_on(id, held, at);
+    } else {
+      hold(id, held, at);
+    }
+  }
   void request(int vector, bool requested) {
     interrupts.request(vector, requested);
     if (requested) cpu.look_up();

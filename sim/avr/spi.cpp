@@ -136,11 +136,7 @@ void Spi::drive() {
 
 void Spi::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
-  if (runs) {
-    core_.go_on(shifted_, state_.held, at);
-  } else {
-    core_.hold(shifted_, state_.held, at);
-  }
+  core_.hold_or_go_on(shifted_, state_.held, runs, at);
 }
 
 }  // namespace robosim::avr

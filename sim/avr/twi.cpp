@@ -143,11 +143,7 @@ void Twi::drive() {
 
 void Twi::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
-  if (runs) {
-    core_.go_on(done_, state_.held, at);
-  } else {
-    core_.hold(done_, state_.held, at);
-  }
+  core_.hold_or_go_on(done_, state_.held, runs, at);
 }
 
 }  // namespace robosim::avr

@@ -201,11 +201,7 @@ void Usart::receive(std::uint16_t frame_data, Cycle) {
 
 void Usart::clock_runs(bool runs, Cycle at) {
   state_.runs = runs;
-  if (runs) {
-    core_.go_on(shifted_, state_.held, at);
-  } else {
-    core_.hold(shifted_, state_.held, at);
-  }
+  core_.hold_or_go_on(shifted_, state_.held, runs, at);
   tell();
 }
 
