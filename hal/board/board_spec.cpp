@@ -1,5 +1,6 @@
 #include "hal/board/board_spec.h"
 
+#include "hal/board/atmega168.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/stm32f103c8.h"
 
@@ -109,6 +110,20 @@ constexpr BoardSpec nano() {
   return board;
 }
 
+// A Nano of before 2010: half the memory, and a boot loader that speaks slowly.
+constexpr BoardSpec nano168() {
+  BoardSpec board = nano();
+  board.name = "nano168";
+  board.fqbn = "arduino:avr:nano:cpu=atmega168";
+  board.chip = &kAtmega168;
+  board.flash_bytes = 14336;
+  board.ram_bytes = kAtmega168.ram_bytes;
+  board.eeprom_bytes = kAtmega168.eeprom_bytes;
+  board.upload_baud = 19200;
+  board.upload_baud_old = 0;
+  return board;
+}
+
 // A Nano without USB, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without
 // a diode.
 constexpr BoardSpec pro_mini(const char* name, const char* fqbn, uint32_t clock_hz, double supply_volts) {
@@ -157,6 +172,7 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
 constexpr BoardSpec kBoards[] = {
     kUno,
     nano(),
+    nano168(),
     pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
     pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
     blue_pill("bluepill", 72000000),

@@ -6,13 +6,18 @@
 //   ROBOSIM_PINS       how many numbers Arduino's pins have, analog inputs included
 #pragma once
 
+#include "hal/board/atmega168.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/board.h"
 
 namespace robosim {
 namespace host {
 
+#if defined(__AVR_ATmega168__)
+static constexpr const ChipSpec& kChip = kAtmega168;
+#else
 static constexpr const ChipSpec& kChip = kAtmega328p;
+#endif
 constexpr int64_t kClockHz = ROBOSIM_CLOCK_HZ;
 constexpr int kPins = ROBOSIM_PINS;
 constexpr int kTimers = 3;

@@ -1,5 +1,5 @@
-// Boards and chips against what others say of them: Arduino's boards.txt, avr-libc's registers; and our own
-// files that have to repeat some of it.
+// Boards and chips against what others say of them: Arduino's boards.txt; and our own files that have to
+// repeat some of it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,52 +69,6 @@ TEST(Boards, AreArduinosWhereArduinoHasThem) {
     EXPECT_EQ(std::to_string(board->upload_baud), value("upload.speed"));
   }
   EXPECT_GE(boards, 2);
-}
-
-TEST(Chips, TheAtmega328pIsAvrLibcs) {
-  const std::string text = text_of("/usr/lib/avr/include/avr/" + std::string(kAtmega328p.registers));
-  if (text.empty()) GTEST_SKIP() << "needs the Debian package avr-libc";
-  const auto number = [&](const std::string& name) {
-    // A register in I/O space counts from 0x20; the last definition is the one without options.
-    long found = -1;
-    const std::regex line("#\\s*define\\s+" + name +
-                          "\\s+(_SFR_IO8|_SFR_MEM8|_SFR_MEM16)?\\s*\\(?(0x\\w+|\\d+)");
-    for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at)
-      found = std::stol((*at)[2], nullptr, 0) + ((*at)[1] == "_SFR_IO8" ? 0x20 : 0);
-    return found;
-  };
-  const ChipSpec& chip = kAtmega328p;
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(chip.signature[i], number("SIGNATURE_" + std::to_string(i)));
-  EXPECT_EQ(chip.ram_address, number("RAMSTART"));
-  EXPECT_EQ(ram_end(chip) - 1, number("RAMEND"));
-  EXPECT_EQ(chip.flash_bytes - 1, number("FLASHEND"));
-  EXPECT_EQ(chip.eeprom_bytes - 1, number("E2END"));
-  EXPECT_EQ(chip.external_vector, number("INT0_vect_num"));
-  EXPECT_EQ(chip.change_vector, number("PCINT0_vect_num"));
-  EXPECT_EQ(chip.adc.vector, number("ADC_vect_num"));
-  EXPECT_EQ(chip.vectors - 1, number("SPM_READY_vect_num"));
-  for (int i = 0; i < chip.port_count; ++i)
-    EXPECT_EQ(chip.ports[i].address, number(std::string("PIN") + chip.ports[i].letter));
-  for (int i = 0; i < chip.timer_count; ++i) {
-    const TimerSpec& timer = chip.timers[i];
-    const std::string n = std::to_string(timer.number);
-    EXPECT_EQ(timer.control, number("TCCR" + n + "A"));
-    EXPECT_EQ(timer.count, number("TCNT" + n));
-    EXPECT_EQ(timer.compare[0], number("OCR" + n + "A"));
-    EXPECT_EQ(timer.compare[1], number("OCR" + n + "B"));
-    EXPECT_EQ(timer.enables, number("TIMSK" + n));
-    EXPECT_EQ(timer.vector, number("TIMER" + n + "_COMPA_vect_num"));
-    EXPECT_EQ(timer.flags, number("TIFR" + n));
-    EXPECT_EQ(timer.reduction, number("PRR"));
-    EXPECT_EQ(timer.reduction_bit, number("PRTIM" + n));
-    if (timer.capture) {
-      EXPECT_EQ(timer.capture, number("ICR" + n));
-    }
-  }
-  EXPECT_EQ(chip.uarts[0].address, number("UCSR0A"));
-  EXPECT_EQ(chip.uarts[0].divider, number("UBRR0"));
-  EXPECT_EQ(chip.uarts[0].data, number("UDR0"));
-  EXPECT_EQ(chip.uarts[0].vector, number("USART_RX_vect_num"));
 }
 
 TEST(Chips, AreTheOnesThatTheFilesForTheLinkerAndForPlainCmakeSpeakOf) {

@@ -296,11 +296,9 @@ TEST_F(AnotherBoard, ThatLacksAPinIsRefusedWithThePinsPlace) {
 }
 
 TEST_F(AnotherBoard, ThatThereIsNoneOfIsRefusedWithThoseThereAre) {
-  EXPECT_THAT(
-      refusal("uno5@mega"),
-      HasSubstr(
-          "uno5@mega: no board is called \"mega\"; there are uno, nano, promini8, promini16, bluepill or "
-          "bluepill8"));
+  EXPECT_THAT(refusal("uno5@mega"), HasSubstr("uno5@mega: no board is called \"mega\"; there are uno, nano, "
+                                              "nano168, promini8, promini16, bluepill or "
+                                              "bluepill8"));
 }
 
 TEST(StockRobots, AllLoad) {

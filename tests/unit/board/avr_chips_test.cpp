@@ -1,0 +1,190 @@
+// AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler reads
+// them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/base/file.h"
+#include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim {
+namespace {
+
+constexpr char kArduino[] = "/usr/share/arduino/hardware/arduino/avr";
+
+std::vector<const BoardSpec*> avr_boards() {
+  std::vector<const BoardSpec*> boards;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i)
+    if (std::string_view(board->chip->target) == "avr") boards.push_back(board);
+  return boards;
+}
+
+/// What avr-g++ says to a source, or makes of it.
+struct Compiled {
+  std::string output, errors;
+};
+Compiled compiled(const std::string& source, const std::string& arguments) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "source.cpp", out = folder.path() / "out", err = folder.path() / "err";
+  write_file(file, source);
+  const std::string command = fmt::format("avr-g++ -std=gnu++11 -w {} '{}' >'{}' 2>'{}'", arguments,
+                                          file.string(), out.string(), err.string());
+  const bool ok = std::system(command.c_str()) == 0;
+  return {read_file(out), ok ? "" : read_file(err)};
+}
+
+/// Statements about numbers, which the compiler checks.
+class Statements {
+ public:
+  void equal(const std::string& name, long long ours) {
+    text_ += fmt::format("static_assert(({}) == {}, \"{}: ours is {:#x}\");\n", name, ours, name, ours);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void state_timer(Statements& are, const TimerSpec& timer) {
+  const std::string n = std::to_string(timer.number);
+  are.equal("TCCR" + n + "A", timer.control);
+  are.equal("TCCR" + n + "B", timer.control + 1);
+  are.equal("TCNT" + n, timer.count);
+  are.equal("OCR" + n + "A", timer.compare[0]);
+  are.equal("OCR" + n + "B", timer.compare[1]);
+  are.equal("TIMSK" + n, timer.enables);
+  are.equal("TIFR" + n, timer.flags);
+  are.equal("TIMER" + n + "_COMPA_vect_num", timer.vector);
+  are.equal("TIMER" + n + "_COMPB_vect_num", timer.vector + 1);
+  are.equal("TIMER" + n + "_OVF_vect_num", timer.vector + 2);
+  if (timer.capture) {
+    are.equal("ICR" + n, timer.capture);
+    are.equal("TIMER" + n + "_CAPT_vect_num", timer.vector - 1);
+  }
+  are.equal("PRTIM" + n, timer.reduction_bit);
+}
+
+std::string statements_about(const ChipSpec& chip) {
+  Statements are;
+  for (int i = 0; i < 3; ++i) are.equal(fmt::format("SIGNATURE_{}", i), chip.signature[i]);
+  are.equal("RAMSTART", chip.ram_address);
+  are.equal("RAMEND", ram_end(chip) - 1);
+  are.equal("FLASHEND", chip.flash_bytes - 1);
+  are.equal("E2END", chip.eeprom_bytes - 1);
+  are.equal("_VECTORS_SIZE", chip.vectors * (chip.flash_bytes > 0x2000 ? 4 : 2));
+  are.equal("INT0_vect_num", chip.external_vector);
+  are.equal("PCINT0_vect_num", chip.change_vector);
+  are.equal("WDT_vect_num", chip.watchdog_vector);
+  are.equal("EE_READY_vect_num", chip.eeprom_vector);
+  for (int i = 0; i < chip.port_count; ++i) {
+    are.equal(fmt::format("PIN{}", chip.ports[i].letter), chip.ports[i].address);
+    are.equal(fmt::format("PORT{}", chip.ports[i].letter), chip.ports[i].address + 2);
+  }
+  for (int i = 0; i < chip.timer_count; ++i) state_timer(are, chip.timers[i]);
+  for (int i = 0; i < chip.uart_count; ++i) {
+    const UartSpec& uart = chip.uarts[i];
+    are.equal("UCSR0A", uart.address);
+    are.equal("UBRR0", uart.divider);
+    are.equal("UDR0", uart.data);
+    are.equal("USART_RX_vect_num", uart.vector);
+    are.equal("PRUSART0", uart.reduction_bit);
+  }
+  are.equal("ADC_vect_num", chip.adc.vector);
+  are.equal("PRADC", chip.adc.reduction_bit);
+  are.equal("SPCR", chip.spi.address);
+  are.equal("SPI_STC_vect_num", chip.spi.vector);
+  are.equal("PRSPI", chip.spi.reduction_bit);
+  are.equal("TWBR", chip.twi.address);
+  are.equal("TWI_vect_num", chip.twi.vector);
+  are.equal("PRTWI", chip.twi.reduction_bit);
+  are.equal("ACSR", chip.comparator.address);
+  are.equal("ANALOG_COMP_vect_num", chip.comparator.vector);
+  return are.text();
+}
+
+TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  std::vector<const ChipSpec*> seen;
+  for (const BoardSpec* board : avr_boards()) {
+    const ChipSpec* chip = board->chip;
+    if (std::find(seen.begin(), seen.end(), chip) != seen.end()) continue;
+    seen.push_back(chip);
+    // Registers are their addresses, not what is there.
+    const Compiled check =
+        compiled("#include <avr/io.h>\n" + statements_about(*chip),
+                 fmt::format("-mmcu={} -D_SFR_ASM_COMPAT=1 -fsyntax-only", chip->compiler_name));
+    EXPECT_EQ(check.errors, "") << chip->name;
+  }
+}
+
+/// The numbers of an array `{ 5 , (1 << (3)) , ... }` of preprocessed source.
+std::vector<int> array_of(const std::string& source, const std::string& name) {
+  std::vector<int> numbers;
+  const std::size_t begin = source.find('{', source.find(name + "[] = {"));
+  if (begin == source.npos) return numbers;
+  const std::string text = source.substr(begin, source.find('}', begin) - begin);
+  static const std::regex kEntry(R"((?:\(1 << \(\s*(\d+)\s*\)\))|(\d+))");
+  for (std::sregex_iterator entry(text.begin(), text.end(), kEntry), end; entry != end; ++entry)
+    numbers.push_back(std::stoi((*entry)[1].matched ? (*entry)[1] : (*entry)[2]));
+  return numbers;
+}
+
+/// The Arduino core's number for an output of a timer: TIMER0A and so on, in Arduino.h.
+std::string arduinos_timer(const BoardSpec& board, const PinSpec& pin) {
+  if (!pin.pwm) return "NOT_ON_TIMER";
+  return fmt::format("TIMER{}{}", board.chip->timers[pin.chip_pin.timer].number,
+                     static_cast<char>('A' + pin.chip_pin.output));
+}
+
+TEST(AvrBoards, HaveArduinosPins) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  for (const BoardSpec* board : avr_boards()) {
+    SCOPED_TRACE(board->name);
+    const std::string arguments = fmt::format(
+        "-mmcu={0} -DARDUINO=10819 -DF_CPU={1}L -D{2} -DARDUINO_ARCH_AVR -I{3}/cores/arduino "
+        "-I{3}/variants/{4}",
+        board->chip->compiler_name, board->clock_hz, board->macro, kArduino, board->variant);
+    const Compiled source = compiled("#define ARDUINO_MAIN\n#include <Arduino.h>\n", arguments + " -E -P");
+    ASSERT_EQ(source.errors, "");
+    const std::vector<int> ports = array_of(source.output, "digital_pin_to_port_PGM"),
+                           bits = array_of(source.output, "digital_pin_to_bit_mask_PGM");
+    Statements are;
+    std::string timers;
+    int digital = 0, analog = 0;
+    for (int number = 0; number < board->pin_count; ++number) {
+      const PinSpec& pin = board->pins[number];
+      if (number >= board->analog_pin_0 && pin.analog_channel >= 0)
+        are.equal(fmt::format("PIN_A{}", analog++), number);
+      if (!pin.digital) continue;
+      ASSERT_LT(static_cast<std::size_t>(digital), ports.size());
+      EXPECT_EQ(board->chip->ports[pin.chip_pin.port].letter, 'A' + ports[digital] - 1) << pin.name;
+      EXPECT_EQ(pin.chip_pin.bit, bits[digital]) << pin.name;
+      ++digital;
+      are.equal(fmt::format("digitalPinHasPWM({})", number), pin.pwm);
+      are.equal(fmt::format("digitalPinToInterrupt({})", number), pin.interrupt);
+      timers += fmt::format("static_assert(timers[{}] == {}, \"D{}: ours is {}\");\n", number,
+                            arduinos_timer(*board, pin), number, arduinos_timer(*board, pin));
+    }
+    EXPECT_EQ(static_cast<std::size_t>(digital), ports.size());
+    are.equal("LED_BUILTIN", board->led_builtin);
+    const std::vector<int> on_timers = array_of(source.output, "digital_pin_to_timer_PGM");
+    const Compiled check =
+        compiled(fmt::format("#include <Arduino.h>\nconstexpr int timers[] = {{{}}};\n{}{}",
+                             fmt::join(on_timers, ", "), timers, are.text()),
+                 arguments + " -fsyntax-only");
+    EXPECT_EQ(check.errors, "");
+  }
+}
+
+}  // namespace
+}  // namespace robosim
