@@ -19,6 +19,7 @@ Adc::Adc(Core& core) : core_(core) {
   core.cpu.on_write<&Adc::write_control_b>(reg::kAdcsrb, this);
   core.cpu.on_read<&Adc::read_plain>(reg::kAdmux, this);
   core.cpu.on_write<&Adc::write_multiplexer>(reg::kAdmux, this);
+  for (const Address address : {reg::kAdcsra, reg::kAdcsrb, reg::kAdmux}) core.cpu.is_steady(address);
   core.cpu.on_read<&Adc::read_data>(reg::kAdcL, this);
   core.cpu.on_read<&Adc::read_data>(reg::kAdcH, this);
   core.interrupts.on_entry<&Adc::entered>(core.chip.adc.vector, this);

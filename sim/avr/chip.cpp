@@ -45,7 +45,7 @@ Chip::Stop chip_stop(Cpu::Stop why) {
 
 Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
            std::int64_t oscillator_hz)
-    : core_(spec, flash, last_ram, around, oscillator_hz), pins_(core_), power_(core_) {
+    : core_(spec, flash, last_ram, around, oscillator_hz), pins_(core_), power_(core_), idle_(core_) {
   core_.cpu.on_time = Cpu::call<&Chip::do_due>(this);
   core_.reset = [](void* self, std::uint8_t flags) { static_cast<Chip*>(self)->reset_later(flags); };
   core_.reset_self = this;
@@ -98,6 +98,7 @@ void Chip::power_on() {
 }
 
 void Chip::reset(std::uint8_t flags) {
+  idle_.interrupted();
   const Cycle now = cycle();
   const std::uint8_t earlier = core_.at(reg::kMcusr);
   const Cycle call = core_.events.due(call_);
@@ -122,6 +123,7 @@ void Chip::do_due() { core_.events.run(core_.now()); }
 
 Chip::Stop Chip::run_to(Cycle until) {
   Cpu& cpu = core_.cpu;
+  idle_.interrupted();
   for (;;) {
     core_.events.run(cpu.cycle());
     if (reset_flags_) reset(std::exchange(reset_flags_, std::uint8_t{0}));
@@ -140,13 +142,20 @@ Chip::Stop Chip::run_to(Cycle until) {
     if (requested && cpu.interruptible()) {
       const int vector = core_.interrupts.first();
       core_.interrupts.entered(vector);
+      idle_.interrupted();
       cpu.enter(vector);
       continue;
     }
     if (cpu.cycle() >= until) return Stop::reached;
-    Cycle horizon = std::min(until, core_.events.next());
-    if (singly_ || requested) horizon = cpu.cycle() + 1;
-    const Cpu::Stop why = cpu.run(horizon);
+    const Cycle horizon = std::min(until, core_.events.next());
+    const bool one = singly_ || requested, watched = !one && idle_.watches();
+    if (watched) idle_.before();
+    const Cpu::Stop why = cpu.run(one || watched ? cpu.cycle() + 1 : horizon);
+    if (watched) idle_.after();
+    if (why == Cpu::Stop::mark && cpu.is_head(cpu.pc())) {
+      if (!one) idle_.at_head(horizon);
+      if (!cpu.has_mark(cpu.pc())) continue;
+    }
     if (why == Cpu::Stop::sleep) {
       power_.sleep(cpu.cycle());
     } else if (why != Cpu::Stop::horizon) {
@@ -175,6 +184,7 @@ void Chip::restore(const std::vector<std::byte>& snapshot) {
   };
   for (const Core::Kept& kept : core_.kept) take(kept.bytes, kept.size);
   take(core_.cpu.data.data(), core_.cpu.data.size());
+  idle_.interrupted();
 }
 
 }  // namespace robosim::avr

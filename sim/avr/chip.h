@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/avr/core.h"
+#include "sim/avr/idle.h"
 #include "sim/avr/pins.h"
 #include "sim/avr/power.h"
 #include "sim/avr/usart.h"
@@ -67,6 +68,8 @@ class Chip {
   Cpu& cpu() { return core_.cpu; }
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
+  /// Loops that wait are left out, without a difference that firmware or its surroundings could see.
+  Idle& idle() { return idle_; }
   Pins& pins() { return pins_; }
 
   /// All that changes while the chip runs, but for what lies in the surroundings.
@@ -84,6 +87,7 @@ class Chip {
   Core core_;
   Pins pins_;
   Power power_;
+  Idle idle_;
   std::vector<std::unique_ptr<Peripheral>> peripherals_;
   std::vector<Usart*> usarts_;
   Events::Id call_ = 0;

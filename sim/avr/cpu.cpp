@@ -27,6 +27,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
   original_ = decode(flash_);
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
+  marks_.resize(code_.size());
   state.sp = state.sp_watch = last_ram;
 }
 
@@ -174,7 +175,21 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
-void Cpu::set_mark(std::uint32_t pc, bool set) { code_[pc].op = set ? Op::mark : original_[pc].op; }
+void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
+  marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
+  code_[pc].op = marks_[pc] ? Op::mark : original_[pc].op;
+}
+
+void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }
+void Cpu::set_head(std::uint32_t pc, bool set) { put_mark(pc, kHead, set); }
+
+Outlook Cpu::outlook(Address address) const {
+  const Hook& hook = hooks_[address];
+  if (hook.outlook) return hook.outlook(hook.outlook_self, address);
+  if (!hook.read) return {kNoCycle, data[address]};
+  if (hook.is_steady) return {kNoCycle, hook.read(hook.read_self, address)};
+  return {};
+}
 
 std::vector<std::uint32_t> Cpu::last_jumps() const {
   std::vector<std::uint32_t> jumps;

@@ -19,6 +19,7 @@
 #include "hal/board/chip_spec.h"
 #include "sim/avr/cycle.h"
 #include "sim/avr/decode.h"
+#include "sim/avr/outlook.h"
 
 namespace robosim::avr {
 
@@ -88,10 +89,25 @@ class Cpu {
     /// SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it they
     /// read and write.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
+    /// Without it, a register with `read` has none.
+    Outlook (*outlook)(void* self, Address address) = nullptr;
+    bool is_steady = false;
     void* read_self = nullptr;
+    void* outlook_self = nullptr;
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
+  /// Outlook Owner::Method(Address): what reads will give. Asked with all done that was due before.
+  template <auto Method, typename Owner>
+  void on_outlook(Address address, Owner* owner) {
+    Hook& hook = hooks_[address];
+    hook.outlook = [](void* self, Address at) { return (static_cast<Owner*>(self)->*Method)(at); };
+    hook.outlook_self = owner;
+  }
+  /// Reading the register changes nothing, and between events and writes it gives the same.
+  void is_steady(Address address) { hooks_[address].is_steady = true; }
+  Outlook outlook(Address address) const;
+
   /// uint8_t Owner::Method(Address)
   template <auto Method, typename Owner>
   void on_read(Address address, Owner* owner) {
@@ -150,6 +166,10 @@ class Cpu {
 
   // --- marks: run() stops before an instruction
   void set_mark(std::uint32_t pc, bool set);
+  bool has_mark(std::uint32_t pc) const { return marks_[pc] & kMark; }
+  /// Those of loops, which are told in the same way.
+  void set_head(std::uint32_t pc, bool set);
+  bool is_head(std::uint32_t pc) const { return marks_[pc] & kHead; }
 
   // --- the stack
   /// When the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever firmware
@@ -189,6 +209,9 @@ class Cpu {
  private:
   static constexpr Address kSpl = 0x5D, kSph = 0x5E, kSreg = 0x5F;
 
+  static constexpr std::uint8_t kMark = 1, kHead = 2;
+
+  void put_mark(std::uint32_t pc, std::uint8_t kind, bool set);
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
@@ -215,6 +238,7 @@ class Cpu {
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
   std::vector<Instruction> original_, code_;  ///< code_: with the marks
+  std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address
   Cycle horizon_ = 0;

@@ -23,6 +23,10 @@ constexpr auto kSigns = signs_of_results();
 }  // namespace
 
 Cpu::Stop Cpu::run(Cycle until) {
+  if (code_[state.pc].op == Op::mark && state.passing != state.pc) {
+    state.passing = state.pc;
+    return Stop::mark;
+  }
   stop_ = Stop::horizon;
   horizon_ = until;
   state.held = false;
@@ -375,7 +379,8 @@ choose:
       GO_TO_OPERATION(original_[pc].op);
     }
     state.passing = pc;
-    STOP(Stop::mark, 0);
+    stop_ = Stop::mark;
+    goto leave;
   }
   OPERATION(illegal, 0) STOP(Stop::illegal, 0);
   OPERATION(outside, 0) STOP(Stop::outside, 0);

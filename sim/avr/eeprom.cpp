@@ -15,6 +15,7 @@ constexpr std::int64_t kEraseOrWrite_ns = 1'800'000;
 
 Eeprom::Eeprom(Core& core) : core_(core) {
   core.cpu.on_read<&Eeprom::read_control>(reg::kEecr, this);
+  core.cpu.on_outlook<&Eeprom::outlook_of_control>(reg::kEecr, this);
   core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
   core.cpu.on_write_bit<&Eeprom::write_control_bit>(reg::kEecr, this);
   core.cpu.on_write<&Eeprom::write_address>(reg::kEearL, this);
@@ -42,6 +43,11 @@ void Eeprom::request() {
 std::uint8_t Eeprom::read_control(Address at) {
   const bool unlocked = core_.now() <= state_.unlocked_until;
   return static_cast<std::uint8_t>(core_.at(at) | (unlocked ? kEempe : 0) | (state_.writing ? kEepe : 0));
+}
+
+Outlook Eeprom::outlook_of_control(Address at) {
+  if (core_.now() <= state_.unlocked_until) return {};
+  return {kNoCycle, read_control(at)};
 }
 
 void Eeprom::write_control(Address, std::uint8_t value) { control(value, kWholeByte); }

@@ -22,6 +22,7 @@ Spi::Spi(Core& core, Pins& pins)
   for (const Address address : {control_, status_, data_}) {
     core.cpu.on_read<&Spi::read>(address, this);
     core.cpu.on_write<&Spi::write>(address, this);
+    if (address != data_) core.cpu.on_outlook<&Spi::outlook>(address, this);
   }
   core.interrupts.on_entry<&Spi::entered>(core.chip.spi.vector, this);
   shifted_ = core.events.add<&Spi::shifted>(this);
@@ -55,6 +56,13 @@ std::uint8_t Spi::read(Address address) {
   }
   if (address == status_) state_.seen = core_.at(status_) & (kSpif | kWcol);
   return core_.at(address);
+}
+
+// With a flag set, reading it prepares to clear it.
+Outlook Spi::outlook(Address address) {
+  if (!state_.runs) return {kNoCycle, 0};
+  if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
+  return {kNoCycle, core_.at(address)};
 }
 
 void Spi::touch_data() {

@@ -33,6 +33,7 @@ class Spi final : public Peripheral {
   };
 
   std::uint8_t read(Address address);
+  Outlook outlook(Address address);
   void write(Address address, std::uint8_t value);
   void touch_data();
   void send(std::uint8_t value);

@@ -66,6 +66,8 @@ class Counter {
   std::uint8_t advance(Cycle ticks);
   /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
+  /// So many ticks it surely counts up, one each.
+  Cycle ticks_upwards() const { return down_ ? 0 : straight(); }
 
  private:
   struct Ran {

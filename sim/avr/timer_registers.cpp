@@ -19,12 +19,16 @@ void Timer::hook_registers() {
   cpu.on_read<&Timer::read_flags>(spec_.flags, this);
   cpu.on_write<&Timer::write_flags>(spec_.flags, this);
   cpu.on_write_bit<&Timer::write_flag>(spec_.flags, this);
+  cpu.on_outlook<&Timer::outlook_of_flags>(spec_.flags, this);
   cpu.on_read<&Timer::read_count>(spec_.count, this);
+  if (!is_wide()) cpu.on_outlook<&Timer::outlook_of_count>(spec_.count, this);
   cpu.on_write<&Timer::write_count>(spec_.count, this);
   for (const std::uint16_t compare : spec_.compare) cpu.on_write<&Timer::write_compare>(compare, this);
-  for (const Address plain :
-       {control, high(control), Address{spec_.enables}, Address{spec_.compare[0]}, Address{spec_.compare[1]}})
+  for (const Address plain : {control, high(control), Address{spec_.enables}, Address{spec_.compare[0]},
+                              Address{spec_.compare[1]}}) {
     cpu.on_read<&Timer::read_plain>(plain, this);
+    cpu.is_steady(plain);
+  }
   if (!is_wide()) return;
   for (const std::uint16_t compare : spec_.compare) cpu.on_read<&Timer::read_plain>(high(compare), this);
   cpu.on_write<&Timer::write_control_c>(static_cast<Address>(control + 2), this);
@@ -80,6 +84,16 @@ std::uint8_t Timer::read_flags(Address address) {
   return core_.at(address) = state_.flags;
 }
 
+// What a tick sets is read from the cycle behind it on.
+Outlook Timer::outlook_of_flags(Address) {
+  if (!state_.runs) return {kNoCycle, 0};
+  count_to(before_now());
+  if (next_edge() != kNoCycle) return {};
+  const auto unset = static_cast<std::uint8_t>(flags_of_ticks() & ~state_.flags);
+  const Cycle tick = ticks_come() && unset ? tick_after(state_.at, state_.counter.ticks_to(unset)) : kNoCycle;
+  return {tick == kNoCycle ? kNoCycle : tick + 1, state_.flags};
+}
+
 void Timer::write_flags(Address, std::uint8_t value) { clear_flags(value); }
 
 void Timer::write_flag(Address, std::uint8_t value, std::uint8_t bit) { clear_flags(value & bit); }
@@ -112,6 +126,16 @@ std::uint8_t Timer::read_count(Address address) {
   const std::uint16_t value = state_.counter.value();
   state_.temp = static_cast<std::uint8_t>(value >> 8);
   return show(address, value);
+}
+
+Outlook Timer::outlook_of_count(Address) {
+  if (!state_.runs) return {kNoCycle, 0};
+  count_to(before_now());
+  const auto value = static_cast<std::uint8_t>(state_.counter.value());
+  if (next_edge() != kNoCycle) return {};
+  if (!ticks_come()) return {kNoCycle, value};
+  const Cycle turn = tick_after(state_.at, state_.counter.ticks_upwards() + 1);
+  return {turn + 1, value, tick_after(state_.at, 1) + 1, Cycle{1} << state_.shift};
 }
 
 void Timer::write_count(Address, std::uint8_t value) {

@@ -36,6 +36,7 @@ Usart::Usart(Core& core, Pins& pins, int number)
        {status_, control_, format_, divider_, static_cast<Address>(divider_ + 1), data_}) {
     core.cpu.on_read<&Usart::read>(address, this);
     core.cpu.on_write<&Usart::write>(address, this);
+    if (address != data_) core.cpu.is_steady(address);
   }
   core.interrupts.on_entry<&Usart::sent_entered>(spec_.vector + 2, this);
   shifted_ = core.events.add<&Usart::shifted>(this);

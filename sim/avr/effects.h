@@ -1,0 +1,35 @@
+// What an instruction touches, told before it runs: for those who follow firmware without executing it.
+// Source: AVR Instruction Set Manual, DS40002198B, as decode.h has it.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "sim/avr/cpu.h"
+
+namespace robosim::avr {
+
+struct Effects {
+  enum class Memory : std::uint8_t { none, load, store };
+
+  std::uint32_t reads = 0, writes = 0;  ///< registers, a bit each
+  std::uint8_t flags_read = 0, flags_written = 0;
+  Memory memory = Memory::none;
+  Address address = 0;       ///< in data memory, the lowest of `bytes`
+  std::uint8_t bytes = 0;    ///< of data memory
+  std::uint8_t touched = 0;  ///< cycles from its beginning to the access
+  bool jumps = false;        ///< by rjmp, jmp or a branch, if it is taken: what ends a loop
+  bool elsewhere = false;    ///< it does more than touch registers, flags and data memory
+};
+
+/// Calls `visit` with the number of each register.
+template <typename Visit>
+void each(std::uint32_t registers, Visit visit) {
+  for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));
+}
+
+/// Of the instruction that `cpu` would run next. SREG and the stack pointer are told as data memory where it
+/// reads or writes their addresses; what calls and pushes do to the stack pointer is not.
+Effects effects_of(const Instruction& instruction, const Cpu& cpu);
+
+}  // namespace robosim::avr

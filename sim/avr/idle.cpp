@@ -1,0 +1,177 @@
+#include "sim/avr/idle.h"
+
+#include <algorithm>
+
+namespace robosim::avr {
+namespace {
+
+constexpr int kExplored = 600;  // instructions at a time
+constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
+constexpr std::size_t kMostLandings = 24;
+// What things cost, in cycles that could have been executed meanwhile.
+constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
+constexpr std::int64_t kMostCredit = 1'000'000, kLeastCredit = -20'000;
+constexpr Cycle kWorthwhile = 200;
+constexpr Cycle kFirstBan = 4'000'000;
+constexpr int kMostBans = 20;
+
+}  // namespace
+
+void Idle::allow(bool allowed) {
+  allowed_ = allowed;
+  recorded_ = nullptr;
+  exploring_ = 0;
+  for (Head& head : heads_) mark(head, allowed);
+}
+
+void Idle::mark(Head& head, bool marked) {
+  if (head.marked == marked) return;
+  head.marked = marked;
+  core_.cpu.set_head(head.pc, marked);
+}
+
+Idle::Head* Idle::find(std::uint32_t pc) {
+  for (Head& head : heads_)
+    if (head.pc == pc) return &head;
+  return nullptr;
+}
+
+bool Idle::watches() {
+  if (recorded_ || exploring_ > 0) return true;
+  if (core_.now() < explore_at_ || !allowed_) return false;
+  if (explore_every_ == 0) explore_every_ = kFirstExplored;
+  exploring_ = kExplored;
+  landings_.clear();
+  return true;
+}
+
+void Idle::before() {
+  pc_before_ = core_.cpu.pc();
+  cycle_before_ = core_.now();
+  if (recorded_ && !path_.before()) {
+    pay(*recorded_, -kCostOfStep * steps_);
+    recorded_ = nullptr;
+  }
+}
+
+void Idle::after() {
+  if (core_.now() == cycle_before_) return;  // there was a mark
+  if (recorded_) {
+    ++steps_;
+    if (!path_.after()) {
+      pay(*recorded_, -kCostOfStep * steps_);
+      recorded_ = nullptr;
+    }
+  }
+  if (exploring_ == 0) return;
+  const std::uint32_t pc = core_.cpu.pc();
+  const Op op = core_.cpu.instruction(pc_before_).op;
+  const bool jumped = op == Op::rjmp || op == Op::jmp || op == Op::brbs || op == Op::brbc;
+  if (jumped && pc <= pc_before_) {
+    const auto landing = std::find_if(landings_.begin(), landings_.end(),
+                                      [pc](const Landing& known) { return known.pc == pc; });
+    if (landing != landings_.end()) {
+      ++landing->count;
+    } else if (landings_.size() < kMostLandings) {
+      landings_.push_back({pc, 1});
+    }
+  }
+  if (--exploring_ == 0) explored();
+}
+
+void Idle::explored() {
+  bool found = false;
+  for (const Landing& landing : landings_) {
+    if (landing.count < 2) continue;
+    Head* head = find(landing.pc);
+    if (!head) {
+      if (heads_.size() == kMostHeads) continue;
+      heads_.push_back({});
+      head = &heads_.back();
+      head->pc = landing.pc;
+    }
+    if (head->marked || core_.now() < head->banned_until) continue;
+    head->credit = 0;
+    mark(*head, true);
+    found = true;
+  }
+  explore_every_ = found ? kFirstExplored : std::min(2 * explore_every_, kLastExplored);
+  explore_at_ = core_.now() + explore_every_;
+}
+
+void Idle::pay(Head& head, std::int64_t cycles) {
+  head.credit = std::min(head.credit + cycles, kMostCredit);
+  if (head.credit > kLeastCredit) return;
+  mark(head, false);
+  head.is_known = false;
+  head.banned_until = core_.now() + (kFirstBan << head.bans);
+  head.bans = std::min(head.bans + 1, kMostBans);
+}
+
+void Idle::at_head(Cycle horizon) {
+  Head* const head = find(core_.cpu.pc());
+  if (!head || !head->marked || (recorded_ && recorded_ != head)) return;
+  if (recorded_) {
+    recorded_ = nullptr;
+    head->is_known = path_.ends(head->pass);
+    pay(*head, -kCostOfStep * steps_);
+    if (!head->is_known) return;
+  } else {
+    pay(*head, -kCostOfHead);
+  }
+  if (!head->marked) return;
+  if (head->is_known && is_as_recorded(head->pass)) {
+    const Cycle passes = passes_before(horizon, head->pass);
+    if (passes < 2) return;
+    skip(head->pass, passes - 1);
+    pay(*head, static_cast<std::int64_t>((passes - 1) * head->pass.cycles));
+    return;
+  }
+  if (horizon < core_.now() + kWorthwhile) return;
+  recorded_ = head;
+  steps_ = 0;
+  path_.begin();
+}
+
+bool Idle::is_as_recorded(const Path::Pass& pass) const {
+  const Cpu& cpu = core_.cpu;
+  if (cpu.sp() != pass.sp || (cpu.sreg() ^ pass.flags) & pass.flags_read) return false;
+  if (pass.enables_interrupts && core_.interrupts.any()) return false;
+  for (const Path::Pass::Byte& byte : pass.reads)
+    if (cpu.data[byte.address] != byte.value) return false;
+  return true;
+}
+
+/// How many passes from now on are as `pass` was, and end before `horizon`.
+Cycle Idle::passes_before(Cycle horizon, const Path::Pass& pass) const {
+  const Cycle now = core_.now();
+  if (horizon <= now) return 0;
+  Cycle most = (horizon - 1 - now) / pass.cycles;
+  for (const Path::Pass::Look& look : pass.looks) {
+    const Outlook outlook = core_.cpu.outlook(look.address);
+    const Cycle first = now + look.after;
+    if (outlook.until <= first) return 0;
+    const std::int64_t value = outlook.value_at(first), above = value - look.value;
+    if (above != 0 && !(look.counts && above > 0 && above <= pass.window)) return 0;
+    Cycle end = outlook.until;
+    if (outlook.counts())
+      end = std::min(end, outlook.reaches(look.value + (look.counts ? pass.window : 0) + 1));
+    if (end <= first) return 0;
+    most = std::min(most, (end - 1 - first) / pass.cycles + 1);
+  }
+  return most;
+}
+
+void Idle::skip(const Path::Pass& pass, Cycle passes) {
+  Cpu::State& state = core_.cpu.state;
+  state.cycle += passes * pass.cycles;
+  skipped_ += passes * pass.cycles;
+  const Cycle jumps = passes * pass.jumps.size();
+  const Cycle kept = std::min<Cycle>(jumps, state.jumps.size());
+  for (Cycle i = jumps - kept; i < jumps; ++i)
+    state.jumps[static_cast<std::uint32_t>(state.jump_count + i) % state.jumps.size()] =
+        pass.jumps[i % pass.jumps.size()];
+  state.jump_count += static_cast<std::uint32_t>(jumps);
+}
+
+}  // namespace robosim::avr

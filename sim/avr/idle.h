@@ -1,0 +1,81 @@
+// Loops that wait, left out: delay(), millis() and micros() asked again and again, flags that are polled.
+// What firmware, pins and time are afterwards is what they would have been; only the processor that
+// simulates them rests.
+//
+//   explores   now and then, for some hundred instructions: where do jumps lead back to? These are heads
+//   records    one pass from a head (path.h)
+//   skips      at a head, where what the pass reads is as it was: as many passes as end before the next
+//              event and inside the window of the counter that it reads. One of them is run again, so that
+//              all that the pass computes is there
+//
+// A head has a mark (Cpu), so that loops that are none cost nothing. One that is not worth its while loses
+// it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/avr/core.h"
+#include "sim/avr/path.h"
+
+namespace robosim::avr {
+
+class Idle {
+ public:
+  explicit Idle(Core& core) : core_(core), path_(core) { heads_.reserve(kMostHeads); }
+
+  /// Off: every instruction runs.
+  void allow(bool allowed);
+  bool is_allowed() const { return allowed_; }
+  /// Cycles that no instruction has run for.
+  Cycle skipped() const { return skipped_; }
+
+  /// Before instructions run: whether they shall run one by one, with before() and after() around each.
+  bool watches();
+  void before();
+  void after();
+  /// The processor is at a head; what happens before `horizon` is known to it alone.
+  void at_head(Cycle horizon);
+  /// Something came in between: an interrupt, a reset, an input.
+  void interrupted() { recorded_ = nullptr; }
+
+ private:
+  static constexpr std::size_t kMostHeads = 64;
+
+  struct Head {
+    std::uint32_t pc = 0;
+    bool marked = false;
+    bool is_known = false;    ///< `pass` was recorded
+    std::int64_t credit = 0;  ///< cycles it was worth, and what looking at it cost
+    Cycle banned_until = 0;
+    int bans = 0;
+    Path::Pass pass;
+  };
+  struct Landing {
+    std::uint32_t pc = 0;
+    int count = 0;
+  };
+
+  Head* find(std::uint32_t pc);
+  void explored();
+  void mark(Head& head, bool marked);
+  bool is_as_recorded(const Path::Pass& pass) const;
+  Cycle passes_before(Cycle horizon, const Path::Pass& pass) const;
+  void skip(const Path::Pass& pass, Cycle passes);
+  void pay(Head& head, std::int64_t cycles);
+
+  Core& core_;
+  Path path_;
+  bool allowed_ = true;
+  std::vector<Head> heads_;   ///< that do not move
+  Head* recorded_ = nullptr;  ///< whose pass is being recorded
+  int steps_ = 0;             ///< of that pass
+  int exploring_ = 0;         ///< instructions that are left
+  std::vector<Landing> landings_;
+  Cycle explore_at_ = 0, explore_every_ = 0;
+  std::uint32_t pc_before_ = 0;
+  Cycle cycle_before_ = 0;
+  Cycle skipped_ = 0;
+};
+
+}  // namespace robosim::avr
