@@ -39,6 +39,8 @@
 
 class HardwareSerial : public Stream {
  public:
+  /// `connected`: to the computer. The others, Serial1 and so on, have nothing at their other end.
+  explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);
   void end();
@@ -55,10 +57,25 @@ class HardwareSerial : public Stream {
   size_t write(int n) { return write((uint8_t)n); }
   using Print::write;
   operator bool() { return true; }
+
+ private:
+  bool connected_;
 };
 
 extern HardwareSerial Serial;
 #define HAVE_HWSERIAL0
+#if ROBOSIM_SERIAL_LINES > 1
+extern HardwareSerial Serial1;
+#define HAVE_HWSERIAL1
+#endif
+#if ROBOSIM_SERIAL_LINES > 2
+extern HardwareSerial Serial2;
+#define HAVE_HWSERIAL2
+#endif
+#if ROBOSIM_SERIAL_LINES > 3
+extern HardwareSerial Serial3;
+#define HAVE_HWSERIAL3
+#endif
 
 /// Defined by a sketch: called after each loop() when bytes have arrived.
 extern void serialEvent() __attribute__((weak));

@@ -1,5 +1,5 @@
-// Pins on the host, numbered as on the Uno, the Nano and the Pro Minis. What differs between boards the build
-// takes from their BoardSpec (sim/build/compile.cpp). A Blue Pill has these pins too, and more after them.
+// Pins on the host, with their numbers and functions as the build takes them from the BoardSpec
+// (sim/build/compile.cpp). Ports and timers are an Uno's, in whose registers pins 0 to 19 are found.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
@@ -29,18 +29,38 @@ static const uint8_t A4 = PIN_A4;
 static const uint8_t A5 = PIN_A5;
 static const uint8_t A6 = PIN_A6;
 static const uint8_t A7 = PIN_A7;
+#if ROBOSIM_ANALOG_INPUTS > 8
+#define PIN_A8 (PIN_A0 + 8)
+#define PIN_A9 (PIN_A0 + 9)
+#define PIN_A10 (PIN_A0 + 10)
+#define PIN_A11 (PIN_A0 + 11)
+static const uint8_t A8 = PIN_A8;
+static const uint8_t A9 = PIN_A9;
+static const uint8_t A10 = PIN_A10;
+static const uint8_t A11 = PIN_A11;
+#endif
+#if ROBOSIM_ANALOG_INPUTS > 12
+#define PIN_A12 (PIN_A0 + 12)
+#define PIN_A13 (PIN_A0 + 13)
+#define PIN_A14 (PIN_A0 + 14)
+#define PIN_A15 (PIN_A0 + 15)
+static const uint8_t A12 = PIN_A12;
+static const uint8_t A13 = PIN_A13;
+static const uint8_t A14 = PIN_A14;
+static const uint8_t A15 = PIN_A15;
+#endif
 
-#define PIN_SPI_SS (10)
-#define PIN_SPI_MOSI (11)
-#define PIN_SPI_MISO (12)
-#define PIN_SPI_SCK (13)
+#define PIN_SPI_SS (ROBOSIM_PIN_SS)
+#define PIN_SPI_MOSI (ROBOSIM_PIN_MOSI)
+#define PIN_SPI_MISO (ROBOSIM_PIN_MISO)
+#define PIN_SPI_SCK (ROBOSIM_PIN_SCK)
 static const uint8_t SS = PIN_SPI_SS;
 static const uint8_t MOSI = PIN_SPI_MOSI;
 static const uint8_t MISO = PIN_SPI_MISO;
 static const uint8_t SCK = PIN_SPI_SCK;
 
-#define PIN_WIRE_SDA (18)
-#define PIN_WIRE_SCL (19)
+#define PIN_WIRE_SDA (ROBOSIM_PIN_SDA)
+#define PIN_WIRE_SCL (ROBOSIM_PIN_SCL)
 static const uint8_t SDA = PIN_WIRE_SDA;
 static const uint8_t SCL = PIN_WIRE_SCL;
 
@@ -51,12 +71,12 @@ static const uint8_t SCL = PIN_WIRE_SCL;
 #define SERIAL_PORT_MONITOR Serial
 #define SERIAL_PORT_HARDWARE Serial
 
-#define digitalPinHasPWM(p) ((p) == 3 || (p) == 5 || (p) == 6 || (p) == 9 || (p) == 10 || (p) == 11)
+#define digitalPinHasPWM(p) ROBOSIM_HAS_PWM(p)
 #ifdef ROBOSIM_EVERY_PIN_INTERRUPTS
 #define digitalPinToInterrupt(p) \
   ((p) == 2 ? 0 : ((p) == 3 ? 1 : ((p) >= 4 && (p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)))
 #else
-#define digitalPinToInterrupt(p) ((p) == 2 ? 0 : ((p) == 3 ? 1 : NOT_AN_INTERRUPT))
+#define digitalPinToInterrupt(p) ROBOSIM_INTERRUPT_OF(p)
 #endif
 
 // Ports are numbered as in the AVR core: B = 2, C = 3, D = 4. Pins 0..7 are port D, 8..13 B, 14..19 C.

@@ -35,7 +35,7 @@ constexpr TimerSpec kTimers[] = {
 };
 
 // 20
-constexpr UartSpec kUarts[] = {{0xC0, 0xC4, 0xC6, 18, "PD0", "PD1", 0x64, 1}};
+constexpr UartSpec kUarts[] = {{0, 0xC0, 0xC4, 0xC6, 18, "PD0", "PD1", 0x64, 1}};
 
 }  // namespace atmega328p
 
@@ -76,7 +76,8 @@ constexpr ChipSpec kAtmega328p = {
             .vector = 21,
             .triggers = {0, 23, 1, 14, 16, 12, 13, 10},  // table 24-6
             .reduction = 0x64,
-            .reduction_bit = 0},
+            .reduction_bit = 0,
+            .references = {0.0, 0.0, 0.0, 1.1}},             // table 24-3
     .spi = {0x4C, 17, "PB2", "PB3", "PB4", "PB5", 0x64, 2},  // 19
     .twi = {0xB8, 24, "PC4", "PC5", 0x64, 7},                // 21
     .comparator = {0x50, 23, "PD6", "PD7"},                  // 23

@@ -3,7 +3,8 @@
 //
 // A conversion takes 13 clocks of the ADC and samples after 1.5; the first one after it was switched on 12
 // more of each (table 24-1). References: AVCC is the supply; AREF, where nothing is wired to it here, the
-// supply too; the bandgap. The temperature sensor (channel 8) reads 0.
+// supply too; the bandgap. The temperature sensor reads 0, and so do the differential channels that some
+// chips have.
 #pragma once
 
 #include <stdint.h>
@@ -20,12 +21,21 @@ constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1
 constexpr int adc_half_clocks_to_sample(bool first) { return first ? 27 : 3; }
 constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
 
-/// The channel that ADMUX selects: table 24-4.
-constexpr int adc_channel(uint8_t multiplexer) { return multiplexer & 0xF; }
+/// The bits MUX of ADMUX and, where there is one, MUX5 of ADCSRB: table 24-4.
+constexpr int adc_selection(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b) {
+  return (multiplexer & adc.multiplexer_bits) | (control_b & adc.high_channels ? 0x20 : 0);
+}
+
+/// The analog input that they select, alone and against ground; -1 = none. MUX5 selects those from 8 on.
+constexpr int adc_channel(const AdcSpec& adc, int selection) {
+  return (selection & 0x18) != 0 || (selection & 7) + (selection & 0x20 ? 8 : 0) >= adc.pins
+             ? -1
+             : (selection & 7) + (selection & 0x20 ? 8 : 0);
+}
 
 /// The reference that ADMUX selects, in volts: table 24-3.
 constexpr double adc_reference_volts(const AdcSpec& adc, uint8_t multiplexer, double supply_volts) {
-  return multiplexer >> 6 == 3 ? adc.bandgap_volts : supply_volts;
+  return adc.references[multiplexer >> 6] != 0.0 ? adc.references[multiplexer >> 6] : supply_volts;
 }
 
 /// The code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
@@ -41,14 +51,15 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// The code of the channel that ADMUX selects; `pin_volts(channel)` are those at an analog input.
+/// The code of what ADMUX and ADCSRB select; `pin_volts(channel)` are those at an analog input.
 template <typename PinVolts>
-uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, double supply_volts, PinVolts pin_volts) {
-  const int channel = adc_channel(multiplexer);
+uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
+                    PinVolts pin_volts) {
+  const int selection = adc_selection(adc, multiplexer, control_b), channel = adc_channel(adc, selection);
   double volts = 0.0;
-  if (channel < adc.pins) {
+  if (channel >= 0) {
     volts = pin_volts(channel);
-  } else if (channel == adc.bandgap_channel) {
+  } else if (selection == adc.bandgap_channel) {
     volts = adc.bandgap_volts;
   }
   return adc_code(volts, adc_reference_volts(adc, multiplexer, supply_volts));

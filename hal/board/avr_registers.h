@@ -18,8 +18,8 @@ constexpr Address kSmcr = 0x53, kMcusr = 0x54, kMcucr = 0x55, kSpmcsr = 0x57;
 constexpr Address kSpL = 0x5D, kSpH = 0x5E, kSreg = 0x5F;
 constexpr Address kWdtcsr = 0x60, kClkpr = 0x61, kPrr = 0x64, kPcicr = 0x68, kEicra = 0x69;
 constexpr Address kPcmsk0 = 0x6B, kPcmsk1 = 0x6C, kPcmsk2 = 0x6D;
-constexpr Address kAdcL = 0x78, kAdcH = 0x79, kAdcsra = 0x7A, kAdcsrb = 0x7B, kAdmux = 0x7C, kDidr0 = 0x7E,
-                  kDidr1 = 0x7F;
+constexpr Address kAdcL = 0x78, kAdcH = 0x79, kAdcsra = 0x7A, kAdcsrb = 0x7B, kAdmux = 0x7C, kDidr2 = 0x7D,
+                  kDidr0 = 0x7E, kDidr1 = 0x7F;
 
 constexpr Address kFirstIo = 0x20;  ///< below are the 32 registers of the processor
 

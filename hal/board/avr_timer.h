@@ -79,10 +79,8 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
   return !how.dual_slope ? top + 1 : top > 0 ? 2 * top : 1;
 }
 
-/// COM of channel 0 (A) or 1 (B) in TCCRnA: 0 = the pin belongs to the port.
-constexpr uint8_t connection(uint8_t control_a, int channel) {
-  return control_a >> (channel == 0 ? 6 : 4) & 3;
-}
+/// COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA: 0 = the pin belongs to the port.
+constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
 /// Whether COM of a channel gives its pin to the timer, which takes it while DDRx says output: COM = 1 does
 /// not in every PWM mode.

@@ -1,6 +1,7 @@
 #include "hal/board/board_spec.h"
 
 #include "hal/board/atmega168.h"
+#include "hal/board/atmega2560.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/stm32f103c8.h"
 
@@ -55,6 +56,24 @@ constexpr PinEntry kNanoEntries[] = {
 };
 constexpr auto kNanoPins = pins_of(kAtmega328p, kNanoEntries);
 constexpr uint8_t kUnoPinCount = 20;
+
+// variants/mega/pins_arduino.h
+constexpr PinEntry kMegaEntries[] = {
+    {"D0", "PE0", -1},  {"D1", "PE1", -1},  {"D2", "PE4", 0},   {"D3", "PE5", 1},   {"D4", "PG5", -1},
+    {"D5", "PE3", -1},  {"D6", "PH3", -1},  {"D7", "PH4", -1},  {"D8", "PH5", -1},  {"D9", "PH6", -1},
+    {"D10", "PB4", -1}, {"D11", "PB5", -1}, {"D12", "PB6", -1}, {"D13", "PB7", -1}, {"D14", "PJ1", -1},
+    {"D15", "PJ0", -1}, {"D16", "PH1", -1}, {"D17", "PH0", -1}, {"D18", "PD3", 5},  {"D19", "PD2", 4},
+    {"D20", "PD1", 3},  {"D21", "PD0", 2},  {"D22", "PA0", -1}, {"D23", "PA1", -1}, {"D24", "PA2", -1},
+    {"D25", "PA3", -1}, {"D26", "PA4", -1}, {"D27", "PA5", -1}, {"D28", "PA6", -1}, {"D29", "PA7", -1},
+    {"D30", "PC7", -1}, {"D31", "PC6", -1}, {"D32", "PC5", -1}, {"D33", "PC4", -1}, {"D34", "PC3", -1},
+    {"D35", "PC2", -1}, {"D36", "PC1", -1}, {"D37", "PC0", -1}, {"D38", "PD7", -1}, {"D39", "PG2", -1},
+    {"D40", "PG1", -1}, {"D41", "PG0", -1}, {"D42", "PL7", -1}, {"D43", "PL6", -1}, {"D44", "PL5", -1},
+    {"D45", "PL4", -1}, {"D46", "PL3", -1}, {"D47", "PL2", -1}, {"D48", "PL1", -1}, {"D49", "PL0", -1},
+    {"D50", "PB3", -1}, {"D51", "PB2", -1}, {"D52", "PB1", -1}, {"D53", "PB0", -1}, {"A0", "PF0", -1},
+    {"A1", "PF1", -1},  {"A2", "PF2", -1},  {"A3", "PF3", -1},  {"A4", "PF4", -1},  {"A5", "PF5", -1},
+    {"A6", "PF6", -1},  {"A7", "PF7", -1},  {"A8", "PK0", -1},  {"A9", "PK1", -1},  {"A10", "PK2", -1},
+    {"A11", "PK3", -1}, {"A12", "PK4", -1}, {"A13", "PK5", -1}, {"A14", "PK6", -1}, {"A15", "PK7", -1}};
+constexpr auto kMegaPins = pins_of(kAtmega2560, kMegaEntries);
 
 // The STM32F103C8 has Arduino's pins 0 to 19 where they can do what an Uno's do: 0 and 1 are USART1, PWM is
 // on 3, 5, 6, 9, 10 and 11, A0 to A5 are analog, and no two of 0 to 8 share an interrupt line. Then what is
@@ -139,6 +158,25 @@ constexpr BoardSpec pro_mini(const char* name, const char* fqbn, uint32_t clock_
   return board;
 }
 
+// The Mega 2560: its boot loader is an stk500v2, which avrdude calls `wiring`.
+constexpr BoardSpec mega() {
+  BoardSpec board = kUno;
+  board.name = "mega";
+  board.fqbn = "arduino:avr:mega";
+  board.macro = "ARDUINO_AVR_MEGA2560";
+  board.chip = &kAtmega2560;
+  board.pins = kMegaPins.pins;
+  board.pin_count = kMegaPins.kSize;
+  board.analog_pin_0 = 54;
+  board.flash_bytes = 253952;
+  board.ram_bytes = kAtmega2560.ram_bytes;
+  board.eeprom_bytes = kAtmega2560.eeprom_bytes;
+  board.host_model = &kUno;
+  board.variant = "mega";
+  board.upload_protocol = "wiring";
+  return board;
+}
+
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
 // are the EEPROM's. What holds for its supply is taken from the Uno.
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
@@ -175,6 +213,7 @@ constexpr BoardSpec kBoards[] = {
     nano168(),
     pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
     pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
+    mega(),
     blue_pill("bluepill", 72000000),
     blue_pill("bluepill8", 8000000),
 };

@@ -35,11 +35,11 @@ struct TimerSpec {
   uint8_t bits;            ///< of its counter
   uint32_t control;        ///< address of TCCRnA; of an STM32's TIMn_CR1, where the others follow
   uint16_t count;          ///< address of TCNTn
-  uint16_t compare[2];     ///< addresses of OCRnA and OCRnB
+  uint16_t compare[3];     ///< addresses of OCRnA, OCRnB and OCRnC; 0 = none
   uint16_t capture;        ///< address of ICRn; 0 = none
   uint16_t enables;        ///< address of TIMSKn
   uint16_t prescalers[8];  ///< by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
-  uint8_t vector;          ///< of compare A, which compare B and the overflow follow; an STM32's update
+  uint8_t vector;          ///< of compare A, which the others and the overflow follow; an STM32's update
   // Of an AVR's:
   uint16_t flags = 0;          ///< address of TIFRn
   bool own_prescaler = false;  ///< it shares none with the others
@@ -47,7 +47,11 @@ struct TimerSpec {
   int8_t reduction_bit = -1;   ///< that stops it there
 };
 
+/// How many OCRnx it has.
+constexpr uint8_t channels(const TimerSpec& timer) { return timer.compare[2] ? 3 : 2; }
+
 struct UartSpec {
+  uint8_t number;    ///< the n of its registers
   uint32_t address;  ///< of UCSRnA, which UCSRnB and UCSRnC follow; of an STM32's USARTn_SR
   uint16_t divider;  ///< address of UBRRn
   uint16_t data;     ///< address of UDRn
@@ -62,12 +66,17 @@ struct AdcSpec {
   uint8_t bits;            ///< of a result
   uint8_t pins;            ///< channels 0 to pins - 1 are pins
   double bandgap_volts;    ///< the internal reference; 0 = none
-  int8_t bandgap_channel;  ///< that measures it; -1 = none
+  int8_t bandgap_channel;  ///< the bits MUX that measure it; -1 = none
   uint8_t vector;
+  // Of an AVR's:
   uint8_t triggers[8] =
       {};                  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
   uint16_t reduction = 0;  ///< address of PRR
-  int8_t reduction_bit = -1;  ///< that stops it there
+  int8_t reduction_bit = -1;        ///< that stops it there
+  double references[4] = {};        ///< by REFS1 and REFS0, in volts; 0 = the supply
+  uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
+  uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = there is none
+  uint8_t control_b_bits = 0x47;    ///< all that ADCSRB keeps
 };
 
 struct SpiSpec {

@@ -56,7 +56,7 @@ constexpr ChipPin kPins[] = {
 };
 
 constexpr TimerSpec timer(uint8_t number, uint32_t address, uint8_t vector) {
-  return {number, 16, address, 0, {0, 0}, 0, 0, {}, vector};
+  return {number, 16, address, 0, {}, 0, 0, {}, vector};
 }
 // 14 and 15; interrupts: table 63
 constexpr TimerSpec kTimers[] = {
@@ -67,7 +67,7 @@ constexpr TimerSpec kTimers[] = {
 };
 
 // 27. USART2 and USART3 are there, too, but neither the core nor the emulator has them.
-constexpr UartSpec kUarts[] = {{0x40013800, 0, 0, 37, "PA10", "PA9"}};
+constexpr UartSpec kUarts[] = {{1, 0x40013800, 0, 0, 37, "PA10", "PA9"}};
 
 }  // namespace stm32f103c8
 

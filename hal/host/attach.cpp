@@ -1,6 +1,7 @@
 // attachInterrupt (WInterrupts.c of the Arduino AVR core).
 #include <Arduino.h>
 
+#include "hal/board/board_spec.h"
 #include "hal/host/api.h"
 #include "hal/host/external.h"
 
@@ -19,9 +20,13 @@ void run_attached(int number) {
   if (attached[number]) attached[number]();
 }
 
+/// The board's own number for it; of the first two, which every board has, the chip's.
 Pin pin_of(uint8_t number) {
-  if (number < host::kExternals) return host::pin_of_external(number);
-  return host::has_line(number) ? number : kNoPin;
+  const robosim::BoardSpec& spec = host::board->spec();
+  for (Pin pin = 0; pin < spec.pin_count; ++pin)
+    if (spec.pins[pin].interrupt == number && (host::places[pin].external >= 0 || host::has_line(pin)))
+      return pin;
+  return number < host::kExternals ? host::pin_of_external(number) : kNoPin;
 }
 
 void attach_line(Pin pin, void (*handler)(), int mode) {
@@ -55,13 +60,14 @@ void attachInterrupt(uint8_t number, void (*handler)(), int mode) {
   host::note_call("attachInterrupt", pin, 2, number, mode);
   host::spend(cost::kAttachInterrupt);
   if (pin == kNoPin) return;
-  if (number >= host::kExternals) {
+  const int external = host::places[pin].external;
+  if (external < 0) {
     attach_line(pin, handler, mode);
   } else {
-    attached[number] = handler;
-    const int shift = 2 * number;
+    attached[external] = handler;
+    const int shift = 2 * external;
     host::external.sense = static_cast<uint8_t>((host::external.sense & ~(3 << shift)) | (mode & 3) << shift);
-    host::external.mask |= static_cast<uint8_t>(1 << number);
+    host::external.mask |= static_cast<uint8_t>(1 << external);
   }
   host::refresh_external();
   host::refresh_deadline();
@@ -72,11 +78,12 @@ void detachInterrupt(uint8_t number) {
   host::note_call("detachInterrupt", pin, 1, number);
   host::spend(cost::kAttachInterrupt);
   if (pin == kNoPin) return;
-  if (number >= host::kExternals) {
+  const int external = host::places[pin].external;
+  if (external < 0) {
     detach_line(pin);
   } else {
-    host::external.mask &= static_cast<uint8_t>(~(1 << number));
-    attached[number] = nullptr;
+    host::external.mask &= static_cast<uint8_t>(~(1 << external));
+    attached[external] = nullptr;
   }
   host::refresh_external();
   host::refresh_deadline();

@@ -19,10 +19,12 @@ uint8_t reference = DEFAULT;
 constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
 constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
-/// Where A0 is not the first analog pin: the Blue Pill's 11 and 12.
-bool reads_below_a0(uint8_t pin) {
+/// Analog pins that the chip's channels from A0 on do not reach: the Blue Pill's 11 and 12, a Mega's A8 to
+/// A15.
+bool has_no_channel(uint8_t pin) {
   const robosim::BoardSpec& spec = host::board->spec();
-  return pin < spec.analog_pin_0 && spec.pins[pin].analog_channel >= 0;
+  return pin < spec.pin_count && spec.pins[pin].analog_channel >= 0 &&
+         (pin < spec.analog_pin_0 || pin > spec.analog_pin_0 + kLastChannel);
 }
 
 /// Whether anything has changed.
@@ -48,7 +50,7 @@ bool set_mode(uint8_t pin, uint8_t mode) {
 /// had any.
 bool disconnect(uint8_t pin) {
   const host::TimerPin by = host::timer_of(pin);
-  if (by.timer < 0) return false;
+  if (by.timer < 0) return host::end_pwm(pin);
   host::Timer& timer = host::timer(by.timer);
   const uint8_t connection = timer.connection(by.channel);
   if (!(connection & 2)) return false;
@@ -104,11 +106,13 @@ void analogReference(uint8_t mode) {
 }
 
 int analogRead(uint8_t pin) {
-  const bool below = reads_below_a0(pin);
-  const uint8_t number = pin;
+  // Both ways of the core: 8 is A8, and so is its number as a pin.
+  const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
+  const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
+  const bool elsewhere = has_no_channel(number);
   if (pin >= PIN_A0) pin -= PIN_A0;
   const int channel = pin & kLastChannel;
-  host::note_call("analogRead", static_cast<robosim::Pin>(below ? number : PIN_A0 + channel), 1, pin);
+  host::note_call("analogRead", static_cast<robosim::Pin>(elsewhere ? number : PIN_A0 + channel), 1, pin);
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
   if (!host::adc.on()) return 0;
@@ -116,7 +120,7 @@ int analogRead(uint8_t pin) {
   const robosim::SimTime clock = host::adc.clock();
   host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(false) * clock / 2);
   const uint16_t code =
-      below ? host::adc.code_of(host::board->read_volts(number, host::state.now)) : host::adc.sample();
+      elsewhere ? host::adc.code_of(host::board->read_volts(number, host::state.now)) : host::adc.sample();
   host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
   host::adc.set_code(code);
   return robosim_hal::with_bits(code, kAdcBits, robosim_hal::read_bits);
@@ -126,7 +130,8 @@ void analogWrite(uint8_t pin, int value) {
   host::note_call("analogWrite", pin, 2, pin, value);
   value = robosim_hal::with_bits(value, robosim_hal::write_bits, kPwmBits);
   const host::TimerPin by = host::timer_of(pin);
-  const bool digital = value == 0 || value == 255 || by.timer < 0;
+  const bool by_itself = host::has_pwm_without_timer(pin);
+  const bool digital = value == 0 || value == 255 || (by.timer < 0 && !by_itself);
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
   if (!host::is_digital(pin)) return;
   const bool was_input = set_mode(pin, OUTPUT);
@@ -135,6 +140,7 @@ void analogWrite(uint8_t pin, int value) {
     set_level(pin, value == 255 || value >= 128);
     return;
   }
+  if (by_itself) return host::set_pwm(pin, static_cast<uint8_t>(value));
   host::Timer& timer = host::timer(by.timer);
   timer.set_connection(by.channel, timer.connection(by.channel) | 2);
   // An 8-bit register keeps the low byte of a value out of range.

@@ -13,6 +13,7 @@ namespace {
 
 PinDrive driven[kPins];
 uint32_t tone_hz[kPins];
+uint8_t pwm_values[kPins];  // of pins without a timer
 
 // The pins of each port, by bit, and of each timer, by channel.
 Pin port_pins[kPorts][kBits];
@@ -52,6 +53,9 @@ PinDrive drive_of(Pin pin) {
     drive.pwm = true;
     drive.duty = 0.5;
     drive.tone_hz = tone_hz[pin];
+  } else if (pwm_values[pin]) {
+    drive.pwm = true;
+    drive.duty = pwm_values[pin] / 255.0;
   } else {
     drive.level = port.output & mask;
     drive.duty = drive.level ? 1.0 : 0.0;
@@ -122,6 +126,17 @@ uint8_t read_port(Port port) {
   return value;
 }
 
+void set_pwm(Pin pin, uint8_t value) {
+  pwm_values[pin] = value;
+  refresh_pin(pin);
+}
+
+bool end_pwm(Pin pin) {
+  if (pin >= kPins || !pwm_values[pin]) return false;
+  pwm_values[pin] = 0;
+  return true;
+}
+
 void set_tone(Pin pin, uint32_t hz) {
   tone_hz[pin] = hz;
   refresh_pin(pin);
@@ -132,6 +147,7 @@ void reset_ports() {
   for (Pin pin = 0; pin < kPins; ++pin) {
     driven[pin] = PinDrive();
     tone_hz[pin] = 0;
+    pwm_values[pin] = 0;
   }
 }
 

@@ -58,6 +58,15 @@ void set_output(Port port, uint8_t value);
 /// PINx: what the pins read.
 uint8_t read_port(Port port);
 
+/// Whether the board has PWM on a pin of which its stand-in has no timer: it is driven without one.
+inline bool has_pwm_without_timer(Pin pin) {
+  return pin < kPins && places[pin].timer.timer < 0 && board->spec().pins[pin].pwm;
+}
+/// Such a pin has PWM of `value` of 255 from now on; 0 = none.
+void set_pwm(Pin pin, uint8_t value);
+/// Whether it had any.
+bool end_pwm(Pin pin);
+
 /// Tells the board if the way `pin` is driven has changed.
 void refresh_pin(Pin pin);
 void refresh_timer_pins(int timer);

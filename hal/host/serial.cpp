@@ -9,6 +9,15 @@ namespace cost = robosim::host::cost;
 using robosim::kNoPin;
 
 HardwareSerial Serial;
+#if ROBOSIM_SERIAL_LINES > 1
+HardwareSerial Serial1(false);
+#endif
+#if ROBOSIM_SERIAL_LINES > 2
+HardwareSerial Serial2(false);
+#endif
+#if ROBOSIM_SERIAL_LINES > 3
+HardwareSerial Serial3(false);
+#endif
 
 namespace {
 
@@ -68,6 +77,7 @@ extern "C" __attribute__((weak)) void __vector_18() {
 void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   host::note_call("Serial.begin", kNoPin, 1, static_cast<int32_t>(baud));
   host::spend(cost::kSerialBegin);
+  if (!connected_) return;
   constexpr unsigned long kClock = host::kClockHz;
   if (baud == 0) baud = 1;
   unsigned long divider = (kClock / 4 / baud - 1) / 2;
@@ -85,6 +95,7 @@ void HardwareSerial::begin(unsigned long baud, uint8_t config) {
 
 void HardwareSerial::end() {
   host::note_call("Serial.end", kNoPin, 0);
+  if (!connected_) return;
   host::wait_until(host::uart.until_sending(0));
   host::uart.set_control(0);
   received.head = received.tail;
@@ -94,19 +105,20 @@ void HardwareSerial::end() {
 int HardwareSerial::available() {
   host::note_call("Serial.available", kNoPin, 0);
   host::spend(cost::kSerialAvailable);
+  if (!connected_) return 0;
   return (SERIAL_RX_BUFFER_SIZE + received.head - received.tail) % SERIAL_RX_BUFFER_SIZE;
 }
 
 int HardwareSerial::peek() {
   host::note_call("Serial.peek", kNoPin, 0);
   host::spend(cost::kSerialAvailable);
-  return received.head == received.tail ? -1 : received.bytes[received.tail];
+  return !connected_ || received.head == received.tail ? -1 : received.bytes[received.tail];
 }
 
 int HardwareSerial::read() {
   host::note_call("Serial.read", kNoPin, 0);
   host::spend(cost::kSerialRead);
-  if (received.head == received.tail) return -1;
+  if (!connected_ || received.head == received.tail) return -1;
   const uint8_t byte = received.bytes[received.tail];
   received.tail = static_cast<uint8_t>((received.tail + 1) % SERIAL_RX_BUFFER_SIZE);
   return byte;
@@ -115,22 +127,24 @@ int HardwareSerial::read() {
 int HardwareSerial::availableForWrite() {
   host::note_call("Serial.availableForWrite", kNoPin, 0);
   host::spend(cost::kSerialAvailable);
-  return static_cast<int>(kRingBytes - buffered());
+  return connected_ ? static_cast<int>(kRingBytes - buffered()) : kRingBytes;
 }
 
 void HardwareSerial::flush() {
   host::note_call("Serial.flush", kNoPin, 0);
+  if (!connected_) return;
   host::wait_until(host::uart.until_sending(0));
 }
 
 size_t HardwareSerial::write(uint8_t byte) {
   host::note_call("Serial.write", kNoPin, 1, byte);
-  transmit(byte);
+  if (connected_) transmit(byte);
   return 1;
 }
 
 size_t HardwareSerial::write(const uint8_t* bytes, size_t size) {
   host::note_call("Serial.print", kNoPin, 0);
+  if (!connected_) return size;
   if (is_number(bytes, size)) host::spend(cost::kSerialNumber + static_cast<int>(size) * cost::kSerialDigit);
   for (size_t i = 0; i < size; ++i) transmit(bytes[i]);
   return size;

@@ -7,7 +7,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr std::uint8_t kAden = 0x80, kAdsc = 0x40, kAdate = 0x20, kAdif = 0x10, kAdie = 0x08;
-constexpr std::uint8_t kAdcsrbBits = 0x47, kAdtsMask = 0x07, kAdmuxBits = 0xEF;
+constexpr std::uint8_t kAdtsMask = 0x07, kReferenceAndAdjust = 0xE0;
 constexpr Cycle kAutoTriggerCycles = 3;
 
 }  // namespace
@@ -95,7 +95,8 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
   const int before = trigger();
   const bool was_set =
       before == Triggers::kNone ? (core_.at(reg::kAdcsra) & kAdif) != 0 : core_.triggers.await(before);
-  core_.at(address) = value & kAdcsrbBits;
+  core_.at(address) = value & core_.chip.adc.control_b_bits;
+  if (state_.converting && core_.now() < state_.start) select();
   const int now = trigger();
   const bool is_set = core_.triggers.await(now);
   if (now != Triggers::kNone && is_set && !was_set) triggered(core_.now());
@@ -103,8 +104,13 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
 
 void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (!state_.runs) return;
-  core_.at(address) = value & kAdmuxBits;
-  if (state_.converting && core_.now() < state_.start) state_.multiplexer = core_.at(address);
+  core_.at(address) = value & (kReferenceAndAdjust | core_.chip.adc.multiplexer_bits);
+  if (state_.converting && core_.now() < state_.start) select();
+}
+
+void Adc::select() {
+  state_.multiplexer = core_.at(reg::kAdmux);
+  state_.control_b = core_.at(reg::kAdcsrb);
 }
 
 void Adc::triggered(Cycle at) {
@@ -116,7 +122,7 @@ void Adc::triggered(Cycle at) {
 void Adc::start(Cycle edge) {
   state_.converting = true;
   state_.start = edge;
-  state_.multiplexer = core_.at(reg::kAdmux);
+  select();
   const bool first = state_.first;
   state_.first = false;
   core_.schedule(sample_, edge + static_cast<Cycle>(adc_half_clocks_to_sample(first)) * clock() / 2);
@@ -124,7 +130,7 @@ void Adc::start(Cycle edge) {
 }
 
 void Adc::sample(Cycle at) {
-  state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, core_.supply_volts,
+  state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
                               [&](int channel) { return core_.outside.volts(channel, at); });
 }
 

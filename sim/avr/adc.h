@@ -32,7 +32,7 @@ class Adc final : public Peripheral {
     Cycle start = 0;   ///< of the conversion
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
-    std::uint8_t multiplexer = 0;  ///< ADMUX, as the conversion has it
+    std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, as the conversion has them
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;
@@ -45,6 +45,7 @@ class Adc final : public Peripheral {
   void write_control(Address address, std::uint8_t value);
   void write_control_b(Address address, std::uint8_t value);
   void write_multiplexer(Address address, std::uint8_t value);
+  void select();
   void triggered(Cycle at);
   void start(Cycle edge);
   void sample(Cycle at);

@@ -86,9 +86,10 @@ void Pins::write_control(Address address, std::uint8_t value) {
     if (core_.chip.pins[pin].port >= 0 && !is_output(pin)) tell_drive(pin);
 }
 
-// DIDR0 and DIDR1: 24.9.5, 23.3.2.
+// DIDR0 and DIDR1: 24.9.5, 23.3.2; DIDR2 has the analog inputs from 8 on, of a chip with so many.
 bool Pins::is_read(int pin) const {
-  const std::uint8_t analog = core_.cpu.data[reg::kDidr0], comparator = core_.cpu.data[reg::kDidr1];
+  const int analog = core_.cpu.data[reg::kDidr0] | core_.cpu.data[reg::kDidr2] << 8,
+            comparator = core_.cpu.data[reg::kDidr1];
   if (!(analog | comparator)) [[likely]]
     return true;
   const ChipPin& place = core_.chip.pins[pin];

@@ -10,10 +10,12 @@ Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
       pins_(pins),
       prescalers_(prescalers),
       spec_(core.chip.timers[index]),
+      channels_(channels(spec_)),
       prescaler_(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared) {
   hook_registers();
-  for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB, Counter::kTop}) {
-    if (flag == kCaptured && !spec_.capture) continue;
+  for (const std::uint8_t flag :
+       {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB, Counter::kMatchC, Counter::kTop}) {
+    if (!(flags_there_are() & flag)) continue;
     core.interrupts.on_entry<&Timer::entered>(vector_of(flag), this);
     core.triggers.offer<&Timer::awaited>(vector_of(flag), this);
   }
@@ -65,7 +67,7 @@ void Timer::clock_changed(std::int64_t) {
 }
 
 void Timer::set_mode() {
-  state_.counter.count(counting(spec_, control_a(), control_b()), is_wide() ? 0xFFFF : 0xFF);
+  state_.counter.count(counting(spec_, control_a(), control_b()), is_wide() ? 0xFFFF : 0xFF, channels_);
   const auto divisor = static_cast<unsigned>(prescaler(spec_, control_b()));
   state_.shift = divisor ? std::countr_zero(divisor) : -1;
   if (!is_external()) state_.pulses = {};
@@ -108,7 +110,7 @@ void Timer::count_to(Cycle to) {
 }
 
 void Timer::set_flags(std::uint8_t hits, Cycle at) {
-  for (std::size_t channel = 0; channel < Counter::kMatch.size() && control_a() & kConnections; ++channel)
+  for (std::size_t channel = 0; channel < channels_ && control_a() & kConnections; ++channel)
     if (hits & Counter::kMatch[channel] && changes_at_match(channel)) match(channel);
   if (hits & Counter::kTakenOver) state_.drives_stale = true;
   const auto fresh = static_cast<std::uint8_t>(hits & (kCounted | kCaptured) & ~state_.flags);
@@ -117,21 +119,30 @@ void Timer::set_flags(std::uint8_t hits, Cycle at) {
     core_.triggers.raised(vector_of(started), at + 1);
 }
 
+std::uint8_t Timer::flags_there_are() const {
+  int flags = Counter::kOverflow | Counter::kMatchA | Counter::kMatchB;
+  if (channels_ > 2) flags |= Counter::kMatchC;
+  if (spec_.capture) flags |= kCaptured;
+  return static_cast<std::uint8_t>(flags);
+}
+
 int Timer::vector_of(std::uint8_t flag) const {
   switch (flag) {
     case Counter::kMatchA:
       return spec_.vector;
     case Counter::kMatchB:
       return spec_.vector + 1;
-    case Counter::kOverflow:
+    case Counter::kMatchC:
       return spec_.vector + 2;
+    case Counter::kOverflow:
+      return spec_.vector + channels_;
     default:
       return spec_.vector - 1;
   }
 }
 
 std::uint8_t Timer::flag_of(int vector) const {
-  for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB})
+  for (const std::uint8_t flag : {Counter::kOverflow, Counter::kMatchA, Counter::kMatchB, Counter::kMatchC})
     if (vector_of(flag) == vector) return flag;
   return kCaptured;
 }
@@ -190,7 +201,7 @@ std::uint8_t Timer::wanted() const {
   const Counter& counter = state_.counter;
   unsigned wanted = state_.watched & ~state_.flags & flags_of_ticks();
   if (!(control_a() & kConnections)) return static_cast<std::uint8_t>(wanted);
-  for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
+  for (std::size_t channel = 0; channel < channels_; ++channel) {
     if (!drives(channel)) continue;
     if (counter.waits()) wanted |= Counter::kTakenOver;
     const std::uint8_t com = connection(control_a(), static_cast<int>(channel));

@@ -29,6 +29,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "sim/avr/core.h"
 #include "sim/avr/pins.h"
@@ -56,9 +57,10 @@ class Timer final : public Peripheral {
  private:
   // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
   static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
-  static constexpr std::uint8_t kConnections = 0xF0;  ///< COM of both channels in TCCRnA
+  static constexpr std::uint8_t kConnections = 0xFC;  ///< COM of all channels in TCCRnA
   static constexpr std::uint8_t kCaptured = Counter::kTop;
-  static constexpr std::uint8_t kCounted = Counter::kOverflow | Counter::kMatchA | Counter::kMatchB;
+  static constexpr std::uint8_t kCounted =
+      Counter::kOverflow | Counter::kMatchA | Counter::kMatchB | Counter::kMatchC;
 
   struct Output {
     bool taken = false;
@@ -73,7 +75,7 @@ class Timer final : public Peripheral {
     bool runs = true;       ///< it has a clock: PRR, sleep
     int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no clock from it
     bool drives_stale = false;
-    std::array<Output, 2> outputs{};
+    std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
     bool wants_captures = false;
@@ -102,6 +104,11 @@ class Timer final : public Peripheral {
   std::uint8_t show(Address address, std::uint16_t value);
   void clear_flags(std::uint8_t flags);
   bool is_wide() const { return spec_.bits == 16; }
+  std::span<const std::uint16_t> compares() const { return {spec_.compare, channels_}; }
+  std::uint8_t flags_there_are() const;
+  std::size_t channel_at(Address compare) const {
+    return compare == spec_.compare[0] ? 0 : compare == spec_.compare[1] ? 1 : 2;
+  }
   std::uint8_t control_a() const { return core_.cpu.data[spec_.control]; }
   std::uint8_t control_b() const { return core_.cpu.data[spec_.control + 1]; }
   std::uint8_t enables() const { return core_.cpu.data[spec_.enables]; }
@@ -148,8 +155,9 @@ class Timer final : public Peripheral {
   Pins& pins_;
   Prescalers& prescalers_;
   const TimerSpec& spec_;
+  const std::uint8_t channels_;
   const Prescalers::Which prescaler_;
-  std::array<int, 2> output_pins_{-1, -1};
+  std::array<int, 3> output_pins_{-1, -1, -1};
   int pulse_listener_ = -1, capture_listener_ = -1, capture_pin_ = -1;
   Events::Id due_ = 0;
   State state_;

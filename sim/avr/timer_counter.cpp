@@ -11,9 +11,10 @@ constexpr int kTurnsUntilRegular = 8;
 
 }  // namespace
 
-void Counter::count(const Counting& how, std::uint16_t max) {
+void Counter::count(const Counting& how, std::uint16_t max, std::uint8_t channels) {
   how_ = how;
   max_ = max;
+  channels_ = channels;
   if (!how.dual_slope) down_ = false;
   if (how.kind != Counting::Kind::pwm) compare_ = written_;
 }
@@ -32,7 +33,7 @@ std::uint8_t Counter::take_over() {
 std::uint8_t Counter::tick() {
   const std::uint16_t left = value_, end = top();
   std::uint8_t hits = 0;
-  for (std::size_t channel = 0; channel < kMatch.size() && !hidden_; ++channel)
+  for (std::size_t channel = 0; channel < channels_ && !hidden_; ++channel)
     if (left == compare_[channel]) hits |= kMatch[channel];
   const bool at_top = left == end && !down_ && !(hidden_ && how_.top != Counting::Top::fixed);
   const bool at_bottom = left == 0 && !(hidden_ && down_);
@@ -79,13 +80,13 @@ Counter::Ran Counter::run(Cycle most, std::uint8_t wanted, int turns) {
       ran.ticks += 1;
       continue;
     }
-    std::array<std::uint16_t, 2> distance;
-    for (std::size_t channel = 0; channel < distance.size(); ++channel) {
+    std::array<std::uint16_t, 3> distance;
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
       const int ahead = compare_[channel] - value_;
       distance[channel] = static_cast<std::uint16_t>(down_ ? -ahead : ahead);
       if (wanted & kMatch[channel]) ticks = std::min<Cycle>(ticks, distance[channel] + Cycle{1});
     }
-    for (std::size_t channel = 0; channel < distance.size(); ++channel)
+    for (std::size_t channel = 0; channel < channels_; ++channel)
       if (distance[channel] < ticks) ran.hits |= kMatch[channel];
     const auto by = static_cast<std::uint16_t>(ticks);
     value_ = static_cast<std::uint16_t>(down_ ? value_ - by : value_ + by);

@@ -25,6 +25,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -40,10 +41,11 @@ class Counter {
     kOverflow = 0x01,
     kMatchA = 0x02,
     kMatchB = 0x04,
+    kMatchC = 0x08,
     kTop = 0x20,
     kTakenOver = 0x80
   };
-  static constexpr std::array<std::uint8_t, 2> kMatch{kMatchA, kMatchB};
+  static constexpr std::array<std::uint8_t, 3> kMatch{kMatchA, kMatchB, kMatchC};
 
   std::uint16_t value() const { return value_; }
   const Counting& how() const { return how_; }
@@ -51,10 +53,13 @@ class Counter {
   std::uint16_t top() const { return static_cast<std::uint16_t>(top_of(how_, compare_[0], capture_)); }
   /// In force; what was written to OCRnx may wait until it is.
   std::uint16_t compare(std::size_t channel) const { return compare_[channel]; }
-  bool waits() const { return compare_[0] != written_[0] || compare_[1] != written_[1]; }
+  bool waits() const {
+    return compare_[0] != written_[0] || compare_[1] != written_[1] || compare_[2] != written_[2];
+  }
   std::uint16_t capture() const { return capture_; }
 
-  void count(const Counting& how, std::uint16_t max);
+  /// `channels`: how many OCRnx it has.
+  void count(const Counting& how, std::uint16_t max, std::uint8_t channels = 2);
   void set_value(std::uint16_t value) {
     value_ = value;
     hidden_ = true;
@@ -86,7 +91,8 @@ class Counter {
   Counting how_;
   std::uint16_t max_ = 0xFF;
   std::uint16_t value_ = 0;
-  std::array<std::uint16_t, 2> compare_{}, written_{};
+  std::uint8_t channels_ = 2;
+  std::array<std::uint16_t, 3> compare_{}, written_{};
   std::uint16_t capture_ = 0;
   bool down_ = false;
   bool hidden_ = false;  ///< TCNTn was written since the last tick

@@ -28,7 +28,7 @@ void Timer::match(std::size_t channel) {
 
 void Timer::force(std::uint8_t control) {
   if (state_.counter.how().kind == Counting::Kind::pwm) return;
-  for (std::size_t channel = 0; channel < state_.outputs.size(); ++channel)
+  for (std::size_t channel = 0; channel < channels_; ++channel)
     if (control & kForceA >> channel) match(channel);
 }
 
@@ -70,7 +70,7 @@ PinDrive Timer::drive_of(std::size_t channel) const {
 
 void Timer::tell_drives() {
   state_.drives_stale = false;
-  for (std::size_t channel = 0; channel < output_pins_.size(); ++channel) {
+  for (std::size_t channel = 0; channel < channels_; ++channel) {
     Output& output = state_.outputs[channel];
     if (!drives(channel)) {
       if (output.taken) pins_.give_back(output_pins_[channel]);

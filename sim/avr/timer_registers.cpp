@@ -23,17 +23,21 @@ void Timer::hook_registers() {
   cpu.on_read<&Timer::read_count>(spec_.count, this);
   if (!is_wide()) cpu.on_outlook<&Timer::outlook_of_count>(spec_.count, this);
   cpu.on_write<&Timer::write_count>(spec_.count, this);
-  for (const std::uint16_t compare : spec_.compare) cpu.on_write<&Timer::write_compare>(compare, this);
-  for (const Address plain : {control, high(control), Address{spec_.enables}, Address{spec_.compare[0]},
-                              Address{spec_.compare[1]}}) {
+  const auto keeps = [&](Address plain) {
     cpu.on_read<&Timer::read_plain>(plain, this);
     cpu.is_steady(plain);
+  };
+  for (const Address plain : {control, high(control), Address{spec_.enables}}) keeps(plain);
+  for (const std::uint16_t compare : compares()) {
+    cpu.on_write<&Timer::write_compare>(compare, this);
+    keeps(compare);
   }
   if (!is_wide()) return;
-  for (const std::uint16_t compare : spec_.compare) cpu.on_read<&Timer::read_plain>(high(compare), this);
+  for (const std::uint16_t compare : compares()) cpu.on_read<&Timer::read_plain>(high(compare), this);
   cpu.on_write<&Timer::write_control_c>(static_cast<Address>(control + 2), this);
-  for (const std::uint16_t low : {spec_.count, spec_.compare[0], spec_.compare[1], spec_.capture})
+  for (const std::uint16_t low : {spec_.count, spec_.capture})
     cpu.on_write<&Timer::write_temp>(high(low), this);
+  for (const std::uint16_t compare : compares()) cpu.on_write<&Timer::write_temp>(high(compare), this);
   cpu.on_read<&Timer::read_temp>(high(spec_.count), this);
   cpu.on_read<&Timer::read_temp>(high(spec_.capture), this);
   cpu.on_read<&Timer::read_capture>(spec_.capture, this);
@@ -72,7 +76,7 @@ void Timer::write_control_c(Address, std::uint8_t value) {
 void Timer::write_enables(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
-  core_.at(address) = value & (spec_.capture ? kCounted | kCaptured : kCounted);
+  core_.at(address) = value & flags_there_are();
   if (enables() & kCaptured) want_captures();
   settle();
 }
@@ -151,7 +155,7 @@ void Timer::write_compare(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const std::uint16_t compare = with_temp(value);
   show(address, compare);
-  state_.counter.write_compare(address == spec_.compare[0] ? 0 : 1, compare);
+  state_.counter.write_compare(channel_at(address), compare);
   if (!state_.counter.waits()) state_.drives_stale = true;
   settle();
 }

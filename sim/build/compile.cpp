@@ -39,6 +39,16 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
+/// A macro that gives for the number of a pin what `of` does, which is mostly `otherwise`.
+template <typename Of>
+std::string pin_macro(const char* name, const BoardSpec& board, const char* otherwise, Of of) {
+  std::string text = otherwise;
+  for (int pin = board.pin_count; pin-- > 0;)
+    if (const std::string value = of(board.pins[pin]); value != otherwise)
+      text = fmt::format("(p)=={}?{}:{}", pin, value, text);
+  return fmt::format("-D{}(p)=({})", name, text);
+}
+
 /// What our headers and the host's core take from the board when they are compiled (hal/host/chip.h,
 /// hal/arduino/pins_arduino.h).
 std::vector<std::string> host_definitions(const BoardSpec& board) {
@@ -56,8 +66,27 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
                                     fmt::format("-DROBOSIM_DIGITAL_PINS={}", last_digital_pin(board) + 1),
                                     fmt::format("-DROBOSIM_ANALOG_PIN_0={}", board.analog_pin_0),
                                     fmt::format("-DROBOSIM_ANALOG_INPUTS={}", analog_inputs),
+                                    fmt::format("-DROBOSIM_SERIAL_LINES={}", board.chip->uart_count),
                                     fmt::format("-DROBOSIM_LED_BUILTIN={}", board.led_builtin)};
-  if (every_pin_interrupts) words.emplace_back("-DROBOSIM_EVERY_PIN_INTERRUPTS");
+  if (every_pin_interrupts) {
+    words.emplace_back("-DROBOSIM_EVERY_PIN_INTERRUPTS");
+  } else {
+    words.push_back(pin_macro("ROBOSIM_INTERRUPT_OF", board, "-1",
+                              [](const PinSpec& pin) { return std::to_string(pin.interrupt); }));
+  }
+  words.push_back(
+      pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
+  // Where the chip's own are not known, those of the board that stands in for it.
+  const BoardSpec& buses = board.chip->spi.address ? board : model;
+  const auto pin_of = [&](const char* name, const char* chip_name) {
+    words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));
+  };
+  pin_of("SS", buses.chip->spi.select);
+  pin_of("MOSI", buses.chip->spi.out);
+  pin_of("MISO", buses.chip->spi.in);
+  pin_of("SCK", buses.chip->spi.clock);
+  pin_of("SDA", buses.chip->twi.data);
+  pin_of("SCL", buses.chip->twi.clock);
   if (board.pin_names) words.push_back(fmt::format("-DROBOSIM_PIN_NAMES=\"{}\"", board.pin_names));
   return words;
 }

@@ -135,8 +135,8 @@ std::vector<std::string> stock_robots();
 Description load_description(const std::string& robot_name);
 
 /// The same from text; `file` is for messages, and `base` is looked for beside it. The board `instead`, if
-/// there is one, takes the place of the file's own: pins keep their numbers, the voltages of sensors their
-/// share of the supply. A budget is of the own board's chip, and then none holds.
+/// there is one, takes the place of the file's own: pins keep their names (5, A0), the voltages of sensors
+/// their share of the supply. A budget is of the own board's chip, and then none holds.
 Description parse_description(std::string_view text, const std::filesystem::path& file,
                               const BoardSpec* instead = nullptr);
 

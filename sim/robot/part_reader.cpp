@@ -117,8 +117,10 @@ Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals
                                               to_string(value.kind)));
   }
   check_use(value, key, board, pin, use);
-  check_use(value, key, *terminals.board, pin, use);
-  return pin;
+  if (terminals.board == &board) return pin;
+  const Pin there = find_pin(*terminals.board, board.pins[pin].name);
+  check_use(value, key, *terminals.board, there, use);
+  return there;
 }
 
 PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, const Driver& driver)

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hal/board/atmega328p.h"
 #include "tests/conformance/bench.h"
 #include "tests/conformance/program.h"
 #include "tests/support/require_target.h"
@@ -10,13 +9,27 @@
 namespace robosim::conformance {
 namespace {
 
-class Conformance : public testing::TestWithParam<Program> {};
+/// A program on one of its chips.
+struct Case {
+  Program program;
+  std::string chip;
+};
+void PrintTo(const Case& one, std::ostream* out) { *out << one.program.name << " on the " << one.chip; }
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const Program& program : programs_in(ROBOSIM_CONFORMANCE_PROGRAMS))
+    for (const std::string& chip : program.chips) all.push_back({program, chip});
+  return all;
+}
+
+class Conformance : public testing::TestWithParam<Case> {};
 
 TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
   ROBOSIM_NEEDS_TARGET("avr");
-  const Program& program = GetParam();
-  const auto flash = compile(program, "atmega328p");
-  Bench bench(kAtmega328p, flash);
+  const Program& program = GetParam().program;
+  const auto flash = compile(program, GetParam().chip);
+  Bench bench(chip_named(GetParam().chip), flash);
   bench.run(program.cycles);
   EXPECT_TRUE(bench.ended) << "it has not ended after " << program.cycles << " cycles, at word "
                            << bench.chip.cpu().pc() << " of flash";
@@ -25,8 +38,8 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
       << "\n  reported " << text_of(bench.reported);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)),
-                         [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(cases()),
+                         [](const auto& of) { return of.param.program.name + "_" + of.param.chip; });
 
 }  // namespace
 }  // namespace robosim::conformance

@@ -26,7 +26,7 @@ std::string table(int& wrong) {
       "|\n|---|---|---|---|---|---|---|\n";
   int count = 0, simavr_right = 0, avr8js_right = 0;
   for (const Program& program : programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)) {
-    const auto flash = compile(program, "atmega328p");
+    const auto flash = compile(program, program.chips.front());
     const Report ours = run_on_ours(program, flash), simavr = run_on_simavr(program, flash);
     const std::optional<Report> avr8js = run_on_avr8js(program, flash);
     ++count;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "hal/board/board_spec.h"
 #include "sim/base/file.h"
 #include "sim/elf/elf_file.h"
 #include "tests/support/temporary_folder.h"
@@ -52,6 +54,9 @@ Program read(const std::filesystem::path& file) {
     } else if (const auto expected = field("Expect")) {
       program.expected = bytes_of(file, *expected);
       has_expectation = true;
+    } else if (const auto chips = field("Chips")) {
+      std::istringstream names(*chips);
+      program.chips.assign(std::istream_iterator<std::string>(names), {});
     } else if (const auto ends = field("Ends")) {
       program.cycles = std::stoull(*ends);
     } else if (program.source.empty()) {
@@ -77,6 +82,12 @@ std::string hex(std::uint8_t byte) {
 }
 
 }  // namespace
+
+const ChipSpec& chip_named(const std::string& name) {
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i)
+    if (name == board->chip->compiler_name) return *board->chip;
+  throw std::runtime_error("no board has a chip " + name);
+}
 
 std::vector<Program> programs_in(const std::filesystem::path& folder) {
   std::vector<Program> programs;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hal/board/chip_spec.h"
+
 namespace robosim::conformance {
 
 struct Program {
@@ -18,7 +20,11 @@ struct Program {
   std::string source;                                 ///< "DS40002061B, 15.7.2"
   std::vector<std::optional<std::uint8_t>> expected;  ///< none: any
   std::uint64_t cycles = 100000;                      ///< after which it is stopped
+  std::vector<std::string> chips{"atmega328p"};       ///< of which it holds, as avr-gcc calls them
 };
+
+/// The chip that avr-gcc calls so. Throws std::runtime_error where no board has it.
+const ChipSpec& chip_named(const std::string& name);
 
 /// All programs of a folder, by name. Throws std::runtime_error where one lacks its sentence, source or
 /// expectation.

@@ -9,7 +9,6 @@ extern "C" {
 #include <fstream>
 #include <sstream>
 
-#include "hal/board/atmega328p.h"
 #include "sim/base/child.h"
 #include "tests/conformance/bench.h"
 #include "tests/conformance/referees.h"
@@ -33,14 +32,14 @@ bool is_right(const Program& program, const Report& report) {
 }
 
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash) {
-  Bench bench(kAtmega328p, flash);
+  Bench bench(chip_named(program.chips.front()), flash);
   bench.run(program.cycles);
   return {bench.reported, bench.ended};
 }
 
 Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash) {
   Report report;
-  avr_t* const avr = avr_make_mcu_by_name("atmega328p");
+  avr_t* const avr = avr_make_mcu_by_name(program.chips.front().c_str());
   avr_init(avr);
   avr->log = LOG_NONE;
   avr->frequency = 16'000'000;
@@ -60,7 +59,7 @@ Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash
 
 std::optional<Report> run_on_avr8js(const Program& program, std::span<const std::uint8_t> flash) {
   const char* const folder = std::getenv("ROBOSIM_AVR8JS");
-  if (!folder) return std::nullopt;
+  if (!folder || program.chips.front() != "atmega328p") return std::nullopt;
   const test::TemporaryFolder scratch;
   const auto image = scratch.path() / "flash.bin";
   std::ofstream(image, std::ios::binary)

@@ -107,6 +107,14 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
+TEST_F(CliCompare, ASketchOnPinsThatOnlyAMegaHasDoesTheSameOnItsTargets) {
+  const Ended ended =
+      robosim_command({"compare", ROBOSIM_TEST_SKETCHES "/MegaFollower", "--map", "oval", "--robot", "mega5",
+                       "--target", "host,avr", "--goal", "none", "--for", "3s"});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("host and avr do the same"), Not(HasSubstr("difference"))));
+}
+
 TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
   const Folder folder;
   ASSERT_EQ(robosim_command({"new", "mine"}, folder.path()).status, 0);

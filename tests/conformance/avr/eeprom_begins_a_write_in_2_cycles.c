@@ -1,6 +1,7 @@
 // A write to the EEPROM halts the processor for 2 cycles.
 // Source: DS40002061B, 8.4
 // Expect: 20 60
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 // A frame of the USART takes 160 cycles: SBI 2, SBI 2, halted 2, LDS 2.

@@ -1,6 +1,7 @@
 // A read of the EEPROM halts the processor for 4 cycles.
 // Source: DS40002061B, 8.4
 // Expect: 20 60
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 // A frame of the USART takes 160 cycles: SBI 2, halted 4, LDS 2.

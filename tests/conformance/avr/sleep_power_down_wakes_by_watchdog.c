@@ -2,6 +2,7 @@
 // Source: DS40002061B, 10.5, 9.2
 // Expect: dd 20 60
 // Ends: 1000000
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 ISR(WDT_vect) {

@@ -1,6 +1,7 @@
 // In idle mode timers run on, and their interrupts wake the processor.
 // Source: DS40002061B, 10.4
 // Expect: f1 01
+// Chips: atmega328p atmega2560
 #include "cycles.h"
 
 ISR(TIMER2_COMPA_vect) { report(0xF1); }

@@ -1,6 +1,7 @@
 // A timer that is given the processor's clock counts from the next cycle on.
 // Source: DS40002061B, 15.4
 // Expect: 00 01 02 00 01 02
+// Chips: atmega328p atmega2560
 #include "cycles.h"
 
 static inline void stop(void) {

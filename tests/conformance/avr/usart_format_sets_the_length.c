@@ -1,6 +1,7 @@
 // A frame has a start bit, 5 to 9 data bits, a parity bit where one is chosen, and 1 or 2 stop bits; U2X halves bits.
 // Source: DS40002061B, 20.3.1, 20.4, 20.6.2
 // Expect: 00 40 00 40 00 40
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 #define STATUS_AFTER(cycles)                  \

@@ -1,6 +1,7 @@
 // A frame of 8N1 takes 10 bits of 16 (UBRR + 1) cycles; TXC is set at its end.
 // Source: DS40002061B, 20.3.1, 20.6.3
 // Expect: 20 60
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 // 160 cycles; LDS reads 2 cycles behind the delay.

@@ -1,6 +1,7 @@
 // A second byte waits in the buffer with UDRE 0 until the first has left; TXC is set when both have.
 // Source: DS40002061B, 20.6.3
 // Expect: 20 00 00 20 20 60
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 #define STATUS_AFTER(cycles)                   \

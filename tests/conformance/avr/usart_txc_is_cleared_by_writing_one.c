@@ -1,6 +1,7 @@
 // TXC stays until 1 is written to it; 0 leaves it.
 // Source: DS40002061B, 20.11.2
 // Expect: 60 60 20
+// Chips: atmega328p atmega2560
 #include "report.h"
 
 int main(void) {

@@ -20,6 +20,8 @@
 namespace robosim {
 namespace {
 
+using testing::HasSubstr;
+
 constexpr char kArduino[] = "/usr/share/arduino/hardware/arduino/avr";
 
 std::vector<const BoardSpec*> avr_boards() {
@@ -66,12 +68,15 @@ void state_timer(Statements& are, const TimerSpec& timer) {
   are.equal("TIFR" + n, timer.flags);
   are.equal("TIMER" + n + "_COMPA_vect_num", timer.vector);
   are.equal("TIMER" + n + "_COMPB_vect_num", timer.vector + 1);
-  are.equal("TIMER" + n + "_OVF_vect_num", timer.vector + 2);
+  if (timer.compare[2]) {
+    are.equal("OCR" + n + "C", timer.compare[2]);
+    are.equal("TIMER" + n + "_COMPC_vect_num", timer.vector + 2);
+  }
+  are.equal("TIMER" + n + "_OVF_vect_num", timer.vector + channels(timer));
   if (timer.capture) {
     are.equal("ICR" + n, timer.capture);
     are.equal("TIMER" + n + "_CAPT_vect_num", timer.vector - 1);
   }
-  are.equal("PRTIM" + n, timer.reduction_bit);
 }
 
 std::string statements_about(const ChipSpec& chip) {
@@ -93,37 +98,65 @@ std::string statements_about(const ChipSpec& chip) {
   for (int i = 0; i < chip.timer_count; ++i) state_timer(are, chip.timers[i]);
   for (int i = 0; i < chip.uart_count; ++i) {
     const UartSpec& uart = chip.uarts[i];
-    are.equal("UCSR0A", uart.address);
-    are.equal("UBRR0", uart.divider);
-    are.equal("UDR0", uart.data);
-    are.equal("USART_RX_vect_num", uart.vector);
-    are.equal("PRUSART0", uart.reduction_bit);
+    const int n = uart.number;
+    are.equal(fmt::format("UCSR{}A", n), uart.address);
+    are.equal(fmt::format("UBRR{}", n), uart.divider);
+    are.equal(fmt::format("UDR{}", n), uart.data);
+    are.equal(fmt::format("USART{}_RX_vect_num", chip.uart_count > 1 || n > 0 ? std::to_string(n) : ""),
+              uart.vector);
   }
   are.equal("ADC_vect_num", chip.adc.vector);
-  are.equal("PRADC", chip.adc.reduction_bit);
   are.equal("SPCR", chip.spi.address);
   are.equal("SPI_STC_vect_num", chip.spi.vector);
-  are.equal("PRSPI", chip.spi.reduction_bit);
   are.equal("TWBR", chip.twi.address);
   are.equal("TWI_vect_num", chip.twi.vector);
-  are.equal("PRTWI", chip.twi.reduction_bit);
   are.equal("ACSR", chip.comparator.address);
   are.equal("ANALOG_COMP_vect_num", chip.comparator.vector);
   return are.text();
 }
 
+/// Which bit of which register stops a peripheral, as <avr/power.h> has it.
+struct Stop {
+  std::string peripheral;
+  std::uint16_t address;
+  int bit;
+};
+std::vector<Stop> stops_of(const ChipSpec& chip) {
+  std::vector<Stop> stops{{"adc", chip.adc.reduction, chip.adc.reduction_bit},
+                          {"spi", chip.spi.reduction, chip.spi.reduction_bit},
+                          {"twi", chip.twi.reduction, chip.twi.reduction_bit}};
+  for (int i = 0; i < chip.timer_count; ++i)
+    stops.push_back({fmt::format("timer{}", chip.timers[i].number), chip.timers[i].reduction,
+                     chip.timers[i].reduction_bit});
+  for (int i = 0; i < chip.uart_count; ++i)
+    stops.push_back(
+        {fmt::format("usart{}", chip.uarts[i].number), chip.uarts[i].reduction, chip.uarts[i].reduction_bit});
+  return stops;
+}
+
+/// Each chip of a board once.
+std::vector<const ChipSpec*> avr_chips() {
+  std::vector<const ChipSpec*> chips;
+  for (const BoardSpec* board : avr_boards())
+    if (std::find(chips.begin(), chips.end(), board->chip) == chips.end()) chips.push_back(board->chip);
+  return chips;
+}
+
 TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
   ROBOSIM_NEEDS_TARGET("avr");
-  std::vector<const ChipSpec*> seen;
-  for (const BoardSpec* board : avr_boards()) {
-    const ChipSpec* chip = board->chip;
-    if (std::find(seen.begin(), seen.end(), chip) != seen.end()) continue;
-    seen.push_back(chip);
+  for (const ChipSpec* chip : avr_chips()) {
+    SCOPED_TRACE(chip->name);
     // Registers are their addresses, not what is there.
-    const Compiled check =
-        compiled("#include <avr/io.h>\n" + statements_about(*chip),
-                 fmt::format("-mmcu={} -D_SFR_ASM_COMPAT=1 -fsyntax-only", chip->compiler_name));
-    EXPECT_EQ(check.errors, "") << chip->name;
+    const std::string arguments = fmt::format("-mmcu={} -D_SFR_ASM_COMPAT=1", chip->compiler_name);
+    EXPECT_EQ(
+        compiled("#include <avr/io.h>\n" + statements_about(*chip), arguments + " -fsyntax-only").errors, "");
+    std::string source = "#include <avr/power.h>\n";
+    for (const Stop& stop : stops_of(*chip))
+      source += fmt::format("\"{0}\" power_{0}_disable()\n", stop.peripheral);
+    const std::string power = compiled(source, arguments + " -E -P").output;
+    for (const Stop& stop : stops_of(*chip))
+      EXPECT_THAT(power, HasSubstr(fmt::format("\"{}\" (({:#x}) |= (uint8_t)(1 << {}))", stop.peripheral,
+                                               stop.address, stop.bit)));
   }
 }
 

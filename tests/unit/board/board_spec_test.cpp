@@ -49,6 +49,6 @@ TEST(BoardSpec, AProMiniIsANanoWithAnotherClockAndSupply) {
   }
 }
 
-TEST(BoardSpec, KnowsNoOtherBoards) { EXPECT_EQ(find_board("mega"), nullptr); }
+TEST(BoardSpec, KnowsNoOtherBoards) { EXPECT_EQ(find_board("due"), nullptr); }
 
 }  // namespace robosim

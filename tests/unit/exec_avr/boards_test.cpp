@@ -32,5 +32,92 @@ void loop() {}
   }
 }
 
+TEST_F(Boards, AMegaHasPinsTimersAndChannelsThatAnUnoHasNot) {
+  board_name_ = "mega";
+  start(R"(
+volatile int edges;
+void count() { ++edges; }
+void setup() {
+  Serial.begin(115200);
+  pinMode(49, OUTPUT);
+  digitalWrite(49, HIGH);
+  const uint8_t pins[] = {2, 4, 7, 8, 12, 13, 44, 46};
+  for (uint8_t pin : pins) analogWrite(pin, 51);
+  attachInterrupt(digitalPinToInterrupt(18), count, RISING);
+  Serial.println(analogRead(A8));
+  Serial.println(analogRead(A15));
+  Serial.println(analogRead(A0));
+  analogReference(INTERNAL2V56);
+  Serial.println(analogRead(A15));
+  pinMode(30, INPUT_PULLUP);
+  Serial.println(digitalRead(30));
+  delay(20);
+  Serial.println(edges);
+}
+void loop() {}
+)");
+  FixedSource one(1.0), two(2.0), four(4.0);
+  Pulse pulse(15 * kMillisecond, 16 * kMillisecond);
+  board().connect(62, one);
+  board().connect(69, two);
+  board().connect(54, four);
+  board().connect(18, pulse);
+  run(14 * kMillisecond);
+  board().schedule_edge(18, true, 15 * kMillisecond);
+  run(2 * kMillisecond);
+  run(20 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_EQ(numbers(), (std::vector<long long>{204, 409, 819, 800, 1, 1}));
+  EXPECT_TRUE(board().drive(49).level);
+  EXPECT_EQ(board().drive(30).mode, PinMode::input_pullup);
+  for (const Pin pin : {4, 13}) EXPECT_EQ(board().drive(pin).duty, 52.0 / 256) << "timer 0, pin " << int{pin};
+  for (const Pin pin : {2, 7, 8, 12, 44, 46})
+    EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
+}
+
+TEST_F(Boards, AMegasCodeAndConstantsMayLieBehind128KB) {
+  board_name_ = "mega";
+  EXPECT_EQ(output(R"(
+#define BIG(n) const uint8_t big##n[30000] PROGMEM = {n}
+BIG(1); BIG(2); BIG(3); BIG(4); BIG(5);
+struct Base { virtual int value(int n) { return n; } };
+struct Deeper : Base { int value(int n) override { return n == 0 ? 7 : value(n - 1) + 1; } };
+Base* make() { static Deeper deeper; return &deeper; }
+void __attribute__((noinline)) show(int n) { Serial.println(n); }
+void (*volatile shower)(int) = show;
+void setup() {
+  Serial.begin(115200);
+  uint32_t at = pgm_get_far_address(big5);
+  Serial.println(at > 0x1FFFF - 30000 || pgm_get_far_address(big1) > 0x1FFFF - 30000);
+  show(pgm_read_byte_far(at) + pgm_read_byte_far(pgm_get_far_address(big1)) +
+       pgm_read_byte_far(pgm_get_far_address(big2) + (millis() >> 15)) +
+       pgm_read_byte_far(pgm_get_far_address(big3)) + pgm_read_byte_far(pgm_get_far_address(big4)));
+  shower(make()->value(40));
+}
+void loop() {}
+)"),
+            "1\r\n15\r\n47\r\n");
+  EXPECT_GT(built_.text_bytes, 0x20000u);
+}
+
+TEST_F(Boards, SerialLinesThatNothingIsConnectedToSendAllTheSame) {
+  board_name_ = "mega";
+  EXPECT_EQ(output(R"(
+void setup() {
+  Serial.begin(115200);
+  Serial1.begin(9600);
+  Serial3.begin(57600);
+  unsigned long began = micros();
+  Serial1.print("0123456789");
+  Serial3.print("0123456789");
+  Serial1.flush();
+  Serial.println((micros() - began) / 1000);
+  Serial.println(Serial1.available());
+}
+void loop() {}
+)"),
+            "10\r\n0\r\n");
+}
+
 }  // namespace
 }  // namespace robosim::exec

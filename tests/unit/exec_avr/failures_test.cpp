@@ -1,6 +1,8 @@
 // Every way in which firmware can bring its chip down is told with its reason and its place. The sketches are
 // those of the system tests.
 
+#include <array>
+
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -11,9 +13,9 @@ using testing::HasSubstr;
 class FailuresTest : public AvrTest {
  protected:
   const std::optional<Crash>& crash_of(const std::string& name, SimTime duration = kSecond) {
-    build::Request request{std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name, *find_board("uno")};
+    build::Request request{std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name, *find_board(board_name_)};
     request.target = "avr";
-    avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), build::build(request).image);
+    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build::build(request).image);
     avr_->power_on(0);
     now_ = 0;
     run(duration);
@@ -47,6 +49,21 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     EXPECT_EQ(crash->where.line, c.line) << c.sketch;
     EXPECT_THAT(crash->registers, HasSubstr("SP 0x")) << c.sketch;
     EXPECT_FALSE(crash->calls.empty()) << c.sketch;
+  }
+}
+
+TEST_F(FailuresTest, TheyAreToldWhereReturnAddressesHaveThreeBytes) {
+  board_name_ = "mega";
+  for (const auto& [sketch, reason, function] :
+       {std::array{"ChipWildRead", "where the chip has no memory", "look"},
+        std::array{"ChipSmash", "the return address on the stack was overwritten", "copy"},
+        std::array{"ChipDeep", "stack overflow", "deeper"},
+        std::array{"ChipWatchdog", "the watchdog has reset the chip 3 times", "work"}}) {
+    const auto& crash = crash_of(sketch);
+    ASSERT_TRUE(crash) << sketch;
+    EXPECT_THAT(crash->reason, HasSubstr(reason)) << sketch;
+    EXPECT_EQ(crash->where.function, function) << sketch;
+    EXPECT_FALSE(crash->calls.empty()) << sketch;
   }
 }
 

@@ -50,7 +50,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   /// Builds `text`, makes an executor for it and switches it on at 0.
   void start(const std::string& text) {
     avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
-    for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
+    for (Pin pin = 0; pin < board().spec().pin_count; ++pin) board().watch(pin, *this);
     board().watch_serial(*this);
     before_power_on();
     avr_->power_on(0);

@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
              "exactly these pins"},
         Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
         Case{"base = \"uno9\"\n",
-             "no robot is called \"uno9\"; there are bluepill2, bluepill3, bluepill5, bluepony, nano8rc, "
+             "no robot is called \"uno9\"; there are bluepill2, bluepill3, bluepill5, bluepony, mega5, "
+             "nano8rc, "
              "pony, uno2, uno3 or uno5"},
         Case{"base = \"./none.toml\"\n", "there is no file ./none.toml"},
         Case{"base = \"/dev/zero\"\n", "there is no file /dev/zero"},
@@ -296,14 +297,24 @@ TEST_F(AnotherBoard, ThatLacksAPinIsRefusedWithThePinsPlace) {
 }
 
 TEST_F(AnotherBoard, ThatThereIsNoneOfIsRefusedWithThoseThereAre) {
-  EXPECT_THAT(refusal("uno5@mega"), HasSubstr("uno5@mega: no board is called \"mega\"; there are uno, nano, "
-                                              "nano168, promini8, promini16, bluepill or "
-                                              "bluepill8"));
+  EXPECT_THAT(refusal("uno5@due"), HasSubstr("uno5@due: no board is called \"due\"; there are uno, nano, "
+                                             "nano168, promini8, promini16, mega, bluepill or "
+                                             "bluepill8"));
+}
+
+TEST_F(AnotherBoard, WiresStayOnThePinsOfTheSameName) {
+  const auto pin_of_s1 = [](const char* name) {
+    for (const PartSummary& part : describe(load_description(name)).parts)
+      if (part.name == "S") return part.pins.at(0).second;
+    return kNoPin;
+  };
+  EXPECT_EQ(pin_of_s1("uno5"), 14) << "A0";
+  EXPECT_EQ(pin_of_s1("uno5@mega"), 54) << "A0";
 }
 
 TEST(StockRobots, AllLoad) {
   EXPECT_THAT(stock_robots(), ::testing::ElementsAre("bluepill2", "bluepill3", "bluepill5", "bluepony",
-                                                     "nano8rc", "pony", "uno2", "uno3", "uno5"));
+                                                     "mega5", "nano8rc", "pony", "uno2", "uno3", "uno5"));
   for (const std::string& name : stock_robots()) EXPECT_NO_THROW(load_description(name)) << name;
 }
 
