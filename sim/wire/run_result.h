@@ -68,8 +68,9 @@ void fields(V& v, Same<V, Resources>& r) {
   v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
   v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; a loop that waits is load");
   v("loops", r.loops,
-    "passes of `loop()`; absent, with the next two, where `loop()` is not found in the image's debug "
-    "information, or has not begun twice",
+    "passes of `loop()`, or of the endless loop of a `main()` without it; absent, with the next two, where "
+    "the "
+    "image does not tell them from those of loops within, or none has ended",
     {.presence = if_loops});
   v("loop_us_max", r.loop_us_max,
     "longest time from one beginning of `loop()` to the next, or to the end of the run",

@@ -2,20 +2,18 @@
 
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
+#include "sim/exec/avr/loop.h"
 
 namespace robosim::exec {
 namespace {
 
 struct Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
-      : firmware(avr::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
-    if (!loop) loop = firmware.find("loop");
-    if (loop) loop = firmware.loop_head(*loop);
-  }
+      : firmware(avr::Firmware::read(file, spec)), debug(file), loop(avr::rounds_of_loop(firmware, debug)) {}
 
   avr::Firmware firmware;
   DebugInfo debug;
-  std::optional<std::uint32_t> loop;
+  Rounds loop;
 };
 
 class RunningAvr final : public RunningChip {

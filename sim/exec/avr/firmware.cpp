@@ -82,31 +82,6 @@ std::optional<std::uint16_t> Firmware::find_variable(const std::string& name) co
   return static_cast<std::uint16_t>(*address - kAvrData);
 }
 
-std::uint32_t Firmware::loop_head(std::uint32_t entry) const {
-  const Symbol* const function = function_at(entry);
-  if (!function || function->address == entry || function->size == 0) return entry;
-  const std::uint32_t end = std::min(function->address + function->size, code_end);
-  std::uint32_t head = end;
-  for (std::uint32_t pc = function->address; pc + 2 <= end;) {
-    const int op = word(pc);
-    const bool jmp = (op & 0xFE0E) == 0x940C, rjmp = (op & 0xF000) == 0xC000,
-               branch = (op & 0xF800) == 0xF000;
-    const bool two_words = jmp || (op & 0xFE0E) == 0x940E || (op & 0xFC0F) == 0x9000;
-    if (two_words && pc + 4 > end) break;
-    std::uint32_t target = pc + 2;
-    if (jmp) target = static_cast<std::uint32_t>(word(pc + 2)) * 2;
-    if (rjmp)
-      target = static_cast<std::uint32_t>(static_cast<int>(pc) + 2 + 2 * (((op & 0xFFF) ^ 0x800) - 0x800));
-    if (branch)
-      target = static_cast<std::uint32_t>(static_cast<int>(pc) + 2 + 2 * (((op >> 3 & 0x7F) ^ 0x40) - 0x40));
-    // Of all jumps back, that of the outermost loop leads furthest.
-    if (pc >= entry && target <= pc && target >= function->address)
-      head = std::min(head, std::max(target, entry));
-    pc += two_words ? 4 : 2;
-  }
-  return head < end ? head : entry;
-}
-
 const Symbol* Firmware::function_at(std::uint32_t pc) const {
   return pc < code_end ? symbols.function_at(pc) : nullptr;
 }

@@ -41,10 +41,6 @@ struct Firmware {
   std::optional<std::uint32_t> find(const std::string& name) const;
   /// Data address of a variable.
   std::optional<std::uint16_t> find_variable(const std::string& name) const;
-  /// Where a new round begins of the endless loop that runs the code at `entry` again and again: `entry`
-  /// itself, or, if the compiler has moved something out of the loop to its front, the first instruction that
-  /// is repeated.
-  std::uint32_t loop_head(std::uint32_t entry) const;
   /// The function that holds a flash address; null if none does.
   const Symbol* function_at(std::uint32_t pc) const;
 };

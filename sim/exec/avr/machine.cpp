@@ -10,14 +10,16 @@ constexpr Cycle kLookEvery = 1000;
 
 }  // namespace
 
-Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board, SimTime t)
+Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, SimTime t)
     : Outside(board, t),
       firmware_(firmware),
+      loop_(loop),
       board_(board),
       chip_(firmware, board.spec(), *this),
       stack_(chip_, firmware) {
   plug_in(chip_.chip());
-  if (loop) chip_.set_trap(WatchedChip::kLoopTrap, *loop);
+  for (const std::uint32_t pc : loop.each) chip_.set_trap(WatchedChip::kLoopTrap, pc);
+  await_loop();
   look_ = chip_.chip().core().events.add<&Machine::look_at_heap>(this);
   look_at_heap(0);
 }
@@ -31,12 +33,19 @@ void Machine::look_at_heap(Cycle at) {
 }
 
 void Machine::was_reset(std::uint8_t, Cycle at) {
-  looped_ = false;
+  await_loop();
   chip_.was_reset();
   look_at_heap(at);
 }
 
+void Machine::await_loop() {
+  looped_ = false;
+  for (const std::uint32_t pc : loop_.first) chip_.set_trap(WatchedChip::kFirstLoopTrap, pc);
+}
+
 void Machine::loop_began() {
+  if (!looped_)
+    for (const std::uint32_t pc : loop_.first) chip_.clear_trap(WatchedChip::kFirstLoopTrap, pc);
   const Cycle now = chip_.cycle();
   if (looped_) {
     const Cycle took = now - loop_began_;
@@ -124,7 +133,7 @@ void Machine::run_until(SimTime t) {
   while (now() < t && !chip_.fault() && !chip_.is_off()) {
     chip_.run_to(link().cycle_at(t));
     const unsigned traps = chip_.take_traps();
-    if (traps & WatchedChip::kLoopTrap) loop_began();
+    if (traps & (WatchedChip::kLoopTrap | WatchedChip::kFirstLoopTrap)) loop_began();
     if (traps & WatchedChip::kMainTrap) start_clock();
     if (traps & WatchedChip::kWriteTrap) write_called();
     if (debug_port_) debug_port_->ran(traps & WatchedChip::kBreakpoint);

@@ -6,6 +6,7 @@
 #include "sim/exec/avr/watched_chip.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/written_bytes.h"
+#include "sim/exec/elf/rounds.h"
 
 namespace robosim::exec::avr {
 
@@ -20,9 +21,8 @@ struct LoopTimes {
 
 class Machine final : Outside {
  public:
-  /// `loop`: the first instruction of loop(), if it is known. Here as everywhere in the chip, times are by
-  /// its own clock.
-  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board, SimTime t);
+  /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
+  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);
@@ -49,11 +49,13 @@ class Machine final : Outside {
  private:
   void was_reset(std::uint8_t flags, Cycle at) override;
   void look_at_heap(Cycle at);
+  void await_loop();
   void loop_began();
   void start_clock();
   void write_called();
 
   const Firmware& firmware_;
+  const Rounds loop_;
   ClockedBoard& board_;
   WatchedChip chip_;
   Stack stack_;

@@ -51,7 +51,14 @@ class WatchedChip {
 
   // --- traps: run_to() returns before an instruction
   /// Who wants to know that an instruction is about to run.
-  enum Trap : unsigned { kLoopTrap = 1, kMainTrap = 2, kBreakpoint = 4, kWriteTrap = 8, kRestartTrap = 16 };
+  enum Trap : unsigned {
+    kLoopTrap = 1,
+    kMainTrap = 2,
+    kBreakpoint = 4,
+    kWriteTrap = 8,
+    kRestartTrap = 16,
+    kFirstLoopTrap = 32
+  };
   void set_trap(Trap trap, std::uint32_t pc);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.

@@ -3,6 +3,7 @@
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace robosim::exec {
@@ -56,14 +57,25 @@ void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-void find_entries(Dwarf_Die parent, const std::string& function, std::vector<Dwarf_Addr>& entries) {
+bool is_free_function(Dwarf_Die& die, const std::string& name) {
+  if (name_of(die) != name) return false;
+  Dwarf_Attribute attribute;
+  if (!dwarf_attr_integrate(&die, DW_AT_linkage_name, &attribute)) return true;
+  const char* const linkage = dwarf_formstring(&attribute);
+  return linkage && (linkage == name || linkage == fmt::format("_Z{}{}v", name.size(), name));
+}
+
+void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf& code) {
   Dwarf_Die child;
   if (dwarf_child(&parent, &child) != 0) return;
   do {
-    Dwarf_Addr entry = 0;
-    if (is_code(child) && name_of(child) == function && dwarf_entrypc(&child, &entry) == 0)
-      entries.push_back(entry);
-    find_entries(child, function, entries);
+    if (is_code(child) && is_free_function(child, function)) {
+      auto& ranges = dwarf_tag(&child) == DW_TAG_subprogram ? code.itself : code.inlined;
+      Dwarf_Addr base = 0, begin = 0, end = 0;
+      for (std::ptrdiff_t next = 0; (next = dwarf_ranges(&child, next, &base, &begin, &end)) > 0;)
+        ranges.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    }
+    find_code(child, function, code);
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
@@ -122,11 +134,10 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
   return frames;
 }
 
-std::optional<std::uint32_t> DebugInfo::entry_of(const std::string& function) const {
-  std::vector<Dwarf_Addr> entries;
-  if (dwarf_) for_each_unit(dwarf_, [&](Dwarf_Die unit) { find_entries(unit, function, entries); });
-  if (entries.size() != 1) return std::nullopt;
-  return static_cast<std::uint32_t>(entries[0]);
+DebugInfo::CodeOf DebugInfo::code_of(const std::string& function) const {
+  CodeOf code;
+  if (dwarf_) for_each_unit(dwarf_, [&](Dwarf_Die unit) { find_code(unit, function, code); });
+  return code;
 }
 
 }  // namespace robosim::exec

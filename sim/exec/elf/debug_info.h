@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,15 @@ class DebugInfo {
   /// each with the line it has reached. Empty if not known.
   std::vector<SourceLine> frames(std::uint32_t pc) const;
 
-  /// The first instruction of a function without parameters that is there exactly once: itself, or inlined.
-  std::optional<std::uint32_t> entry_of(const std::string& function) const;
+  struct Range {
+    std::uint32_t begin = 0, end = 0;
+  };
+  /// Where the code of a function is that belongs to no class and has no parameters.
+  struct CodeOf {
+    std::vector<Range> itself;
+    std::vector<Range> inlined;  ///< into others
+  };
+  CodeOf code_of(const std::string& function) const;
 
  private:
   int descriptor_ = -1;

@@ -96,7 +96,7 @@ struct Cpu::Hooks {
   }
 };
 
-Cpu::Cpu(const Firmware& firmware, Bus& bus, std::optional<std::uint32_t> loop)
+Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
     : firmware_(firmware),
       bus_(bus),
       clock_(bus.link().clock),
@@ -129,7 +129,8 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, std::optional<std::uint32_t> loop)
   add(UC_HOOK_INTR, &Hooks::interrupt);
   add(UC_HOOK_INSN_INVALID, &Hooks::undefined);
 
-  mark(loop, &Cached::loop);
+  for (const std::uint32_t pc : loop.first) mark(pc, &Cached::starts);
+  for (const std::uint32_t pc : loop.each) mark(pc, &Cached::loop);
   for (const char* name : {"millis", "HAL_GetTick"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Cached::call);
   const auto vector = [&](unsigned number) {
@@ -208,14 +209,14 @@ Cpu::Cached& Cpu::cached(std::uint32_t pc) {
   entry.known = true;
   entry.instruction = decode(firmware_.half(kFlash + offset), firmware_.half(kFlash + offset + 2));
   const Instruction& i = entry.instruction;
-  entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.loop &&
-                !entry.call && !entry.sets && !entry.watched && !entry.breaks;
+  entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.starts &&
+                !entry.loop && !entry.call && !entry.sets && !entry.watched && !entry.breaks;
   return entry;
 }
 
-void Cpu::mark(std::optional<std::uint32_t> pc, bool Cached::*flag) {
-  if (!pc || *pc < kFlash || *pc >= kEepromFlash) return;
-  Cached& entry = cache_[(*pc - kFlash) / 2];
+void Cpu::mark(std::uint32_t pc, bool Cached::*flag) {
+  if (pc < kFlash || pc >= kEepromFlash) return;
+  Cached& entry = cache_[(pc - kFlash) / 2];
   entry.known = false;
   entry.*flag = true;
 }
@@ -312,7 +313,7 @@ bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
 void Cpu::before_special(const Cached& entry) {
   const Instruction& i = entry.instruction;
   if (i.predicates > 0) predicated_ = i.predicates;
-  if (entry.loop) loop_began();
+  if (entry.loop || (entry.starts && !looped_)) loop_began();
   if (entry.call && handlers_.empty()) {
     last_io_ = clock_.now;
     last_io_pc_ = pc_;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/exec/elf/rounds.h"
 #include "sim/exec/stm32/bus.h"
 #include "sim/exec/stm32/cycles.h"
 #include "sim/exec/stm32/firmware.h"
@@ -52,7 +53,7 @@ class Cpu {
  public:
   enum Register { kSp = 13, kLr = 14, kPc = 15 };
 
-  Cpu(const Firmware& firmware, Bus& bus, std::optional<std::uint32_t> loop);
+  Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop);
   ~Cpu();
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
@@ -121,8 +122,8 @@ class Cpu {
   struct Hooks;
   struct Cached {
     Instruction instruction{};
-    bool known = false, plain = false, loop = false, call = false, sets = false, watched = false,
-         breaks = false;
+    bool known = false, plain = false, starts = false, loop = false, call = false, sets = false,
+         watched = false, breaks = false;
   };
   struct Handler {
     Exception exception;
@@ -147,7 +148,7 @@ class Cpu {
   void leave();
   std::uint32_t opcode(std::uint32_t pc) const;
   Cached& cached(std::uint32_t pc);
-  void mark(std::optional<std::uint32_t> pc, bool Cached::*flag);
+  void mark(std::uint32_t pc, bool Cached::*flag);
   std::uint8_t* ram(Address address, unsigned bytes) const;
   void set_reg(int number, std::uint32_t value);
 

@@ -8,8 +8,8 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-Machine::Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board,
-                 EepromPages& pages, SimTime t)
+Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, EepromPages& pages,
+                 SimTime t)
     : firmware_(firmware),
       board_(board),
       eeprom_pages_(pages),

@@ -11,10 +11,8 @@ class DebugPort;
 
 class Machine {
  public:
-  /// `loop`: the first instruction of loop(), if it is known. Here as everywhere in the chip, times are by
-  /// its own clock.
-  Machine(const Firmware& firmware, std::optional<std::uint32_t> loop, ClockedBoard& board,
-          EepromPages& pages, SimTime t);
+  /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
+  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, EepromPages& pages, SimTime t);
 
   void run_until(SimTime t);
   /// millis() begins with `start` when main() begins.

@@ -2,19 +2,20 @@
 
 #include "sim/exec/stm32/debug_port.h"
 #include "sim/exec/stm32/diagnosis.h"
+#include "sim/exec/stm32/loop.h"
 
 namespace robosim::exec {
 namespace {
 
 struct Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
-      : firmware(stm32::Firmware::read(file, spec)), debug(file), loop(debug.entry_of("loop")) {
-    if (const Symbol* symbol = firmware.symbols.find("loop"); !loop && symbol) loop = symbol->address;
-  }
+      : firmware(stm32::Firmware::read(file, spec)),
+        debug(file),
+        loop(stm32::rounds_of_loop(firmware, debug)) {}
 
   stm32::Firmware firmware;
   DebugInfo debug;
-  std::optional<std::uint32_t> loop;
+  Rounds loop;
 };
 
 class RunningStm32 final : public RunningChip {

@@ -209,6 +209,20 @@ TEST_F(Stm32ChipTest, SleepCostsNextToNothingAndLoadIsMeasured) {
   EXPECT_GE(r.loops, 97u);
 }
 
+TEST_F(Stm32ChipTest, ALoopThatBeginsWithALoopWithinIsNotCountedByThat) {
+  start(R"(volatile unsigned n, rounds;
+void setup() { Serial.begin(115200); }
+void loop() {
+  while (n < 50) n = n + 1;
+  n = 0;
+  if (++rounds == 500) Serial.println(micros());
+})");
+  run(50 * kMillisecond);
+  const double took_us = std::stod(serial_);
+  const Resources r = *chip_->resources();
+  EXPECT_NEAR(r.loop_us_mean, took_us / 500.0, 0.02 * r.loop_us_mean);
+}
+
 TEST_F(Stm32ChipTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   start(
       "volatile bool flag;\nvoid wait() {\n  while (!flag) {\n  }\n}\nvoid setup() { delay(20); wait(); }\n"

@@ -1,0 +1,13 @@
+// Where a round of loop() begins in an image for this chip.
+#pragma once
+
+#include "sim/exec/avr/firmware.h"
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/rounds.h"
+
+namespace robosim::exec::avr {
+
+/// As sim/exec/elf/loop.h has it.
+Rounds rounds_of_loop(const Firmware& firmware, const DebugInfo& debug);
+
+}  // namespace robosim::exec::avr

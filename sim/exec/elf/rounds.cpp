@@ -1,0 +1,188 @@
+#include "sim/exec/elf/rounds.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace robosim::exec {
+namespace {
+
+using Addresses = std::set<std::uint32_t>;
+
+const Step& at(const Steps& function, std::uint32_t address) {
+  static const Step kNone;
+  const auto step = function.find(address);
+  return step == function.end() ? kNone : step->second;
+}
+
+Addresses reachable(const Steps& function, std::uint32_t from) {
+  Addresses found;
+  std::vector<std::uint32_t> open{from};
+  while (!open.empty()) {
+    const std::uint32_t address = open.back();
+    open.pop_back();
+    if (!function.contains(address) || !found.insert(address).second) continue;
+    for (const std::uint32_t next : at(function, address).next) open.push_back(next);
+  }
+  return found;
+}
+
+/// The cycles among `nodes`: sets whose members can each reach all others (Tarjan's algorithm, with a stack
+/// of its own since functions are long).
+std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
+  struct Visit {
+    std::uint32_t address;
+    std::size_t child = 0;
+  };
+  std::map<std::uint32_t, std::size_t> index, low;
+  std::vector<std::uint32_t> path;
+  Addresses on_path;
+  std::vector<Addresses> found;
+  const auto close = [&](std::uint32_t root) {
+    Addresses members;
+    for (bool last = false; !last;) {
+      const std::uint32_t member = path.back();
+      path.pop_back();
+      on_path.erase(member);
+      members.insert(member);
+      last = member == root;
+    }
+    const auto& next = at(function, root).next;
+    if (members.size() > 1 || std::find(next.begin(), next.end(), root) != next.end())
+      found.push_back(std::move(members));
+  };
+  for (const std::uint32_t start : nodes) {
+    if (index.contains(start)) continue;
+    std::vector<Visit> visits{{start}};
+    while (!visits.empty()) {
+      Visit& visit = visits.back();
+      const std::uint32_t address = visit.address;
+      if (visit.child == 0) {
+        index[address] = low[address] = index.size();
+        path.push_back(address);
+        on_path.insert(address);
+      }
+      const auto& next = at(function, address).next;
+      if (visit.child < next.size()) {
+        const std::uint32_t to = next[visit.child++];
+        if (!nodes.contains(to)) continue;
+        if (!index.contains(to)) {
+          visits.push_back({to});
+        } else if (on_path.contains(to)) {
+          low[address] = std::min(low[address], index[to]);
+        }
+        continue;
+      }
+      if (low[address] == index[address]) close(address);
+      visits.pop_back();
+      if (!visits.empty()) {
+        std::size_t& above = low[visits.back().address];
+        above = std::min(above, low[address]);
+      }
+    }
+  }
+  return found;
+}
+
+/// Whether a cycle can be left, or does nothing at all.
+bool is_left(const Steps& function, const Addresses& cycle) {
+  const bool idle = std::all_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
+    return at(function, address).kind == Step::Kind::jump;
+  });
+  return idle || std::any_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
+           const auto& next = at(function, address).next;
+           return std::any_of(next.begin(), next.end(),
+                              [&](std::uint32_t to) { return !cycle.contains(to); });
+         });
+}
+
+/// Where a cycle is entered.
+Addresses heads_of(const Steps& function, const Addresses& reached, std::uint32_t entry,
+                   const Addresses& cycle) {
+  Addresses heads;
+  if (cycle.contains(entry)) heads.insert(entry);
+  for (const std::uint32_t from : reached) {
+    if (cycle.contains(from)) continue;
+    for (const std::uint32_t to : at(function, from).next)
+      if (cycle.contains(to)) heads.insert(to);
+  }
+  return heads;
+}
+
+Addresses without(Addresses set, std::uint32_t address) {
+  set.erase(address);
+  return set;
+}
+
+bool meet(const Addresses& a, const Addresses& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t address) { return b.contains(address); });
+}
+
+std::optional<std::uint32_t> mark_by_code_outside(const Steps& function, const Addresses& cycle,
+                                                  const Addresses& heads, const Addresses& outside) {
+  Addresses inner, within;
+  for (const std::uint32_t address : cycle)
+    if (!outside.contains(address)) within.insert(address);
+  for (const Addresses& loop : cycles(function, within)) inner.insert(loop.begin(), loop.end());
+  const auto is_mark = [&](std::uint32_t address) {
+    if (inner.contains(address)) return false;
+    const auto rest = cycles(function, without(cycle, address));
+    return std::none_of(rest.begin(), rest.end(), [&](const Addresses& loop) { return meet(loop, outside); });
+  };
+  for (const Addresses& candidates : {heads, outside}) {
+    const auto mark = std::find_if(candidates.begin(), candidates.end(), is_mark);
+    if (mark != candidates.end()) return *mark;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> mark_by_shape(const Steps& function, const Addresses& cycle,
+                                           const Addresses& heads, const LineOf& line) {
+  if (heads.size() != 1) return std::nullopt;
+  const std::uint32_t head = *heads.begin();
+  const auto back = std::count_if(cycle.begin(), cycle.end(), [&](std::uint32_t from) {
+    const auto& next = at(function, from).next;
+    return std::find(next.begin(), next.end(), head) != next.end();
+  });
+  if (back != 1) return std::nullopt;
+  const auto lines = [&](const Addresses& of) {
+    std::pair<int, int> span{0, 0};
+    for (const std::uint32_t address : of) {
+      const int here = line ? line(address) : 0;
+      if (here == 0) continue;
+      span.first = span.first == 0 ? here : std::min(span.first, here);
+      span.second = std::max(span.second, here);
+    }
+    return span;
+  };
+  const auto loops = cycles(function, without(cycle, head));
+  if (loops.empty()) return head;
+  const auto all = lines(cycle);
+  const bool wide =
+      std::any_of(loops.begin(), loops.end(), [&](const Addresses& loop) { return lines(loop) == all; });
+  return wide ? std::nullopt : std::optional(head);
+}
+
+}  // namespace
+
+Rounds rounds_of(const Steps& function, std::uint32_t entry, const Inside& inside, const LineOf& line) {
+  const Addresses reached = reachable(function, entry);
+  Rounds rounds;
+  for (const Addresses& cycle : cycles(function, reached)) {
+    if (inside ? std::none_of(cycle.begin(), cycle.end(), inside) : is_left(function, cycle)) continue;
+    const Addresses heads = heads_of(function, reached, entry, cycle);
+    Addresses outside;
+    for (const std::uint32_t address : cycle)
+      if (inside && !inside(address) && at(function, address).kind == Step::Kind::call_or_branch)
+        outside.insert(address);
+    const auto mark = outside.empty() ? mark_by_shape(function, cycle, heads, line)
+                                      : mark_by_code_outside(function, cycle, heads, outside);
+    if (!mark) return {};
+    rounds.first.insert(rounds.first.end(), heads.begin(), heads.end());
+    rounds.each.push_back(*mark);
+  }
+  return rounds;
+}
+
+}  // namespace robosim::exec

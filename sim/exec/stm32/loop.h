@@ -1,0 +1,13 @@
+// Where a round of loop() begins in an image for this chip.
+#pragma once
+
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/rounds.h"
+#include "sim/exec/stm32/firmware.h"
+
+namespace robosim::exec::stm32 {
+
+/// As sim/exec/elf/loop.h has it.
+Rounds rounds_of_loop(const Firmware& firmware, const DebugInfo& debug);
+
+}  // namespace robosim::exec::stm32
