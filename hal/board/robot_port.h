@@ -13,6 +13,9 @@ class PinSource {
   virtual double volts(SimTime t) = 0;
   /// The logic level. May consume a sample of noise.
   virtual bool level(SimTime t) = 0;
+  /// Until when, exclusive, level() surely is what it is at `t`, however often it is asked, as long as the
+  /// pin's drive and the world stay as they are; `t` = it makes no promise.
+  virtual SimTime same_until(SimTime t) { return t; }
 
  protected:
   ~PinSource() = default;

@@ -7,7 +7,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr Address kFirstIo = 0x20;
-constexpr std::uint8_t kErased = 0xFF;
+constexpr std::uint8_t kErased = 0xFF, kAllBits = 0xFF;
 // Above this the vectors are two words apart, room for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 constexpr Address kStackHigh = 0x5E;
@@ -183,12 +183,29 @@ void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
 void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }
 void Cpu::set_head(std::uint32_t pc, bool set) { put_mark(pc, kHead, set); }
 
-Outlook Cpu::outlook(Address address) const {
+Outlook Cpu::outlook(Address address, std::uint8_t bits) const {
   const Hook& hook = hooks_[address];
-  if (hook.outlook) return hook.outlook(hook.outlook_self, address);
+  if (hook.outlook) return hook.outlook(hook.outlook_self, address, bits);
   if (!hook.read) return {kNoCycle, data[address]};
   if (hook.is_steady) return {kNoCycle, hook.read(hook.read_self, address)};
   return {};
+}
+
+std::uint8_t Cpu::bits_read(std::uint32_t pc) const {
+  const Instruction& reads = instruction(pc);
+  if (reads.op == Op::sbic || reads.op == Op::sbis) return reads.b;
+  if (reads.op != Op::in && reads.op != Op::ld_x && reads.op != Op::ldd_y && reads.op != Op::ldd_z &&
+      reads.op != Op::lds)
+    return kAllBits;
+  const Instruction& next = instruction(pc + reads.words);
+  if (next.op == Op::andi && next.a == reads.a) return next.b;
+  if (next.op != Op::and_) return kAllBits;
+  if (next.a == reads.a) return next.b == reads.a ? kAllBits : data[next.b];
+  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then takes the
+  // place of.
+  const Instruction& after = instruction(pc + reads.words + next.words);
+  const bool replaced = after.op == Op::ldi && after.a == reads.a;
+  return next.b == reads.a && replaced ? data[next.a] : kAllBits;
 }
 
 std::vector<std::uint32_t> Cpu::last_jumps() const {

@@ -90,23 +90,29 @@ class Cpu {
     /// read and write.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
     /// Without it, a register with `read` has none.
-    Outlook (*outlook)(void* self, Address address) = nullptr;
+    Outlook (*outlook)(void* self, Address address, std::uint8_t bits) = nullptr;
     bool is_steady = false;
     void* read_self = nullptr;
     void* outlook_self = nullptr;
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
-  /// Outlook Owner::Method(Address): what reads will give. Asked with all done that was due before.
+  /// Outlook Owner::Method(Address, uint8_t bits): what reads will give, of which only these bits are looked
+  /// at. Asked with all done that was due before.
   template <auto Method, typename Owner>
   void on_outlook(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
-    hook.outlook = [](void* self, Address at) { return (static_cast<Owner*>(self)->*Method)(at); };
+    hook.outlook = [](void* self, Address at, std::uint8_t bits) {
+      return (static_cast<Owner*>(self)->*Method)(at, bits);
+    };
     hook.outlook_self = owner;
   }
   /// Reading the register changes nothing, and between events and writes it gives the same.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
-  Outlook outlook(Address address) const;
+  Outlook outlook(Address address, std::uint8_t bits) const;
+  /// Which bits of a register of I/O the instruction at `pc`, which reads it, looks at: it, or the one behind
+  /// it, may drop the others at once.
+  std::uint8_t bits_read(std::uint32_t pc) const;
 
   /// uint8_t Owner::Method(Address)
   template <auto Method, typename Owner>

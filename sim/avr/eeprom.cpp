@@ -45,7 +45,7 @@ std::uint8_t Eeprom::read_control(Address at) {
   return static_cast<std::uint8_t>(core_.at(at) | (unlocked ? kEempe : 0) | (state_.writing ? kEepe : 0));
 }
 
-Outlook Eeprom::outlook_of_control(Address at) {
+Outlook Eeprom::outlook_of_control(Address at, std::uint8_t) {
   if (core_.now() <= state_.unlocked_until) return {};
   return {kNoCycle, read_control(at)};
 }

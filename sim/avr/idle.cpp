@@ -148,11 +148,12 @@ Cycle Idle::passes_before(Cycle horizon, const Path::Pass& pass) const {
   if (horizon <= now) return 0;
   Cycle most = (horizon - 1 - now) / pass.cycles;
   for (const Path::Pass::Look& look : pass.looks) {
-    const Outlook outlook = core_.cpu.outlook(look.address);
+    const Outlook outlook = core_.cpu.outlook(look.address, look.bits);
     const Cycle first = now + look.after;
     if (outlook.until <= first) return 0;
-    const std::int64_t value = outlook.value_at(first), above = value - look.value;
-    if (above != 0 && !(look.counts && above > 0 && above <= pass.window)) return 0;
+    const std::uint8_t value = outlook.value_at(first);
+    const bool is_within = look.counts && value >= look.value && value - look.value <= pass.window;
+    if (!is_within && (value ^ look.value) & look.bits) return 0;
     Cycle end = outlook.until;
     if (outlook.counts())
       end = std::min(end, outlook.reaches(look.value + (look.counts ? pass.window : 0) + 1));

@@ -82,11 +82,12 @@ bool Path::touches_memory() {
 
 bool Path::looks_at(Address address) {
   const Cycle at = core_.now() + effects_.touched;
-  const Outlook outlook = core_.cpu.outlook(address);
+  const std::uint8_t bits = core_.cpu.bits_read(core_.cpu.pc());
+  const Outlook outlook = core_.cpu.outlook(address, bits);
   if (outlook.until <= at) return false;
   looked_ = outlook.value_at(at);
   counter_ = outlook.counts() && !ramp_.has_counter() && effects_.writes != 0;
-  pass_.looks.push_back({address, *looked_, counter_, at - began_});
+  pass_.looks.push_back({address, *looked_, bits, counter_, at - began_});
   return true;
 }
 

@@ -31,8 +31,9 @@ class Path {
     struct Look {
       Address address = 0;
       std::uint8_t value = 0;
-      bool counts = false;  ///< it is the counter: `value` may be up to `window` more
-      Cycle after = 0;      ///< the head, in cycles
+      std::uint8_t bits = 0xFF;  ///< it looks at no others
+      bool counts = false;       ///< it is the counter: `value` may be up to `window` more
+      Cycle after = 0;           ///< the head, in cycles
     };
     std::vector<Byte> reads;  ///< registers and memory that it reads before it writes them
     std::uint8_t flags_read = 0, flags = 0;

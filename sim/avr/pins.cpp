@@ -1,11 +1,12 @@
 #include "sim/avr/pins.h"
 
+#include <algorithm>
+
 #include "hal/board/avr_registers.h"
 
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kAllBits = 0xFF;
 constexpr Cycle kSynchroniserCycles = 2;
 constexpr std::uint8_t kPud = 0x10;
 
@@ -22,6 +23,7 @@ Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
   for (int port = 0; port < core.chip.port_count; ++port) {
     for (std::size_t i = 0; i < 3; ++i) port_at_[core.chip.ports[port].address + i] = port;
     core.cpu.on_read<&Pins::read_pins>(pin_register(port), this);
+    core.cpu.on_outlook<&Pins::outlook>(pin_register(port), this);
     core.cpu.on_write<&Pins::toggle>(pin_register(port), this);
     core.cpu.on_write_bit<&Pins::toggle_bit>(pin_register(port), this);
     core.cpu.on_write<&Pins::write_direction>(direction_register(port), this);
@@ -98,30 +100,11 @@ bool Pins::is_read(int pin) const {
          !(comparator & 2 && pin == named(core_.chip.comparator.negative));
 }
 
-// Which bits of PINx the instruction that reads it looks at: a sensor's answer may be costly, and may use up
-// a sample of its noise.
-std::uint8_t Pins::asked_bits() const {
-  const std::uint32_t pc = core_.cpu.last_pc();
-  const Instruction& reads = core_.cpu.instruction(pc);
-  if (reads.op == Op::sbic || reads.op == Op::sbis) return reads.b;
-  if (reads.op != Op::in && reads.op != Op::ld_x && reads.op != Op::ldd_y && reads.op != Op::ldd_z &&
-      reads.op != Op::lds)
-    return kAllBits;
-  const Instruction& next = core_.cpu.instruction(pc + reads.words);
-  if (next.op == Op::andi && next.a == reads.a) return next.b;
-  if (next.op != Op::and_) return kAllBits;
-  if (next.a == reads.a) return next.b == reads.a ? kAllBits : core_.cpu.data[next.b];
-  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then takes the
-  // place of.
-  const Instruction& after = core_.cpu.instruction(pc + reads.words + next.words);
-  const bool replaced = after.op == Op::ldi && after.a == reads.a;
-  return next.b == reads.a && replaced ? core_.cpu.data[next.a] : kAllBits;
-}
-
 std::uint8_t Pins::read_pins(Address address) {
   const int number = port_at_[address];
   PortState& port = state_.ports[static_cast<std::size_t>(number)];
-  const std::uint8_t asked = asked_bits();
+  // A sensor's answer may be costly, and may use up a sample of its noise.
+  const std::uint8_t asked = core_.cpu.bits_read(core_.cpu.last_pc());
   const Cycle now = core_.now();
   const bool settled = now >= port.changed_at + kSynchroniserCycles;
   const std::uint8_t latch_then = settled ? core_.at(latch_register(number)) : port.latch_before;
@@ -145,6 +128,27 @@ std::uint8_t Pins::read_pins(Address address) {
   }
   core_.at(address) = port.seen;
   return port.seen;
+}
+
+Outlook Pins::outlook(Address address, std::uint8_t bits) {
+  const int number = port_at_[address];
+  const PortState& port = state_.ports[static_cast<std::size_t>(number)];
+  const Cycle now = core_.now();
+  if (now < port.changed_at + kSynchroniserCycles) return {};
+  Outlook outlook{kNoCycle, static_cast<std::uint8_t>(port.seen & ~bits)};
+  for (int bit = 0; bit < 8; ++bit) {
+    const std::uint8_t mask = mask_of(bit);
+    const int pin = pin_at_[static_cast<std::size_t>(number)][static_cast<std::size_t>(bit)];
+    if (!(bits & mask)) continue;
+    if (pin < 0 || !is_read(pin)) {
+      outlook.value |= pin < 0 ? port.seen & mask : 0;
+      continue;
+    }
+    if (!is_output(pin)) outlook.until = std::min(outlook.until, core_.outside.level_until(pin, now));
+    if (outlook.until <= now) return {};
+    if (level(pin)) outlook.value |= mask;
+  }
+  return outlook;
 }
 
 void Pins::toggle(Address address, std::uint8_t value) {

@@ -93,6 +93,7 @@ class Pins final : public Peripheral {
   };
 
   std::uint8_t read_pins(Address address);
+  Outlook outlook(Address address, std::uint8_t bits);
   void write_control(Address address, std::uint8_t value);
   bool has_pull_ups() const;
   bool is_read(int pin) const;
@@ -103,7 +104,6 @@ class Pins final : public Peripheral {
   void set_latch(int port, std::uint8_t value);
   void will_change(int port);
   void changed(int port, std::uint8_t bits);
-  std::uint8_t asked_bits() const;
   bool is_heard(int pin) const;
   bool is_output(int pin) const;
   bool output_level(int pin) const;

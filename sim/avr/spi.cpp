@@ -59,7 +59,7 @@ std::uint8_t Spi::read(Address address) {
 }
 
 // With a flag set, reading it prepares to clear it.
-Outlook Spi::outlook(Address address) {
+Outlook Spi::outlook(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
   return {kNoCycle, core_.at(address)};

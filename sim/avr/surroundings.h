@@ -15,6 +15,9 @@ class Surroundings {
   // --- pins
   /// The level of a pin that the chip does not drive; `pull_up`: what it has if nothing else drives it.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
+  /// Until which cycle, exclusive, level() surely gives what it gives at `at`, and may be asked less often
+  /// without a difference; `at` = that is not known.
+  virtual Cycle level_until(int pin, Cycle at) = 0;
   /// Volts at an analog input, when the converter samples it. `channel` is below AdcSpec::pins.
   virtual double volts(int channel, Cycle at) = 0;
   /// The chip drives a pin in another way than before.

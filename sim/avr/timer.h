@@ -90,9 +90,9 @@ class Timer final : public Peripheral {
   std::uint8_t read_flags(Address address);
   void write_flags(Address address, std::uint8_t value);
   void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
-  Outlook outlook_of_flags(Address address);
+  Outlook outlook_of_flags(Address address, std::uint8_t bits);
   std::uint8_t read_count(Address address);
-  Outlook outlook_of_count(Address address);
+  Outlook outlook_of_count(Address address, std::uint8_t bits);
   void write_count(Address address, std::uint8_t value);
   void write_compare(Address address, std::uint8_t value);
   std::uint8_t read_capture(Address address);

@@ -89,7 +89,7 @@ std::uint8_t Timer::read_flags(Address address) {
 }
 
 // What a tick sets is read from the cycle behind it on.
-Outlook Timer::outlook_of_flags(Address) {
+Outlook Timer::outlook_of_flags(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
   if (next_edge() != kNoCycle) return {};
@@ -132,7 +132,7 @@ std::uint8_t Timer::read_count(Address address) {
   return show(address, value);
 }
 
-Outlook Timer::outlook_of_count(Address) {
+Outlook Timer::outlook_of_count(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
   const auto value = static_cast<std::uint8_t>(state_.counter.value());

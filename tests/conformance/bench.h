@@ -57,6 +57,7 @@ class Bench final : public avr::Surroundings {
     const auto found = levels.find(pin);
     return found == levels.end() ? pull_up : found->second;
   }
+  avr::Cycle level_until(int, avr::Cycle) override { return avr::kNoCycle; }
   double volts(int channel, avr::Cycle at) override {
     samples.emplace_back(at, channel);
     const auto found = voltages.find(channel);

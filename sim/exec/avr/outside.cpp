@@ -3,7 +3,8 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr int kSerial = 0;  // the UART that the board wires to the outside
+constexpr Cycle kClockRounding = 2;  // between the board's time and cycles
+constexpr int kSerial = 0;           // the UART that the board wires to the outside
 
 bool is_same_place(const ChipPin& a, const ChipPin& b) {
   return a.port == b.port && a.bit == b.bit && a.analog_channel == b.analog_channel;
@@ -53,6 +54,15 @@ void Outside::expect_input() {
 bool Outside::level(int pin, bool pull_up, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   return number == kNoPin ? pull_up : board_.read_level(number, link_.time_of(at));
+}
+
+Cycle Outside::level_until(int pin, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  if (number == kNoPin) return robosim::avr::kNoCycle;
+  const SimTime until = board_.same_until(number, link_.time_of(at));
+  if (until == kNever) return robosim::avr::kNoCycle;
+  const Cycle cycle = link_.cycle_at(until);
+  return cycle > at + kClockRounding ? cycle - kClockRounding : at;
 }
 
 double Outside::volts(int channel, Cycle at) {

@@ -26,6 +26,7 @@ class Outside : public robosim::avr::Surroundings {
 
  private:
   bool level(int pin, bool pull_up, Cycle at) override;
+  Cycle level_until(int pin, Cycle at) override;
   double volts(int channel, Cycle at) override;
   void driven(int pin, const PinDrive& drive, Cycle at) override;
   bool wants_edges(int pin, bool wanted, Cycle at) override;

@@ -31,6 +31,12 @@ bool BoardState::read_level(Pin pin, SimTime t) {
   return level;
 }
 
+SimTime BoardState::same_until(Pin pin, SimTime t) const {
+  if (input_watcher_) return t;
+  const PinState& state = state_of(pin);
+  return state.drive.mode == PinMode::output || !state.source ? kNever : state.source->same_until(t);
+}
+
 double BoardState::read_volts(Pin pin, SimTime t) {
   if (pin >= spec_.pin_count) return 0.0;
   const PinState& state = pins_[pin];

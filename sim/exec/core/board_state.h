@@ -64,6 +64,9 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   /// When the next wanted edge or byte arrives; kNever if none is on its way.
   SimTime next_input() const { return next_input_; }
+  /// Until when, exclusive, reads of `pin` surely give what they give at `t`, and nobody misses them if they
+  /// are left out; `t` = that is not known.
+  SimTime same_until(Pin pin, SimTime t) const;
   /// Takes it if it arrives at or before `until`.
   bool take_input(SimTime until, BoardInput& input);
   /// Forgets edges before `t` that nobody wanted.

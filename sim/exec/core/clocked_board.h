@@ -30,6 +30,7 @@ class ClockedBoard final : public FirmwarePort {
     return board_.set_wants_edges(pin, wanted, at(now));
   }
   void listen(SimTime byte_time, SimTime now) { board_.listen(byte_time, at(now)); }
+  SimTime same_until(Pin pin, SimTime t) const { return clock_.to_firmware(board_.same_until(pin, at(t))); }
   SimTime next_input() const { return clock_.to_firmware(board_.next_input()); }
   bool take_input(SimTime until, BoardInput& input) {
     if (!board_.take_input(clock_.to_world(until), input)) return false;

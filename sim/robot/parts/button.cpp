@@ -65,10 +65,21 @@ bool ButtonPart::closed(SimTime t) const {
   return was_closed_ != ((passed & 1) != 0);
 }
 
+bool ButtonPart::pulls(SimTime t) const { return stuck_ == Stuck::no ? closed(t) : stuck_ == Stuck::pressed; }
+
+bool ButtonPart::floats(SimTime t) const {
+  return !pulls(t) && !spec_.resistor && context_.board.drive(spec_.pin).mode != PinMode::input_pullup;
+}
+
+SimTime ButtonPart::same_until(SimTime t) {
+  if (floats(t) && !context_.individual.ideal()) return t;
+  const auto next = std::upper_bound(flips_.begin(), flips_.end(), t);
+  return next == flips_.end() ? kNever : *next;
+}
+
 bool ButtonPart::level(SimTime t) {
-  if (stuck_ == Stuck::no ? closed(t) : stuck_ == Stuck::pressed) return spec_.active_high;
-  if (spec_.resistor) return !spec_.active_high;
-  if (context_.board.drive(spec_.pin).mode == PinMode::input_pullup) return true;
+  if (pulls(t)) return spec_.active_high;
+  if (!floats(t)) return spec_.resistor ? !spec_.active_high : true;
   if (context_.individual.ideal()) return false;
   return context_.individual.noise(spec_.name, "floating")
              .bits(static_cast<std::uint64_t>(t / kMillisecond)) &

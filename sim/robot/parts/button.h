@@ -42,6 +42,7 @@ class ButtonPart : public Part, public PinSource, public Breakable {
   void read(std::vector<Reading>&) const override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override;
+  SimTime same_until(SimTime t) override;
 
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;
@@ -52,6 +53,10 @@ class ButtonPart : public Part, public PinSource, public Breakable {
 
   /// Whether the contact is closed at `t`.
   bool closed(SimTime t) const;
+  /// Whether something drives the pin at `t`: the contact, or a fault.
+  bool pulls(SimTime t) const;
+  /// Whether nothing does, no resistor either.
+  bool floats(SimTime t) const;
 
   const ButtonSpec& spec_;
   PartContext& context_;

@@ -20,7 +20,7 @@ class OutlookTest : public testing::Test, protected IdleChip {
     bench.chip.restore(before);
     return value;
   }
-  Outlook outlook(Address address) { return bench.chip.cpu().outlook(address); }
+  Outlook outlook(Address address) { return bench.chip.cpu().outlook(address, 0xFF); }
 };
 
 TEST_F(OutlookTest, OfTimersHolds) {

@@ -46,6 +46,28 @@ TEST(Button, AFloatingPinReadsAtRandomInTheTypicalProfile) {
   EXPECT_EQ(bench.board.read_level(4, 5 * kMillisecond), bench.board.read_level(4, 5 * kMillisecond + 900));
 }
 
+TEST(Button, KeepsWhatItPromises) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    BenchRobot bench(button("resistor = true\nbounce = \"2 ms\"\n"), Profile::typical, seed);
+    bench.robot.press("start", 500 * kMicrosecond);
+    for (SimTime t = 0, until = 0; t < 3 * kMillisecond; t += kMicrosecond) {
+      const bool level = bench.board.read_level(4, t);
+      const bool promised = t < until;
+      EXPECT_TRUE(!promised || level == bench.board.read_level(4, t - kMicrosecond)) << "seed " << seed;
+      until = bench.board.same_until(4, t);
+      EXPECT_GT(until, t);
+    }
+    EXPECT_EQ(bench.board.same_until(4, 3 * kMillisecond), kNever);
+  }
+}
+
+TEST(Button, PromisesNothingOfAFloatingPin) {
+  BenchRobot bench(button(""), Profile::typical);
+  EXPECT_EQ(bench.board.same_until(4, 5), 5);
+  bench.board.input(4, true, 0);
+  EXPECT_EQ(bench.board.same_until(4, 5), kNever);
+}
+
 TEST(Button, BouncesInTheTypicalProfileAndSettles) {
   int bounced = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
