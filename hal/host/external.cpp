@@ -37,14 +37,18 @@ Pin take_line() {
 void refresh_external() {
   for (Pin pin = 0; pin < kPins; ++pin) {
     const Place& place = places[pin];
-    const bool by_change = place.change_group >= 0 && external.change_control >> place.change_group & 1 &&
-                           external.change_mask[place.change_group] & place.change_mask;
-    const bool by_itself = place.external >= 0 && external.mask >> place.external & 1;
+    // Flags are set, enabled or not (13.2.3, 13.2.5).
+    const bool by_change =
+        place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask;
+    const bool by_itself =
+        place.external >= 0 && (external.mask >> place.external & 1 || sense_of(place.external) != 0);
     executor->want_edges(pin, by_change || by_itself || lines.enabled.has(pin), state.now);
   }
-  for (int number = 0; number < kExternals; ++number)
+  for (int number = 0; number < kExternals; ++number) {
+    if (sense_of(number) == 0) external.flags &= static_cast<uint8_t>(~(1 << number));
     low[number] = external.mask >> number & 1 && sense_of(number) == 0 &&
                   !board->read_level(pin_of_external(number), state.now);
+  }
 }
 
 void external_edge(Pin pin, bool level) {

@@ -53,6 +53,57 @@ void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5);
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
+// As on the chip (13.2.3, 13.2.5), whose attachInterrupt() does not clear the flag either.
+TEST_F(InterruptsTest, AnEdgeBeforeTheInterruptIsEnabledIsRemembered) {
+  prepare(R"(volatile int count;
+void tick() { ++count; }
+ISR(PCINT2_vect) { count += 10; }
+void setup() {
+  Serial.begin(115200);
+  attachInterrupt(0, tick, RISING);
+  detachInterrupt(0);
+  PCMSK2 = _BV(3);
+  delay(50);
+  Serial.println(EIFR);
+  Serial.println(PCIFR);
+  attachInterrupt(0, tick, RISING);
+  delayMicroseconds(1);
+  Serial.println(count);
+  Serial.println(EIFR);
+  PCICR = _BV(PCIE2);
+  delayMicroseconds(1);
+  Serial.println(count);
+}
+void loop() {})");
+  board().schedule_edge(2, true, now_ + kMillisecond);
+  board().schedule_edge(3, true, now_ + kMillisecond);
+  run(80 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(1, 4, 1, 0, 11));
+}
+
+TEST_F(InterruptsTest, AFlagIsClearedByWritingOneAndByMakingItALevels) {
+  prepare(R"(volatile int count;
+void tick() { ++count; }
+void setup() {
+  Serial.begin(115200);
+  EICRA = 15;
+  delay(50);
+  Serial.println(EIFR);
+  EIFR = 1;
+  Serial.println(EIFR);
+  EICRA = 0;
+  Serial.println(EIFR);
+  attachInterrupt(1, tick, RISING);
+  delay(1);
+  Serial.println(count);
+}
+void loop() {})");
+  board().schedule_edge(2, true, now_ + kMillisecond);
+  board().schedule_edge(3, true, now_ + kMillisecond);
+  run(80 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(3, 2, 0, 0));
+}
+
 TEST_F(InterruptsTest, AHandlerRunsAtItsEdgeEvenInADelay) {
   prepare(R"(void mark() { digitalWrite(13, !digitalRead(13)); }
 void setup() { pinMode(13, OUTPUT); attachInterrupt(0, mark, CHANGE); delay(100000); }
@@ -142,8 +193,12 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(2, 1));
 }
 
-TEST_F(InterruptsTest, DetachingEndsTheWishForEdges) {
+TEST_F(InterruptsTest, EdgesAreWantedAsLongAsTheyCanSetAFlag) {
   prepare("void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); } void loop() {}");
+  EXPECT_TRUE(board().wants_edges(2)) << "EICRA is as it was";
+  prepare(
+      "void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); EICRA = 0; } void loop() "
+      "{}");
   EXPECT_FALSE(board().wants_edges(2));
 }
 
