@@ -106,9 +106,11 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
       if (state.last_pc == 0 || !writes_sph(original_[state.last_pc - 1])) touch();
       return set_sreg(value);
     case kSpl:
+      state.sp_before = state.sp;
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF00) | value);
       return on_sp_written();
     case kSph:
+      state.sp_before = state.sp;
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF) | value << 8);
       return on_sp_written();
     default:
@@ -155,6 +157,12 @@ void Cpu::enter(int vector) {
 void Cpu::leave_handler() {
   if (state.open_handlers == 0 || --state.open_handlers > 0) return;
   state.handler_cycles += state.cycle - state.handler_began;
+}
+
+void Cpu::set_open_handlers(int count) {
+  if (state.open_handlers > 0) state.handler_cycles += state.cycle - state.handler_began;
+  state.open_handlers = count;
+  state.handler_began = state.cycle;
 }
 
 void Cpu::write_bit(Address address, std::uint8_t bit, bool set) {

@@ -186,6 +186,8 @@ class Cpu {
   std::vector<std::uint32_t> last_jumps() const;
   /// Interrupt handlers that are open.
   int open_handlers() const { return state.open_handlers; }
+  /// Another task goes on, on a stack of its own: it was in so many handlers.
+  void set_open_handlers(int count);
   Cycle handler_cycles() const {
     return state.handler_cycles + (state.open_handlers > 0 ? state.cycle - state.handler_began : 0);
   }
@@ -197,6 +199,7 @@ class Cpu {
     std::uint32_t last_pc = 0;
     std::uint16_t sp = 0;
     std::uint16_t sp_watch = 0;
+    std::uint16_t sp_before = 0;  ///< before the last write to SPL or SPH
     std::uint8_t sreg = 0;
     bool held = false;  ///< one more instruction runs before an interrupt
     Address bad_address = 0;

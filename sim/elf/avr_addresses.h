@@ -7,6 +7,7 @@
 namespace robosim {
 
 constexpr std::uint32_t kAvrData = 0x800000;    ///< data memory: registers, then RAM
-constexpr std::uint32_t kAvrEeprom = 0x810000;  ///< the EEPROM; fuses, lock bits and signature lie behind it
+constexpr std::uint32_t kAvrEeprom = 0x810000;  ///< the EEPROM
+constexpr std::uint32_t kAvrFuses = 0x820000;   ///< fuses; lock bits and signature lie behind them
 
 }  // namespace robosim

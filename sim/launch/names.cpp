@@ -90,6 +90,7 @@ SketchChoice choose_sketch(const std::string& name) {
     check_path("sketch", name);
     choice.path = name;
     if (fs::path(name).extension() == ".elf") choice.elf_target = target_of_elf(name);
+    if (fs::path(name).extension() == ".hex") choice.elf_target = "avr";
   } else {
     const auto stock = build::stock_sketches();
     if (std::find(stock.begin(), stock.end(), name) == stock.end()) {

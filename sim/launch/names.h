@@ -33,7 +33,8 @@ struct SketchChoice {
   std::string name;
   std::filesystem::path path;
   std::filesystem::path folder;
-  std::string elf_target;  ///< of a finished .elf, the target that it is for; else empty: it must be built
+  std::string
+      elf_target;  ///< of a finished .elf or .hex, the target that it is for; else empty: it must be built
 };
 SketchChoice choose_sketch(const std::string& name);
 

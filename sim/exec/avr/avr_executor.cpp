@@ -56,7 +56,9 @@ class AvrFirmware final : public ChipFirmware {
   int int_bits() const override { return 16; }
   bool fits_chip() const override { return !image_.firmware.needs_larger_chip(); }
   bool has_boards_eeprom() const override { return true; }
+  const std::vector<std::uint8_t>& eeprom() const override { return image_.firmware.eeprom; }
   std::string why_clock_stays() const override {
+    if (!image_.firmware.named) return "a .hex has no names to find it by";
     const bool has_clock = image_.firmware.find_variable("timer0_millis") && image_.firmware.find("main");
     return has_clock ? "" : "it never calls millis()";
   }

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
+#include "sim/avr/decode.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/elf/avr_addresses.h"
 #include "sim/exec/avr/registers.h"
+#include "sim/exec/elf/intel_hex.h"
 #include "sim/exec/elf/program.h"
 
 namespace robosim::exec::avr {
@@ -53,11 +57,63 @@ void load_flash(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) 
   firmware.code_end = flash.code_end;
 }
 
+void load_eeprom(const ElfFile& elf, Firmware& firmware) {
+  const std::uint32_t end = kAvrEeprom + firmware.chip->eeprom_bytes;
+  for (const ElfSegment& segment : elf.segments()) {
+    // Fuses, lock bits and the signature lie behind it: the board's are what they are.
+    if (segment.address < kAvrEeprom || segment.address >= kAvrFuses) continue;
+    if (segment.address + segment.bytes.size() > end) {
+      throw InputError({firmware.file}, fmt::format("has {} bytes for the EEPROM; the chip has {}",
+                                                    segment.address + segment.bytes.size() - kAvrEeprom,
+                                                    firmware.chip->eeprom_bytes));
+    }
+    const std::size_t at = segment.address - kAvrEeprom;
+    firmware.eeprom.resize(std::max(firmware.eeprom.size(), at + segment.bytes.size()), 0xFF);
+    std::copy(segment.bytes.begin(), segment.bytes.end(),
+              firmware.eeprom.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+}
+
+/// Where the variables end, from the start-up code of avr-libc. It copies and clears up to there, by X:
+/// `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
+std::uint16_t end_of_variables(const Firmware& firmware) {
+  constexpr std::size_t kStartupWords = 256;  // vectors included
+  constexpr std::uint8_t kX = 26;
+  using robosim::avr::Op;
+  const std::size_t bytes = std::min(firmware.flash.size() & ~std::size_t{1}, 2 * kStartupWords);
+  const auto code = robosim::avr::decode(std::span(firmware.flash).first(bytes));
+  std::array<std::uint8_t, 32> loaded{};
+  unsigned end = firmware.chip->ram_address;
+  for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+    if (code[i].op == Op::ldi) loaded[code[i].a] = code[i].b;
+    const bool compares =
+        code[i].op == Op::cpi && code[i].a == kX && code[i + 1].op == Op::cpc && code[i + 1].a == kX + 1;
+    if (compares) end = std::max(end, static_cast<unsigned>(loaded[code[i + 1].b] << 8 | code[i].b));
+  }
+  return static_cast<std::uint16_t>(end);
+}
+
+void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware) {
+  firmware.named = false;
+  firmware.flash = read_intel_hex(text, firmware.file, board.flash_bytes);
+  firmware.code_end = static_cast<std::uint32_t>(firmware.flash.size() & ~std::size_t{1});
+  firmware.flash.resize((firmware.flash.size() + 1) & ~std::size_t{1}, 0xFF);
+  firmware.globals_end = end_of_variables(firmware);
+  firmware.ram_bytes = firmware.globals_end - firmware.chip->ram_address;
+}
+
+void load_elf(std::string content, const BoardSpec& board, Firmware& firmware) {
+  const ElfFile elf(std::move(content), firmware.file);
+  check_program(elf, ElfFile::Machine::avr, "an AVR chip");
+  load_symbols(elf, board, firmware);
+  load_flash(elf, board, firmware);
+  load_eeprom(elf, firmware);
+}
+
 }  // namespace
 
 Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& board) {
-  const ElfFile elf(read_file(file), file.string());
-  check_program(elf, ElfFile::Machine::avr, "an AVR chip");
+  std::string content = read_file(file);
   Firmware firmware;
   firmware.file = file.string();
   firmware.chip = board.chip;
@@ -65,8 +121,11 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   if (std::string_view(board.chip->target) != "avr")
     throw InputError({firmware.file},
                      fmt::format("is for an AVR chip, and the robot's board is the {}", board.name));
-  load_symbols(elf, board, firmware);
-  load_flash(elf, board, firmware);
+  if (content.starts_with(':')) {
+    load_hex(content, board, firmware);
+  } else {
+    load_elf(std::move(content), board, firmware);
+  }
   if (firmware.code_end < 4) throw InputError({firmware.file}, "holds no code");
   return firmware;
 }

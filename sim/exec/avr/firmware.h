@@ -1,4 +1,5 @@
-// A finished AVR ELF file: what goes into the chip's flash, and where its names are.
+// A finished program for an AVR, from an ELF file: what goes into the chip's memories, and where its names
+// are. Or from an Intel HEX file, which is the flash alone.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,13 @@ constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 struct Firmware {
   std::string file;
   const ChipSpec* chip = nullptr;
-  std::vector<std::uint8_t> flash;  ///< as it is flashed: code, constants, initial values of variables
-  std::uint32_t code_end = 0;       ///< end of .text
-  std::uint16_t globals_end = 0;    ///< data address just behind the variables: where the heap begins
-  std::uint32_t ram_bytes = 0;      ///< variables
-  Symbols symbols;                  ///< functions and variables: flash from 0, data memory from kAvrData
+  std::vector<std::uint8_t> flash;   ///< as it is flashed: code, constants, initial values of variables
+  std::vector<std::uint8_t> eeprom;  ///< what the EEPROM begins with; may be shorter
+  bool named = true;                 ///< false: of a .hex; `symbols` is empty
+  std::uint32_t code_end = 0;        ///< end of .text
+  std::uint16_t globals_end = 0;     ///< data address just behind the variables: where the heap begins
+  std::uint32_t ram_bytes = 0;       ///< variables
+  Symbols symbols;                   ///< functions and variables: flash from 0, data memory from kAvrData
   /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip: it
   /// gets RAM up to where it has its stack begin, and 64 KB of flash.
   std::uint16_t last_ram = 0;
@@ -33,8 +36,8 @@ struct Firmware {
   /// The instruction word at an even flash address.
   int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
 
-  /// Throws InputError: no such file, no AVR executable, larger than the board's flash, not linked for the
-  /// board's chip.
+  /// Throws InputError: no such file, no AVR executable or Intel HEX file, larger than the board's flash, not
+  /// linked for the board's chip.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 
   /// Address of a symbol, if the image has it.

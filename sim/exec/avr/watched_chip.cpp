@@ -136,6 +136,7 @@ void WatchedChip::was_reset() {
   chip_.cpu().store(reg::kWdtcsr, kWatchdogUnlocked);
   chip_.cpu().store(reg::kWdtcsr, 0);
   own_stack_ = false;
+  handlers_of_stacks_.clear();
   chip_.cpu().state.sp_watch = lowest_sp_;
   start();
   if (watchdog_resets_ >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
@@ -176,9 +177,11 @@ void WatchedChip::stack_pointer_written() {
   const Cycle now = cycle();
   const bool whole = pointer_written_ != 0 && now - pointer_written_ <= kHalvesApart;
   pointer_written_ = whole ? 0 : now;
+  if (!whole) pointer_before_ = chip_.cpu().state.sp_before;
   chip_.cpu().state.sp_watch = 0xFFFF;
   if (!whole) return;
   const std::uint16_t now_at = sp();
+  if (was_loaded()) task_changed(pointer_before_, now_at);
   if (now_at + 1 >= stack_limit_) {
     own_stack_ = false;
   } else if (!is_computed_from_itself()) {
@@ -202,6 +205,27 @@ bool WatchedChip::is_computed_from_itself() const {
       return true;
   }
   return false;
+}
+
+/// Whether it was read from memory, as where the stack of another task ends is.
+bool WatchedChip::was_loaded() const {
+  const auto& cpu = chip_.cpu();
+  const std::uint32_t pc = cpu.last_pc();
+  const std::uint8_t source = cpu.instruction(pc).a;
+  for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
+    const Instruction& before = cpu.instruction(pc - back);
+    if (before.a == source) return (before.op >= Op::ld_x && before.op <= Op::lds) || before.op == Op::pop;
+  }
+  return false;
+}
+
+/// A handler may leave the task that it has interrupted, and another go on that had left by itself: it does
+/// so by RET, not RETI.
+void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
+  if (cpu().open_handlers() > 0) handlers_of_stacks_[from] = cpu().open_handlers();
+  const auto left = handlers_of_stacks_.find(to);
+  chip_.cpu().set_open_handlers(left == handlers_of_stacks_.end() ? 0 : left->second);
+  if (left != handlers_of_stacks_.end()) handlers_of_stacks_.erase(left);
 }
 
 void WatchedChip::stack_moved() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -107,6 +108,8 @@ class WatchedChip {
   void stack_pointer_written();
   void stack_moved();
   bool is_computed_from_itself() const;
+  bool was_loaded() const;
+  void task_changed(std::uint16_t from, std::uint16_t to);
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
@@ -121,7 +124,9 @@ class WatchedChip {
   bool own_stack_ = false;                ///< the sketch has loaded another stack, a task's of its own
   const Symbol* own_variable_ = nullptr;  ///< that holds it; null = it lies in the heap
   std::uint16_t own_limit_ = 0;
-  Cycle pointer_written_ = 0;  ///< when the first half of the stack pointer was
+  std::uint16_t pointer_before_ = 0;                 ///< the stack pointer, before its first half was written
+  std::map<std::uint16_t, int> handlers_of_stacks_;  ///< handlers that tasks were in when they were left
+  Cycle pointer_written_ = 0;                        ///< when the first half of the stack pointer was
   int watchdog_resets_ = 0;
   Cycle last_bite_ = 0;
   robosim::avr::Chip chip_;

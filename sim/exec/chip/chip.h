@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
@@ -49,6 +50,11 @@ class ChipFirmware {
   virtual bool fits_chip() const = 0;
   /// Whether its EEPROM is the board's.
   virtual bool has_boards_eeprom() const = 0;
+  /// What the EEPROM begins with; what is not there is erased.
+  virtual const std::vector<std::uint8_t>& eeprom() const {
+    static const std::vector<std::uint8_t> kErased;
+    return kErased;
+  }
   /// Why set_clock() would do nothing: "it never calls millis()"; empty where it would work.
   virtual std::string why_clock_stays() const = 0;
 

@@ -5,7 +5,9 @@
 namespace robosim::exec {
 
 ChipExecutor::ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> firmware)
-    : board_(spec), firmware_(std::move(firmware)) {}
+    : board_(spec), firmware_(std::move(firmware)) {
+  std::ranges::copy(firmware_->eeprom(), board_.memory().begin());
+}
 
 void ChipExecutor::power_on(SimTime t) {
   power_off(t);

@@ -197,7 +197,8 @@ TEST_F(InterruptsTest, EdgesAreWantedAsLongAsTheyCanSetAFlag) {
   prepare("void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); } void loop() {}");
   EXPECT_TRUE(board().wants_edges(2)) << "EICRA is as it was";
   prepare(
-      "void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); EICRA = 0; } void loop() "
+      "void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); EICRA = 0; } void "
+      "loop() "
       "{}");
   EXPECT_FALSE(board().wants_edges(2));
 }

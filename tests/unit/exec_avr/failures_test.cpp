@@ -104,6 +104,48 @@ void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = pre
 void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
 }
 
+// As an RTOS does it: the timer's handler leaves the task that it has interrupted, and another goes on.
+TEST_F(FailuresTest, ATaskThatAHandlerHasLetGoOnIsInNoHandler) {
+  start(R"(uint8_t stack_b[100];
+uint8_t *sp_main, *sp_b;
+uint8_t* volatile* now __attribute__((used));
+uint8_t* volatile* next __attribute__((used));
+void __attribute__((naked, noinline)) change() {
+  __asm__ volatile(
+      "push r0\n in r0, 0x3f\n cli\n push r0\n"
+      ".irp r,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31\n"
+      " push r\\r\n .endr\n clr r1\n"
+      "lds r30, now\n lds r31, now+1\n in r24, 0x3d\n st Z, r24\n in r24, 0x3e\n std Z+1, r24\n"
+      "lds r26, next\n lds r27, next+1\n sts now, r26\n sts now+1, r27\n sts next, r30\n sts next+1, r31\n"
+      "ld r28, X+\n out 0x3d, r28\n ld r29, X+\n out 0x3e, r29\n"
+      ".irp r,31,30,29,28,27,26,25,24,23,22,21,20,19,18,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2,1\n"
+      " pop r\\r\n .endr\n pop r0\n out 0x3f, r0\n pop r0\n ret");
+}
+ISR(TIMER2_COMPA_vect, ISR_NAKED) { __asm__ volatile("call %x0\n reti" ::"i"(change)); }
+void busy() { for (;;) { PINB = _BV(5); } }
+uint8_t* prepare(uint8_t* stack, void (*task)()) {
+  uint8_t* sp = stack + 99;
+  *sp-- = (uint16_t)task & 0xff;
+  *sp-- = (uint16_t)task >> 8;
+  *sp-- = 0;
+  *sp-- = 0x80;
+  return sp - 31;
+}
+int main() {
+  DDRB = _BV(5);
+  sp_b = prepare(stack_b, busy);
+  TCCR2A = _BV(WGM21); OCR2A = 249; TCCR2B = _BV(CS22); TIMSK2 = _BV(OCIE2A);
+  now = &sp_main;
+  next = &sp_b;
+  for (;;) { change(); }
+})");
+  run(100 * kMillisecond);
+  EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_GT(changes(13).size(), 1000u);
+  EXPECT_GT(avr_->activity().last_call, 99 * kMillisecond);
+  EXPECT_LT(avr_->resources()->interrupt_share, 0.2);
+}
+
 TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
   start(coroutines(""));
   run(95 * kMillisecond);

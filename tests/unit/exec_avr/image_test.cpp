@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cstdio>
+
 #include "sim/base/error.h"
+#include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -70,6 +74,90 @@ TEST_F(ImageTest, TheFlashInUseIsTheSameForTheBuildAndForTheChip) {
   }
   small.flash_bytes = static_cast<std::uint32_t>(flash);
   EXPECT_NO_THROW(AvrExecutor(small, built_.image));
+}
+
+/// `flash` as Intel HEX, 16 bytes a line.
+std::string hex_of(const std::vector<std::uint8_t>& flash) {
+  std::string text;
+  const auto line = [&](std::size_t at, unsigned kind, std::size_t count) {
+    std::string bytes{static_cast<char>(count), static_cast<char>(at >> 8), static_cast<char>(at),
+                      static_cast<char>(kind)};
+    for (std::size_t i = 0; i < count; ++i) bytes += static_cast<char>(flash[at + i]);
+    unsigned sum = 0;
+    for (const char byte : bytes) sum += static_cast<std::uint8_t>(byte);
+    bytes += static_cast<char>(-sum);
+    text += ':';
+    for (const char byte : bytes) {
+      char digits[3];
+      std::snprintf(digits, sizeof digits, "%02X", static_cast<std::uint8_t>(byte));
+      text += digits;
+    }
+    text += "\r\n";
+  };
+  for (std::size_t at = 0; at < flash.size(); at += 16)
+    line(at, 0, std::min<std::size_t>(16, flash.size() - at));
+  line(0, 1, 0);
+  return text;
+}
+
+TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
+  const std::string text =
+      "int counted[50];\nint begins = 40;\n"
+      "int __attribute__((noinline)) down(int n) { volatile char room[100]; room[n] = n; return n ? down(n - "
+      "1) + "
+      "room[n] : 0; }\n"
+      "void setup() { Serial.begin(115200); Serial.println(begins + sizeof counted); }\n"
+      "void loop() { counted[millis() % 50]++; if (millis() > 50) down(90); }";
+  start(text);
+  run(40 * kMillisecond);
+  const Resources of_elf = *avr_->resources();
+  const std::string hex = hex_of(avr::Firmware::read(built_.image, *find_board("uno")).flash);
+  write_file(folder_ / "x.hex", hex);
+  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), folder_ / "x.hex");
+  board().watch_serial(*this);
+  serial_.clear();
+  avr_->power_on(0);
+  now_ = 0;
+  run(40 * kMillisecond);
+  EXPECT_EQ(serial_, "140\r\n");
+  const Resources of_hex = *avr_->resources();
+  EXPECT_EQ(of_hex.flash_bytes, of_elf.flash_bytes);
+  EXPECT_EQ(of_hex.ram_bytes, of_elf.ram_bytes);
+  EXPECT_EQ(of_hex.stack_bytes_max, of_elf.stack_bytes_max);
+  EXPECT_EQ(of_hex.loops, 0u) << "where it is nobody knows";
+  run(100 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_THAT(avr_->crash()->reason, HasSubstr("stack overflow"));
+  EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
+
+  EXPECT_THAT(refusal(hex.substr(0, 100)), HasSubstr("x.elf:3: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(hex.substr(0, hex.find('\n') + 1)), HasSubstr("ends before the line :00000001FF"));
+  std::string wrong = hex;
+  wrong[10] = wrong[10] == '0' ? '1' : '0';
+  EXPECT_THAT(refusal(wrong), HasSubstr("x.elf:1: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(":020000040001F9\n:0100000000FF\n:00000001FF\n"), HasSubstr("behind the 32256 bytes"));
+}
+
+TEST_F(ImageTest, TheEepromBeginsWithWhatTheImageHasForItAndFusesChangeNothing) {
+  EXPECT_EQ(output("#include <avr/eeprom.h>\n#include <avr/fuse.h>\n#include <avr/lock.h>\n"
+                   "byte level EEMEM = 42;\nint trim EEMEM = -300;\n"
+                   "FUSES = {0xFF, 0xDE, 0xFD};\nLOCKBITS = 0xCF;\n"
+                   "void setup() {\n  Serial.begin(115200);\n"
+                   "  Serial.println(eeprom_read_byte(&level));\n"
+                   "  Serial.println((int)eeprom_read_word((uint16_t*)&trim));\n"
+                   "  Serial.println(eeprom_read_byte((uint8_t*)100));\n}\nvoid loop() {}"),
+            "42\r\n-300\r\n255\r\n");
+}
+
+TEST_F(ImageTest, WhatIsNotInitialisedIsKeptWhenTheWatchdogResets) {
+  EXPECT_EQ(output("#include <avr/wdt.h>\n"
+                   "unsigned magic __attribute__((section(\".noinit\")));\n"
+                   "unsigned starts __attribute__((section(\".noinit\")));\nunsigned zero;\n"
+                   "void setup() {\n  wdt_disable();\n  Serial.begin(115200);\n"
+                   "  if (magic != 0xBEEF) { magic = 0xBEEF; starts = 0; }\n"
+                   "  Serial.println(++starts * 10 + ++zero);\n  Serial.flush();\n"
+                   "  if (starts < 2) { wdt_enable(WDTO_15MS); for (;;) {} }\n}\nvoid loop() {}"),
+            "11\r\n21\r\n");
 }
 
 }  // namespace
