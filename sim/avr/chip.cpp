@@ -152,9 +152,13 @@ Chip::Stop Chip::run_to(Cycle until) {
     if (watched) idle_.before();
     const Cpu::Stop why = cpu.run(one || watched ? cpu.cycle() + 1 : horizon);
     if (watched) idle_.after();
-    if (why == Cpu::Stop::mark && cpu.is_head(cpu.pc())) {
-      if (!one) idle_.at_head(horizon);
+    if (why == Cpu::Stop::mark) {
+      if (!one && cpu.is_head(cpu.pc())) idle_.at_head(std::min(until, core_.events.next_urgent()));
       if (!cpu.has_mark(cpu.pc())) continue;
+      if (core_.visitor && core_.visitor->visited(cpu.pc(), cpu.cycle())) {
+        idle_.visited(cpu.pc());
+        continue;
+      }
     }
     if (why == Cpu::Stop::sleep) {
       power_.sleep(cpu.cycle());

@@ -18,6 +18,7 @@
 #include "sim/avr/interrupts.h"
 #include "sim/avr/surroundings.h"
 #include "sim/avr/triggers.h"
+#include "sim/avr/visitor.h"
 
 namespace robosim::avr {
 
@@ -138,6 +139,7 @@ struct Core {
     std::size_t size = 0;
   };
   std::vector<Kept> kept;
+  Visitor* visitor = nullptr;  ///< of marks; null = they stop the chip
   /// A reset may come though interrupts are off: the watchdog's.
   bool reset_may_come = false;
   /// The chip resets itself behind the instruction that runs; `flags` are MCUSR's. Set by the chip.

@@ -53,6 +53,17 @@ class Events {
   Cycle due(Id id) const { return state.due[id]; }
   /// When the next one is due.
   Cycle next() const { return state.next; }
+  /// An event that does nothing to the chip, and finds the same when it comes late, as long as no instruction
+  /// has run meanwhile.
+  void let_wait(Id id) { waits_ = id; }
+  /// When the next one is due that cannot wait.
+  Cycle next_urgent() const {
+    if (waits_ == kNone || state.due[waits_] != state.next) return state.next;
+    Cycle next = kNoCycle;
+    for (std::size_t id = 0; id < count_; ++id)
+      if (id != waits_ && state.due[id] < next) next = state.due[id];
+    return next;
+  }
 
   /// Whatever is due by `now`, in the order of time.
   void run(Cycle now) {
@@ -80,8 +91,11 @@ class Events {
       if (state.due[id] < state.next) state.next = state.due[id];
   }
 
+  static constexpr Id kNone = 0xFF;
+
   std::array<Action, kMost> actions_{};
   std::size_t count_ = 0;
+  Id waits_ = kNone;
 };
 
 }  // namespace robosim::avr

@@ -165,6 +165,8 @@ Cycle Idle::passes_before(Cycle horizon, const Path::Pass& pass) const {
 
 void Idle::skip(const Path::Pass& pass, Cycle passes) {
   Cpu::State& state = core_.cpu.state;
+  if (pass.visits)
+    core_.visitor->left_out(pass.visited, state.cycle + pass.visited_after, pass.cycles, passes);
   state.cycle += passes * pass.cycles;
   skipped_ += passes * pass.cycles;
   const Cycle jumps = passes * pass.jumps.size();

@@ -36,6 +36,10 @@ class Idle {
   void after();
   /// The processor is at a head; what happens before `horizon` is known to it alone.
   void at_head(Cycle horizon);
+  /// A mark was visited, behind which the chip ran on.
+  void visited(std::uint32_t pc) {
+    if (recorded_) path_.visited(pc);
+  }
   /// Something came in between: an interrupt, a reset, an input.
   void interrupted() { recorded_ = nullptr; }
 

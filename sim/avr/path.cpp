@@ -22,6 +22,7 @@ void Path::begin() {
   pass_.looks.clear();
   pass_.flags_read = 0;
   pass_.enables_interrupts = false;
+  pass_.visits = 0;
   pass_.sp = core_.cpu.sp();
   began_ = core_.now();
   jumps_before_ = core_.cpu.state.jump_count;
@@ -98,10 +99,16 @@ bool Path::after() {
   return !ramp_.has_counter() || ramp_.agrees(effects_.writes);
 }
 
+void Path::visited(std::uint32_t pc) {
+  ++pass_.visits;
+  pass_.visited = pc;
+  pass_.visited_after = core_.now() - began_;
+}
+
 bool Path::ends(Pass& pass) {
   const Cpu& cpu = core_.cpu;
   const std::uint32_t jumps = cpu.state.jump_count - jumps_before_;
-  if (cpu.sp() != pass_.sp || jumps > cpu.state.jumps.size()) return false;
+  if (cpu.sp() != pass_.sp || jumps > cpu.state.jumps.size() || pass_.visits > 1) return false;
   for (const Pass::Byte& byte : pass_.reads) {
     if (cpu.data[byte.address] != byte.value) return false;
     ramp_.hold(byte.address);

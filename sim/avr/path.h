@@ -42,6 +42,9 @@ class Path {
     std::int64_t window = 0;
     Cycle cycles = 0;
     std::vector<std::uint32_t> jumps;  ///< calls and returns, as Cpu notes them
+    int visits = 0;                    ///< of marks
+    std::uint32_t visited = 0;         ///< the place, and when, from the head on
+    Cycle visited_after = 0;
     bool enables_interrupts = false;
   };
 
@@ -52,6 +55,7 @@ class Path {
   /// It is about to run one instruction. Returns whether that may belong to a pass that can be left out.
   bool before();
   bool after();
+  void visited(std::uint32_t pc);
   /// It is at the head again: whether the pass leads to where it began. If so, `pass` is what it was.
   bool ends(Pass& pass);
 

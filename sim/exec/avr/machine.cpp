@@ -18,9 +18,11 @@ Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& boa
       chip_(firmware, board.spec(), *this),
       stack_(chip_, firmware) {
   plug_in(chip_.chip());
+  chip_.count(rounds_);
   for (const std::uint32_t pc : loop.each) chip_.set_trap(WatchedChip::kLoopTrap, pc);
   await_loop();
   look_ = chip_.chip().core().events.add<&Machine::look_at_heap>(this);
+  chip_.chip().core().events.let_wait(look_);
   look_at_heap(0);
 }
 
@@ -39,22 +41,14 @@ void Machine::was_reset(std::uint8_t, Cycle at) {
 }
 
 void Machine::await_loop() {
-  looped_ = false;
+  rounds_.await();
   for (const std::uint32_t pc : loop_.first) chip_.set_trap(WatchedChip::kFirstLoopTrap, pc);
 }
 
 void Machine::loop_began() {
-  if (!looped_)
+  if (!rounds_.is_running())
     for (const std::uint32_t pc : loop_.first) chip_.clear_trap(WatchedChip::kFirstLoopTrap, pc);
-  const Cycle now = chip_.cycle();
-  if (looped_) {
-    const Cycle took = now - loop_began_;
-    ++loop_times_.count;
-    loop_times_.total += took;
-    if (took > loop_times_.longest) loop_times_.longest = took;
-  }
-  looped_ = true;
-  loop_began_ = now;
+  rounds_.began(chip_.cycle());
 }
 
 void Machine::set_debug_port(DebugPort* port) {
@@ -116,11 +110,10 @@ Resources Machine::resources() const {
   r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_.most_bytes();
-  r.loops = loop_times_.count;
-  const Cycle present = looped_ ? chip_.cycle() - loop_began_ : 0;
-  r.loop_us_max = static_cast<double>(std::max(loop_times_.longest, present)) * cycle_us;
+  r.loops = rounds_.count();
+  r.loop_us_max = static_cast<double>(rounds_.longest(chip_.cycle())) * cycle_us;
   if (r.loops > 0)
-    r.loop_us_mean = static_cast<double>(loop_times_.total) * cycle_us / static_cast<double>(r.loops);
+    r.loop_us_mean = static_cast<double>(rounds_.total()) * cycle_us / static_cast<double>(r.loops);
   const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));
   r.interrupt_share = static_cast<double>(chip_.handler_cycles()) / all;
   r.cpu_load = 1.0 - static_cast<double>(chip_.sleep_cycles()) / all;

@@ -12,13 +12,6 @@ namespace robosim::exec::avr {
 
 class DebugPort;
 
-/// How long sketches take.
-struct LoopTimes {
-  std::uint64_t count = 0;  ///< passes of loop(), from one beginning to the next
-  Cycle longest = 0;
-  Cycle total = 0;
-};
-
 class Machine final : Outside {
  public:
   /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
@@ -60,9 +53,7 @@ class Machine final : Outside {
   WatchedChip chip_;
   Stack stack_;
   robosim::avr::Events::Id look_ = 0;
-  LoopTimes loop_times_;
-  Cycle loop_began_ = 0;
-  bool looped_ = false;
+  RoundCounter rounds_;
   SimTime clock_start_ = 0;
   DebugPort* debug_port_ = nullptr;
   WrittenBytes* written_ = nullptr;

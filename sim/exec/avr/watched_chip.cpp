@@ -48,6 +48,7 @@ WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
       chip_(spec_, flash_of(firmware), firmware.last_ram, outside, board.clock_hz) {
   using robosim::avr::Cpu;
   chip_.core().supply_volts = board.supply_volts;
+  chip_.core().visitor = this;
   chip_.cpu().on_sp_low = Cpu::call<&WatchedChip::stack_is_low>(this);
   chip_.cpu().on_sp_written = Cpu::call<&WatchedChip::stack_pointer_written>(this);
   start();
@@ -88,13 +89,10 @@ void WatchedChip::run_to(Cycle cycle) {
       case Chip::Stop::off:
         off_ = true;
         break;
-      case Chip::Stop::mark: {
-        const auto place = std::find_if(traps_.begin(), traps_.end(),
-                                        [&](const TrapPlace& trap) { return trap.pc == here; });
-        trapped_ = place == traps_.end() ? 0 : place->traps;
+      case Chip::Stop::mark:
+        trapped_ = traps_at(here);
         if (trapped_ & kRestartTrap) fail(Fault::Kind::restart, 0, 0);
         break;
-      }
       case Chip::Stop::bad_read:
         fail(Fault::Kind::bad_read, last, cpu().bad_address());
         break;
@@ -159,6 +157,22 @@ void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
   if (place->traps != 0) return;
   chip_.cpu().set_mark(pc / 2, false);
   traps_.erase(place);
+}
+
+unsigned WatchedChip::traps_at(std::uint32_t pc) const {
+  for (const TrapPlace& trap : traps_)
+    if (trap.pc == pc) return trap.traps;
+  return 0;
+}
+
+bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
+  if (!rounds_ || !rounds_->is_running() || traps_at(2 * pc) != kLoopTrap) return false;
+  rounds_->began(at);
+  return true;
+}
+
+void WatchedChip::left_out(std::uint32_t, Cycle first, Cycle period, std::uint64_t count) {
+  rounds_->began(first, period, count);
 }
 
 unsigned WatchedChip::take_traps() { return std::exchange(trapped_, 0); }

@@ -13,6 +13,7 @@
 #include "sim/avr/chip.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
+#include "sim/exec/avr/round_counter.h"
 
 namespace robosim::exec::avr {
 
@@ -24,7 +25,7 @@ struct Fault {
   std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
 };
 
-class WatchedChip {
+class WatchedChip final : robosim::avr::Visitor {
  public:
   WatchedChip(const Firmware& firmware, const BoardSpec& board, robosim::avr::Surroundings& outside);
 
@@ -61,6 +62,9 @@ class WatchedChip {
     kFirstLoopTrap = 32
   };
   void set_trap(Trap trap, std::uint32_t pc);
+  /// From the second round on, rounds are counted at a kLoopTrap, and run_to() runs on if nobody else wants
+  /// to know.
+  void count(RoundCounter& rounds) { rounds_ = &rounds; }
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
   unsigned take_traps();
@@ -100,6 +104,9 @@ class WatchedChip {
     unsigned traps = 0;  ///< a sum
   };
 
+  bool visited(std::uint32_t pc, Cycle at) override;
+  void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) override;
+
   const robosim::avr::Cpu& cpu() const { return chip_.cpu(); }
   void fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address);
   void start();
@@ -110,11 +117,13 @@ class WatchedChip {
   bool is_computed_from_itself() const;
   bool was_loaded() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
+  unsigned traps_at(std::uint32_t pc) const;
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
   std::uint32_t clock_hz_;
   std::vector<TrapPlace> traps_;
+  RoundCounter* rounds_ = nullptr;
   unsigned trapped_ = 0;
   std::optional<Fault> fault_;
   bool off_ = false;
