@@ -70,6 +70,7 @@ class Chip {
   Core& core() { return core_; }
   /// Loops that wait are left out, without a difference that firmware or its surroundings could see.
   Idle& idle() { return idle_; }
+  const Idle& idle() const { return idle_; }
   Pins& pins() { return pins_; }
 
   /// All that changes while the chip runs, but for what lies in the surroundings.

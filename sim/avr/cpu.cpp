@@ -12,6 +12,11 @@ constexpr std::uint8_t kErased = 0xFF, kAllBits = 0xFF;
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 constexpr Address kStackHigh = 0x5E;
 
+bool counts_down(const Instruction& first, const Instruction& second) {
+  return first.op == Op::sbiw && first.b == 1 && second.op == Op::brbc && second.b == Cpu::kZ &&
+         second.k == -2;
+}
+
 bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == kStackHigh; }
 
 }  // namespace
@@ -27,6 +32,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
   original_ = decode(flash_);
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
+  for (std::size_t pc = 1; pc < code_.size(); ++pc) code_[pc].op = unmarked(static_cast<std::uint32_t>(pc));
   marks_.resize(code_.size());
   state.sp = state.sp_watch = last_ram;
 }
@@ -183,9 +189,13 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
+Op Cpu::unmarked(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : original_[pc].op; }
+
+bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(original_[pc - 1], original_[pc]); }
+
 void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
   marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
-  code_[pc].op = marks_[pc] ? Op::mark : original_[pc].op;
+  code_[pc].op = marks_[pc] ? Op::mark : unmarked(pc);
 }
 
 void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }

@@ -170,6 +170,9 @@ class Cpu {
   /// The registers, I/O and RAM. SREG and SP are not kept here.
   std::vector<std::uint8_t> data;
 
+  /// Whether it is the end of a loop that counts down, which run() runs through at once.
+  bool is_count(std::uint32_t pc) const;
+
   // --- marks: run() stops before an instruction
   void set_mark(std::uint32_t pc, bool set);
   bool has_mark(std::uint32_t pc) const { return marks_[pc] & kMark; }
@@ -220,6 +223,7 @@ class Cpu {
 
   static constexpr std::uint8_t kMark = 1, kHead = 2;
 
+  Op unmarked(std::uint32_t pc) const;
   void put_mark(std::uint32_t pc, std::uint8_t kind, bool set);
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);

@@ -9,6 +9,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
+constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
 
 /// Z, and S and N as they are without overflow, of each result.
@@ -349,6 +350,23 @@ choose:
     }
     NEXT(1);
   }
+  OPERATION(count_down, 1) {
+    if (sreg & kZ) {
+      NEXT(1);
+    }
+    left -= 1;
+    i = code + RELATIVE(i->k);
+    const unsigned before = pair(i->a);
+    const std::int64_t fit = (left - 1) / kCyclesOfCount;
+    if (left > 0 && fit > 0 && before > 1) {
+      const unsigned passes = fit < before - 1 ? static_cast<unsigned>(fit) : before - 1;
+      const unsigned after = before - passes;
+      set_pair(i->a, after);
+      added_word(after, (after + 1) & ~after & 0x8000);
+      left -= kCyclesOfCount * passes;
+    }
+    DISPATCH;
+  }
   OPERATION(sbrc, 1) SKIP_IF(!(r[i->a] & i->b));
   OPERATION(sbrs, 1) SKIP_IF(r[i->a] & i->b);
 
@@ -376,7 +394,7 @@ choose:
     const auto pc = static_cast<std::uint32_t>(i - code);
     if (state.passing == pc) {
       state.passing = ~0u;
-      GO_TO_OPERATION(original_[pc].op);
+      GO_TO_OPERATION(unmarked(pc));
     }
     state.passing = pc;
     stop_ = Stop::mark;

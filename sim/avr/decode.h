@@ -33,7 +33,9 @@ namespace robosim::avr {
   X(bset) X(bclr) \
   X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
   /* none of the chip's: a mark in front of an instruction, and what is behind the flash */ \
-  X(mark) X(outside)
+  X(mark) X(outside) \
+  /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
+  X(count_down)
 
 enum class Op : std::uint8_t {
 #define ROBOSIM_AVR_NAME(name) name,

@@ -66,7 +66,8 @@ void Idle::after() {
   if (exploring_ == 0) return;
   const std::uint32_t pc = core_.cpu.pc();
   const Op op = core_.cpu.instruction(pc_before_).op;
-  const bool jumped = op == Op::rjmp || op == Op::jmp || op == Op::brbs || op == Op::brbc;
+  const bool jumped = (op == Op::rjmp || op == Op::jmp || op == Op::brbs || op == Op::brbc) &&
+                      !core_.cpu.is_count(pc_before_);
   if (jumped && pc <= pc_before_) {
     const auto landing = std::find_if(landings_.begin(), landings_.end(),
                                       [pc](const Landing& known) { return known.pc == pc; });

@@ -5,9 +5,8 @@
 #include "sim/exec/avr/loop.h"
 
 namespace robosim::exec {
-namespace {
 
-struct Image {
+struct AvrExecutor::Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
       : firmware(avr::Firmware::read(file, spec)), debug(file), loop(avr::rounds_of_loop(firmware, debug)) {}
 
@@ -16,14 +15,17 @@ struct Image {
   Rounds loop;
 };
 
-class RunningAvr final : public RunningChip {
+class AvrExecutor::Running final : public RunningChip {
  public:
-  RunningAvr(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger)
-      : image_(image), machine_(image.firmware, image.loop, board, t), debugger_(debugger) {
+  Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger,
+          robosim::avr::Chip*& chip)
+      : image_(image), machine_(image.firmware, image.loop, board, t), debugger_(debugger), chip_(chip) {
+    chip_ = &machine_.chip().chip();
     if (debugger) machine_.set_debug_port(debugger);
   }
-  ~RunningAvr() override {
+  ~Running() override {
     if (debugger_) debugger_->unplug();
+    if (chip_ == &machine_.chip().chip()) chip_ = nullptr;
   }
 
   void run_until(SimTime t) override { machine_.run_until(t); }
@@ -45,12 +47,13 @@ class RunningAvr final : public RunningChip {
 
   const Image& image_;
   avr::Machine machine_;
-  avr::DebugPort* debugger_;  ///< null = nobody debugs
+  avr::DebugPort* debugger_;   ///< null = nobody debugs
+  robosim::avr::Chip*& chip_;  ///< who else wants to know that there is one
 };
 
-class AvrFirmware final : public ChipFirmware {
+class AvrExecutor::Firmware final : public ChipFirmware {
  public:
-  AvrFirmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
+  Firmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
 
   const std::string& file() const override { return image_.firmware.file; }
   int int_bits() const override { return 16; }
@@ -66,17 +69,27 @@ class AvrFirmware final : public ChipFirmware {
     debugger_ = std::make_unique<avr::DebugPort>(server, image_.firmware, board);
   }
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
-    return std::make_unique<RunningAvr>(image_, board, t, debugger_.get());
+    auto running = std::make_unique<Running>(image_, board, t, debugger_.get(), chip);
+    chip->idle().allow(!runs_waiting_loops);
+    return running;
   }
+
+  robosim::avr::Chip* chip = nullptr;  ///< null while the power is off
+  bool runs_waiting_loops = false;
 
  private:
   const Image image_;
   std::unique_ptr<avr::DebugPort> debugger_;
 };
 
-}  // namespace
-
 AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)
-    : ChipExecutor(spec, std::make_unique<AvrFirmware>(image, spec)) {}
+    : AvrExecutor(spec, new Firmware(image, spec)) {}
+
+AvrExecutor::AvrExecutor(const BoardSpec& spec, Firmware* firmware)
+    : ChipExecutor(spec, std::unique_ptr<ChipFirmware>(firmware)), firmware_(*firmware) {}
+
+void AvrExecutor::run_waiting_loops() { firmware_.runs_waiting_loops = true; }
+
+const robosim::avr::Chip* AvrExecutor::chip() const { return firmware_.chip; }
 
 }  // namespace robosim::exec

@@ -118,6 +118,12 @@ class RandomProgram : public RandomCode {
         lds(upper(), pick({kAdcsra, kEecr, 0x35, 0x37, 0xC0}));
         return;
       case 6:
+        if (below(3) == 0) {
+          ldi(24, below(256));
+          ldi(25, below(3) ? 0 : below(256));
+          word(0x9701);  // sbiw r24, 1
+          return branch(1, false, here() - 1);
+        }
         if (below(2)) return call(function_);
         word(below(2) ? 0xB179 : 0xB189);  // in r23 or r24, PIND
         return immediate(kAndi, 23, 1 << below(8));
@@ -222,6 +228,34 @@ TEST(WaitingLoops, LeaveTheChipAsItWouldBe) {
     EXPECT_EQ(runs.chip.idle().skipped(), 0u);
   }
   EXPECT_GT(skipped, all / 8);
+}
+
+TEST(WaitingLoops, ThatCountDownAreRunThroughAsOneByOne) {
+  Program program;
+  program.word(0x0000);
+  program.word(0x9701);  // sbiw r24, 1
+  program.branch(1, false, 1);
+  program.word(0xCFFC);  // rjmp to the start
+  std::mt19937 engine(7);
+  for (int trial = 0; trial < 3000; ++trial) {
+    Cpu at_once(kAtmega328p, program.flash, Address{0x8FF}),
+        one_by_one(kAtmega328p, program.flash, Address{0x8FF});
+    const unsigned ends[] = {0, 1, 2, 0x7FFF, 0x8000, 0x8001, 0xFFFF};
+    const unsigned count = engine() % 2 ? ends[engine() % 7] : engine() % 3000;
+    for (Cpu* cpu : {&at_once, &one_by_one}) {
+      cpu->data[24] = static_cast<std::uint8_t>(count);
+      cpu->data[25] = static_cast<std::uint8_t>(count >> 8);
+      cpu->set_sreg(0x60);
+    }
+    for (Cycle until : {Cycle{engine() % 40}, Cycle{engine() % 20'000}, Cycle{engine() % 300'000}}) {
+      at_once.run(until);
+      while (one_by_one.cycle() < until) one_by_one.run(one_by_one.cycle() + 1);
+      ASSERT_EQ(at_once.cycle(), one_by_one.cycle()) << "from " << count;
+      ASSERT_EQ(at_once.pc(), one_by_one.pc()) << "from " << count << " to " << until;
+      ASSERT_EQ(at_once.sreg(), one_by_one.sreg()) << "from " << count << " to " << until;
+      ASSERT_EQ(at_once.pair(24), one_by_one.pair(24)) << "from " << count << " to " << until;
+    }
+  }
 }
 
 }  // namespace
