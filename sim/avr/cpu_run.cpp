@@ -1,28 +1,10 @@
 // The interpreter's loop: each operation ends with a jump to the next one's code.
-#include <array>
 #include <bit>
 
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_steps.h"
 
 namespace robosim::avr {
-namespace {
-
-constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
-constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
-constexpr Address kRampz = 0x5B, kEind = 0x5C;
-
-/// Z, and S and N as they are without overflow, of each result.
-constexpr std::array<std::uint8_t, 256> signs_of_results() {
-  std::array<std::uint8_t, 256> signs{};
-  for (unsigned i = 0; i < 256; ++i)
-    signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
-  return signs;
-}
-constexpr auto kSigns = signs_of_results();
-
-}  // namespace
-
 Cpu::Stop Cpu::run(Cycle until) {
   if (code_[state.pc].op == Op::mark && state.passing != state.pc) {
     state.passing = state.pc;

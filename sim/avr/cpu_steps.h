@@ -6,6 +6,28 @@
 //   r, sreg, sp    the registers
 #pragma once
 
+#include <array>
+#include <cstdint>
+
+#include "sim/avr/cpu.h"
+
+namespace robosim::avr {
+
+constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
+constexpr Address kRampz = 0x5B, kEind = 0x5C;
+constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
+
+/// Z, and S and N as they are without overflow, of each result.
+constexpr std::array<std::uint8_t, 256> signs_of_results() {
+  std::array<std::uint8_t, 256> signs{};
+  for (unsigned i = 0; i < 256; ++i)
+    signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
+  return signs;
+}
+inline constexpr auto kSigns = signs_of_results();
+
+}  // namespace robosim::avr
+
 #if defined(__EMSCRIPTEN__)
 #define GO_TO_OPERATION(op) \
   which = op;               \

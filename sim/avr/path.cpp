@@ -74,8 +74,10 @@ bool Path::touches_memory() {
         flags_written_ = 0xFF;
         pass_.enables_interrupts |= (cpu.data[instruction_.a] & Cpu::kI) != 0;
       }
-    } else if (address != reg::kSpL && address != reg::kSpH) {
-      if (!loads || !looks_at(address)) return false;
+    } else if (!loads) {
+      return false;
+    } else if (address != reg::kSpL && address != reg::kSpH && !looks_at(address)) {
+      return false;
     }
   }
   return true;

@@ -6,8 +6,8 @@
 //     registers of I/O read the same, and
 //     the counter of a timer that it reads is within the window that Ramp has found.
 //
-// A pass that writes registers of I/O other than SREG and the stack pointer, sleeps, or takes an interrupt,
-// is none that can be left out.
+// A pass that writes registers of I/O other than SREG, sleeps, or takes an interrupt, is none that can be
+// left out.
 #pragma once
 
 #include <cstdint>
