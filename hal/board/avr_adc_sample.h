@@ -13,7 +13,7 @@ inline uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t mult
   const BoardSpec& spec = board.spec();
   return adc_sample(adc, multiplexer, 0, spec.supply_volts, [&](int channel) {
     const int pin = spec.analog_pin_0 + channel;
-    return pin < spec.pin_count ? board.read_volts(static_cast<Pin>(pin), t) : 0.0;
+    return pin < spec.pin_count ? board.read_volts(first_number(spec, static_cast<Pin>(pin)), t) : 0.0;
   });
 }
 

@@ -3,6 +3,7 @@
 #include "hal/board/atmega168.h"
 #include "hal/board/atmega2560.h"
 #include "hal/board/atmega328p.h"
+#include "hal/board/atmega32u4.h"
 #include "hal/board/stm32f103c8.h"
 
 namespace robosim {
@@ -35,10 +36,12 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   for (int i = 0; i < kCount; ++i) {
     const ChipPin* pin = chip.pins;
     while (!equal(pin->name, entries[i].chip_name)) ++pin;
+    int first = 0;  // PWM is on the lowest of its numbers, as in Arduino's tables
+    while (!equal(entries[first].chip_name, entries[i].chip_name)) ++first;
     table.pins[i] = {entries[i].name,
                      entries[i].chip_name,
                      pin->analog_channel,
-                     pin->timer >= 0 && pin->timer != core_timer,
+                     pin->timer >= 0 && pin->timer != core_timer && first == i,
                      entries[i].interrupt,
                      pin->port >= 0,
                      *pin};
@@ -74,6 +77,18 @@ constexpr PinEntry kMegaEntries[] = {
     {"A6", "PF6", -1},  {"A7", "PF7", -1},  {"A8", "PK0", -1},  {"A9", "PK1", -1},  {"A10", "PK2", -1},
     {"A11", "PK3", -1}, {"A12", "PK4", -1}, {"A13", "PK5", -1}, {"A14", "PK6", -1}, {"A15", "PK7", -1}};
 constexpr auto kMegaPins = pins_of(kAtmega2560, kMegaEntries);
+
+// variants/leonardo/pins_arduino.h: A6 to A11 are 4, 6, 8, 9, 10 and 12 once more. D17 and D30 are the LEDs
+// RX and TX.
+constexpr PinEntry kLeonardoEntries[] = {
+    {"D0", "PD2", 2},   {"D1", "PD3", 3},   {"D2", "PD1", 1},   {"D3", "PD0", 0},   {"D4", "PD4", -1},
+    {"D5", "PC6", -1},  {"D6", "PD7", -1},  {"D7", "PE6", 4},   {"D8", "PB4", -1},  {"D9", "PB5", -1},
+    {"D10", "PB6", -1}, {"D11", "PB7", -1}, {"D12", "PD6", -1}, {"D13", "PC7", -1}, {"D14", "PB3", -1},
+    {"D15", "PB1", -1}, {"D16", "PB2", -1}, {"D17", "PB0", -1}, {"A0", "PF7", -1},  {"A1", "PF6", -1},
+    {"A2", "PF5", -1},  {"A3", "PF4", -1},  {"A4", "PF1", -1},  {"A5", "PF0", -1},  {"A6", "PD4", -1},
+    {"A7", "PD7", -1},  {"A8", "PB4", -1},  {"A9", "PB5", -1},  {"A10", "PB6", -1}, {"A11", "PD6", -1},
+    {"D30", "PD5", -1}};
+constexpr auto kLeonardoPins = pins_of(kAtmega32u4, kLeonardoEntries);
 
 // The STM32F103C8 has Arduino's pins 0 to 19 where they can do what an Uno's do: 0 and 1 are USART1, PWM is
 // on 3, 5, 6, 9, 10 and 11, A0 to A5 are analog, and no two of 0 to 8 share an interrupt line. Then what is
@@ -177,6 +192,31 @@ constexpr BoardSpec mega() {
   return board;
 }
 
+// The Leonardo, and the Micro, which is the same on a smaller board. Serial is its USB, Serial1 its UART.
+constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* macro, const char* variant,
+                             const char* usb_product, uint16_t usb_id) {
+  BoardSpec board = kUno;
+  board.name = name;
+  board.fqbn = fqbn;
+  board.macro = macro;
+  board.chip = &kAtmega32u4;
+  board.pins = kLeonardoPins.pins;
+  board.pin_count = kLeonardoPins.kSize;
+  board.analog_pin_0 = 18;
+  board.flash_bytes = 28672;
+  board.ram_bytes = kAtmega32u4.ram_bytes;
+  board.eeprom_bytes = kAtmega32u4.eeprom_bytes;
+  board.host_model = &kUno;
+  board.variant = variant;
+  board.upload_protocol = "avr109";
+  board.upload_baud = 57600;
+  board.upload_by_touch = true;
+  board.serial_line = kAtmega32u4.uart_count;
+  board.usb_product = usb_product;
+  board.usb_id = usb_id;
+  return board;
+}
+
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
 // are the EEPROM's. What holds for its supply is taken from the Uno.
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
@@ -214,6 +254,9 @@ constexpr BoardSpec kBoards[] = {
     pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
     pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
     mega(),
+    leonardo("leonardo", "arduino:avr:leonardo", "ARDUINO_AVR_LEONARDO", "leonardo", "Arduino Leonardo",
+             0x8036),
+    leonardo("micro", "arduino:avr:micro", "ARDUINO_AVR_MICRO", "micro", "Arduino Micro", 0x8037),
     blue_pill("bluepill", 72000000),
     blue_pill("bluepill8", 8000000),
 };
@@ -250,12 +293,13 @@ Pin find_pin(const BoardSpec& board, const char* name) {
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     const PinSpec& spec = board.pins[pin];
     const bool bare_number = spec.name[0] == 'D' && same(spec.name + 1, name);
-    if (bare_number || same(spec.name, name) || same(spec.chip_name, name)) return pin;
+    if (bare_number || same(spec.name, name) || same(spec.chip_name, name)) return first_number(board, pin);
   }
   int number = 0;
   const char* c = name;
   for (; *c >= '0' && *c <= '9' && number < board.pin_count; ++c) number = number * 10 + (*c - '0');
-  return c != name && !*c && number < board.pin_count ? static_cast<Pin>(number) : kNoPin;
+  return c != name && !*c && number < board.pin_count ? first_number(board, static_cast<Pin>(number))
+                                                      : kNoPin;
 }
 
 Pin last_digital_pin(const BoardSpec& board) {

@@ -43,9 +43,14 @@ struct BoardSpec {
   const BoardSpec* host_model;
   const char* variant;    ///< the folder of its pins in the genuine core; null = the core is ours
   const char* pin_names;  ///< a header of ours with further names of pins, for the target host; null = none
-  const char* upload_protocol;  ///< avrdude's programmer; null = avrdude cannot write to it
-  uint32_t upload_baud;         ///< of its boot loader
-  uint32_t upload_baud_old;     ///< of the boot loader that older ones of them have; 0 = the same
+  const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to it
+  uint32_t upload_baud;          ///< of its boot loader
+  uint32_t upload_baud_old;      ///< of the boot loader that older ones of them have; 0 = the same
+  bool upload_by_touch = false;  ///< its boot loader starts when the port is opened with 1200 baud and closed
+
+  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or behind them the USB's
+  const char* usb_product = nullptr;  ///< as the core has it, where the chip has USB
+  uint16_t usb_id = 0;                ///< product; the vendor is 0x2341, Arduino
 };
 
 /// The board of that name, or null. Names are listed by board_at.
@@ -57,6 +62,17 @@ const BoardSpec* board_at(int number);
 Pin find_pin(const BoardSpec& board, const char* name);
 /// The highest number of a digital pin.
 Pin last_digital_pin(const BoardSpec& board);
+
+/// The lowest number that the same pin of the chip has: a Leonardo's A6 is its pin 4. Wires are on that.
+inline Pin first_number(const BoardSpec& board, Pin pin) {
+  const ChipPin& place = board.pins[pin].chip_pin;
+  for (Pin first = 0; first < pin; ++first) {
+    const ChipPin& other = board.pins[first].chip_pin;
+    if (other.port == place.port && other.bit == place.bit && other.analog_channel == place.analog_channel)
+      return first;
+  }
+  return pin;
+}
 
 inline const BoardSpec& host_model(const BoardSpec& board) {
   return board.host_model ? *board.host_model : board;

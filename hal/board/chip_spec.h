@@ -47,6 +47,9 @@ struct TimerSpec {
   int8_t reduction_bit = -1;   ///< that stops it there
 };
 
+/// TimerSpec::bits of a timer 4 as an ATmega32U4 has it, which is another kind.
+constexpr uint8_t kHighSpeedBits = 10;
+
 /// How many OCRnx it has.
 constexpr uint8_t channels(const TimerSpec& timer) { return timer.compare[2] ? 3 : 2; }
 
@@ -106,6 +109,15 @@ struct ComparatorSpec {
   const char* negative = "";
 };
 
+/// A USB device controller; a serial line of its own to the computer, behind those of the UARTs.
+struct UsbSpec {
+  uint16_t address = 0;  ///< of an AVR's USBCON, which the others follow; 0 = none
+  uint16_t pll = 0;      ///< address of PLLCSR
+  uint8_t vector = 0;    ///< the general one, which the endpoints' follows
+  uint16_t reduction = 0;
+  int8_t reduction_bit = -1;
+};
+
 struct ChipSpec {
   const char* name;           ///< the maker's: "ATmega328P"
   const char* target;         ///< who executes its firmware, as users name it: "avr"
@@ -143,6 +155,7 @@ struct ChipSpec {
   SpiSpec spi = {};
   TwiSpec twi = {};
   ComparatorSpec comparator = {};
+  UsbSpec usb = {};
 };
 
 constexpr uint32_t ram_end(const ChipSpec& chip) { return chip.ram_address + chip.ram_bytes; }

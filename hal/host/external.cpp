@@ -24,8 +24,8 @@ int sense_of(int number) { return external.sense >> 2 * number & 3; }
 bool has_line(Pin pin) {
   // The lowest numbers are those of INTn.
   const BoardSpec& spec = board->spec();
-  return pin >= kExternals && places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
-         spec.pins[pin].interrupt >= 0;
+  return places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
+         spec.pins[pin].interrupt >= kExternals;
 }
 
 Pin take_line() {

@@ -9,10 +9,13 @@
 #include "sim/avr/comparator.h"
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
+#include "sim/avr/high_speed_timer.h"
 #include "sim/avr/spi.h"
 #include "sim/avr/timer.h"
 #include "sim/avr/twi.h"
 #include "sim/avr/usart.h"
+#include "sim/avr/usb_device.h"
+#include "sim/avr/usb_host.h"
 #include "sim/avr/watchdog.h"
 
 namespace robosim::avr {
@@ -68,8 +71,11 @@ void Chip::make_peripherals() {
   power_.supply(prescalers, Power::Clock::io, 0, -1);
   for (int index = 0; index < core_.chip.timer_count; ++index) {
     const TimerSpec& spec = core_.chip.timers[index];
-    power_.supply(add(std::make_unique<Timer>(core_, pins_, prescalers, index)), Power::Clock::io,
-                  spec.reduction, spec.reduction_bit);
+    Peripheral& timer =
+        spec.bits == kHighSpeedBits
+            ? static_cast<Peripheral&>(add(std::make_unique<HighSpeedTimer>(core_, pins_, index)))
+            : static_cast<Peripheral&>(add(std::make_unique<Timer>(core_, pins_, prescalers, index)));
+    power_.supply(timer, Power::Clock::io, spec.reduction, spec.reduction_bit);
   }
   for (int number = 0; number < core_.chip.uart_count; ++number) {
     const UartSpec& spec = core_.chip.uarts[number];
@@ -86,8 +92,21 @@ void Chip::make_peripherals() {
   if (const TwiSpec& twi = core_.chip.twi; twi.address)
     power_.supply(add(std::make_unique<Twi>(core_, pins_)), Power::Clock::io, twi.reduction,
                   twi.reduction_bit);
+  if (const UsbSpec& usb = core_.chip.usb; usb.address) {
+    UsbDevice& device = add(std::make_unique<UsbDevice>(core_));
+    usb_host_ = &add(std::make_unique<UsbHost>(core_, device));
+    power_.supply(*usb_host_, Power::Clock::io, usb.reduction, usb.reduction_bit);
+  }
   add(std::make_unique<Eeprom>(core_));
   add(std::make_unique<Watchdog>(core_));
+}
+
+void Chip::receive(int line, std::uint16_t data, Cycle at) {
+  if (const auto number = static_cast<std::size_t>(line); number < usarts_.size()) {
+    usarts_[number]->receive(data, at);
+  } else if (usb_host_) {
+    usb_host_->receive(static_cast<std::uint8_t>(data));
+  }
 }
 
 void Chip::power_on() {

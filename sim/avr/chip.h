@@ -21,6 +21,8 @@
 
 namespace robosim::avr {
 
+class UsbHost;
+
 class Chip {
  public:
   /// `last_ram`: the last address of data memory, that of the chip or a later one.
@@ -56,10 +58,9 @@ class Chip {
   // --- from outside
   /// The level of a pin (by its index in ChipSpec::pins) that edges are wanted of has changed.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
-  /// A whole frame has arrived at a UART, at `at`. It is lost where the receiver is off.
-  void receive(int uart, std::uint16_t data, Cycle at) {
-    usarts_[static_cast<std::size_t>(uart)]->receive(data, at);
-  }
+  /// A whole frame has arrived at a UART, or a byte for the USB's serial line, which is behind those: at
+  /// `at`. It is lost where the receiver is off.
+  void receive(int line, std::uint16_t data, Cycle at);
   /// Surroundings::called() shall be called at `cycle`; a new call replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
   /// As by the reset pin or the power; `flags` are MCUSR's.
@@ -91,6 +92,7 @@ class Chip {
   Idle idle_;
   std::vector<std::unique_ptr<Peripheral>> peripherals_;
   std::vector<Usart*> usarts_;
+  UsbHost* usb_host_ = nullptr;
   Events::Id call_ = 0;
   bool singly_ = false;
   std::uint8_t reset_flags_ = 0;  ///< a peripheral wants a reset

@@ -26,11 +26,11 @@ class Surroundings {
   /// that this returns (where they are no longer wanted, it does not matter).
   virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
 
-  // --- serial lines
+  // --- serial lines: UARTs by their index in ChipSpec::uarts, then the USB's
   /// A frame begins to leave the chip.
-  virtual void sent(int uart, std::uint16_t data, Cycle at) = 0;
+  virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
   /// What a received frame takes from now on; 0 = the receiver is off.
-  virtual void listens(int uart, Cycle frame, Cycle at) = 0;
+  virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
   // --- memory that outlives the power
   virtual std::uint8_t* eeprom() = 0;

@@ -53,6 +53,7 @@ std::string pin_macro(const char* name, const BoardSpec& board, const char* othe
 /// hal/arduino/pins_arduino.h).
 std::vector<std::string> host_definitions(const BoardSpec& board) {
   const BoardSpec& model = host_model(board);
+  const int serial_lines = board.chip->uart_count + (board.chip->usb.address ? 1 : 0);
   int analog_inputs = 0;
   bool every_pin_interrupts = true;
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
@@ -66,7 +67,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
                                     fmt::format("-DROBOSIM_DIGITAL_PINS={}", last_digital_pin(board) + 1),
                                     fmt::format("-DROBOSIM_ANALOG_PIN_0={}", board.analog_pin_0),
                                     fmt::format("-DROBOSIM_ANALOG_INPUTS={}", analog_inputs),
-                                    fmt::format("-DROBOSIM_SERIAL_LINES={}", board.chip->uart_count),
+                                    fmt::format("-DROBOSIM_SERIAL_LINES={}", serial_lines),
                                     fmt::format("-DROBOSIM_LED_BUILTIN={}", board.led_builtin)};
   if (every_pin_interrupts) {
     words.emplace_back("-DROBOSIM_EVERY_PIN_INTERRUPTS");
@@ -95,6 +96,9 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
   append(words, toolchain.target.definitions);
+  if (const BoardSpec& board = toolchain.board; toolchain.target.chip && board.usb_product)
+    append(words, {"-DUSB_VID=0x2341", fmt::format("-DUSB_PID=0x{:04x}", board.usb_id),
+                   "-DUSB_MANUFACTURER=\"Unknown\"", fmt::format("-DUSB_PRODUCT=\"{}\"", board.usb_product)});
   if (!toolchain.target.chip) append(words, host_definitions(toolchain.board));
   return words;
 }

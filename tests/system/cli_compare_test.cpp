@@ -107,12 +107,15 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
-TEST_F(CliCompare, ASketchOnPinsThatOnlyAMegaHasDoesTheSameOnItsTargets) {
-  const Ended ended =
-      robosim_command({"compare", ROBOSIM_TEST_SKETCHES "/MegaFollower", "--map", "oval", "--robot", "mega5",
-                       "--target", "host,avr", "--goal", "none", "--for", "3s"});
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("host and avr do the same"), Not(HasSubstr("difference"))));
+TEST_F(CliCompare, SketchesOnPinsThatOnlyOneBoardHasDoTheSameOnItsTargets) {
+  for (const auto& [sketch, robot] :
+       {std::array{"/MegaFollower", "mega5"}, std::array{"/LeonardoFollower", "leonardo5"}}) {
+    const Ended ended =
+        robosim_command({"compare", std::string(ROBOSIM_TEST_SKETCHES) + sketch, "--map", "oval", "--robot",
+                         robot, "--target", "host,avr", "--goal", "none", "--for", "3s"});
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    EXPECT_THAT(ended.out, AllOf(HasSubstr("host and avr do the same"), Not(HasSubstr("difference"))));
+  }
 }
 
 TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {

@@ -88,6 +88,9 @@ TEST_F(CliFlash, TakesTheSpeedOfTheBoardsBootLoader) {
   const Ended image = robosim_command(
       {"flash", "made/My.elf", "--port", "p", "--robot", "uno5@promini16", "--dry-run"}, folder_.path());
   EXPECT_THAT(image.out, HasSubstr(" -b 57600 ")) << image.err;
+  EXPECT_THAT(flash({"--port", "p", "--robot", "uno5@leonardo", "--dry-run"}).out,
+              HasSubstr("\np is opened with 1200 baud and closed first, which starts the boot loader\n"
+                        "avrdude -p atmega32u4 -c avr109 -b 57600 -P p -D -U flash:w:"));
   EXPECT_THAT(flash({"--port", "p", "--robot", "uno5@mega", "--dry-run"}).out,
               HasSubstr("\navrdude -p atmega2560 -c wiring -b 115200 -P p -D -U flash:w:"));
   EXPECT_THAT(flash({"--port", "p", "--robot", "uno5@nano168", "--dry-run"}).out,

@@ -1,7 +1,12 @@
 #include "sim/cli/files/flash_command.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <termios.h>
+
+#include <chrono>
+#include <thread>
 
 #include "sim/base/child.h"
 #include "sim/base/file.h"
@@ -57,6 +62,26 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   start.words[0] = program.string();
   start.default_signals = {SIGINT};
   return Child(start).wait();
+}
+
+/// Starts the boot loader of a board whose USB the sketch itself serves: the port is opened with 1200 baud
+/// and closed, goes away, and comes back as the boot loader's. Where it cannot be opened avrdude will say so.
+void touch(const std::string& port) {
+  const Descriptor line(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  termios settings{};
+  if (line.get() < 0 || ::tcgetattr(line.get(), &settings) != 0) return;
+  ::cfsetspeed(&settings, B1200);
+  settings.c_cflag |= HUPCL;
+  ::tcsetattr(line.get(), TCSANOW, &settings);
+}
+
+/// Until the port is there again.
+void await_boot_loader(const std::string& port) {
+  constexpr auto kLook = std::chrono::milliseconds(100);
+  constexpr int kLeaves = 20, kReturns = 80;
+  for (int i = 0; i < kLeaves && fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
+  for (int i = 0; i < kReturns && !fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
+  std::this_thread::sleep_for(5 * kLook);  // until it may be opened (udev)
 }
 
 /// What to try where the board may have an older boot loader.
@@ -133,8 +158,15 @@ int flash_command(const FlashArguments& arguments) {
     print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
   }
   const std::vector<std::string> words = avrdude_words(arguments, *board, file);
+  if (board->upload_by_touch)
+    print(fmt::format("{} is opened with 1200 baud and closed first, which starts the boot loader\n",
+                      arguments.port));
   print(command_line(words) + "\n");
   if (arguments.dry_run) return static_cast<int>(ExitStatus::ok);
+  if (board->upload_by_touch && fs::exists(arguments.port)) {
+    touch(arguments.port);
+    await_boot_loader(arguments.port);
+  }
   return static_cast<int>(judge(run_avrdude(program, words), arguments));
 }
 

@@ -4,7 +4,6 @@ namespace robosim::exec::avr {
 namespace {
 
 constexpr Cycle kClockRounding = 2;  // between the board's time and cycles
-constexpr int kSerial = 0;           // the UART that the board wires to the outside
 
 bool is_same_place(const ChipPin& a, const ChipPin& b) {
   return a.port == b.port && a.bit == b.bit && a.analog_channel == b.analog_channel;
@@ -16,13 +15,17 @@ Outside::Outside(ClockedBoard& board, SimTime began)
     : board_(board),
       link_(board.spec().clock_hz, began),
       pins_(board.spec().chip->pin_count, kNoPin),
-      chip_pins_(board.spec().pin_count, -1) {
+      chip_pins_(board.spec().pin_count, -1),
+      analog_pins_(board.spec().chip->adc.pins, kNoPin),
+      serial_(board.spec().serial_line) {
   const BoardSpec& spec = board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
     for (int place = 0; place < spec.chip->pin_count; ++place)
-      if (is_same_place(spec.pins[pin].chip_pin, spec.chip->pins[place])) {
+      if (first_number(spec, pin) == pin && is_same_place(spec.pins[pin].chip_pin, spec.chip->pins[place])) {
         pins_[static_cast<std::size_t>(place)] = pin;
         chip_pins_[pin] = place;
+        if (const int channel = spec.pins[pin].analog_channel; channel >= 0)
+          analog_pins_[static_cast<std::size_t>(channel)] = pin;
       }
 }
 
@@ -36,7 +39,7 @@ void Outside::take_inputs(Cycle now) {
   BoardInput input;
   while (board_.take_input(link_.time_of(now), input)) {
     if (input.kind == BoardInput::Kind::byte) {
-      chip_->receive(kSerial, input.value, now);
+      chip_->receive(serial_, input.value, now);
     } else if (chip_pins_[input.pin] >= 0) {
       chip_->edge(chip_pins_[input.pin], input.value, now);
     }
@@ -66,9 +69,8 @@ Cycle Outside::level_until(int pin, Cycle at) {
 }
 
 double Outside::volts(int channel, Cycle at) {
-  const BoardSpec& spec = board_.spec();
-  const int pin = spec.analog_pin_0 + channel;
-  return pin < spec.pin_count ? board_.read_volts(static_cast<Pin>(pin), link_.time_of(at)) : 0.0;
+  const Pin pin = analog_pins_[static_cast<std::size_t>(channel)];
+  return pin == kNoPin ? 0.0 : board_.read_volts(pin, link_.time_of(at));
 }
 
 void Outside::driven(int pin, const PinDrive& drive, Cycle at) {
@@ -86,14 +88,14 @@ bool Outside::wants_edges(int pin, bool wanted, Cycle at) {
   return found;
 }
 
-void Outside::sent(int uart, std::uint16_t data, Cycle at) {
-  if (uart != kSerial) return;
+void Outside::sent(int line, std::uint16_t data, Cycle at) {
+  if (line != serial_) return;
   board_.send_byte(static_cast<std::uint8_t>(data), link_.time_of(at));
   expect_input();
 }
 
-void Outside::listens(int uart, Cycle frame, Cycle at) {
-  if (uart != kSerial) return;
+void Outside::listens(int line, Cycle frame, Cycle at) {
+  if (line != serial_) return;
   frame_ = frame;
   board_.listen(link_.length_of(frame), link_.time_of(at));
   expect_input();

@@ -30,8 +30,8 @@ class Outside : public robosim::avr::Surroundings {
   double volts(int channel, Cycle at) override;
   void driven(int pin, const PinDrive& drive, Cycle at) override;
   bool wants_edges(int pin, bool wanted, Cycle at) override;
-  void sent(int uart, std::uint16_t data, Cycle at) override;
-  void listens(int uart, Cycle frame, Cycle at) override;
+  void sent(int line, std::uint16_t data, Cycle at) override;
+  void listens(int line, Cycle frame, Cycle at) override;
   std::uint8_t* eeprom() override { return board_.eeprom(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) override;
   void called(Cycle at) override { take_inputs(at); }
@@ -42,10 +42,12 @@ class Outside : public robosim::avr::Surroundings {
   ClockedBoard& board_;
   Link link_;
   robosim::avr::Chip* chip_ = nullptr;
-  SimTime expected_ = kNever;   ///< when the chip is called for the next input
-  Cycle frame_ = 0;             ///< what a received one takes; 0 = the receiver is off
-  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not led out
-  std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
+  SimTime expected_ = kNever;     ///< when the chip is called for the next input
+  Cycle frame_ = 0;               ///< what a received one takes; 0 = the receiver is off
+  std::vector<Pin> pins_;         ///< the board's, by the chip's; kNoPin = not led out
+  std::vector<int> chip_pins_;    ///< the chip's, by the board's; -1 = none
+  std::vector<Pin> analog_pins_;  ///< the board's, by the channel; kNoPin = not led out
+  int serial_;                    ///< the line that leads to the computer
 };
 
 }  // namespace robosim::exec::avr

@@ -2,7 +2,7 @@
 // behind ADEN.
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 // 1 + 25 * 2 cycles

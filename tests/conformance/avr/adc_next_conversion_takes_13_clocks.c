@@ -1,7 +1,7 @@
 // A conversion takes 13 clocks of the ADC, from the rising edge behind ADSC on.
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 // ADEN is set at 0. Rising edges are at 1 + 2 k; ADSC is set at 100: from 101 to 127.

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 24.4
 // Expect: c7 97 c7 97
 // Ends: 200000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 // ADEN is set at 0. Rising edges are at 64 + 128 k, the first conversion ends at 64 + 25 * 128 = 3264. One that is

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 9.11, 9.12.2
 // Expect: 00 01
 // Ends: 1000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static volatile uint8_t served;

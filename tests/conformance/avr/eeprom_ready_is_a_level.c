@@ -1,7 +1,7 @@
 // EE_READY is requested whenever EERIE is set and no byte is written: not during the write, then again and again.
 // Source: DS40002061B, 8.6.3
 // Expect: 00 02
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static volatile uint8_t served;

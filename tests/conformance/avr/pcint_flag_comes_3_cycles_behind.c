@@ -1,7 +1,7 @@
 // A pin change passes a latch, a synchroniser and two registers: PCIF is set 3 cycles behind it.
 // Source: DS40002061B, figure 13-1
 // Expect: 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // The instruction behind SEI runs before an interrupt that is pending, and no other.
 // Source: DS40002061B, 7.7
 // Expect: 01 f1
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 ISR(TIMER0_OVF_vect, ISR_NAKED) {

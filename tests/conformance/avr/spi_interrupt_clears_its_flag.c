@@ -1,7 +1,7 @@
 // SPIF that was set before SPIE requests its interrupt when SPIE comes; entering it clears SPIF.
 // Source: DS40002061B, 19.5.2
 // Expect: 01 00
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static volatile uint8_t served;

@@ -1,7 +1,7 @@
 // ICR1 can be written only in modes in which it is TOP.
 // Source: DS40002061B, 16.6
 // Expect: 00 00 12 34
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // Cleared on a match, a timer counts OCR0A + 1 clocks, and does not overflow below MAX.
 // Source: DS40002061B, 15.7.2
 // Expect: 62 63 00 01 02
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // Reading OCR1A does not go through the temporary byte.
 // Source: DS40002061B, 16.3
 // Expect: 12 56
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // Fast PWM with OCR0A as TOP counts OCR0A + 1 clocks, and overflows at TOP.
 // Source: DS40002061B, 15.7.3
 // Expect: 09 00 01 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // A flag that is cleared before interrupts are on is not served.
 // Source: DS40002061B, 15.9.7
 // Expect: 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 ISR(TIMER0_OVF_vect) { report(0xF1); }

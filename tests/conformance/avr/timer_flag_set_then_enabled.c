@@ -1,7 +1,7 @@
 // A flag that was set before its interrupt was enabled is served when that comes; the entry clears it.
 // Source: DS40002061B, 15.9.7
 // Expect: f1 00
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 ISR(TIMER0_OVF_vect) { report(0xF1); }

@@ -1,7 +1,7 @@
 // A flag is cleared by writing 1 to it; SBI clears no other.
 // Source: DS40002061B, 15.9.7
 // Expect: 07 05 04 04
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

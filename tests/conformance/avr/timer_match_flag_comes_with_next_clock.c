@@ -1,7 +1,7 @@
 // OCF0A is set by the timer's clock that ends the match.
 // Source: DS40002061B, 15.6, figure 15-10
 // Expect: 00 02 00 02
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // TOV0 is set by the clock that takes the counter from MAX to 0.
 // Source: DS40002061B, 15.8, figure 15-8
 // Expect: 00 01 07
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 // OCR0A and OCR0B are 0: their flags come one clock after.

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 15.7.1
 // Expect: 64
 // Ends: 2000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 static volatile uint8_t overflows;

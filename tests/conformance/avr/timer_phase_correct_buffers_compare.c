@@ -1,7 +1,7 @@
 // In phase correct PWM what is written to OCR0A holds from TOP on.
 // Source: DS40002061B, 15.7.4, table 15-8
 // Expect: 04 00 02 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 static inline void begin(void) {

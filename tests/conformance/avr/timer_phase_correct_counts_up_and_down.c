@@ -1,7 +1,7 @@
 // A timer in phase correct PWM counts up to TOP, down to 0, and up again.
 // Source: DS40002061B, 15.7.4
 // Expect: 02 03 02 01 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 static inline void begin(void) {

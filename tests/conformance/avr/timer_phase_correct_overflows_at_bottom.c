@@ -1,7 +1,7 @@
 // In phase correct PWM TOV0 is set by the clock that leaves BOTTOM.
 // Source: DS40002061B, 15.7.4
 // Expect: 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 static inline void begin(void) {

@@ -1,7 +1,7 @@
 // In phase correct PWM with a fixed TOP the counter turns at 0xFF.
 // Source: DS40002061B, 15.7.4
 // Expect: ff fe fd
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 static inline void begin(void) {

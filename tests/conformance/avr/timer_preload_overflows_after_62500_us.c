@@ -2,7 +2,7 @@
 // Source: DS40002061B, 16.4
 // Expect: d0
 // Ends: 1100000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // The prescaler runs whether or not a timer uses it: the first count comes with its phase, not with the start.
 // Source: DS40002061B, 17.1
 // Expect: 00 01 00 01 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 // The prescaler is at 0; the timer starts `wait` + 1 cycles later, and is read `nops` + 1 cycles after that.

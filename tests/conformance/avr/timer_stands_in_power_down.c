@@ -2,7 +2,7 @@
 // Source: DS40002061B, 10.3, table 10-1
 // Expect: 01
 // Ends: 2000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 ISR(WDT_vect) {}

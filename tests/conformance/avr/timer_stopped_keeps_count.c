@@ -1,7 +1,7 @@
 // A timer that is stopped keeps its count, and goes on from it, whatever the clock.
 // Source: DS40002061B, 15.4
 // Expect: 22 22 25 25
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // Fast PWM of 10 bits goes from 0x3FF to 0, and overflows there.
 // Source: DS40002061B, 16.9.3
 // Expect: ff 00 00 01
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
 int main(void) {

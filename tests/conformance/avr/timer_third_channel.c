@@ -1,7 +1,7 @@
 // OCR1C matches as A and B do, sets OCF1C and has its own vector between that of B and the overflow's.
 // Source: 2549Q, 17.7, 17.11.36, table 14-1
 // Expect: 00 08 c1 00 01
-// Chips: atmega2560
+// Chips: atmega2560 atmega32u4
 #include "cycles.h"
 
 static volatile uint8_t served;

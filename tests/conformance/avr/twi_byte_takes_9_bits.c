@@ -1,7 +1,7 @@
 // A byte and its acknowledgement take 9 periods of SCL: 9 (16 + 2 TWBR 4^TWPS) cycles.
 // Source: DS40002061B, 21.5.2, 21.5.4
 // Expect: 04 84
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 // 9 * (16 + 2 * 3 * 4) = 360 cycles; LDS takes 2.

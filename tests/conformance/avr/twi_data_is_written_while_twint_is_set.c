@@ -1,7 +1,7 @@
 // TWDR that is written while TWINT is 0 keeps its value and sets TWWC, until it is written while TWINT is 1.
 // Source: DS40002061B, 21.9.2
 // Expect: ff 08 55 a4
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 int main(void) {

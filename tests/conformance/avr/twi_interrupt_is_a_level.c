@@ -1,7 +1,7 @@
 // TWINT requests its interrupt as long as it is set: entering the vector does not clear it.
 // Source: DS40002061B, 21.6, 21.9.2
 // Expect: 03 84
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static volatile uint8_t served;

@@ -1,7 +1,7 @@
 // TWSTO reads 0 when STOP has left; TWINT is not set by it, and the next START is a first one.
 // Source: DS40002061B, 21.9.2
 // Expect: 14 04 f8 08
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 int main(void) {

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 11.9.2, tables 11-1 and 11-2
 // Expect: 00 01 03 40
 // Ends: 1000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static volatile uint8_t served;

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 11.9.2, table 11-1
 // Expect: 01 48 08 09
 // Ends: 2000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 ISR(WDT_vect) { report(WDTCSR); }

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 11.8
 // Expect: 08 08
 // Ends: 1000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 int main(void) {

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 11.5, 11.9.1, 11.9.2
 // Expect: 01 09 08
 // Ends: 1000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 int main(void) {

@@ -2,7 +2,7 @@
 // Source: DS40002061B, 11.9.2
 // Expect: 08 08 00
 // Ends: 1000000
-// Chips: atmega328p atmega2560
+// Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
 static inline __attribute__((always_inline)) void switch_off(void) {

@@ -59,6 +59,18 @@ class Statements {
 
 void state_timer(Statements& are, const TimerSpec& timer) {
   const std::string n = std::to_string(timer.number);
+  if (timer.bits == kHighSpeedBits) {
+    are.equal("TC4H", timer.control - 1);
+    are.equal("TCCR4A", timer.control);
+    are.equal("TCCR4D", timer.control + 3);
+    for (int output = 0; output < 4; ++output)
+      are.equal(fmt::format("OCR4{}", static_cast<char>('A' + output)), timer.compare[0] + output);
+    are.equal("TCNT4", timer.count);
+    are.equal("TIMSK4", timer.enables);
+    are.equal("TIFR4", timer.flags);
+    are.equal("TIMER4_COMPA_vect_num", timer.vector);
+    return;
+  }
   are.equal("TCCR" + n + "A", timer.control);
   are.equal("TCCR" + n + "B", timer.control + 1);
   are.equal("TCNT" + n, timer.count);
@@ -110,6 +122,13 @@ std::string statements_about(const ChipSpec& chip) {
   are.equal("SPI_STC_vect_num", chip.spi.vector);
   are.equal("TWBR", chip.twi.address);
   are.equal("TWI_vect_num", chip.twi.vector);
+  if (chip.usb.address) {
+    are.equal("USBCON", chip.usb.address);
+    are.equal("UEINT", chip.usb.address + 0x1C);
+    are.equal("PLLCSR", chip.usb.pll);
+    are.equal("USB_GEN_vect_num", chip.usb.vector);
+    are.equal("USB_COM_vect_num", chip.usb.vector + 1);
+  }
   are.equal("ACSR", chip.comparator.address);
   are.equal("ANALOG_COMP_vect_num", chip.comparator.vector);
   return are.text();
@@ -125,6 +144,7 @@ std::vector<Stop> stops_of(const ChipSpec& chip) {
   std::vector<Stop> stops{{"adc", chip.adc.reduction, chip.adc.reduction_bit},
                           {"spi", chip.spi.reduction, chip.spi.reduction_bit},
                           {"twi", chip.twi.reduction, chip.twi.reduction_bit}};
+  if (chip.usb.address) stops.push_back({"usb", chip.usb.reduction, chip.usb.reduction_bit});
   for (int i = 0; i < chip.timer_count; ++i)
     stops.push_back({fmt::format("timer{}", chip.timers[i].number), chip.timers[i].reduction,
                      chip.timers[i].reduction_bit});

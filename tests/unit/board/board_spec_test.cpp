@@ -49,6 +49,12 @@ TEST(BoardSpec, AProMiniIsANanoWithAnotherClockAndSupply) {
   }
 }
 
+TEST(BoardSpec, APinWithTwoNumbersIsFoundUnderTheFirst) {
+  const BoardSpec& leonardo = *find_board("leonardo");
+  for (const char* name : {"A6", "24", "D4", "4", "PD4"}) EXPECT_EQ(find_pin(leonardo, name), 4) << name;
+  EXPECT_EQ(find_pin(leonardo, "A5"), 23);
+}
+
 TEST(BoardSpec, KnowsNoOtherBoards) { EXPECT_EQ(find_board("due"), nullptr); }
 
 }  // namespace robosim

@@ -119,5 +119,59 @@ void loop() {}
             "10\r\n0\r\n");
 }
 
+TEST_F(Boards, ALeonardosSerialIsItsUsb) {
+  board_name_ = "leonardo";
+  std::string expected = "begun\r\n";
+  for (int i = 0; i < 60; ++i) expected += std::to_string(i) + " is a number; ";
+  start(R"(
+void setup() {
+  Serial.println("before anybody listens");
+  while (!Serial) {}
+  Serial.println("begun");
+  for (int i = 0; i < 60; ++i) { Serial.print(i); Serial.print(" is a number; "); }
+}
+void loop() {
+  while (Serial.available()) Serial.write(Serial.read() + 1);
+  delay(5);
+}
+)");
+  run(119 * kMillisecond);
+  EXPECT_EQ(serial_, "") << "the computer has not found the board yet";
+  run(60 * kMillisecond);
+  EXPECT_EQ(serial_, expected);
+  serial_.clear();
+  for (int i = 0; i < 200; ++i) board().receive_byte('a', now_ + i * kMicrosecond);
+  run(40 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_EQ(serial_, std::string(200, 'b')) << "what the chip's 128 bytes do not hold waits in the computer";
+}
+
+TEST_F(Boards, ALeonardoHasPwmAndAnalogInputsInOtherPlaces) {
+  board_name_ = "micro";
+  start(R"(
+void setup() {
+  const uint8_t pins[] = {3, 5, 6, 9, 10, 11, 13};
+  for (uint8_t pin : pins) analogWrite(pin, 51);
+  Serial1.begin(57600);
+  int a0 = analogRead(A0), a6 = analogRead(A6), a11 = analogRead(A11);
+  while (!Serial) {}
+  Serial.println(a0);
+  Serial.println(a6);
+  Serial.println(a11);
+}
+void loop() {}
+)");
+  FixedSource one(1.0), two(2.0), four(4.0);
+  board().connect(18, one);
+  board().connect(find_pin(board().spec(), "A6"), two);
+  board().connect(12, four);
+  run(200 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_EQ(numbers(), (std::vector<long long>{204, 409, 819}));
+  for (const Pin pin : {3, 11}) EXPECT_EQ(board().drive(pin).duty, 52.0 / 256) << "timer 0, pin " << int{pin};
+  for (const Pin pin : {5, 6, 9, 10, 13})
+    EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
+}
+
 }  // namespace
 }  // namespace robosim::exec

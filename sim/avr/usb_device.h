@@ -1,0 +1,96 @@
+// The USB device controller. ATmega16U4/32U4 data sheet 7766J, chapters 21 and 22; the PLL: 6.11.
+//
+//   PLLE     PLOCK reads 1 after 100 us
+//   device   attached while USBE, OTGPADE, and neither FRZCLK nor DETACH
+//   UDINT    end of reset (EORSTI) and a frame each millisecond (SOFI): the general vector, while UDIEN has
+//   them UENUM    selects the endpoint whose registers the others are; a flag of UEINTX that UEIENX has: the
+//            endpoints' vector
+//
+//   control  SETUP: RXSTPI, UEDATX gives its 8 bytes. TXINI: what is written to UEDATX leaves when it is
+//   cleared.
+//            RXOUTI: a packet to read
+//   IN       one bank or two: FIFOCON reads 1 while one can be filled, and clearing it gives it to the host
+//   OUT      FIFOCON reads 1 while a packet can be read, and clearing it frees its bank
+//
+// The host's side is usb_host.h. Not modelled: suspend and wake-up, isochronous endpoints, ping-pong errors,
+// NAKINI and NAKOUTI, VBUS interrupts (VBUS is always there).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/avr/core.h"
+
+namespace robosim::avr {
+
+class UsbDevice final : public Peripheral {
+ public:
+  static constexpr std::size_t kMostBytes = 64;
+  struct Packet {
+    std::array<std::uint8_t, kMostBytes> bytes{};
+    std::uint8_t count = 0;
+  };
+  /// To a packet, or to the wish for one.
+  enum class Answer : std::uint8_t { later, stall, done };
+
+  explicit UsbDevice(Core& core);
+
+  void reset(Cycle at) override;
+
+  // --- for the host
+  bool is_attached() const;
+  void bus_was_reset();
+  void frame_began();
+  void setup(const std::array<std::uint8_t, 8>& request);
+  Answer take(std::size_t endpoint, Packet& packet);
+  Answer give(std::size_t endpoint, const Packet& packet);
+  /// Called when is_attached() may have changed, and when there is something to take.
+  Cpu::Call on_attachment, on_filled;
+
+ private:
+  static constexpr std::size_t kEndpoints = 7;
+  struct Endpoint {
+    std::uint8_t control = 0, direction = 0, layout = 0, enables = 0;  ///< UECONX, UECFG0X, UECFG1X, UEIENX
+    std::uint8_t flags = 0;    ///< of UEINTX, without FIFOCON and RWAL
+    std::uint8_t waiting = 0;  ///< banks that the host is to take, or that are to be read
+    std::uint8_t read = 0;     ///< bytes of the first of them
+    bool armed = false;        ///< of the control endpoint: `filling` is to be taken
+    std::array<Packet, 2> banks{};
+    Packet filling;
+
+    bool is_control() const { return direction >> 6 == 0; }
+    bool is_in() const { return direction & 1; }
+    std::uint8_t capacity() const { return layout >> 2 & 3 ? 2 : 1; }
+    std::uint8_t size() const { return static_cast<std::uint8_t>(8 << (layout >> 4 & 3)); }
+    bool has_bank() const { return is_in() ? waiting < capacity() : waiting > 0; }
+    bool may_access() const {
+      return has_bank() && (is_in() ? filling.count < size() : read < banks[0].count);
+    }
+    void clear_banks();
+    void drop_first();
+  };
+  struct State {
+    std::array<Endpoint, kEndpoints> endpoints{};
+    Cycle locked_at = kNoCycle;  ///< the PLL
+    std::uint16_t frame = 0;
+  };
+
+  std::uint8_t read(Address address);
+  void write(Address address, std::uint8_t value);
+  std::uint8_t read_pll(Address address);
+  void write_pll(Address address, std::uint8_t value);
+  void write_flags(Endpoint& endpoint, std::uint8_t value);
+  void write_control_flags(Endpoint& endpoint, std::uint8_t before, std::uint8_t value);
+  std::uint8_t read_flags(const Endpoint& endpoint) const;
+  std::uint8_t read_data(Endpoint& endpoint);
+  std::uint8_t byte_count(const Endpoint& endpoint) const;
+  std::uint8_t endpoints_with_request() const;
+  void request();
+  Endpoint& selected();
+  Address at(int offset) const { return static_cast<Address>(core_.chip.usb.address + offset); }
+
+  Core& core_;
+  State state_;
+};
+
+}  // namespace robosim::avr
