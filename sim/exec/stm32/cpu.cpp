@@ -13,10 +13,6 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr std::uint32_t kPage = 0x1000;  // the emulator's
-constexpr Address kPrivate = 0xE0000000;
-constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000, kPrivateBytes = 0x100000;
-constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
-constexpr std::uint32_t kReturn = 0xFFFFFFF0;  // EXC_RETURN (PM0056 2.3.7)
 
 std::uint8_t* pages(std::size_t bytes) {
   void* const memory = std::aligned_alloc(kPage, bytes);
@@ -34,8 +30,20 @@ void check(uc_err error) {
 struct Cpu::Hooks {
   static Cpu& self(void* cpu) { return *static_cast<Cpu*>(cpu); }
 
-  static void code(uc_engine*, std::uint64_t address, std::uint32_t, void* cpu) {
-    self(cpu).before(static_cast<std::uint32_t>(address));
+  static void code(uc_engine* uc, std::uint64_t address, std::uint32_t, void* cpu) {
+    Cpu& c = self(cpu);
+    const auto pc = static_cast<std::uint32_t>(address);
+    if (std::exchange(c.first_, false)) return;
+    // ARM code, which the chip has none of: it goes wrong at the instruction behind the branch.
+    std::uint32_t cpsr = 0;
+    uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
+    constexpr std::uint32_t kThumbState = 1u << 5;
+    if (!(cpsr & kThumbState)) {
+      if (Cached* const entry = c.cached(pc); entry && c.before(pc, *entry)) return;
+      c.ends_ = true;
+    }
+    c.after_ = pc;
+    uc_emu_stop(uc);
   }
   template <Address kBase>
   static std::uint64_t load(uc_engine*, std::uint64_t offset, unsigned size, void* cpu) {
@@ -54,7 +62,7 @@ struct Cpu::Hooks {
     switch (type) {
       case UC_MEM_FETCH_UNMAPPED:
       case UC_MEM_FETCH_PROT:
-        if (at >= kReturn)
+        if (at >= kExceptionReturn)
           c.returning_ = true;
         else
           c.jumped_nowhere(at);
@@ -77,7 +85,7 @@ struct Cpu::Hooks {
     uc_emu_stop(uc);
     constexpr std::uint32_t kUndefined = 1, kSupervisorCall = 2, kPrefetchAbort = 3, kBreakpoint = 7,
                             kExit = 8;
-    if (number == kExit || (number == kPrefetchAbort && pc >= kReturn)) {
+    if (number == kExit || (number == kPrefetchAbort && pc >= kExceptionReturn)) {
       c.returning_ = true;
     } else if (number == kSupervisorCall) {
       c.next_ = pc;
@@ -150,30 +158,6 @@ Cpu::~Cpu() {
   if (uc_) uc_close(uc_);
 }
 
-std::uint32_t Cpu::reg(int number) const {
-  static constexpr int kIds[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
-                                 UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
-                                 UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
-                                 UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
-  std::uint32_t value = 0;
-  uc_reg_read(uc_, kIds[number], &value);
-  return value;
-}
-
-void Cpu::set_reg(int number, std::uint32_t value) {
-  static constexpr int kIds[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
-                                 UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
-                                 UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
-                                 UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
-  uc_reg_write(uc_, kIds[number], &value);
-}
-
-std::uint32_t Cpu::status() const {
-  std::uint32_t value = 0;
-  uc_reg_read(uc_, UC_ARM_REG_XPSR, &value);
-  return value;
-}
-
 std::uint8_t* Cpu::ram(Address address, unsigned bytes) const {
   if (address < kRam || address > kRam + kRamBytes - bytes) return nullptr;
   return ram_.get() + (address - kRam);
@@ -195,29 +179,34 @@ std::uint32_t Cpu::opcode(std::uint32_t pc) const {
   return first >= 0xE800 ? first << 16 | firmware_.half(at + 2) : first;
 }
 
-Cpu::Cached& Cpu::cached(std::uint32_t pc) {
-  const std::uint32_t offset = pc < kMappedFlash ? pc : pc - kFlash;
+Cpu::Cached* Cpu::cached(std::uint32_t pc) {
+  const std::uint32_t offset = pc - kFlash;
   if (offset >= kMappedFlash) {
+    const std::uint8_t* const at = memory(pc, 2);
+    if (!at) return nullptr;
     std::uint16_t halves[2] = {0, 0};
-    if (const std::uint8_t* at = ram(pc, 4)) std::memcpy(halves, at, 4);
+    std::memcpy(halves, at, 2);
+    if (const std::uint8_t* second = memory(pc + 2, 2)) std::memcpy(halves + 1, second, 2);
     elsewhere_.instruction = decode(halves[0], halves[1]);
+    elsewhere_.thumb = decode_thumb(pc, halves[0], halves[1]);
     elsewhere_.plain = false;
-    return elsewhere_;
+    return &elsewhere_;
   }
   Cached& entry = cache_[offset / 2];
-  if (entry.known) return entry;
+  if (entry.known) return &entry;
   entry.known = true;
-  entry.instruction = decode(firmware_.half(kFlash + offset), firmware_.half(kFlash + offset + 2));
+  entry.instruction = decode(firmware_.half(pc), firmware_.half(pc + 2));
+  entry.thumb = decode_thumb(pc, firmware_.half(pc), firmware_.half(pc + 2));
   const Instruction& i = entry.instruction;
   entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.starts &&
-                !entry.loop && !entry.call && !entry.sets && !entry.watched && !entry.breaks;
-  return entry;
+                !entry.loop && !entry.call && !entry.sets && !entry.watched && !entry.breaks && !referee_;
+  return &entry;
 }
 
 void Cpu::mark(std::uint32_t pc, bool Cached::*flag) {
   if (pc < kFlash || pc >= kEepromFlash) return;
   Cached& entry = cache_[(pc - kFlash) / 2];
-  entry.known = false;
+  entry.known = entry.plain = false;
   entry.*flag = true;
 }
 
@@ -229,7 +218,7 @@ void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
 void Cpu::set_breakpoint(std::uint32_t pc, bool set) {
   if (pc < kFlash || pc >= kEepromFlash) return;
   Cached& entry = cache_[(pc - kFlash) / 2];
-  entry.known = false;
+  entry.known = entry.plain = false;
   entry.breaks = set;
 }
 
@@ -268,8 +257,6 @@ void Cpu::jumped_nowhere(std::uint32_t pc) {
   fail(Fault::Kind::bad_jump, pc);
 }
 
-void Cpu::note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
-
 void Cpu::accessed() {
   if (handlers_.empty()) {
     last_io_ = clock_.now;
@@ -280,33 +267,28 @@ void Cpu::accessed() {
   stop_ = std::min({stop_, bus_.next_event(), clock_.cycle_at(bus_.link().board.next_input())});
 }
 
-void Cpu::before(std::uint32_t pc) {
+bool Cpu::before(std::uint32_t pc, const Cached& entry) {
   if (look_after_) after_special();
   if (pc != next_) {
     clock_.now += kRefill_cycles;
     note_jump();
   }
   next_ = pc;
-  if (clock_.now >= stop_ && (predicated_ == 0 || fault_)) {
-    stopped_ = true;
-    uc_emu_stop(uc_);
-    return;
-  }
-  const Cached& entry = cached(pc);
-  if ((halting_ || entry.breaks) && halts_at(pc, entry)) return;
+  if (clock_.now >= stop_ && (predicated_ == 0 || fault_)) return false;
+  if ((halting_ || entry.breaks) && halts_at(pc, entry)) return false;
   pc_ = pc;
   next_ = pc + entry.instruction.bytes;
   clock_.now += entry.instruction.cycles;
   if (predicated_ > 0) --predicated_;
   if (!entry.plain) before_special(entry);
+  return true;
 }
 
 bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
   if (entry.breaks && std::exchange(passing_, 1) != pc) halting_ = true;
   if (!halting_ || predicated_ > 0) return false;
   halting_ = false;
-  at_breakpoint_ = stopped_ = true;
-  uc_emu_stop(uc_);
+  at_breakpoint_ = true;
   return true;
 }
 
@@ -325,7 +307,6 @@ void Cpu::before_special(const Cached& entry) {
   if (entry.watched && watcher_) watcher_();
   if (i.divides && nvic_.traps_division() && i.divisor < 13 && reg(i.divisor) == 0)
     fail(Fault::Kind::division, pc_);
-  sleeps_ = i.sleeps;
   look_after_ = i.grows_stack || i.masks;
   last_ = i;
 }
@@ -365,22 +346,6 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
   const std::uint32_t kept = std::min<std::uint32_t>(jump_count_, static_cast<std::uint32_t>(jumps_.size()));
   for (std::uint32_t i = 1; i <= kept; ++i) jumps.push_back(jumps_[(jump_count_ - i) % jumps_.size()]);
   return jumps;
-}
-
-void Cpu::run_to(Cycle cycle) {
-  if (asleep_ || fault_) return;
-  stop_ = cycle;
-  stopped_ = sleeps_ = false;
-  const uc_err error = uc_emu_start(uc_, next_ | 1, kNeverAddress, 0, 0);
-  if (look_after_) after_special();
-  if (fault_) return;
-  if (returning_) return leave();
-  if (sleeps_) {
-    sleeps_ = false;
-    asleep_ = true;
-  } else if (error != UC_ERR_OK) {
-    fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
-  }
 }
 
 void Cpu::sleep_to(Cycle cycle) {

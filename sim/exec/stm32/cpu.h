@@ -1,9 +1,9 @@
-// The Cortex-M3: instructions by libunicorn; time, exceptions, sleep and faults by us.
+// The Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
-// Before every instruction the emulator calls back: that is where cycles are counted (cycles.h) and where it
-// is stopped, so that an interrupt comes at its instruction and a tick ends at its cycle, at most one
-// instruction (and what follows an IT) late. libunicorn knows no interrupts: entry and return are done here
-// (PM0056 2.3.7).
+// Instructions are taken apart once (thumb.h) and executed here (cpu_execute.cpp); the few that are not, and
+// those that go wrong, are libunicorn's, one at a time. Before each of them cycles are counted (cycles.h), so
+// that an interrupt comes at its instruction and a tick ends at its cycle, at most one instruction (and what
+// follows an IT) late. Exceptions are entered and left as PM0056 2.3.7 says.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 #include "sim/exec/stm32/bus.h"
 #include "sim/exec/stm32/cycles.h"
 #include "sim/exec/stm32/firmware.h"
+#include "sim/exec/stm32/thumb.h"
 
 struct uc_struct;
 
@@ -69,7 +70,7 @@ class Cpu {
   const std::optional<Fault>& fault() const { return fault_; }
   void fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address = 0);
 
-  std::uint32_t reg(int number) const;
+  std::uint32_t reg(int number) const { return r_[static_cast<std::size_t>(number)]; }
   std::uint32_t status() const;
   std::uint32_t pc() const { return pc_; }
   /// A word of RAM; 0 outside of it.
@@ -85,6 +86,9 @@ class Cpu {
   Address stack_limit() const { return stack_limit_; }
   /// Addresses of the instructions that jumped last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
+
+  /// From now on libunicorn executes all that it can: a referee for tests.
+  void use_referee() { referee_ = true; }
 
   // --- for debuggers
   /// run_to() returns before the instruction at `pc` runs; within an IT block, behind the block.
@@ -117,11 +121,16 @@ class Cpu {
   void set_at(std::uint32_t pc, Address variable, std::uint32_t value);
 
  private:
+  static constexpr std::uint32_t kExceptionReturn = 0xFFFFFFF0;  // EXC_RETURN (PM0056 2.3.7)
+  static constexpr Address kPrivate = 0xE0000000;
+  static constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000,
+                                 kPrivateBytes = 0x100000;
   static constexpr std::uint32_t kMappedFlash = robosim::stm32::kEepromFlash - robosim::stm32::kFlash;
 
   struct Hooks;
-  struct Cached {
+  struct alignas(32) Cached {
     Instruction instruction{};
+    Thumb thumb{};
     bool known = false, plain = false, starts = false, loop = false, call = false, sets = false,
          watched = false, breaks = false;
   };
@@ -135,22 +144,54 @@ class Cpu {
     std::uint32_t value = 0;
   };
 
-  void before(std::uint32_t pc);
+  /// Accounts for the instruction at `pc`; false if it shall not run.
+  bool before(std::uint32_t pc, const Cached& cached);
+  /// Runs the instruction that before() was about by libunicorn.
+  void emulate();
+  /// False, with nothing changed, if libunicorn must do it. The second is for where speed does not count.
+  bool execute(const Thumb& thumb, unsigned within_it);
+  bool execute_rarely(const Thumb& thumb, unsigned within_it);
+  /// One instruction that may be anything, anywhere; false if run_to() ends before it.
+  bool step();
+  bool passes(unsigned condition) const;
+  template <unsigned kBytes>
+  bool load(Address address, std::uint32_t& value);
+  template <unsigned kBytes>
+  bool store(Address address, std::uint32_t value);
+  template <unsigned kBytes>
+  bool load_elsewhere(Address address, std::uint32_t& value);
+  template <unsigned kBytes>
+  bool store_elsewhere(Address address, std::uint32_t value);
+  bool load_as(Op op, Address address, std::uint32_t& value);
+  bool store_as(Op op, Address address, std::uint32_t value);
+  bool transfer_back(const Thumb& thumb);
+  bool transfer_two(const Thumb& thumb);
+  bool transfer_many(const Thumb& thumb);
+  /// As BX and POP do: the lowest bit says Thumb; the highest addresses end a handler.
+  bool branch_to(std::uint32_t target);
+  void change_masks(std::uint32_t value);
+  bool read_special(std::uint32_t number, std::uint32_t& value) const;
+  bool write_special(std::uint32_t number, std::uint32_t value);
+  void set_status(std::uint32_t value);
   bool halts_at(std::uint32_t pc, const Cached& cached);
   void before_special(const Cached& cached);
   void after_special();
   void loop_began();
   void check_stack();
-  void note_jump();
+  void note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
   void enter(Exception exception);
   void leave();
   std::uint32_t opcode(std::uint32_t pc) const;
-  Cached& cached(std::uint32_t pc);
+  /// Null where no code can be.
+  Cached* cached(std::uint32_t pc);
   void mark(std::uint32_t pc, bool Cached::*flag);
   std::uint8_t* ram(Address address, unsigned bytes) const;
-  void set_reg(int number, std::uint32_t value);
+  /// RAM or flash; null elsewhere.
+  const std::uint8_t* memory(Address address, unsigned bytes) const;
+  static bool has_registers(Address address);
+  void set_reg(int number, std::uint32_t value) { r_[static_cast<std::size_t>(number)] = value; }
 
   const Firmware& firmware_;
   Bus& bus_;
@@ -161,10 +202,20 @@ class Cpu {
   std::vector<Cached> cache_;
   Cached elsewhere_;  ///< of code outside of flash
 
+  std::array<std::uint32_t, 17> r_{};  ///< and one that is always 0; r_[15] is what an instruction reads
+  // Negative: bit 31 of flag_n_; zero: flag_z_ is 0; the others are 0 or 1.
+  std::uint32_t flag_n_ = 0, flag_z_ = 1, flag_c_ = 0, flag_v_ = 0;
+  bool saturated_ = false, referee_ = false;
+  std::uint32_t it_ = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
+  std::uint32_t primask_ = 0, basepri_ = 0;
+
+  std::uint32_t after_ = 0;  ///< where the instruction that runs leads
+  bool first_ = false;       ///< libunicorn has not begun its instruction
+  bool ends_ = false, falls_asleep_ = false;
   std::uint32_t pc_ = 0;    ///< of the instruction that runs
   std::uint32_t next_ = 0;  ///< and behind it
   Cycle stop_ = 0;
-  bool stopped_ = false, returning_ = false, asleep_ = false, sleeps_ = false;
+  bool returning_ = false, asleep_ = false;
   bool look_after_ = false;
   Instruction last_{};
   int predicated_ = 0;  ///< instructions left of an IT block

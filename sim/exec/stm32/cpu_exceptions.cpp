@@ -2,7 +2,6 @@
 #include <cstring>
 
 #include "sim/exec/stm32/cpu.h"
-#include "sim/exec/stm32/unicorn.h"
 
 namespace robosim::exec::stm32 {
 
@@ -10,17 +9,14 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kThumb = 1u << 24, kAligned = 1u << 9;
+constexpr std::uint32_t kAligned = 1u << 9;
 constexpr Cycle kEntryCycles = 12, kExitCycles = 10, kTailChainCycles = 6;  // DDI 0337E, 5.5, 5.6
 
 }  // namespace
 
 void Cpu::take_exception() {
   if (!nvic_.any_pending() || fault_) return;
-  std::uint32_t primask = 0, basepri = 0;
-  uc_reg_read(uc_, UC_ARM_REG_PRIMASK, &primask);
-  uc_reg_read(uc_, UC_ARM_REG_BASEPRI, &basepri);
-  if (const Exception exception = nvic_.next(primask & 1, basepri)) enter(exception);
+  if (const Exception exception = nvic_.next(primask_, basepri_)) enter(exception);
 }
 
 // r0 to r3, r12, lr, pc, xpsr, on a stack aligned to 8.
@@ -45,8 +41,6 @@ void Cpu::enter(Exception exception) {
   }
   set_reg(kSp, frame_at);
   set_reg(kLr, handlers_.empty() ? 0xFFFFFFF9 : 0xFFFFFFF1);
-  const std::uint32_t entered = (psr & 0xF8000000) | kThumb | static_cast<std::uint32_t>(exception);
-  uc_reg_write(uc_, UC_ARM_REG_XPSR, &entered);
   handlers_.push_back({exception, next_});
   nvic_.enter(exception);
   next_ = target & ~1u;
@@ -68,8 +62,7 @@ void Cpu::leave() {
   set_reg(kLr, words[5]);
   next_ = words[6];
   set_reg(kSp, sp + 32 + (words[7] & kAligned ? 4 : 0));
-  const std::uint32_t psr = words[7] & ~kAligned;
-  uc_reg_write(uc_, UC_ARM_REG_XPSR, &psr);
+  set_status(words[7]);
   nvic_.leave(handlers_.back().exception);
   handlers_.pop_back();
   clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;

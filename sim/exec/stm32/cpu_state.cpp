@@ -1,0 +1,139 @@
+// The processor's special registers (PM0056 2.1.3), and how its state goes to libunicorn and back.
+#include <utility>
+
+#include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/unicorn.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
+constexpr std::uint32_t kThumb = 1u << 24, kSaturated = 1u << 27;
+constexpr std::uint32_t kFlags = 0xF8000000;
+constexpr unsigned kRegisters = 16;  // r0 to r14, xPSR
+constexpr int kIds[kRegisters] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
+                                  UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
+                                  UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
+                                  UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_XPSR};
+// Of MRS and MSR (ARMv7-M ARM, B5.2.2).
+enum Special : std::uint32_t {
+  kXpsr = 3,
+  kMsp = 8,
+  kPsp = 9,
+  kPrimask = 16,
+  kBasepri = 17,
+  kBasepriMax = 18,
+  kFaultmask = 19,
+  kControl = 20
+};
+
+}  // namespace
+
+std::uint32_t Cpu::status() const {
+  std::uint32_t value = kThumb | (flag_n_ & 1u << 31) | flag_c_ << 29 | flag_v_ << 28;
+  if (flag_z_ == 0) value |= 1u << 30;
+  if (saturated_) value |= kSaturated;
+  value |= (it_ & 3) << 25 | (it_ & 0xFC) << 8;
+  if (!handlers_.empty()) value |= static_cast<std::uint32_t>(handlers_.back().exception);
+  return value;
+}
+
+void Cpu::set_status(std::uint32_t value) {
+  flag_n_ = value;
+  flag_z_ = value & 1u << 30 ? 0 : 1;
+  flag_c_ = value >> 29 & 1;
+  flag_v_ = value >> 28 & 1;
+  saturated_ = value & kSaturated;
+  it_ = (value >> 25 & 3) | (value >> 8 & 0xFC);
+}
+
+bool Cpu::has_registers(Address address) {
+  return address - kEepromFlash < kFlashBytes - kMappedFlash || address - kPeripherals < kPeripheralBytes ||
+         address - kBitBand < kBitBandBytes || address - kPrivate < kPrivateBytes;
+}
+
+const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
+  if (const std::uint8_t* in_ram = ram(address, bytes)) return in_ram;
+  const Address offset = address < kFlash ? address : address - kFlash;
+  return offset <= kMappedFlash - bytes ? flash_.get() + offset : nullptr;
+}
+
+void Cpu::change_masks(std::uint32_t value) {
+  const std::uint32_t masks = value >> 4 & 1;
+  if (value & 2) primask_ = masks;
+}
+
+bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
+  // What is of EPSR reads as 0.
+  constexpr std::uint32_t kIpsrPart = 1, kWithoutApsr = 4, kExceptionMask = 0x1FF;
+  if (number < kMsp) {
+    value = status() & ((number & kIpsrPart ? kExceptionMask : 0) | (number & kWithoutApsr ? 0 : kFlags));
+    return true;
+  }
+  switch (number) {
+    case kMsp:
+      value = r_[kSp];
+      return true;
+    case kPrimask:
+      value = primask_;
+      return true;
+    case kBasepri:
+    case kBasepriMax:
+      value = basepri_;
+      return true;
+    case kPsp:
+    case kFaultmask:
+    case kControl:
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool Cpu::write_special(std::uint32_t number, std::uint32_t value) {
+  constexpr std::uint32_t kPriority = 0xF0;
+  if (number <= kXpsr) {
+    const std::uint32_t it = it_;
+    set_status((value & kFlags) | kThumb);
+    it_ = it;
+    return true;
+  }
+  switch (number) {
+    case kMsp:
+      r_[kSp] = value & ~3u;
+      return true;
+    case kPrimask:
+      primask_ = value & 1;
+      return true;
+    case kBasepri:
+      basepri_ = value & kPriority;
+      return true;
+    case kBasepriMax:
+      if (const std::uint32_t limit = value & kPriority; limit != 0 && (basepri_ == 0 || limit < basepri_))
+        basepri_ = limit;
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Cpu::emulate() {
+  // Its condition holds, and no instruction that comes here cares for more of its IT block.
+  const std::uint32_t it = std::exchange(it_, 0);
+  std::uint32_t psr = status();
+  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &r_[i] : &psr);
+  // Code in RAM may have been written since.
+  if (pc_ >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
+  first_ = true;
+  const uc_err error = uc_emu_start(uc_, pc_ | 1, kNeverAddress, 0, 0);
+  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_read(uc_, kIds[i], i < 15 ? &r_[i] : &psr);
+  set_status(psr);
+  it_ = it;
+  if (returning_ || fault_) ends_ = true;
+  if (error != UC_ERR_OK && !ends_) fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
+}
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,136 @@
+// An instruction of the Cortex-M3, taken apart once (ARMv7-M ARM, A5 to A7): what to do, with which
+// registers.
+//
+// Most operations take their second operand as `r[m] + value`: register 16 is always 0, so one form is for
+// immediate values and registers alike.
+#pragma once
+
+#include <cstdint>
+
+namespace robosim::exec::stm32 {
+
+enum class Op : std::uint8_t {
+  other,  ///< not executed by us: libunicorn's
+  // r[d] = r[n] op (r[m] + value)
+  mov,
+  mvn,
+  and_,
+  orr,
+  orn,
+  eor,
+  bic,
+  add,
+  adc,
+  sub,
+  sbc,
+  rsb,
+  tst,
+  teq,
+  cmp,
+  cmn,
+  // the same with r[m] shifted by value, kind `shift`; in the order of the above
+  mov_shifted,
+  mvn_shifted,
+  and_shifted,
+  orr_shifted,
+  orn_shifted,
+  eor_shifted,
+  bic_shifted,
+  add_shifted,
+  adc_shifted,
+  sub_shifted,
+  sbc_shifted,
+  rsb_shifted,
+  tst_shifted,
+  teq_shifted,
+  cmp_shifted,
+  cmn_shifted,
+  add_high,
+  mov_high,  ///< d may be 13 or 15
+  shift,     ///< r[d] = r[n] shifted by r[m]
+  movt,
+  mul,
+  mla,
+  mls,
+  umull,
+  smull,
+  umlal,
+  smlal,
+  sdiv,
+  udiv,
+  sxtb,
+  sxth,
+  uxtb,
+  uxth,  ///< r[d] = of r[m] rotated by value
+  clz,
+  rbit,
+  rev,
+  rev16,
+  revsh,  ///< r[d] = of r[m]
+  sbfx,
+  ubfx,
+  bfi,  ///< r[d], r[n]; from bit `shift`, of `value` bits
+  // r[d] at r[n] + (r[m] << shift) + value
+  ldr,
+  ldrb,
+  ldrh,
+  ldrsb,
+  ldrsh,
+  str,
+  strb,
+  strh,
+  // r[d] at r[n] or r[n] + value, which r[n] becomes; `shift`: 1 = the value counts for the access, too
+  ldr_back,
+  ldrb_back,
+  ldrh_back,
+  ldrsb_back,
+  ldrsh_back,
+  str_back,
+  strb_back,
+  strh_back,
+  ldrd,
+  strd,  ///< r[d], r[m] at r[n] + value; `shift`: 1 = before, 2 = r[n] becomes it
+  ldm,
+  stm,  ///< the registers of `value`; `shift`: 1 = downwards, 2 = r[n] changes
+  b,
+  bcond,
+  bl,
+  bx,
+  blx,
+  cbz,
+  cbnz,
+  tbb,
+  tbh,
+  it,
+  nop,
+  wfi,
+  svc,
+  cps,
+  msr,
+  mrs
+};
+
+/// Kinds of shift, as instructions number them.
+enum Shift : std::uint8_t { kLsl, kLsr, kAsr, kRor, kRrx };
+
+struct Thumb {
+  static constexpr std::uint8_t kSp = 13, kLr = 14, kPc = 15;
+  static constexpr std::uint8_t kZero = 16;        ///< the register that is always 0
+  static constexpr std::uint8_t kSetsOutside = 1;  ///< outside of an IT block
+  static constexpr std::uint8_t kSets = 3;
+  static constexpr std::uint8_t kCarryStays = 2;
+
+  Op op = Op::other;
+  std::uint8_t d = 0, n = kZero, m = kZero;
+  std::uint8_t sets = 0;  ///< flags: bit 0 = outside, bit 1 = inside of an IT block
+  std::uint8_t shift = 0;
+  std::uint8_t carry = kCarryStays;  ///< that an immediate value brings
+  std::uint32_t value = 0;           ///< of a branch: its target
+};
+
+/// Of the halves of a word at `pc` and behind it.
+Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
+/// The part for the instructions of 32 bits.
+Thumb decode_thumb_long(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
+
+}  // namespace robosim::exec::stm32
