@@ -110,7 +110,8 @@ constexpr uint32_t kStop2 = 2u << 12;                                           
 constexpr Address kStkCtrl = 0xE000E010, kStkLoad = 0xE000E014, kStkVal = 0xE000E018, kStkCalib = 0xE000E01C;
 constexpr uint32_t kStkEnable = 1u << 0, kTickInt = 1u << 1, kClkSource = 1u << 2, kCountFlag = 1u << 16;
 constexpr Address kNvicIser = 0xE000E100, kNvicIcer = 0xE000E180, kNvicIspr = 0xE000E200,
-                  kNvicIcpr = 0xE000E280, kNvicIabr = 0xE000E300, kNvicIpr = 0xE000E400;
+                  kNvicIcpr = 0xE000E280, kNvicIabr = 0xE000E300, kNvicIpr = 0xE000E400,
+                  kNvicStir = 0xE000EF00;
 constexpr Address kScbCpuid = 0xE000ED00, kScbIcsr = 0xE000ED04, kScbVtor = 0xE000ED08,
                   kScbAircr = 0xE000ED0C, kScbScr = 0xE000ED10, kScbCcr = 0xE000ED14, kScbShpr1 = 0xE000ED18,
                   kScbShcsr = 0xE000ED24, kScbCfsr = 0xE000ED28, kScbHfsr = 0xE000ED2C,

@@ -62,6 +62,7 @@ struct Cpu::Hooks {
     switch (type) {
       case UC_MEM_FETCH_UNMAPPED:
       case UC_MEM_FETCH_PROT:
+        c.after_ = at;
         if (at >= kExceptionReturn)
           c.returning_ = true;
         else
@@ -86,6 +87,7 @@ struct Cpu::Hooks {
     constexpr std::uint32_t kUndefined = 1, kSupervisorCall = 2, kPrefetchAbort = 3, kBreakpoint = 7,
                             kExit = 8;
     if (number == kExit || (number == kPrefetchAbort && pc >= kExceptionReturn)) {
+      c.after_ = pc;
       c.returning_ = true;
     } else if (number == kSupervisorCall) {
       c.next_ = pc;
@@ -318,6 +320,7 @@ void Cpu::after_special() {
 }
 
 void Cpu::check_stack() {
+  if (on_process_stack_) return;
   const std::uint32_t sp = reg(kSp);
   if (sp < lowest_sp_) lowest_sp_ = sp;
   if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);

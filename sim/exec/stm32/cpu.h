@@ -173,6 +173,7 @@ class Cpu {
   bool read_special(std::uint32_t number, std::uint32_t& value) const;
   bool write_special(std::uint32_t number, std::uint32_t value);
   void set_status(std::uint32_t value);
+  void select_stack(bool process);
   bool halts_at(std::uint32_t pc, const Cached& cached);
   void before_special(const Cached& cached);
   void after_special();
@@ -207,7 +208,9 @@ class Cpu {
   std::uint32_t flag_n_ = 0, flag_z_ = 1, flag_c_ = 0, flag_v_ = 0;
   bool saturated_ = false, referee_ = false;
   std::uint32_t it_ = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
-  std::uint32_t primask_ = 0, basepri_ = 0;
+  std::uint32_t primask_ = 0, faultmask_ = 0, basepri_ = 0;
+  std::uint32_t other_sp_ = 0;  ///< of MSP and PSP the one that is not r_[13]
+  bool on_process_stack_ = false;
 
   std::uint32_t after_ = 0;  ///< where the instruction that runs leads
   bool first_ = false;       ///< libunicorn has not begun its instruction

@@ -16,7 +16,7 @@ constexpr Cycle kEntryCycles = 12, kExitCycles = 10, kTailChainCycles = 6;  // D
 
 void Cpu::take_exception() {
   if (!nvic_.any_pending() || fault_) return;
-  if (const Exception exception = nvic_.next(primask_, basepri_)) enter(exception);
+  if (const Exception exception = nvic_.next(primask_ | faultmask_, basepri_)) enter(exception);
 }
 
 // r0 to r3, r12, lr, pc, xpsr, on a stack aligned to 8.
@@ -40,7 +40,8 @@ void Cpu::enter(Exception exception) {
     interrupted_pc_ = next_;
   }
   set_reg(kSp, frame_at);
-  set_reg(kLr, handlers_.empty() ? 0xFFFFFFF9 : 0xFFFFFFF1);
+  set_reg(kLr, !handlers_.empty() ? 0xFFFFFFF1 : on_process_stack_ ? 0xFFFFFFFD : 0xFFFFFFF9);
+  select_stack(false);
   handlers_.push_back({exception, next_});
   nvic_.enter(exception);
   next_ = target & ~1u;
@@ -53,6 +54,10 @@ void Cpu::enter(Exception exception) {
 void Cpu::leave() {
   returning_ = false;
   std::uint32_t words[8];
+  const bool to_process = (after_ & 0xE) == 0xC;
+  if (to_process && handlers_.size() != 1) return fail(Fault::Kind::exception_return, pc_);
+  select_stack(to_process);
+  faultmask_ = 0;
   const std::uint32_t sp = reg(kSp);
   const std::uint8_t* const frame = ram(sp, 32);
   if (!frame || handlers_.empty()) return fail(Fault::Kind::exception_return, pc_);

@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
 constexpr std::uint32_t kThumb = 1u << 24, kSaturated = 1u << 27;
 constexpr std::uint32_t kFlags = 0xF8000000;
-constexpr unsigned kRegisters = 16;  // r0 to r14, xPSR
+constexpr std::uint32_t kSpSel = 1u << 1;  // CONTROL: the process stack
+constexpr unsigned kRegisters = 16;        // r0 to r14, xPSR
 constexpr int kIds[kRegisters] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
                                   UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
                                   UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
@@ -61,9 +62,15 @@ const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
   return offset <= kMappedFlash - bytes ? flash_.get() + offset : nullptr;
 }
 
+void Cpu::select_stack(bool process) {
+  if (process != on_process_stack_) std::swap(r_[kSp], other_sp_);
+  on_process_stack_ = process;
+}
+
 void Cpu::change_masks(std::uint32_t value) {
   const std::uint32_t masks = value >> 4 & 1;
   if (value & 2) primask_ = masks;
+  if (value & 1) faultmask_ = masks;
 }
 
 bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
@@ -75,7 +82,10 @@ bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
   }
   switch (number) {
     case kMsp:
-      value = r_[kSp];
+      value = on_process_stack_ ? other_sp_ : r_[kSp];
+      return true;
+    case kPsp:
+      value = on_process_stack_ ? r_[kSp] : other_sp_;
       return true;
     case kPrimask:
       value = primask_;
@@ -84,10 +94,12 @@ bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
     case kBasepriMax:
       value = basepri_;
       return true;
-    case kPsp:
     case kFaultmask:
+      value = faultmask_;
+      return true;
     case kControl:
-      return false;
+      value = on_process_stack_ ? kSpSel : 0;
+      return true;
     default:
       return false;
   }
@@ -103,7 +115,17 @@ bool Cpu::write_special(std::uint32_t number, std::uint32_t value) {
   }
   switch (number) {
     case kMsp:
-      r_[kSp] = value & ~3u;
+      (on_process_stack_ ? other_sp_ : r_[kSp]) = value & ~3u;
+      return true;
+    case kPsp:
+      (on_process_stack_ ? r_[kSp] : other_sp_) = value & ~3u;
+      return true;
+    case kFaultmask:
+      faultmask_ = value & 1;
+      return true;
+    case kControl:
+      // All code stays privileged. A handler always uses the main stack.
+      if (handlers_.empty()) select_stack(value & kSpSel);
       return true;
     case kPrimask:
       primask_ = value & 1;

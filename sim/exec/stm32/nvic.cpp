@@ -169,6 +169,9 @@ bool Nvic::write_scb(Address address, std::uint32_t value) {
     case kScbShcsr:
       shcsr_ = value;
       return true;
+    case kNvicStir:
+      if ((value & 0x1FF) < kIrqCount) pend(kFirstIrq + static_cast<Exception>(value & 0x1FF));
+      return true;
     case kScbCfsr:
     case kScbHfsr:
       return true;

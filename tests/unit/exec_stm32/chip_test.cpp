@@ -131,6 +131,34 @@ const char* const kHandlers =
     "extern \"C\" void TIM3_IRQHandler() { log_ += 't'; }\n"
     "constexpr Address kShpr3 = kScbShpr1 + 8, kIprOfTim3 = kNvicIpr + kIrqTim3 / 4 * 4;\n";
 
+TEST_F(Stm32ChipTest, FaultmaskHoldsAnInterruptBackThatStirAsksFor) {
+  EXPECT_EQ(output(std::string(kHandlers) +
+                   "void setup() { Serial.begin(115200); enable_irq(kIrqTim3);\n"
+                   "  asm volatile(\"cpsid f\"); store(kNvicStir, kIrqTim3); busy(); log_ += '.';\n"
+                   "  asm volatile(\"cpsie f\"); busy(); Serial.print(log_); }\nvoid loop() {}\n"),
+            ".t");
+}
+
+TEST_F(Stm32ChipTest, AHandlerInterruptsWhatRunsOnTheProcessStackAndReturnsToIt) {
+  EXPECT_EQ(
+      output(
+          "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\n"
+          "uint32_t stack_[128], psp_, return_, within_;\n"
+          "extern \"C\" void PendSV_Handler() {\n"
+          "  asm volatile(\"mrs %0, psp\" : \"=r\"(psp_)); return_ = (uint32_t)__builtin_return_address(0); "
+          "}\n"
+          "void setup() { Serial.begin(115200); noInterrupts(); uint32_t control;\n"
+          "  asm volatile(\"msr psp, %2\\n movs r3, #2\\n msr control, r3\\n isb\\n str %3, [%4]\\n cpsie "
+          "i\\n\"\n"
+          "    \"isb\\n cpsid i\\n mov %0, sp\\n mrs %1, control\\n movs r3, #0\\n msr control, r3\\n isb\"\n"
+          "    : \"=&r\"(within_), \"=&r\"(control)\n"
+          "    : \"r\"(stack_ + 128), \"r\"(kPendSvSet), \"r\"(kScbIcsr) : \"r3\", \"memory\");\n"
+          "  interrupts(); Serial.print((uint32_t)(stack_ + 128) - psp_); Serial.print(' ');\n"
+          "  Serial.print(return_, HEX); Serial.print(' '); Serial.print(control); Serial.print(' ');\n"
+          "  Serial.print((uint32_t)(stack_ + 128) - within_); }\nvoid loop() {}\n"),
+      "32 FFFFFFFD 2 0");
+}
+
 TEST_F(Stm32ChipTest, AHigherPriorityInterruptsALowerOneAndNotTheOtherWayRound) {
   EXPECT_EQ(output(std::string(kHandlers) +
                    "void setup() { Serial.begin(115200); enable_irq(kIrqTim3);\n"
