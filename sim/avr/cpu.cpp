@@ -17,6 +17,24 @@ bool counts_down(const Instruction& first, const Instruction& second) {
          second.k == -2;
 }
 
+/// The operation that does the same, knowing more.
+Op quick(const Instruction& i) {
+  if (i.op != Op::brbs && i.op != Op::brbc) return i.op;
+  const bool set = i.op == Op::brbs;
+  switch (i.b) {
+    case Cpu::kC:
+      return set ? Op::brcs : Op::brcc;
+    case Cpu::kZ:
+      return set ? Op::breq : Op::brne;
+    case Cpu::kN:
+      return set ? Op::brmi : Op::brpl;
+    case Cpu::kS:
+      return set ? Op::brlt : Op::brge;
+    default:
+      return i.op;
+  }
+}
+
 bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == kStackHigh; }
 
 }  // namespace
@@ -189,7 +207,7 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
-Op Cpu::unmarked(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : original_[pc].op; }
+Op Cpu::unmarked(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : quick(original_[pc]); }
 
 bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(original_[pc - 1], original_[pc]); }
 

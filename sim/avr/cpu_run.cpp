@@ -3,6 +3,7 @@
 
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_steps.h"
+#include "sim/avr/flags.h"
 
 namespace robosim::avr {
 Cpu::Stop Cpu::run(Cycle until) {
@@ -24,7 +25,7 @@ Cpu::Stop Cpu::run(Cycle until) {
   const Instruction* i = nullptr;
   Cycle end = 0;
   std::int64_t left = 0;  // cycles to `end`
-  unsigned sreg = 0;
+  Flags flags;
   std::uint16_t sp = 0, watch = 0;
 
 #define INLINE __attribute__((always_inline))
@@ -33,43 +34,9 @@ Cpu::Stop Cpu::run(Cycle until) {
     r[low] = static_cast<std::uint8_t>(value);
     r[low + 1] = static_cast<std::uint8_t>(value >> 8);
   };
-  const auto sum = [&](unsigned d, unsigned s, unsigned carry) INLINE {
-    const unsigned wide = d + s + carry, result = wide & 0xFF;
-    const unsigned v = (d ^ result) & (s ^ result) & 0x80;
-    sreg =
-        (sreg & (kI | kT)) | ((kSigns[result] | v >> 4) ^ v >> 3) | wide >> 8 | ((d ^ s ^ result) << 1 & kH);
-    return static_cast<std::uint8_t>(result);
-  };
-  // `zero`: kZ where the result alone tells whether it is zero; else what Z was.
-  const auto difference = [&](unsigned d, unsigned s, unsigned carry, unsigned zero) INLINE {
-    const unsigned wide = d - s - carry, result = wide & 0xFF;
-    const unsigned v = (d ^ s) & (d ^ result) & 0x80;
-    sreg = (sreg & (kI | kT)) | (((kSigns[result] & (zero | ~unsigned{kZ})) | v >> 4) ^ v >> 3) |
-           (wide >> 8 & kC) | ((d ^ s ^ result) << 1 & kH);
-    return static_cast<std::uint8_t>(result);
-  };
-  const auto logic = [&](unsigned result) INLINE {
-    sreg = (sreg & (kI | kT | kH | kC)) | kSigns[result];
-    return static_cast<std::uint8_t>(result);
-  };
-  const auto counted = [&](unsigned value, bool v) INLINE {
-    const unsigned result = value & 0xFF, overflow = v ? 0x80 : 0;
-    sreg = (sreg & (kI | kT | kH | kC)) | ((kSigns[result] | overflow >> 4) ^ overflow >> 3);
-    return static_cast<std::uint8_t>(result);
-  };
-  const auto shifted = [&](unsigned value, unsigned c) INLINE {
-    const unsigned result = value & 0xFF, v = (result & 0x80) ^ c << 7;
-    sreg = (sreg & (kI | kT | kH)) | ((kSigns[result] | v >> 4) ^ v >> 3) | c;
-    return static_cast<std::uint8_t>(result);
-  };
-  const auto added_word = [&](unsigned after, bool v) INLINE {
-    const bool n = after & 0x8000;
-    sreg = (sreg & (kI | kT | kH)) | ((after & 0xFFFF) == 0 ? kZ : 0u) | (n ? kN : 0u) | (v ? kV : 0u) |
-           (n != v ? kS : 0u) | (after & 0x10000 ? kC : 0u);
-  };
   const auto product = [&](int value, int shift) INLINE {
     const auto result = static_cast<std::uint16_t>(value << shift);
-    sreg = (sreg & ~static_cast<unsigned>(kC | kZ)) | (value & 0x8000 ? kC : 0u) | (result == 0 ? kZ : 0u);
+    flags.product(static_cast<unsigned>(value), result);
     set_pair(0, result);
   };
   const auto s8 = [&](Address at) INLINE { return static_cast<std::int8_t>(r[at]); };
@@ -91,7 +58,7 @@ resume:
   end = horizon_;
   left = static_cast<std::int64_t>(end - state.cycle);
   i = code + state.pc;
-  sreg = state.sreg;
+  flags.unpack(state.sreg);
   sp = state.sp;
   watch = state.sp_watch;
   DISPATCH;
@@ -108,28 +75,28 @@ choose:
 #endif
 
   OPERATION(nop, 1) NEXT(1);
-  OPERATION(add, 1) r[i->a] = sum(r[i->a], r[i->b], 0);
+  OPERATION(add, 1) r[i->a] = flags.sum(r[i->a], r[i->b], 0);
   NEXT(1);
-  OPERATION(adc, 1) r[i->a] = sum(r[i->a], r[i->b], sreg & kC);
+  OPERATION(adc, 1) r[i->a] = flags.sum(r[i->a], r[i->b], flags.carry);
   NEXT(1);
-  OPERATION(sub, 1) r[i->a] = difference(r[i->a], r[i->b], 0, kZ);
+  OPERATION(sub, 1) r[i->a] = flags.difference(r[i->a], r[i->b]);
   NEXT(1);
-  OPERATION(sbc, 1) r[i->a] = difference(r[i->a], r[i->b], sreg & kC, sreg);
+  OPERATION(sbc, 1) r[i->a] = flags.difference_with_carry(r[i->a], r[i->b]);
   NEXT(1);
-  OPERATION(and_, 1) r[i->a] = logic(r[i->a] & r[i->b]);
+  OPERATION(and_, 1) r[i->a] = flags.logic(r[i->a] & r[i->b]);
   NEXT(1);
-  OPERATION(or_, 1) r[i->a] = logic(r[i->a] | r[i->b]);
+  OPERATION(or_, 1) r[i->a] = flags.logic(r[i->a] | r[i->b]);
   NEXT(1);
-  OPERATION(eor, 1) r[i->a] = logic(r[i->a] ^ r[i->b]);
+  OPERATION(eor, 1) r[i->a] = flags.logic(r[i->a] ^ r[i->b]);
   NEXT(1);
   OPERATION(mov, 1) r[i->a] = r[i->b];
   NEXT(1);
   OPERATION(movw, 1) r[i->a] = r[i->b];
   r[i->a + 1] = r[i->b + 1];
   NEXT(1);
-  OPERATION(cp, 1) difference(r[i->a], r[i->b], 0, kZ);
+  OPERATION(cp, 1) flags.difference(r[i->a], r[i->b]);
   NEXT(1);
-  OPERATION(cpc, 1) difference(r[i->a], r[i->b], sreg & kC, sreg);
+  OPERATION(cpc, 1) flags.difference_with_carry(r[i->a], r[i->b]);
   NEXT(1);
   OPERATION(cpse, 1) SKIP_IF(r[i->a] == r[i->b]);
   OPERATION(mul, 2) product(r[i->a] * r[i->b], 0);
@@ -145,51 +112,51 @@ choose:
   OPERATION(fmulsu, 2) product(s8(i->a) * r[i->b], 1);
   NEXT(1);
 
-  OPERATION(subi, 1) r[i->a] = difference(r[i->a], i->b, 0, kZ);
+  OPERATION(subi, 1) r[i->a] = flags.difference(r[i->a], i->b);
   NEXT(1);
-  OPERATION(sbci, 1) r[i->a] = difference(r[i->a], i->b, sreg & kC, sreg);
+  OPERATION(sbci, 1) r[i->a] = flags.difference_with_carry(r[i->a], i->b);
   NEXT(1);
-  OPERATION(andi, 1) r[i->a] = logic(r[i->a] & i->b);
+  OPERATION(andi, 1) r[i->a] = flags.logic(r[i->a] & i->b);
   NEXT(1);
-  OPERATION(ori, 1) r[i->a] = logic(r[i->a] | i->b);
+  OPERATION(ori, 1) r[i->a] = flags.logic(r[i->a] | i->b);
   NEXT(1);
   OPERATION(ldi, 1) r[i->a] = i->b;
   NEXT(1);
-  OPERATION(cpi, 1) difference(r[i->a], i->b, 0, kZ);
+  OPERATION(cpi, 1) flags.difference(r[i->a], i->b);
   NEXT(1);
   OPERATION(adiw, 2) {
     const unsigned before = pair(i->a), after = before + i->b;
     set_pair(i->a, after);
-    added_word(after, ~before & after & 0x8000);
+    flags.added_word(after, ~before & after & 0x8000);
     NEXT(1);
   }
   OPERATION(sbiw, 2) {
     const unsigned before = pair(i->a), after = before - i->b;
     set_pair(i->a, after);
-    added_word(after, before & ~after & 0x8000);
+    flags.added_word(after, before & ~after & 0x8000);
     NEXT(1);
   }
 
-  OPERATION(com, 1) r[i->a] = logic(~r[i->a] & 0xFFu);
-  sreg |= kC;
+  OPERATION(com, 1) r[i->a] = flags.logic(~r[i->a] & 0xFFu);
+  flags.carry = 1;
   NEXT(1);
-  OPERATION(neg, 1) r[i->a] = difference(0, r[i->a], 0, kZ);
+  OPERATION(neg, 1) r[i->a] = flags.difference(0, r[i->a]);
   NEXT(1);
   OPERATION(swap, 1) r[i->a] = static_cast<std::uint8_t>(r[i->a] << 4 | r[i->a] >> 4);
   NEXT(1);
-  OPERATION(inc, 1) r[i->a] = counted(r[i->a] + 1u, r[i->a] == 0x7F);
+  OPERATION(inc, 1) r[i->a] = flags.counted(r[i->a] + 1u, r[i->a] == 0x7F);
   NEXT(1);
-  OPERATION(dec, 1) r[i->a] = counted(r[i->a] - 1u, r[i->a] == 0x80);
+  OPERATION(dec, 1) r[i->a] = flags.counted(r[i->a] - 1u, r[i->a] == 0x80);
   NEXT(1);
-  OPERATION(asr, 1) r[i->a] = shifted(static_cast<unsigned>(s8(i->a) >> 1), r[i->a] & 1u);
+  OPERATION(asr, 1) r[i->a] = flags.shifted(static_cast<unsigned>(s8(i->a) >> 1), r[i->a] & 1u);
   NEXT(1);
-  OPERATION(lsr, 1) r[i->a] = shifted(r[i->a] >> 1u, r[i->a] & 1u);
+  OPERATION(lsr, 1) r[i->a] = flags.shifted(r[i->a] >> 1u, r[i->a] & 1u);
   NEXT(1);
-  OPERATION(ror, 1) r[i->a] = shifted(r[i->a] >> 1u | (sreg & kC) << 7, r[i->a] & 1u);
+  OPERATION(ror, 1) r[i->a] = flags.shifted(r[i->a] >> 1u | flags.carry << 7, r[i->a] & 1u);
   NEXT(1);
-  OPERATION(bld, 1) r[i->a] = static_cast<std::uint8_t>(sreg & kT ? r[i->a] | i->b : r[i->a] & ~i->b);
+  OPERATION(bld, 1) r[i->a] = static_cast<std::uint8_t>(flags.others & kT ? r[i->a] | i->b : r[i->a] & ~i->b);
   NEXT(1);
-  OPERATION(bst, 1) sreg = r[i->a] & i->b ? sreg | kT : sreg & ~static_cast<unsigned>(kT);
+  OPERATION(bst, 1) flags.others = r[i->a] & i->b ? flags.others | kT : flags.others & ~unsigned{kT};
   NEXT(1);
 
   OPERATION(push, 2) {
@@ -253,7 +220,7 @@ choose:
 
   OPERATION(in, 1) {
     if (i->k == kSreg) {
-      r[i->a] = static_cast<std::uint8_t>(sreg);
+      r[i->a] = flags.pack();
       NEXT(1);
     }
     PUT(1);
@@ -313,27 +280,21 @@ choose:
     const std::uint32_t to = pop_pc();
     state.pc = target_of(to);
     leave_handler();
-    set_sreg(static_cast<std::uint8_t>(sreg | kI));
+    set_sreg(flags.pack() | kI);
     RESUME;
   }
-  OPERATION(brbs, 1) {
-    if (sreg & i->b) {
-      left -= 1;
-      i = code + RELATIVE(i->k);
-      DISPATCH;
-    }
-    NEXT(1);
-  }
-  OPERATION(brbc, 1) {
-    if (!(sreg & i->b)) {
-      left -= 1;
-      i = code + RELATIVE(i->k);
-      DISPATCH;
-    }
-    NEXT(1);
-  }
+  OPERATION(brbs, 1) BRANCH_IF(flags.pack() & i->b);
+  OPERATION(brbc, 1) BRANCH_IF(!(flags.pack() & i->b));
+  OPERATION(brcs, 1) BRANCH_IF(flags.carry);
+  OPERATION(brcc, 1) BRANCH_IF(!flags.carry);
+  OPERATION(breq, 1) BRANCH_IF(flags.zero == 0);
+  OPERATION(brne, 1) BRANCH_IF(flags.zero != 0);
+  OPERATION(brmi, 1) BRANCH_IF(flags.negative & 0x80);
+  OPERATION(brpl, 1) BRANCH_IF(!(flags.negative & 0x80));
+  OPERATION(brlt, 1) BRANCH_IF(flags.sign & 0x80);
+  OPERATION(brge, 1) BRANCH_IF(!(flags.sign & 0x80));
   OPERATION(count_down, 1) {
-    if (sreg & kZ) {
+    if (flags.zero == 0) {
       NEXT(1);
     }
     left -= 1;
@@ -344,7 +305,7 @@ choose:
       const unsigned passes = fit < before - 1 ? static_cast<unsigned>(fit) : before - 1;
       const unsigned after = before - passes;
       set_pair(i->a, after);
-      added_word(after, (after + 1) & ~after & 0x8000);
+      flags.added_word(after, (after + 1) & ~after & 0x8000);
       left -= kCyclesOfCount * passes;
     }
     DISPATCH;
@@ -353,15 +314,15 @@ choose:
   OPERATION(sbrs, 1) SKIP_IF(r[i->a] & i->b);
 
   OPERATION(bset, 1) {
-    if (i->b == kI && !(sreg & kI)) {
+    if (i->b == kI && !(flags.others & kI)) {
       PUT(1);
-      set_sreg(static_cast<std::uint8_t>(sreg | kI));
+      set_sreg(flags.pack() | kI);
       RESUME;
     }
-    sreg |= i->b;
+    flags.set(i->b);
     NEXT(1);
   }
-  OPERATION(bclr, 1) sreg &= ~static_cast<unsigned>(i->b);
+  OPERATION(bclr, 1) flags.clear(i->b);
   NEXT(1);
   OPERATION(wdr, 1) {
     PUT(1);
@@ -389,7 +350,7 @@ leave:
   // The program counter is at the instruction that has not run yet.
   state.cycle = end - static_cast<Cycle>(left);
   state.pc = static_cast<std::uint32_t>(i - code);
-  state.sreg = static_cast<std::uint8_t>(sreg);
+  state.sreg = flags.pack();
   state.sp = sp;
   return stop_;
 }

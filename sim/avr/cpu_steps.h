@@ -3,10 +3,9 @@
 //
 //   i, code        the instruction, and that of address 0
 //   left, end      cycles to `end`, which is the horizon; what is left tells the cycle
-//   r, sreg, sp    the registers
+//   r, flags, sp   the registers
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "sim/avr/cpu.h"
@@ -16,15 +15,6 @@ namespace robosim::avr {
 constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
 constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
-
-/// Z, and S and N as they are without overflow, of each result.
-constexpr std::array<std::uint8_t, 256> signs_of_results() {
-  std::array<std::uint8_t, 256> signs{};
-  for (unsigned i = 0; i < 256; ++i)
-    signs[i] = static_cast<std::uint8_t>(i == 0 ? Cpu::kZ : i & 0x80 ? Cpu::kN | Cpu::kS : 0);
-  return signs;
-}
-inline constexpr auto kSigns = signs_of_results();
 
 }  // namespace robosim::avr
 
@@ -50,7 +40,7 @@ inline constexpr auto kSigns = signs_of_results();
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \
   state.pc = state.last_pc + static_cast<std::uint32_t>(words); \
-  state.sreg = static_cast<std::uint8_t>(sreg);                 \
+  state.sreg = flags.pack();                                    \
   state.sp = sp
 #define RESUME goto resume
 #define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
@@ -109,6 +99,13 @@ inline constexpr auto kSigns = signs_of_results();
     return stop_;        \
   }
 #define RELATIVE(k) ((static_cast<std::uint32_t>(i - code) + 1 + static_cast<std::uint32_t>(k)) & wrap)
+#define BRANCH_IF(taken)       \
+  if (taken) {                 \
+    left -= 1;                 \
+    i = code + RELATIVE(i->k); \
+    DISPATCH;                  \
+  }                            \
+  NEXT(1)
 #define SKIP_IF(taken)                   \
   if (taken) {                           \
     const unsigned skipped = i[1].words; \

@@ -34,6 +34,8 @@ namespace robosim::avr {
   X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
   /* none of the chip's: a mark in front of an instruction, and what is behind the flash */ \
   X(mark) X(outside) \
+  /* BRBS and BRBC, by the flags that compilers branch on */ \
+  X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
   /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
   X(count_down)
 
