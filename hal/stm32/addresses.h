@@ -45,6 +45,10 @@ constexpr uint32_t kSwMask = 3u << 0, kSwPll = 2u << 0, kSwsMask = 3u << 2, kSws
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
+/// A peripheral's bit in RCC_APB1ENR or RCC_APB2ENR, and in RCC_APB1RSTR or RCC_APB2RSTR (7.3.3, 7.3.4): its
+/// place on its bus, each 0x400 bytes long.
+constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
+constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 
 // --- flash interface (RM0008 3.3.3; PM0075 3)
 constexpr Address kFlashIf = 0x40022000;

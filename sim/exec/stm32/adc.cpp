@@ -50,6 +50,11 @@ bool Adc::start() {
   return true;
 }
 
+void Adc::reset() {
+  static_cast<AdcRegisters&>(*this) = {};
+  link_.nvic.set_line(kIrqAdc, false);
+}
+
 std::uint32_t Adc::read(Address address) {
   update();
   switch (address) {

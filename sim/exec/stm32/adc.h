@@ -10,7 +10,16 @@
 
 namespace robosim::exec::stm32 {
 
-class Adc {
+/// What a reset of the ADC resets.
+struct AdcRegisters {
+  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, sampled_ = 0;
+  std::array<std::uint32_t, 2> sample_times_{};
+  std::array<std::uint32_t, 3> sequence_{};
+  bool converts_ = false;
+  Cycle sample_at_ = kNoCycle, done_at_ = 0;
+};
+
+class Adc : AdcRegisters {
  public:
   Adc(Link& link, const Clocks& clocks);
 
@@ -19,6 +28,8 @@ class Adc {
   }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
+  /// As after power-on.
+  void reset();
 
   /// When the pin is sampled, or an interrupt comes.
   Cycle next_event() const { return sample_at_ != kNoCycle ? sample_at_ : converts_ ? done_at_ : kNoCycle; }
@@ -31,11 +42,6 @@ class Adc {
   Link& link_;
   const Clocks& clocks_;
   std::array<Pin, kStm32f103c8.adc.pins> pins_;
-  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, sampled_ = 0;
-  std::array<std::uint32_t, 2> sample_times_{};
-  std::array<std::uint32_t, 3> sequence_{};
-  bool converts_ = false;
-  Cycle sample_at_ = kNoCycle, done_at_ = 0;
 };
 
 }  // namespace robosim::exec::stm32

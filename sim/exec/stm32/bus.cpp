@@ -98,12 +98,22 @@ Timer* Bus::timer_at(Address address) {
 
 // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
 bool Bus::has_clock(Address address) const {
-  if (Ports::owns_exti(address)) return address >= kExti || clocks_.has_apb2(kAfioEn);
-  if (Ports::owns(address)) return clocks_.has_apb2(kIopaEn << Ports::port_of(address));
-  if (Adc::owns(address)) return clocks_.has_apb2(kAdc1En);
-  if (Usart::owns(address)) return clocks_.has_apb2(kUsart1En);
-  if (address >= kTim1) return clocks_.has_apb2(kTim1En);
-  return clocks_.has_apb1(address < kTim3 ? kTim2En : address < kTim4 ? kTim3En : kTim4En);
+  const bool is_exti = Ports::owns_exti(address) && address >= kExti;
+  return is_exti || clocks_.has_clock(address);
+}
+
+// RM0008 7.3.3, 7.3.4.
+void Bus::reset_held() {
+  for (Timer& timer : timers_)
+    if (clocks_.holds_in_reset(timer.base())) timer.reset();
+  if (clocks_.holds_in_reset(kAdc1)) adc_.reset();
+  if (clocks_.holds_in_reset(kUsart1)) {
+    usart_.reset();
+    ports_.refresh(kSends);
+  }
+  for (int port = 0; port < kStm32f103c8.port_count; ++port)
+    if (clocks_.holds_in_reset(kGpioA + kPortBytes * static_cast<Address>(port))) ports_.reset_port(port);
+  if (clocks_.holds_in_reset(kAfio)) ports_.reset_afio();
 }
 
 void Bus::refuse(Address address, bool write, std::uint32_t value) {
@@ -138,11 +148,15 @@ std::uint32_t Bus::load_word(Address address) {
 bool Bus::write(Address address, std::uint32_t value) {
   if (SysTick::owns(address)) return systick_.write(address, value), true;
   if (Nvic::owns(address)) return link_.nvic.write(address, value);
-  if (Clocks::owns(address)) return clocks_.write(address, value);
+  if (Clocks::owns(address)) {
+    const bool modelled = clocks_.write(address, value);
+    if (address == kRccApb1Rstr || address == kRccApb2Rstr) reset_held();
+    return modelled;
+  }
   if (Flash::owns(address)) return flash_.write(address, value);
   Timer* const timer = timer_at(address);
   if (!timer && !Ports::owns(address) && !Adc::owns(address) && !Usart::owns(address)) return false;
-  if (!has_clock(address)) return true;
+  if (!has_clock(address) || clocks_.holds_in_reset(address)) return true;
   if (timer) return timer->write(address, value);
   if (Adc::owns(address)) return adc_.write(address, value);
   if (Usart::owns(address)) {

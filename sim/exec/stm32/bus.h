@@ -60,6 +60,7 @@ class Bus {
   PinDrive alternate(ChipPin pin) const;
   Timer* timer_at(Address address);
   bool has_clock(Address address) const;
+  void reset_held();
   std::uint32_t load_word(Address address);
   void store_word(Address address, std::uint32_t value);
   bool write(Address address, std::uint32_t value);

@@ -38,6 +38,10 @@ std::uint32_t Clocks::read(Address address) {
       return configuration_ | (configuration_ & kSwMask) << 2;
     case kRccCir:
       return interrupts_;
+    case kRccApb2Rstr:
+      return apb2_reset_;
+    case kRccApb1Rstr:
+      return apb1_reset_;
     case kRccAhbEnr:
       return ahb_;
     case kRccApb2Enr:
@@ -73,6 +77,12 @@ bool Clocks::write(Address address, std::uint32_t value) {
     case kRccCir:
       interrupts_ = 0;
       return (value & 0x1F00) == 0;  // no interrupt of it is modelled
+    case kRccApb2Rstr:
+      apb2_reset_ = value;
+      return true;
+    case kRccApb1Rstr:
+      apb1_reset_ = value;
+      return true;
     case kRccAhbEnr:
       ahb_ = value;
       return true;
@@ -88,7 +98,7 @@ bool Clocks::write(Address address, std::uint32_t value) {
     case kRccCsr:
       return (value & 1) == 0;  // no LSI
     default:
-      return value == 0;  // resets of single peripherals
+      return false;
   }
 }
 

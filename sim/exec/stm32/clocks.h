@@ -20,8 +20,15 @@ class Clocks {
   /// False for what is not modelled.
   bool write(Address address, std::uint32_t value);
 
-  bool has_apb1(std::uint32_t bit) const { return apb1_ & bit; }
-  bool has_apb2(std::uint32_t bit) const { return apb2_ & bit; }
+  /// Of a peripheral behind APB1 or APB2 (RM0008 7.3.7, 7.3.8).
+  bool has_clock(Address address) const {
+    return (robosim::stm32::behind_apb2(address) ? apb2_ : apb1_) & robosim::stm32::clock_bit(address);
+  }
+  /// Whether RCC_APB1RSTR or RCC_APB2RSTR holds it in its reset (7.3.3, 7.3.4).
+  bool holds_in_reset(Address address) const {
+    return (robosim::stm32::behind_apb2(address) ? apb2_reset_ : apb1_reset_) &
+           robosim::stm32::clock_bit(address);
+  }
   /// What APB2's frequency is divided by for the ADC.
   std::uint32_t adc_divider() const { return 2 * ((configuration_ >> 14 & 3) + 1); }
   /// Flash's wait states are set elsewhere; too few for the frequency make a real chip fail.
@@ -35,7 +42,7 @@ class Clocks {
   Link& link_;
   std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
   std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0;
-  std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0;
+  std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
   SimTime hse_ready_ = 0, pll_ready_ = 0;
 };
 

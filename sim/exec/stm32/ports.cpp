@@ -54,6 +54,17 @@ void Ports::refresh_port(int port) {
   for (int bit = 0; bit < kBits; ++bit) refresh({port, bit});
 }
 
+void Ports::reset_port(int port) {
+  ports_[static_cast<std::size_t>(port)] = {};
+  refresh_port(port);
+}
+
+void Ports::reset_afio() {
+  map_ = 0;
+  sources_ = {};
+  interrupts_changed();
+}
+
 bool Ports::read_input(ChipPin pin) {
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return false;

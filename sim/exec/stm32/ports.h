@@ -34,6 +34,9 @@ class Ports {
   }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
+  /// As after power-on: a port, or AFIO.
+  void reset_port(int port);
+  void reset_afio();
   /// One bit of GPIOx_IDR.
   bool read_input(ChipPin pin);
 

@@ -65,6 +65,12 @@ void Timer::refresh() {
   for (const ChipPin pin : place_.pins) changed_(pin);
 }
 
+void Timer::reset() {
+  static_cast<TimerRegisters&>(*this) = {};
+  link_.nvic.set_line(place_.irq, false);
+  refresh();
+}
+
 std::uint32_t Timer::read(Address address) {
   update();
   const Address offset = address - place_.base;

@@ -13,7 +13,17 @@
 
 namespace robosim::exec::stm32 {
 
-class Timer {
+/// What a reset of a timer resets.
+struct TimerRegisters {
+  std::uint32_t control_ = 0, control2_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0, dead_time_ = 0;
+  std::array<std::uint32_t, 2> modes_{};
+  std::uint32_t prescaler_ = 0, waiting_prescaler_ = 0, top_ = 0xFFFF, repetition_ = 0;
+  std::array<std::uint32_t, 4> compare_{};
+  std::uint32_t held_ = 0;  ///< the count while it stands still
+  Cycle update_at_ = 0;     ///< the next overflow while it runs
+};
+
+class Timer : TimerRegisters {
  public:
   struct Place {
     Address base;
@@ -24,9 +34,12 @@ class Timer {
   Timer(Link& link, const Place& place, std::function<void(ChipPin)> changed)
       : link_(link), place_(place), changed_(std::move(changed)) {}
 
+  Address base() const { return place_.base; }
   bool owns(Address address) const { return address >= place_.base && address < place_.base + 0x50; }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
+  /// As after power-on.
+  void reset();
 
   /// Whether one of the channels is that pin's; then `drive` is how.
   bool drives(ChipPin pin, PinDrive& drive) const;
@@ -49,12 +62,6 @@ class Timer {
   Link& link_;
   Place place_;
   std::function<void(ChipPin)> changed_;
-  std::uint32_t control_ = 0, control2_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0, dead_time_ = 0;
-  std::array<std::uint32_t, 2> modes_{};
-  std::uint32_t prescaler_ = 0, waiting_prescaler_ = 0, top_ = 0xFFFF, repetition_ = 0;
-  std::array<std::uint32_t, 4> compare_{};
-  std::uint32_t held_ = 0;  ///< the count while it stands still
-  Cycle update_at_ = 0;     ///< the next overflow while it runs
 };
 
 }  // namespace robosim::exec::stm32

@@ -58,6 +58,12 @@ void Usart::receive(std::uint8_t byte) {
   refresh_line();
 }
 
+void Usart::reset() {
+  static_cast<UsartRegisters&>(*this) = {};
+  listen();
+  refresh_line();
+}
+
 std::uint32_t Usart::read(Address address) {
   update();
   switch (address) {

@@ -7,7 +7,16 @@
 
 namespace robosim::exec::stm32 {
 
-class Usart {
+/// What a reset of a USART resets.
+struct UsartRegisters {
+  std::uint32_t status_ = robosim::stm32::kTxe | robosim::stm32::kTc;
+  std::uint32_t control_ = 0, control2_ = 0, divider_ = 0;
+  bool shifting_ = false;
+  Cycle sent_at_ = 0;
+  std::uint8_t received_ = 0;
+};
+
+class Usart : UsartRegisters {
  public:
   explicit Usart(Link& link) : link_(link) {}
 
@@ -16,6 +25,8 @@ class Usart {
   }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
+  /// As after power-on.
+  void reset();
   void receive(std::uint8_t byte);
   /// Whether it drives its TX pin.
   bool sends() const { return on() && control_ & robosim::stm32::kTe; }
@@ -31,11 +42,6 @@ class Usart {
   void refresh_line();
 
   Link& link_;
-  std::uint32_t status_ = robosim::stm32::kTxe | robosim::stm32::kTc;
-  std::uint32_t control_ = 0, control2_ = 0, divider_ = 0;
-  bool shifting_ = false;
-  Cycle sent_at_ = 0;
-  std::uint8_t received_ = 0;
 };
 
 }  // namespace robosim::exec::stm32

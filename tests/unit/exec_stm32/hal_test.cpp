@@ -416,5 +416,41 @@ TEST(BusTest, APeripheralWithoutItsClockTakesNothing) {
   EXPECT_EQ(board.drive(14).mode, PinMode::output);
 }
 
+TEST(BusTest, AResetOfAPeripheralLeavesItAsAfterPowerOn) {
+  using namespace robosim::stm32;
+  BoardState board(*find_board("bluepill"));
+  ClockedBoard clocked(board);
+  EepromPages pages(4096, 0xFF);
+  Bus bus(clocked, pages, 0);
+  bus.store(kRccApb2Enr, 0xFFFFFFFF, 4);
+  bus.store(kRccApb1Enr, 0xFFFFFFFF, 4);
+  const Address crl = kGpioA + kCrl, top = kTim3 + kTimArr;
+  const std::vector<std::pair<Address, std::uint32_t>> registers = {
+      {crl, 0x33333333}, {top, 99},           {kAdcSqr3, 5},
+      {kUsartBrr, 625},  {kAfioExticr1, 0x1}, {kTim1 + kTimPsc, 7}};
+  std::vector<std::uint32_t> at_first;
+  for (const auto& [address, value] : registers) {
+    at_first.push_back(bus.load(address, 4));
+    bus.store(address, value, 4);
+    EXPECT_EQ(bus.load(address, 4), value);
+  }
+  EXPECT_EQ(board.drive(14).mode, PinMode::output);
+  bus.store(kRccApb1Rstr, clock_bit(kTim3), 4);
+  EXPECT_EQ(bus.load(top, 4), 0xFFFFu);
+  EXPECT_EQ(bus.load(crl, 4), 0x33333333u) << "another peripheral";
+  bus.store(top, 50, 4);
+  EXPECT_EQ(bus.load(top, 4), 0xFFFFu) << "held in its reset";
+  bus.store(kRccApb1Rstr, 0, 4);
+  bus.store(top, 50, 4);
+  EXPECT_EQ(bus.load(top, 4), 50u);
+  for (const std::uint32_t bits : {0xFFFFFFFFu, 0u}) {
+    bus.store(kRccApb2Rstr, bits, 4);
+    bus.store(kRccApb1Rstr, bits, 4);
+  }
+  for (std::size_t i = 0; i < registers.size(); ++i) EXPECT_EQ(bus.load(registers[i].first, 4), at_first[i]);
+  EXPECT_EQ(board.drive(14).mode, PinMode::input);
+  EXPECT_FALSE(bus.unmodelled());
+}
+
 }  // namespace
 }  // namespace robosim::exec::stm32
