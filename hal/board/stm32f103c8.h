@@ -66,8 +66,10 @@ constexpr TimerSpec kTimers[] = {
     timer(4, 0x40000800, 30),
 };
 
-// 27. USART2 and USART3 are there, too, but neither the core nor the emulator has them.
-constexpr UartSpec kUarts[] = {{1, 0x40013800, 0, 0, 37, "PA10", "PA9"}};
+// 27; interrupts: table 63. The core has the first of them.
+constexpr UartSpec kUarts[] = {{1, 0x40013800, 0, 0, 37, "PA10", "PA9"},
+                               {2, 0x40004400, 0, 0, 38, "PA3", "PA2"},
+                               {3, 0x40004800, 0, 0, 39, "PB11", "PB10"}};
 
 }  // namespace stm32f103c8
 
@@ -98,7 +100,7 @@ constexpr ChipSpec kStm32f103c8 = {
     .timers = stm32f103c8::kTimers,
     .timer_count = 4,
     .uarts = stm32f103c8::kUarts,
-    .uart_count = 1,
+    .uart_count = 1,  // that the core has
     .adc = {.bits = 12, .pins = 10, .bandgap_volts = 0.0, .bandgap_channel = -1, .vector = 18},  // 11
 };
 

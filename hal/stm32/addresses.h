@@ -100,7 +100,7 @@ constexpr uint32_t kUie = 1u << 0, kUif = 1u << 0, kUg = 1u << 0;
 constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR, of an even channel 8 bits further up
 constexpr uint32_t kMoe = 1u << 15;                          // TIM1_BDTR (14.4.18)
 
-// --- USART1 (RM0008 27.6)
+// --- USART1 (RM0008 27.6); USART2 and USART3 have the same registers from their own addresses on
 constexpr Address kUsart1 = kStm32f103c8.uarts[0].address;
 constexpr Address kUsartSr = kUsart1 + 0x00, kUsartDr = kUsart1 + 0x04, kUsartBrr = kUsart1 + 0x08,
                   kUsartCr1 = kUsart1 + 0x0C, kUsartCr2 = kUsart1 + 0x10, kUsartCr3 = kUsart1 + 0x14,

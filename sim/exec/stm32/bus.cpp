@@ -48,14 +48,17 @@ Timer::Place place_of(int timer) {
   return place;
 }
 
-/// The pin by which USART1 sends.
-constexpr ChipPin sending_pin() {
-  const std::string_view name = kStm32f103c8.uarts[0].tx;
+/// The pin by which a USART sends.
+constexpr ChipPin sending_pin(const UartSpec& uart) {
+  const std::string_view name = uart.tx;
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
     if (const auto& pin = kStm32f103c8.pins[i]; name == pin.name) return {pin.port, pin.bit};
   return {};
 }
-constexpr ChipPin kSends = sending_pin();
+
+constexpr ChipPin kSends[] = {sending_pin(stm32f103c8::kUarts[0]), sending_pin(stm32f103c8::kUarts[1]),
+                              sending_pin(stm32f103c8::kUarts[2])};
+ChipPin sending_pin(const Usart& usart) { return kSends[usart.number() - 1]; }
 
 }  // namespace
 
@@ -76,12 +79,15 @@ Bus::Bus(ClockedBoard& board, EepromPages& pages, SimTime began)
               Timer(link_, place_of(stm32f103c8::kTim3), [this](ChipPin pin) { ports_.refresh(pin); }),
               Timer(link_, place_of(stm32f103c8::kTim4), [this](ChipPin pin) { ports_.refresh(pin); })},
       adc_(link_, clocks_),
-      usart_(link_) {}
+      usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)} {}
 
 PinDrive Bus::alternate(ChipPin pin) const {
   PinDrive drive;
   drive.mode = PinMode::output;
-  if (pin.port == kSends.port && pin.bit == kSends.bit && usart_.sends()) {
+  for (const Usart& usart : usarts_) {
+    if (!usart.sends()) continue;
+    const ChipPin sends = sending_pin(usart);
+    if (pin.port != sends.port || pin.bit != sends.bit) continue;
     drive.level = true;  // a line at rest; its bytes are told as bytes
     return drive;
   }
@@ -96,6 +102,12 @@ Timer* Bus::timer_at(Address address) {
   return nullptr;
 }
 
+Usart* Bus::usart_at(Address address) {
+  for (Usart& usart : usarts_)
+    if (usart.owns(address)) return &usart;
+  return nullptr;
+}
+
 // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
 bool Bus::has_clock(Address address) const {
   const bool is_exti = Ports::owns_exti(address) && address >= kExti;
@@ -107,9 +119,10 @@ void Bus::reset_held() {
   for (Timer& timer : timers_)
     if (clocks_.holds_in_reset(timer.base())) timer.reset();
   if (clocks_.holds_in_reset(kAdc1)) adc_.reset();
-  if (clocks_.holds_in_reset(kUsart1)) {
-    usart_.reset();
-    ports_.refresh(kSends);
+  for (Usart& usart : usarts_) {
+    if (!clocks_.holds_in_reset(usart.base())) continue;
+    usart.reset();
+    ports_.refresh(sending_pin(usart));
   }
   for (int port = 0; port < kStm32f103c8.port_count; ++port)
     if (clocks_.holds_in_reset(kGpioA + kPortBytes * static_cast<Address>(port))) ports_.reset_port(port);
@@ -134,14 +147,15 @@ std::uint32_t Bus::load_word(Address address) {
   if (Clocks::owns(address)) return clocks_.read(address);
   if (Flash::owns(address)) return flash_.read(address);
   Timer* const timer = timer_at(address);
-  if (!timer && !Ports::owns(address) && !Adc::owns(address) && !Usart::owns(address)) {
+  Usart* const usart = timer ? nullptr : usart_at(address);
+  if (!timer && !usart && !Ports::owns(address) && !Adc::owns(address)) {
     refuse(address, false);
     return 0;
   }
   if (!has_clock(address)) return 0;
   if (timer) return timer->read(address);
   if (Adc::owns(address)) return adc_.read(address);
-  if (Usart::owns(address)) return usart_.read(address);
+  if (usart) return usart->read(address);
   return ports_.read(address);
 }
 
@@ -155,13 +169,14 @@ bool Bus::write(Address address, std::uint32_t value) {
   }
   if (Flash::owns(address)) return flash_.write(address, value);
   Timer* const timer = timer_at(address);
-  if (!timer && !Ports::owns(address) && !Adc::owns(address) && !Usart::owns(address)) return false;
+  Usart* const usart = timer ? nullptr : usart_at(address);
+  if (!timer && !usart && !Ports::owns(address) && !Adc::owns(address)) return false;
   if (!has_clock(address) || clocks_.holds_in_reset(address)) return true;
   if (timer) return timer->write(address, value);
   if (Adc::owns(address)) return adc_.write(address, value);
-  if (Usart::owns(address)) {
-    const bool modelled = usart_.write(address, value);
-    if (address == kUsartCr1) ports_.refresh(kSends);
+  if (usart) {
+    const bool sent = usart->sends(), modelled = usart->write(address, value);
+    if (usart->sends() != sent) ports_.refresh(sending_pin(*usart));
     return modelled;
   }
   return ports_.write(address, value);
@@ -221,7 +236,8 @@ void Bus::store(Address address, std::uint32_t value, unsigned size) {
 }
 
 Cycle Bus::next_event() const {
-  Cycle next = std::min({systick_.next_event(), adc_.next_event(), usart_.next_event()});
+  Cycle next = std::min(systick_.next_event(), adc_.next_event());
+  for (const Usart& usart : usarts_) next = std::min(next, usart.next_event());
   for (const Timer& timer : timers_) next = std::min(next, timer.next_event());
   return next;
 }
@@ -230,7 +246,7 @@ void Bus::update() {
   systick_.update();
   for (Timer& timer : timers_) timer.update();
   adc_.update();
-  usart_.update();
+  for (Usart& usart : usarts_) usart.update();
 }
 
 void Bus::take_inputs() {
@@ -239,7 +255,7 @@ void Bus::take_inputs() {
     if (input.kind == BoardInput::Kind::edge)
       ports_.deliver(input);
     else
-      usart_.receive(input.value);
+      for (Usart& usart : usarts_) usart.receive(input.value);
   }
 }
 

@@ -55,10 +55,11 @@ class Bus {
   static const char* name_at(Address address);
 
  private:
-  static constexpr int kTimers = 4;
+  static constexpr int kTimers = 4, kUsarts = 3;
 
   PinDrive alternate(ChipPin pin) const;
   Timer* timer_at(Address address);
+  Usart* usart_at(Address address);
   bool has_clock(Address address) const;
   void reset_held();
   std::uint32_t load_word(Address address);
@@ -75,7 +76,7 @@ class Bus {
   SysTick systick_;
   std::array<Timer, kTimers> timers_;
   Adc adc_;
-  Usart usart_;
+  std::array<Usart, kUsarts> usarts_;
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;
 };

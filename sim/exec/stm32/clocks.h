@@ -29,6 +29,11 @@ class Clocks {
     return (robosim::stm32::behind_apb2(address) ? apb2_reset_ : apb1_reset_) &
            robosim::stm32::clock_bit(address);
   }
+  /// What the processor's frequency is divided by for APB1.
+  std::uint32_t apb1_divider() const {
+    const std::uint32_t bits = configuration_ >> 8 & 7;
+    return bits < 4 ? 1 : 2u << (bits - 4);
+  }
   /// What APB2's frequency is divided by for the ADC.
   std::uint32_t adc_divider() const { return 2 * ((configuration_ >> 14 & 3) + 1); }
   /// Flash's wait states are set elsewhere; too few for the frequency make a real chip fail.

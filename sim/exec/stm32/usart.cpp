@@ -6,10 +6,12 @@ using namespace robosim::stm32;
 
 Cycle Usart::byte_cycles() const {
   const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
-  return Cycle{bits} * (divider_ > 0 ? divider_ : 16);
+  const std::uint32_t bus = behind_apb2(base()) ? 1 : clocks_.apb1_divider();
+  return Cycle{bits} * bus * (divider_ > 0 ? divider_ : 16);
 }
 
 void Usart::listen() {
+  if (!connected_) return;
   const bool listens = on() && control_ & kRe;
   const auto byte_time =
       static_cast<SimTime>(byte_cycles()) * kSecond / static_cast<SimTime>(link_.clock.hz());
@@ -19,12 +21,12 @@ void Usart::listen() {
 void Usart::refresh_line() {
   const bool high = (status_ & kTxe && control_ & kTxeie) || (status_ & kTc && control_ & kTcie) ||
                     (status_ & (kRxne | kOre) && control_ & kRxneie);
-  link_.nvic.set_line(kIrqUsart1, on() && high);
+  link_.nvic.set_line(static_cast<Irq>(spec_.vector), on() && high);
 }
 
 void Usart::send(std::uint8_t byte) {
   if (!sends() || !(status_ & kTxe)) return;
-  link_.board.send_byte(byte, link_.clock.time());
+  if (connected_) link_.board.send_byte(byte, link_.clock.time());
   status_ &= ~kTc;
   if (shifting_) {
     status_ &= ~kTxe;
@@ -48,7 +50,7 @@ void Usart::update() {
 }
 
 void Usart::receive(std::uint8_t byte) {
-  if (!on() || !(control_ & kRe)) return;
+  if (!connected_ || !on() || !(control_ & kRe)) return;
   if (status_ & kRxne) {
     status_ |= kOre;
   } else {
@@ -66,7 +68,7 @@ void Usart::reset() {
 
 std::uint32_t Usart::read(Address address) {
   update();
-  switch (address) {
+  switch (address - base() + kUsart1) {
     case kUsartSr:
       return status_;
     case kUsartDr:
@@ -87,7 +89,7 @@ std::uint32_t Usart::read(Address address) {
 bool Usart::write(Address address, std::uint32_t value) {
   update();
   bool modelled = true;
-  switch (address) {
+  switch (address - base() + kUsart1) {
     case kUsartSr:
       status_ &= value | ~(kTc | kRxne);
       break;

@@ -1,9 +1,10 @@
-// USART1 (RM0008 27): a byte takes (1 + 8 or 9 + stop bits) * BRR cycles. Sending: a shift register and one
-// byte waiting. Receiving: one byte waits, a further one is lost (ORE). Framing and parity errors do not
-// occur.
+// USART1 to USART3 (RM0008 27): a byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus. Sending: a
+// shift register and one byte waiting. Receiving: one byte waits, a further one is lost (ORE). Framing and
+// parity errors do not occur. Only the board's serial port leads anywhere: what the others send is dropped
+// after its time, and nothing comes in by them.
 #pragma once
 
-#include "sim/exec/stm32/link.h"
+#include "sim/exec/stm32/clocks.h"
 
 namespace robosim::exec::stm32 {
 
@@ -18,11 +19,17 @@ struct UsartRegisters {
 
 class Usart : UsartRegisters {
  public:
-  explicit Usart(Link& link) : link_(link) {}
+  /// `index`: among the chip's.
+  Usart(Link& link, const Clocks& clocks, int index)
+      : link_(link),
+        clocks_(clocks),
+        spec_(stm32f103c8::kUarts[index]),
+        connected_(index == link.board.spec().serial_line) {}
 
-  static bool owns(Address address) {
-    return address >= robosim::stm32::kUsart1 && address <= robosim::stm32::kUsartGtpr;
-  }
+  Address base() const { return spec_.address; }
+  bool owns(Address address) const { return address >= base() && address <= base() + kBytes; }
+  /// 1 to 3, as it is called.
+  int number() const { return spec_.number; }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
   /// As after power-on.
@@ -35,6 +42,8 @@ class Usart : UsartRegisters {
   void update();
 
  private:
+  static constexpr Address kBytes = robosim::stm32::kUsartGtpr - robosim::stm32::kUsart1;
+
   bool on() const { return control_ & robosim::stm32::kUe; }
   Cycle byte_cycles() const;
   void send(std::uint8_t byte);
@@ -42,6 +51,9 @@ class Usart : UsartRegisters {
   void refresh_line();
 
   Link& link_;
+  const Clocks& clocks_;
+  const UartSpec& spec_;
+  bool connected_;  ///< to the board's serial port
 };
 
 }  // namespace robosim::exec::stm32

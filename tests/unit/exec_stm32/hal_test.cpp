@@ -452,5 +452,49 @@ TEST(BusTest, AResetOfAPeripheralLeavesItAsAfterPowerOn) {
   EXPECT_FALSE(bus.unmodelled());
 }
 
+TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
+  using namespace robosim::stm32;
+  struct Heard : SerialWatcher {
+    void byte_sent(std::uint8_t, SimTime) override { ++bytes; }
+    int bytes = 0;
+  } heard;
+  BoardState board(*find_board("bluepill"));
+  board.watch_serial(heard);
+  ClockedBoard clocked(board);
+  EepromPages pages(4096, 0xFF);
+  Bus bus(clocked, pages, 0);
+  Clock& clock = bus.link().clock;
+  bus.store(kRccApb2Enr, kIopaEn, 4);
+  bus.store(kRccCfgr, kPpre1Half, 4);  // their bus has half the processor's frequency
+  for (const auto& [usart, irq] : {std::pair{2, 38}, std::pair{3, 39}}) {
+    const Address base = stm32f103c8::kUarts[usart - 1].address;
+    const auto at = [&](Address of_usart1) { return base + of_usart1 - kUsart1; };
+    bus.store(at(kUsartBrr), 104, 4);
+    EXPECT_EQ(bus.load(at(kUsartBrr), 4), 0u) << "it has no clock";
+    bus.store(kRccApb1Enr, clock_bit(base), 4);
+    bus.store(at(kUsartBrr), 104, 4);
+    bus.store(at(kUsartCr1), kUe | kTe | kRe | kTcie, 4);
+    bus.store(at(kUsartSr), 0, 4);  // TC, which is set after a reset
+    bus.store(kNvicIcpr + 4, 1u << (irq - 32), 4);
+    const Cycle began = clock.now;
+    bus.store(at(kUsartDr), 'x', 4);
+    EXPECT_EQ(bus.load(at(kUsartSr), 4), kTxe);
+    EXPECT_EQ(bus.next_event() - began, 2u * 10 * 104);
+    bus.store(kNvicIser + 4, 1u << (irq - 32), 4);
+    EXPECT_EQ(bus.link().nvic.wakes(), 0);
+    clock.now = bus.next_event();
+    bus.update();
+    EXPECT_EQ(bus.load(at(kUsartSr), 4), kTxe | kTc);
+    EXPECT_EQ(bus.link().nvic.wakes(), kFirstIrq + irq);
+    bus.store(at(kUsartSr), 0, 4);
+    bus.store(kNvicIcpr + 4, 1u << (irq - 32), 4);
+    board.receive_byte('a', clock.time());
+    bus.take_inputs();
+    EXPECT_EQ(bus.load(at(kUsartSr), 4) & kRxne, 0u);
+  }
+  EXPECT_EQ(heard.bytes, 0);
+  EXPECT_FALSE(bus.unmodelled());
+}
+
 }  // namespace
 }  // namespace robosim::exec::stm32
