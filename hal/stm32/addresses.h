@@ -79,8 +79,8 @@ constexpr Address kExti = 0x40010400;
 constexpr Address kExtiImr = kExti + 0x00, kExtiEmr = kExti + 0x04, kExtiRtsr = kExti + 0x08,
                   kExtiFtsr = kExti + 0x0C, kExtiSwier = kExti + 0x10, kExtiPr = kExti + 0x14;
 
-// --- ADC1 (RM0008 11.12)
-constexpr Address kAdc1 = 0x40012400;
+// --- ADC1 (RM0008 11.12); ADC2 has the same registers from its own address on
+constexpr Address kAdc1 = 0x40012400, kAdc2 = 0x40012800;
 constexpr Address kAdcSr = kAdc1 + 0x00, kAdcCr1 = kAdc1 + 0x04, kAdcCr2 = kAdc1 + 0x08,
                   kAdcSmpr1 = kAdc1 + 0x0C, kAdcSmpr2 = kAdc1 + 0x10, kAdcSqr1 = kAdc1 + 0x2C,
                   kAdcSqr2 = kAdc1 + 0x30, kAdcSqr3 = kAdc1 + 0x34, kAdcDr = kAdc1 + 0x4C;

@@ -6,14 +6,13 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kEocie = 1u << 5;
 // RM0008 11.12.4, in half cycles of the ADC's clock.
 constexpr unsigned kSamplingHalves[] = {3, 15, 27, 57, 83, 111, 143, 479};
 constexpr unsigned kConversionHalves = 25;
 
 }  // namespace
 
-Adc::Adc(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) {
+Adc::Adc(Link& link, const Clocks& clocks, Address base) : link_(link), clocks_(clocks), base_(base) {
   pins_.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
@@ -34,7 +33,6 @@ void Adc::update() {
     converts_ = false;
     data_ = control2_ & kAlign ? sampled_ << 4 : sampled_;
     status_ |= kEoc;
-    link_.nvic.set_line(kIrqAdc, control1_ & kEocie);
   }
 }
 
@@ -50,13 +48,11 @@ bool Adc::start() {
   return true;
 }
 
-void Adc::reset() {
-  static_cast<AdcRegisters&>(*this) = {};
-  link_.nvic.set_line(kIrqAdc, false);
-}
+void Adc::reset() { static_cast<AdcRegisters&>(*this) = {}; }
 
 std::uint32_t Adc::read(Address address) {
   update();
+  address = address - base_ + kAdc1;
   switch (address) {
     case kAdcSr:
       return status_;
@@ -74,7 +70,6 @@ std::uint32_t Adc::read(Address address) {
       return sequence_[(address - kAdcSqr1) / 4];
     case kAdcDr:
       status_ &= ~kEoc;
-      link_.nvic.set_line(kIrqAdc, false);
       return data_;
     default:
       return 0;
@@ -83,10 +78,10 @@ std::uint32_t Adc::read(Address address) {
 
 bool Adc::write(Address address, std::uint32_t value) {
   update();
+  address = address - base_ + kAdc1;
   switch (address) {
     case kAdcSr:
       status_ &= value;
-      link_.nvic.set_line(kIrqAdc, status_ & kEoc && control1_ & kEocie);
       return true;
     case kAdcCr1:
       control1_ = value;

@@ -1,9 +1,9 @@
-// ADC1: one conversion at a time, started by software (RM0008 11).
+// ADC1 and ADC2: one conversion at a time, started by software (RM0008 11).
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
 // The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Refused, as not modelled:
-// scans, continuous and injected conversions, triggers, DMA, the watchdog, the temperature sensor.
+// dual mode, scans, continuous and injected conversions, triggers, DMA, the watchdog, the temperature sensor.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -21,11 +21,13 @@ struct AdcRegisters {
 
 class Adc : AdcRegisters {
  public:
-  Adc(Link& link, const Clocks& clocks);
+  /// `base`: where its registers begin.
+  Adc(Link& link, const Clocks& clocks, Address base);
 
-  static bool owns(Address address) {
-    return address >= robosim::stm32::kAdc1 && address <= robosim::stm32::kAdcDr;
-  }
+  Address base() const { return base_; }
+  bool owns(Address address) const { return address >= base_ && address <= base_ + kBytes; }
+  /// Whether it asks for the interrupt, which both share.
+  bool interrupts() const { return status_ & robosim::stm32::kEoc && control1_ & kEocie; }
   std::uint32_t read(Address address);
   bool write(Address address, std::uint32_t value);
   /// As after power-on.
@@ -36,11 +38,15 @@ class Adc : AdcRegisters {
   void update();
 
  private:
+  static constexpr std::uint32_t kEocie = 1u << 5;  // ADC_CR1
+  static constexpr Address kBytes = robosim::stm32::kAdcDr - robosim::stm32::kAdc1;
+
   bool start();
   int channel() const { return static_cast<int>(sequence_[2] & 31); }
 
   Link& link_;
   const Clocks& clocks_;
+  Address base_;
   std::array<Pin, kStm32f103c8.adc.pins> pins_;
 };
 

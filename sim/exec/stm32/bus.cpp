@@ -78,7 +78,7 @@ Bus::Bus(ClockedBoard& board, EepromPages& pages, SimTime began)
               Timer(link_, place_of(stm32f103c8::kTim2), [this](ChipPin pin) { ports_.refresh(pin); }),
               Timer(link_, place_of(stm32f103c8::kTim3), [this](ChipPin pin) { ports_.refresh(pin); }),
               Timer(link_, place_of(stm32f103c8::kTim4), [this](ChipPin pin) { ports_.refresh(pin); })},
-      adc_(link_, clocks_),
+      adcs_{Adc(link_, clocks_, kAdc1), Adc(link_, clocks_, kAdc2)},
       usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)} {}
 
 PinDrive Bus::alternate(ChipPin pin) const {
@@ -108,6 +108,15 @@ Usart* Bus::usart_at(Address address) {
   return nullptr;
 }
 
+Adc* Bus::adc_at(Address address) {
+  for (Adc& adc : adcs_)
+    if (adc.owns(address)) return &adc;
+  return nullptr;
+}
+
+// RM0008 table 63: one interrupt for both.
+void Bus::refresh_adc_line() { link_.nvic.set_line(kIrqAdc, adcs_[0].interrupts() || adcs_[1].interrupts()); }
+
 // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
 bool Bus::has_clock(Address address) const {
   const bool is_exti = Ports::owns_exti(address) && address >= kExti;
@@ -118,7 +127,9 @@ bool Bus::has_clock(Address address) const {
 void Bus::reset_held() {
   for (Timer& timer : timers_)
     if (clocks_.holds_in_reset(timer.base())) timer.reset();
-  if (clocks_.holds_in_reset(kAdc1)) adc_.reset();
+  for (Adc& adc : adcs_)
+    if (clocks_.holds_in_reset(adc.base())) adc.reset();
+  refresh_adc_line();
   for (Usart& usart : usarts_) {
     if (!clocks_.holds_in_reset(usart.base())) continue;
     usart.reset();
@@ -148,13 +159,18 @@ std::uint32_t Bus::load_word(Address address) {
   if (Flash::owns(address)) return flash_.read(address);
   Timer* const timer = timer_at(address);
   Usart* const usart = timer ? nullptr : usart_at(address);
-  if (!timer && !usart && !Ports::owns(address) && !Adc::owns(address)) {
+  Adc* const adc = adc_at(address);
+  if (!timer && !usart && !adc && !Ports::owns(address)) {
     refuse(address, false);
     return 0;
   }
   if (!has_clock(address)) return 0;
   if (timer) return timer->read(address);
-  if (Adc::owns(address)) return adc_.read(address);
+  if (adc) {
+    const std::uint32_t value = adc->read(address);
+    refresh_adc_line();
+    return value;
+  }
   if (usart) return usart->read(address);
   return ports_.read(address);
 }
@@ -170,10 +186,15 @@ bool Bus::write(Address address, std::uint32_t value) {
   if (Flash::owns(address)) return flash_.write(address, value);
   Timer* const timer = timer_at(address);
   Usart* const usart = timer ? nullptr : usart_at(address);
-  if (!timer && !usart && !Ports::owns(address) && !Adc::owns(address)) return false;
+  Adc* const adc = adc_at(address);
+  if (!timer && !usart && !adc && !Ports::owns(address)) return false;
   if (!has_clock(address) || clocks_.holds_in_reset(address)) return true;
   if (timer) return timer->write(address, value);
-  if (Adc::owns(address)) return adc_.write(address, value);
+  if (adc) {
+    const bool modelled = adc->write(address, value);
+    refresh_adc_line();
+    return modelled;
+  }
   if (usart) {
     const bool sent = usart->sends(), modelled = usart->write(address, value);
     if (usart->sends() != sent) ports_.refresh(sending_pin(*usart));
@@ -236,7 +257,7 @@ void Bus::store(Address address, std::uint32_t value, unsigned size) {
 }
 
 Cycle Bus::next_event() const {
-  Cycle next = std::min(systick_.next_event(), adc_.next_event());
+  Cycle next = std::min({systick_.next_event(), adcs_[0].next_event(), adcs_[1].next_event()});
   for (const Usart& usart : usarts_) next = std::min(next, usart.next_event());
   for (const Timer& timer : timers_) next = std::min(next, timer.next_event());
   return next;
@@ -245,7 +266,8 @@ Cycle Bus::next_event() const {
 void Bus::update() {
   systick_.update();
   for (Timer& timer : timers_) timer.update();
-  adc_.update();
+  for (Adc& adc : adcs_) adc.update();
+  refresh_adc_line();
   for (Usart& usart : usarts_) usart.update();
 }
 

@@ -55,11 +55,13 @@ class Bus {
   static const char* name_at(Address address);
 
  private:
-  static constexpr int kTimers = 4, kUsarts = 3;
+  static constexpr int kTimers = 4, kUsarts = 3, kAdcs = 2;
 
   PinDrive alternate(ChipPin pin) const;
   Timer* timer_at(Address address);
   Usart* usart_at(Address address);
+  Adc* adc_at(Address address);
+  void refresh_adc_line();
   bool has_clock(Address address) const;
   void reset_held();
   std::uint32_t load_word(Address address);
@@ -75,7 +77,7 @@ class Bus {
   Ports ports_;
   SysTick systick_;
   std::array<Timer, kTimers> timers_;
-  Adc adc_;
+  std::array<Adc, kAdcs> adcs_;
   std::array<Usart, kUsarts> usarts_;
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;

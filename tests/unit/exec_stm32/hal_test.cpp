@@ -496,5 +496,38 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
   EXPECT_FALSE(bus.unmodelled());
 }
 
+TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
+  using namespace robosim::stm32;
+  struct Volts : PinSource {
+    explicit Volts(double volts) : value(volts) {}
+    double volts(SimTime) override { return value; }
+    bool level(SimTime) override { return false; }
+    double value;
+  } quarter(3.3 / 4), half(3.3 / 2);
+  BoardState board(*find_board("bluepill"));
+  board.connect(14, quarter);  // channel 0
+  board.connect(15, half);
+  ClockedBoard clocked(board);
+  EepromPages pages(4096, 0xFF);
+  Bus bus(clocked, pages, 0);
+  bus.store(kRccApb2Enr, clock_bit(kAdc1) | clock_bit(kAdc2), 4);
+  bus.store(kNvicIser, 1u << kIrqAdc, 4);
+  const Address second = kAdc2 - kAdc1;
+  for (const Address adc : {Address{0}, second}) {
+    bus.store(adc + kAdcCr1, 1u << 5, 4);  // EOCIE
+    bus.store(adc + kAdcSqr3, adc == 0 ? 0 : 1, 4);
+    bus.store(adc + kAdcCr2, kAdOn, 4);
+    bus.store(adc + kAdcCr2, kAdOn, 4);
+  }
+  for (Cycle& now = bus.link().clock.now; bus.next_event() != kNoCycle; bus.update()) now = bus.next_event();
+  EXPECT_EQ(bus.load(kAdcDr, 4), 1024u);
+  bus.store(kNvicIcpr, 1u << kIrqAdc, 4);
+  EXPECT_EQ(bus.link().nvic.wakes(), kFirstIrq + kIrqAdc) << "ADC2 still asks for it";
+  EXPECT_EQ(bus.load(second + kAdcDr, 4), 2048u);
+  bus.store(kNvicIcpr, 1u << kIrqAdc, 4);
+  EXPECT_EQ(bus.link().nvic.wakes(), 0);
+  EXPECT_FALSE(bus.unmodelled());
+}
+
 }  // namespace
 }  // namespace robosim::exec::stm32
