@@ -18,7 +18,7 @@ struct Outlook {
     return static_cast<std::uint8_t>(counts() && at >= step ? value + 1 + (at - step) / period : value);
   }
   /// The first read that gives `aim`, which is more than `value`.
-  Cycle reaches(std::int64_t aim) const { return step + static_cast<Cycle>(aim - value - 1) * period; }
+  Cycle reaches(int aim) const { return step + static_cast<Cycle>(aim - value - 1) * period; }
 };
 
 }  // namespace robosim::avr

@@ -8,6 +8,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr int kMostSteps = 400;
+constexpr std::int64_t kWidestCounter = 0xFF;
 
 }  // namespace
 
@@ -117,7 +118,7 @@ bool Path::ends(Pass& pass) {
   }
   if ((cpu.sreg() ^ pass_.flags) & pass_.flags_read) return false;
   ramp_.hold_flags(pass_.flags_read);
-  pass_.window = ramp_.has_counter() ? ramp_.window() : 0;
+  pass_.window = ramp_.has_counter() ? static_cast<int>(std::min(ramp_.window(), kWidestCounter)) : 0;
   pass_.cycles = core_.now() - began_;
   pass_.jumps.clear();
   for (std::uint32_t i = jumps_before_; i != cpu.state.jump_count; ++i)

@@ -39,7 +39,7 @@ class Path {
     std::uint8_t flags_read = 0, flags = 0;
     std::uint16_t sp = 0;
     std::vector<Look> looks;
-    std::int64_t window = 0;
+    int window = 0;  ///< of the counter
     Cycle cycles = 0;
     std::vector<std::uint32_t> jumps;  ///< calls and returns, as Cpu notes them
     int visits = 0;                    ///< of marks

@@ -55,8 +55,8 @@ TEST_F(OutlookTest, OfTimersHolds) {
             << "of " << address << " at " << at << ", asked at " << now() << ", trial " << trial;
       }
       if (!promised.counts() || promised.step >= end) continue;
-      const unsigned aim =
-          promised.value + 1 + below(static_cast<unsigned>((end - promised.step) / promised.period) + 1);
+      const auto ticks = static_cast<unsigned>((end - promised.step) / promised.period);
+      const auto aim = static_cast<int>(promised.value + 1 + below(ticks + 1));
       ASSERT_EQ(read_at(address, promised.reaches(aim)), aim);
       ASSERT_EQ(read_at(address, promised.reaches(aim) - 1), aim - 1);
     }
