@@ -60,12 +60,10 @@ Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& 
   tell(chosen.robot.announcement);
   Carrier carrier = fit_to_target(chosen.robot, chosen.target, describe);
   tell(carrier.announcement);
-  if (chosen.sketch.path.extension() == ".hex") {
+  if (chosen.sketch.path.extension() == ".hex")
     tell(
         "a .hex has no names: its loop() is not timed, its heap is not known, and where it crashes or waits "
-        "is said by "
-        "address; its .elf tells more");
-  }
+        "is said by address; its .elf tells more");
   build::Request wanted{chosen.sketch.path, board_of(carrier.info), chosen.target};
   wanted.libraries.assign(launch.libraries.begin(), launch.libraries.end());
   wanted.sanitize = launch.sanitize;

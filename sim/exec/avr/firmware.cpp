@@ -121,7 +121,7 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   if (std::string_view(board.chip->target) != "avr")
     throw InputError({firmware.file},
                      fmt::format("is for an AVR chip, and the robot's board is the {}", board.name));
-  if (content.starts_with(':')) {
+  if (file.extension() == ".hex") {
     load_hex(content, board, firmware);
   } else {
     load_elf(std::move(content), board, firmware);

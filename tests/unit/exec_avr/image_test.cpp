@@ -12,8 +12,8 @@ using testing::HasSubstr;
 
 class ImageTest : public AvrTest {
  protected:
-  std::string refusal(const std::string& content) {
-    const auto file = folder_ / "x.elf";
+  std::string refusal(const std::string& content, const char* name = "x.elf") {
+    const auto file = folder_ / name;
     write_file(file, content);
     try {
       AvrExecutor executor(*find_board(board_name_), file);
@@ -130,12 +130,16 @@ TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("stack overflow"));
   EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
 
-  EXPECT_THAT(refusal(hex.substr(0, 100)), HasSubstr("x.elf:3: is no line of an Intel HEX file"));
-  EXPECT_THAT(refusal(hex.substr(0, hex.find('\n') + 1)), HasSubstr("ends before the line :00000001FF"));
+  EXPECT_THAT(refusal(hex.substr(0, 100), "x.hex"), HasSubstr("x.hex:3: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(hex.substr(0, hex.find('\n') + 1), "x.hex"),
+              HasSubstr("ends before the line :00000001FF"));
   std::string wrong = hex;
   wrong[10] = wrong[10] == '0' ? '1' : '0';
-  EXPECT_THAT(refusal(wrong), HasSubstr("x.elf:1: is no line of an Intel HEX file"));
-  EXPECT_THAT(refusal(":020000040001F9\n:0100000000FF\n:00000001FF\n"), HasSubstr("behind the 32256 bytes"));
+  EXPECT_THAT(refusal(wrong, "x.hex"), HasSubstr("x.hex:1: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(":020000040001F9\n:0100000000FF\n:00000001FF\n", "x.hex"),
+              HasSubstr("behind the 32256 bytes"));
+  for (const char* const other : {"", "hello", "\177ELF"})
+    EXPECT_THAT(refusal(other, "x.hex"), HasSubstr("Intel HEX file")) << other;
 }
 
 TEST_F(ImageTest, TheEepromBeginsWithWhatTheImageHasForItAndFusesChangeNothing) {
