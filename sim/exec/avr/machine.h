@@ -53,7 +53,7 @@ class Machine final : Outside {
   WatchedChip chip_;
   Stack stack_;
   robosim::avr::Events::Id look_ = 0;
-  RoundCounter rounds_;
+  RoundCounter<Cycle> rounds_;
   SimTime clock_start_ = 0;
   DebugPort* debug_port_ = nullptr;
   WrittenBytes* written_ = nullptr;

@@ -13,7 +13,7 @@
 #include "sim/avr/chip.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
-#include "sim/exec/avr/round_counter.h"
+#include "sim/exec/elf/round_counter.h"
 
 namespace robosim::exec::avr {
 
@@ -64,7 +64,7 @@ class WatchedChip final : robosim::avr::Visitor {
   void set_trap(Trap trap, std::uint32_t pc);
   /// From the second round on, rounds are counted at a kLoopTrap, and run_to() runs on if nobody else wants
   /// to know.
-  void count(RoundCounter& rounds) { rounds_ = &rounds; }
+  void count(RoundCounter<Cycle>& rounds) { rounds_ = &rounds; }
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
   unsigned take_traps();
@@ -123,7 +123,7 @@ class WatchedChip final : robosim::avr::Visitor {
   const ChipSpec& spec_;
   std::uint32_t clock_hz_;
   std::vector<TrapPlace> traps_;
-  RoundCounter* rounds_ = nullptr;
+  RoundCounter<Cycle>* rounds_ = nullptr;
   unsigned trapped_ = 0;
   std::optional<Fault> fault_;
   bool off_ = false;

@@ -297,7 +297,7 @@ bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
 void Cpu::before_special(const Cached& entry) {
   const Instruction& i = entry.instruction;
   if (i.predicates > 0) predicated_ = i.predicates;
-  if (entry.loop || (entry.starts && !looped_)) loop_began();
+  if (entry.loop || (entry.starts && !rounds_.is_running())) rounds_.began(clock_.time_of(clock_.now));
   if (entry.call && handlers_.empty()) {
     last_io_ = clock_.now;
     last_io_pc_ = pc_;
@@ -325,20 +325,6 @@ void Cpu::check_stack() {
   if (sp < lowest_sp_) lowest_sp_ = sp;
   if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);
 }
-
-void Cpu::loop_began() {
-  const SimTime now = clock_.time_of(clock_.now);
-  if (looped_) {
-    const SimTime took = now - loop_began_;
-    ++loop_times_.count;
-    loop_times_.total += took;
-    loop_times_.longest = std::max(loop_times_.longest, took);
-  }
-  looped_ = true;
-  loop_began_ = now;
-}
-
-SimTime Cpu::present_loop() const { return looped_ ? clock_.time_of(clock_.now) - loop_began_ : 0; }
 
 Cycle Cpu::handler_cycles() const {
   return handler_cycles_ + (handlers_.empty() ? 0 : clock_.now - handler_began_);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/exec/elf/round_counter.h"
 #include "sim/exec/elf/rounds.h"
 #include "sim/exec/stm32/bus.h"
 #include "sim/exec/stm32/cycles.h"
@@ -41,13 +42,6 @@ struct Fault {
   Kind kind = Kind::bad_jump;
   std::uint32_t pc = 0;       ///< of the instruction; of a jump, where it led
   std::uint32_t address = 0;  ///< of a read or write; the opcode; the exception that has no handler
-};
-
-/// How long passes of loop() take.
-struct LoopTimes {
-  std::uint64_t count = 0;
-  SimTime longest = 0;
-  SimTime total = 0;
 };
 
 class Cpu {
@@ -111,9 +105,7 @@ class Cpu {
   std::uint32_t last_io_pc() const { return last_io_pc_; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return sleep_cycles_; }
-  const LoopTimes& loop_times() const { return loop_times_; }
-  /// Of the pass that has begun; 0 before the first.
-  SimTime present_loop() const;
+  const RoundCounter<SimTime>& rounds() const { return rounds_; }
 
   /// Whom to call whenever the instruction at `pc` is about to run.
   void watch(std::uint32_t pc, std::function<void()> watcher);
@@ -177,7 +169,6 @@ class Cpu {
   bool halts_at(std::uint32_t pc, const Cached& cached);
   void before_special(const Cached& cached);
   void after_special();
-  void loop_began();
   void check_stack();
   void note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
   void jumped_nowhere(std::uint32_t pc);
@@ -235,9 +226,7 @@ class Cpu {
   Cycle last_io_ = 0;
   std::uint32_t last_io_pc_ = 0;
   Cycle handler_began_ = 0, handler_cycles_ = 0, sleep_cycles_ = 0;
-  LoopTimes loop_times_;
-  SimTime loop_began_ = 0;
-  bool looped_ = false;
+  RoundCounter<SimTime> rounds_;
 };
 
 }  // namespace robosim::exec::stm32

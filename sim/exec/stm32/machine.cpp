@@ -88,16 +88,16 @@ void Machine::run_until(SimTime t) {
 
 Resources Machine::resources() const {
   constexpr double kNanoToMicro = 1e-3;
-  const LoopTimes& loops = cpu_.loop_times();
+  const RoundCounter<SimTime>& rounds = cpu_.rounds();
   const auto cycles = static_cast<double>(std::max<Cycle>(bus_.link().clock.now, 1));
   Resources r;
   r.flash_bytes = firmware_.flash_bytes;
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_top_ - std::min(cpu_.lowest_sp(), stack_top_);
-  r.loops = loops.count;
-  r.loop_us_max = static_cast<double>(std::max(loops.longest, cpu_.present_loop())) * kNanoToMicro;
+  r.loops = rounds.count();
+  r.loop_us_max = static_cast<double>(rounds.longest(time_of(bus_.link().clock.now))) * kNanoToMicro;
   if (r.loops > 0)
-    r.loop_us_mean = static_cast<double>(loops.total) * kNanoToMicro / static_cast<double>(r.loops);
+    r.loop_us_mean = static_cast<double>(rounds.total()) * kNanoToMicro / static_cast<double>(r.loops);
   r.interrupt_share = static_cast<double>(cpu_.handler_cycles()) / cycles;
   r.cpu_load = 1.0 - static_cast<double>(cpu_.sleep_cycles()) / cycles;
   return r;

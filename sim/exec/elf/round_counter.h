@@ -4,45 +4,45 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "sim/exec/avr/link.h"
+namespace robosim::exec {
 
-namespace robosim::exec::avr {
-
+/// `Time`: a whole number, in whatever unit the chip's clock has.
+template <typename Time>
 class RoundCounter {
  public:
   /// The next round is the first: there was none before it.
   void await() { running_ = false; }
   bool is_running() const { return running_; }
   /// A round begins, and so ends the one before.
-  void began(Cycle at) {
+  void began(Time at) {
     if (running_) add(at - began_, 1);
     running_ = true;
     began_ = at;
   }
   /// Rounds began at `first` and then every `period`.
-  void began(Cycle first, Cycle period, std::uint64_t rounds) {
+  void began(Time first, Time period, std::uint64_t rounds) {
     began(first);
     if (rounds == 1) return;
     add(period, rounds - 1);
-    began_ += (rounds - 1) * period;
+    began_ += static_cast<Time>(rounds - 1) * period;
   }
 
   /// From one beginning to the next.
   std::uint64_t count() const { return count_; }
-  Cycle total() const { return total_; }
+  Time total() const { return total_; }
   /// The one that runs at `now` included.
-  Cycle longest(Cycle now) const { return std::max(longest_, running_ ? now - began_ : 0); }
+  Time longest(Time now) const { return std::max(longest_, running_ ? now - began_ : Time{0}); }
 
  private:
-  void add(Cycle took, std::uint64_t rounds) {
+  void add(Time took, std::uint64_t rounds) {
     count_ += rounds;
-    total_ += rounds * took;
+    total_ += static_cast<Time>(rounds) * took;
     longest_ = std::max(longest_, took);
   }
 
   bool running_ = false;
-  Cycle began_ = 0, total_ = 0, longest_ = 0;
+  Time began_ = 0, total_ = 0, longest_ = 0;
   std::uint64_t count_ = 0;
 };
 
-}  // namespace robosim::exec::avr
+}  // namespace robosim::exec
