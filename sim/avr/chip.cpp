@@ -23,27 +23,6 @@ namespace {
 
 constexpr std::uint8_t kPowerOnReset = 0x01;
 
-Chip::Stop chip_stop(Cpu::Stop why) {
-  switch (why) {
-    case Cpu::Stop::mark:
-      return Chip::Stop::mark;
-    case Cpu::Stop::break_:
-      return Chip::Stop::break_;
-    case Cpu::Stop::illegal:
-      return Chip::Stop::illegal;
-    case Cpu::Stop::outside:
-      return Chip::Stop::outside;
-    case Cpu::Stop::bad_read:
-      return Chip::Stop::bad_read;
-    case Cpu::Stop::bad_write:
-      return Chip::Stop::bad_write;
-    case Cpu::Stop::spm:
-      return Chip::Stop::spm;
-    default:
-      return Chip::Stop::stopped;
-  }
-}
-
 }  // namespace
 
 Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
@@ -169,9 +148,9 @@ Chip::Stop Chip::run_to(Cycle until) {
     const Cycle horizon = std::min(until, core_.events.next());
     const bool one = singly_ || requested, watched = !one && idle_.watches();
     if (watched) idle_.before();
-    const Cpu::Stop why = cpu.run(one || watched ? cpu.cycle() + 1 : horizon);
+    const Stop why = cpu.run(one || watched ? cpu.cycle() + 1 : horizon);
     if (watched) idle_.after();
-    if (why == Cpu::Stop::mark) {
+    if (why == Stop::mark) {
       if (!one && cpu.is_head(cpu.pc())) idle_.at_head(std::min(until, core_.events.next_urgent()));
       if (!cpu.has_mark(cpu.pc())) continue;
       if (core_.visitor && core_.visitor->visited(cpu.pc(), cpu.cycle())) {
@@ -179,10 +158,10 @@ Chip::Stop Chip::run_to(Cycle until) {
         continue;
       }
     }
-    if (why == Cpu::Stop::sleep) {
+    if (why == Stop::sleep) {
       power_.sleep(cpu.cycle());
-    } else if (why != Cpu::Stop::horizon) {
-      return chip_stop(why);
+    } else if (why != Stop::reached) {
+      return why;
     }
     if (singly_) return Stop::stopped;
   }

@@ -32,19 +32,7 @@ class Chip {
   Chip(const Chip&) = delete;
   Chip& operator=(const Chip&) = delete;
 
-  /// Why run_to() came back.
-  enum class Stop : std::uint8_t {
-    reached,  ///< the cycle
-    off,      ///< it sleeps with interrupts off: nothing but a reset will wake it
-    stopped,  ///< somebody called cpu.stop(), or an instruction has run in single steps
-    mark,     ///< an instruction with a mark is next
-    break_,
-    illegal,
-    outside,
-    bad_read,
-    bad_write,
-    spm,
-  };
+  using Stop = Cpu::Stop;
 
   /// Runs until `until` or the end of the instruction that crosses it.
   Stop run_to(Cycle until);

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <bit>
 
+#include "hal/board/avr_registers.h"
+
 namespace robosim::avr {
 namespace {
 
-constexpr Address kFirstIo = 0x20;
 constexpr std::uint8_t kErased = 0xFF, kAllBits = 0xFF;
 // Above this the vectors are two words apart, room for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
-constexpr Address kStackHigh = 0x5E;
-
 bool counts_down(const Instruction& first, const Instruction& second) {
   return first.op == Op::sbiw && first.b == 1 && second.op == Op::brbc && second.b == Cpu::kZ &&
          second.k == -2;
@@ -35,7 +34,7 @@ Op quick(const Instruction& i) {
   }
 }
 
-bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == kStackHigh; }
+bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == reg::kSpH; }
 
 }  // namespace
 
@@ -56,7 +55,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
 }
 
 void Cpu::reset() {
-  std::fill(data.begin() + kFirstIo, data.begin() + ram_begin_, std::uint8_t{0});
+  std::fill(data.begin() + reg::kFirstIo, data.begin() + ram_begin_, std::uint8_t{0});
   state.pc = 0;
   state.sp = last_ram_;
   state.sreg = 0;
@@ -93,18 +92,18 @@ void Cpu::store(Address address, std::uint8_t value) {
 }
 
 std::uint8_t Cpu::load_elsewhere(Address address) {
-  if (address < kFirstIo) return data[address];
+  if (address < reg::kFirstIo) return data[address];
   if (address > last_ram_) {
     state.bad_address = address;
     stop_with(Stop::bad_read);
     return 0;
   }
   switch (address) {
-    case kSreg:
+    case reg::kSreg:
       return state.sreg;
-    case kSpl:
+    case reg::kSpL:
       return static_cast<std::uint8_t>(state.sp);
-    case kSph:
+    case reg::kSpH:
       return static_cast<std::uint8_t>(state.sp >> 8);
     default:
       break;
@@ -116,7 +115,7 @@ std::uint8_t Cpu::load_elsewhere(Address address) {
 }
 
 void Cpu::store_elsewhere(Address address, std::uint8_t value) {
-  if (address < kFirstIo) {
+  if (address < reg::kFirstIo) {
     data[address] = value;
     return;
   }
@@ -125,15 +124,15 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
     return stop_with(Stop::bad_write);
   }
   switch (address) {
-    case kSreg:
+    case reg::kSreg:
       // Between the halves of the stack pointer it is a function's that makes room for its variables.
       if (state.last_pc == 0 || !writes_sph(original_[state.last_pc - 1])) touch();
       return set_sreg(value);
-    case kSpl:
+    case reg::kSpL:
       state.sp_before = state.sp;
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF00) | value);
       return on_sp_written();
-    case kSph:
+    case reg::kSpH:
       state.sp_before = state.sp;
       state.sp = static_cast<std::uint16_t>((state.sp & 0xFF) | value << 8);
       return on_sp_written();

@@ -30,9 +30,9 @@ class Cpu {
   /// Bits of SREG.
   static constexpr std::uint8_t kC = 1, kZ = 2, kN = 4, kV = 8, kS = 16, kH = 32, kT = 64, kI = 128;
 
-  /// Why run() came back.
+  /// Why run(), or Chip::run_to(), came back.
   enum class Stop : std::uint8_t {
-    horizon,   ///< the cycle was reached
+    reached,   ///< the cycle
     sleep,     ///< SLEEP ran; the program counter is behind it
     mark,      ///< the instruction at the program counter has a mark; run() again runs it
     break_,    ///< BREAK ran
@@ -40,8 +40,9 @@ class Cpu {
     outside,   ///< the program counter is behind the flash: by a jump to outside_pc(), or by running on
     bad_read,  ///< the instruction before has touched bad_address(), which has no memory
     bad_write,
-    spm,          ///< SPM ran
-    interrupted,  ///< somebody called stop()
+    spm,      ///< SPM ran
+    stopped,  ///< somebody called stop(); of a chip in single steps: an instruction has run
+    off,      ///< of a chip: it sleeps with interrupts off, and nothing but a reset will wake it
   };
 
   /// `flash` holds whole words, at most all that the program counter reaches; `last_ram`: the last address of
@@ -53,8 +54,8 @@ class Cpu {
   Stop run(Cycle until);
   /// From within a hook: run() comes back after this instruction, though nothing stopped it.
   void look_up() { horizon_ = 0; }
-  /// The same, with Stop::interrupted.
-  void stop() { stop_with(Stop::interrupted); }
+  /// The same, with Stop::stopped.
+  void stop() { stop_with(Stop::stopped); }
 
   /// WDR calls this, and whoever wants to knows that.
   struct Call {
@@ -219,8 +220,6 @@ class Cpu {
   State state;
 
  private:
-  static constexpr Address kSpl = 0x5D, kSph = 0x5E, kSreg = 0x5F;
-
   static constexpr std::uint8_t kMark = 1, kHead = 2;
 
   Op unmarked(std::uint32_t pc) const;
@@ -255,7 +254,7 @@ class Cpu {
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address
   Cycle horizon_ = 0;
-  Stop stop_ = Stop::horizon;
+  Stop stop_ = Stop::reached;
 };
 
 }  // namespace robosim::avr

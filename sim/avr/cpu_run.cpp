@@ -1,6 +1,7 @@
 // The interpreter's loop: each operation ends with a jump to the next one's code.
 #include <bit>
 
+#include "hal/board/avr_registers.h"
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_steps.h"
 #include "sim/avr/flags.h"
@@ -11,7 +12,7 @@ Cpu::Stop Cpu::run(Cycle until) {
     state.passing = state.pc;
     return Stop::mark;
   }
-  stop_ = Stop::horizon;
+  stop_ = Stop::reached;
   horizon_ = until;
   state.held = false;
 
@@ -219,7 +220,7 @@ choose:
   }
 
   OPERATION(in, 1) {
-    if (i->k == kSreg) {
+    if (i->k == reg::kSreg) {
       r[i->a] = flags.pack();
       NEXT(1);
     }

@@ -234,12 +234,10 @@ Effects effects_of(const Instruction& i, const Cpu& cpu) {
       break;
     case Op::rjmp:
     case Op::jmp:
-      w.e.jumps = true;
       break;
     case Op::brbs:
     case Op::brbc:
       w.computes(0, 0, 0, i.b);
-      w.e.jumps = true;
       break;
     case Op::sbrc:
     case Op::sbrs:

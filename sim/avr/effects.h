@@ -18,7 +18,6 @@ struct Effects {
   Address address = 0;       ///< in data memory, the lowest of `bytes`
   std::uint8_t bytes = 0;    ///< of data memory
   std::uint8_t touched = 0;  ///< cycles from its beginning to the access
-  bool jumps = false;        ///< by rjmp, jmp or a branch, if it is taken: what ends a loop
   bool elsewhere = false;    ///< it does more than touch registers, flags and data memory
 };
 

@@ -85,6 +85,7 @@ void WatchedChip::run_to(Cycle cycle) {
     const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
     switch (why) {
       case Chip::Stop::reached:
+      case Chip::Stop::sleep:  // which a chip sleeps through by itself
         break;
       case Chip::Stop::off:
         off_ = true;

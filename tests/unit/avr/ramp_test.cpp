@@ -99,7 +99,8 @@ class RampTest : public testing::Test {
     while (cpu.pc() < code.here() - 1) {
       const Instruction instruction = cpu.instruction(cpu.pc());
       const Effects effects = effects_of(instruction, cpu);
-      if (effects.jumps) outcome.branches.push_back(cpu.sreg() & instruction.b);
+      if (instruction.op == Op::brbs || instruction.op == Op::brbc)
+        outcome.branches.push_back(cpu.sreg() & instruction.b);
       const bool reads_counter = instruction.op == Op::lds && instruction.k == kCounter;
       if (follows) ramp_->follow(instruction, effects);
       cpu.run(cpu.cycle() + 1);
