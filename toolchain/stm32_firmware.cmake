@@ -9,7 +9,7 @@ cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROBOSIM_STM32_ROOT)
 # Board: its processor's clock. Bytes of flash for a sketch, and of RAM.
 set(ROBOSIM_STM32_bluepill 72000000)
 set(ROBOSIM_STM32_bluepill8 8000000)
-set(ROBOSIM_STM32_FLASH 61440)
+set(ROBOSIM_STM32_FLASH 65536)
 set(ROBOSIM_STM32_RAM 20480)
 
 # The genuine core's portable sources, apart from what is an AVR's.

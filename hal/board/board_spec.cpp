@@ -232,7 +232,7 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
       .supply_volts = 3.3,
       .clock_hz = clock_hz,
       .adc_steps = 1024,
-      .flash_bytes = kStm32f103c8.flash_bytes - 4 * 1024,
+      .flash_bytes = kStm32f103c8.flash_bytes,
       .ram_bytes = kStm32f103c8.ram_bytes,
       .eeprom_bytes = 1024,
       .regulator_drop_volts = kUno.regulator_drop_volts,

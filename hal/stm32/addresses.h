@@ -19,7 +19,7 @@ using Address = uint32_t;
 constexpr Address kFlash = kStm32f103c8.flash_address, kRam = kStm32f103c8.ram_address;
 constexpr uint32_t kFlashBytes = kStm32f103c8.flash_bytes, kRamBytes = kStm32f103c8.ram_bytes;
 constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased (PM0075 1.2)
-/// The last pages of flash are no program memory here: they hold the emulated EEPROM (eeprom.h).
+/// The last pages of flash hold the emulated EEPROM (eeprom.h), if a program uses it.
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 

@@ -39,8 +39,11 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
   if (std::regex_search(messages, match, flash))
     throw CompileError(
         fmt::format("{} does not fit: it takes {} bytes more than the chip's flash, and the {} has {} bytes "
-                    "of it for a sketch",
-                    sketch.name, match[1].str(), board.name, board.flash_bytes));
+                    "of it for a sketch{}",
+                    sketch.name, match[1].str(), board.name, board.flash_bytes,
+                    board.chip->eeprom_bytes == 0 && board.eeprom_bytes > 0
+                        ? ", the last 4096 only if it does not use the EEPROM"
+                        : ""));
 }
 
 }  // namespace

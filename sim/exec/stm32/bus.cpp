@@ -68,10 +68,10 @@ const char* Bus::name_at(Address address) {
   return "";
 }
 
-Bus::Bus(ClockedBoard& board, EepromPages& pages, SimTime began)
+Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
     : link_{board, Clock(began)},
       clocks_(link_),
-      flash_(link_, pages),
+      flash_(link_, memory),
       ports_(link_, [this](ChipPin pin) { return alternate(pin); }),
       systick_(link_),
       timers_{Timer(link_, place_of(stm32f103c8::kTim1), [this](ChipPin pin) { ports_.refresh(pin); }),
@@ -231,7 +231,7 @@ bool Bus::store_bit(Address address, std::uint32_t value) {
 
 std::uint32_t Bus::load(Address address, unsigned size) {
   last_address_ = address;
-  if (Flash::owns_page(address)) return flash_.read_page(address, size);
+  if (Flash::owns_memory(address)) return flash_.read_memory(address, size);
   std::uint32_t value = 0;
   if (load_bit(address, value)) return value;
   value = load_word(address & ~3u) >> (8 * (address & 3));
@@ -240,10 +240,7 @@ std::uint32_t Bus::load(Address address, unsigned size) {
 
 void Bus::store(Address address, std::uint32_t value, unsigned size) {
   last_address_ = address;
-  if (Flash::owns_page(address)) {
-    if (!flash_.program(address, value, size)) refuse(address, true, value);
-    return;
-  }
+  if (flash_.programs(address, size)) return flash_.program(address, value);
   if (store_bit(address, value)) return;
   if (size == 4) return store_word(address & ~3u, value);
   const std::uint32_t low = value & ((1u << (8 * size)) - 1);

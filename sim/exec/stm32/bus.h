@@ -31,7 +31,7 @@ struct Unmodelled {
 
 class Bus {
  public:
-  Bus(ClockedBoard& board, EepromPages& pages, SimTime began);
+  Bus(ClockedBoard& board, FlashMemory& memory, SimTime began);
 
   /// `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
@@ -41,6 +41,12 @@ class Bus {
   Cycle next_event() const;
   /// Brings all peripherals up to the present time.
   void update();
+  /// Whether a store to flash programs it (Flash::programs).
+  bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
+  const FlashMemory& flash() const { return flash_.memory(); }
+  const RamMemory& ram() const { return ram_; }
+  /// The page of flash that has changed since the last call; nothing if none has.
+  std::optional<Address> take_changed_page() { return flash_.take_changed(); }
   /// Takes what the robot has sent by now.
   void take_inputs();
 
@@ -72,6 +78,7 @@ class Bus {
   void refuse(Address address, bool write, std::uint32_t value = 0);
 
   Link link_;
+  RamMemory ram_;
   Clocks clocks_;
   Flash flash_;
   Ports ports_;

@@ -1,8 +1,6 @@
 #include "sim/exec/stm32/cpu.h"
 
-#include <cstdlib>
 #include <cstring>
-#include <new>
 
 #include "sim/exec/stm32/unicorn.h"
 
@@ -11,15 +9,6 @@ namespace robosim::exec::stm32 {
 using namespace robosim::stm32;
 
 namespace {
-
-constexpr std::uint32_t kPage = 0x1000;  // the emulator's
-
-std::uint8_t* pages(std::size_t bytes) {
-  void* const memory = std::aligned_alloc(kPage, bytes);
-  if (!memory) throw std::bad_alloc();
-  std::memset(memory, 0, bytes);
-  return static_cast<std::uint8_t*>(memory);
-}
 
 void check(uc_err error) {
   if (error != UC_ERR_OK) throw std::runtime_error(std::string("libunicorn: ") + uc_strerror(error));
@@ -53,8 +42,10 @@ struct Cpu::Hooks {
   }
   template <Address kBase>
   static void store(uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* cpu) {
-    self(cpu).bus_.store(kBase + static_cast<Address>(offset), static_cast<std::uint32_t>(value), size);
-    self(cpu).accessed();
+    Cpu& c = self(cpu);
+    c.bus_.store(kBase + static_cast<Address>(offset), static_cast<std::uint32_t>(value), size);
+    if (const auto page = c.bus_.take_changed_page()) c.forget(*page);
+    c.accessed();
   }
   static bool invalid(uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* cpu) {
     Cpu& c = self(cpu);
@@ -111,19 +102,16 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
       bus_(bus),
       clock_(bus.link().clock),
       nvic_(bus.link().nvic),
-      flash_(pages(kMappedFlash), std::free),
-      ram_(pages(kRamBytes), std::free),
+      flash_(bus.flash().data()),
+      ram_(bus.ram().data()),
       cache_(kFlashBytes / 2) {
-  std::memcpy(flash_.get(), firmware.flash.data(), kMappedFlash);
   // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
-  check(uc_mem_map_ptr(uc_, kFlash, kMappedFlash, UC_PROT_READ | UC_PROT_EXEC, flash_.get()));
+  check(uc_mem_map_ptr(uc_, kFlash, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash_));
   // What the chip boots from is seen at 0, too (RM0008 3.4).
-  check(uc_mem_map_ptr(uc_, 0, kMappedFlash, UC_PROT_READ | UC_PROT_EXEC, flash_.get()));
-  check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram_.get()));
-  check(uc_mmio_map(uc_, kEepromFlash, kFlashBytes - kMappedFlash, &Hooks::load<kEepromFlash>, this,
-                    &Hooks::store<kEepromFlash>, this));
+  check(uc_mem_map_ptr(uc_, 0, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash_));
+  check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram_));
   check(uc_mmio_map(uc_, kPeripherals, kPeripheralBytes, &Hooks::load<kPeripherals>, this,
                     &Hooks::store<kPeripherals>, this));
   check(
@@ -145,7 +133,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Cached::call);
   const auto vector = [&](unsigned number) {
     std::uint32_t value;
-    std::memcpy(&value, flash_.get() + 4 * number, sizeof value);
+    std::memcpy(&value, flash_ + 4 * number, sizeof value);
     return value;
   };
   set_reg(kSp, vector(0));
@@ -162,7 +150,7 @@ Cpu::~Cpu() {
 
 std::uint8_t* Cpu::ram(Address address, unsigned bytes) const {
   if (address < kRam || address > kRam + kRamBytes - bytes) return nullptr;
-  return ram_.get() + (address - kRam);
+  return ram_ + (address - kRam);
 }
 
 std::uint32_t Cpu::word(Address address) const {
@@ -175,30 +163,32 @@ void Cpu::set_word(Address address, std::uint32_t value) {
   if (std::uint8_t* at = ram(address, 4)) std::memcpy(at, &value, 4);
 }
 
+std::uint16_t Cpu::half(Address address) const {
+  std::uint16_t value = 0;
+  if (const std::uint8_t* const at = memory(address, 2)) std::memcpy(&value, at, 2);
+  return value;
+}
+
 std::uint32_t Cpu::opcode(std::uint32_t pc) const {
-  const std::uint32_t at = pc < kMappedFlash ? pc + kFlash : pc;
-  const std::uint32_t first = firmware_.half(at);
-  return first >= 0xE800 ? first << 16 | firmware_.half(at + 2) : first;
+  const std::uint32_t at = pc < kFlashBytes ? pc + kFlash : pc;
+  const std::uint32_t first = half(at);
+  return first >= 0xE800 ? first << 16 | half(at + 2) : first;
 }
 
 Cpu::Cached* Cpu::cached(std::uint32_t pc) {
   const std::uint32_t offset = pc - kFlash;
-  if (offset >= kMappedFlash) {
-    const std::uint8_t* const at = memory(pc, 2);
-    if (!at) return nullptr;
-    std::uint16_t halves[2] = {0, 0};
-    std::memcpy(halves, at, 2);
-    if (const std::uint8_t* second = memory(pc + 2, 2)) std::memcpy(halves + 1, second, 2);
-    elsewhere_.instruction = decode(halves[0], halves[1]);
-    elsewhere_.thumb = decode_thumb(pc, halves[0], halves[1]);
+  if (offset >= kFlashBytes) {
+    if (!memory(pc, 2)) return nullptr;
+    elsewhere_.instruction = decode(half(pc), half(pc + 2));
+    elsewhere_.thumb = decode_thumb(pc, half(pc), half(pc + 2));
     elsewhere_.plain = false;
     return &elsewhere_;
   }
   Cached& entry = cache_[offset / 2];
   if (entry.known) return &entry;
   entry.known = true;
-  entry.instruction = decode(firmware_.half(pc), firmware_.half(pc + 2));
-  entry.thumb = decode_thumb(pc, firmware_.half(pc), firmware_.half(pc + 2));
+  entry.instruction = decode(half(pc), half(pc + 2));
+  entry.thumb = decode_thumb(pc, half(pc), half(pc + 2));
   const Instruction& i = entry.instruction;
   entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.starts &&
                 !entry.loop && !entry.call && !entry.sets && !entry.watched && !entry.breaks && !referee_;
@@ -206,10 +196,18 @@ Cpu::Cached* Cpu::cached(std::uint32_t pc) {
 }
 
 void Cpu::mark(std::uint32_t pc, bool Cached::*flag) {
-  if (pc < kFlash || pc >= kEepromFlash) return;
+  if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
   Cached& entry = cache_[(pc - kFlash) / 2];
   entry.known = entry.plain = false;
   entry.*flag = true;
+}
+
+// The last instruction before it may be of two halves.
+void Cpu::forget(Address page) {
+  const std::size_t begin = (page - kFlash) / 2, end = begin + kPageBytes / 2;
+  for (std::size_t i = begin > 0 ? begin - 1 : begin; i < end; ++i) cache_[i].known = cache_[i].plain = false;
+  uc_ctl_remove_cache(uc_, page, page + kPageBytes);
+  uc_ctl_remove_cache(uc_, page - kFlash, page - kFlash + kPageBytes);
 }
 
 void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
@@ -218,7 +216,7 @@ void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
 }
 
 void Cpu::set_breakpoint(std::uint32_t pc, bool set) {
-  if (pc < kFlash || pc >= kEepromFlash) return;
+  if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
   Cached& entry = cache_[(pc - kFlash) / 2];
   entry.known = entry.plain = false;
   entry.breaks = set;
@@ -232,11 +230,6 @@ bool Cpu::write_register(int number, std::uint32_t value) {
   }
   set_reg(number, value);
   return true;
-}
-
-std::uint8_t Cpu::byte(Address address) const {
-  const std::uint8_t* const at = ram(address, 1);
-  return at ? *at : 0;
 }
 
 void Cpu::set_byte(Address address, std::uint8_t value) {

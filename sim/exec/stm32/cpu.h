@@ -95,7 +95,8 @@ class Cpu {
   std::uint32_t next_pc() const { return next_; }
   /// False for a pc where there is no code.
   bool write_register(int number, std::uint32_t value);
-  std::uint8_t byte(Address address) const;
+  /// RAM or flash; null elsewhere.
+  const std::uint8_t* memory(Address address, unsigned bytes) const;
   void set_byte(Address address, std::uint8_t value);
 
   // --- accounts
@@ -117,7 +118,6 @@ class Cpu {
   static constexpr Address kPrivate = 0xE0000000;
   static constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000,
                                  kPrivateBytes = 0x100000;
-  static constexpr std::uint32_t kMappedFlash = robosim::stm32::kEepromFlash - robosim::stm32::kFlash;
 
   struct Hooks;
   struct alignas(32) Cached {
@@ -176,12 +176,15 @@ class Cpu {
   void enter(Exception exception);
   void leave();
   std::uint32_t opcode(std::uint32_t pc) const;
+  /// 0 where no code can be.
+  std::uint16_t half(Address address) const;
   /// Null where no code can be.
   Cached* cached(std::uint32_t pc);
   void mark(std::uint32_t pc, bool Cached::*flag);
+  /// The page of flash that begins at `page` has changed.
+  void forget(Address page);
   std::uint8_t* ram(Address address, unsigned bytes) const;
-  /// RAM or flash; null elsewhere.
-  const std::uint8_t* memory(Address address, unsigned bytes) const;
+  /// Whether the bus takes a load or store.
   static bool has_registers(Address address);
   void set_reg(int number, std::uint32_t value) { r_[static_cast<std::size_t>(number)] = value; }
 
@@ -190,7 +193,8 @@ class Cpu {
   Clock& clock_;
   Nvic& nvic_;
   uc_struct* uc_ = nullptr;
-  std::unique_ptr<std::uint8_t[], void (*)(void*)> flash_, ram_;
+  std::uint8_t* const flash_;
+  std::uint8_t* const ram_;
   std::vector<Cached> cache_;
   Cached elsewhere_;  ///< of code outside of flash
 

@@ -32,7 +32,7 @@ void Cpu::enter(Exception exception) {
   std::uint32_t target = 0;
   const Address vector = nvic_.vectors() + 4u * static_cast<Address>(exception);
   const Address at = vector < kFlash ? vector : vector - kFlash;
-  if (at + 4 <= kMappedFlash) std::memcpy(&target, flash_.get() + at, 4);
+  if (at + 4 <= kFlashBytes) std::memcpy(&target, flash_ + at, 4);
   if (const std::uint8_t* in_ram = ram(vector, 4)) std::memcpy(&target, in_ram, 4);
   if ((target & 1) == 0) return fail(Fault::Kind::unhandled, next_, static_cast<std::uint32_t>(exception));
   if (handlers_.empty()) {

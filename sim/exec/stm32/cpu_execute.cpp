@@ -333,7 +333,7 @@ void Cpu::run_to(Cycle cycle) {
   const Cached* const cache = cache_.data();
   while (!ends_) {
     const std::uint32_t pc = after_, offset = pc - kFlash;
-    const Cached* const entry = offset < kMappedFlash ? cache + offset / 2 : nullptr;
+    const Cached* const entry = offset < kFlashBytes ? cache + offset / 2 : nullptr;
     if (!entry || !entry->plain || it_ != 0 || predicated_ != 0 || look_after_ || halting_) {
       if (!step()) break;
       continue;

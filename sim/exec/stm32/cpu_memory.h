@@ -22,9 +22,10 @@ template <unsigned kBytes>
 
 template <unsigned kBytes>
 [[gnu::noinline]] bool Cpu::store_elsewhere(Address address, std::uint32_t value) {
-  if (address % kBytes != 0 || !has_registers(address)) return false;
+  if (address % kBytes != 0 || (!has_registers(address) && !bus_.programs(address, kBytes))) return false;
   if constexpr (kBytes < 4) value &= (1u << (8 * kBytes)) - 1;
   bus_.store(address, value, kBytes);
+  if (const auto page = bus_.take_changed_page()) forget(*page);
   accessed();
   return true;
 }
@@ -34,7 +35,7 @@ template <unsigned kBytes>
   if (address - robosim::stm32::kRam > robosim::stm32::kRamBytes - kBytes)
     return load_elsewhere<kBytes>(address, value);
   std::uint32_t read = 0;
-  std::memcpy(&read, ram_.get() + (address - robosim::stm32::kRam), kBytes);
+  std::memcpy(&read, ram_ + (address - robosim::stm32::kRam), kBytes);
   value = read;
   return true;
 }
@@ -43,7 +44,7 @@ template <unsigned kBytes>
 [[gnu::always_inline]] inline bool Cpu::store(Address address, std::uint32_t value) {
   if (address - robosim::stm32::kRam > robosim::stm32::kRamBytes - kBytes)
     return store_elsewhere<kBytes>(address, value);
-  std::memcpy(ram_.get() + (address - robosim::stm32::kRam), &value, kBytes);
+  std::memcpy(ram_ + (address - robosim::stm32::kRam), &value, kBytes);
   return true;
 }
 

@@ -52,14 +52,14 @@ void Cpu::set_status(std::uint32_t value) {
 }
 
 bool Cpu::has_registers(Address address) {
-  return address - kEepromFlash < kFlashBytes - kMappedFlash || address - kPeripherals < kPeripheralBytes ||
-         address - kBitBand < kBitBandBytes || address - kPrivate < kPrivateBytes;
+  return address - kPeripherals < kPeripheralBytes || address - kBitBand < kBitBandBytes ||
+         address - kPrivate < kPrivateBytes;
 }
 
 const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
   if (const std::uint8_t* in_ram = ram(address, bytes)) return in_ram;
   const Address offset = address < kFlash ? address : address - kFlash;
-  return offset <= kMappedFlash - bytes ? flash_.get() + offset : nullptr;
+  return offset <= kFlashBytes - bytes ? flash_ + offset : nullptr;
 }
 
 void Cpu::select_stack(bool process) {

@@ -62,15 +62,9 @@ bool DebugPort::write_register(unsigned number, std::string_view bytes) {
 std::string DebugPort::read_memory(std::uint32_t address, std::uint32_t size) const {
   std::string bytes;
   for (std::uint32_t at = address; bytes.size() < size; ++at) {
-    const std::uint32_t flash = at < kFlashBytes ? at : at - kFlash;
-    if (at >= kRam && at < kRam + kRamBytes)
-      bytes += static_cast<char>(cpu().byte(at));
-    else if (at >= kEepromFlash && at < kFlash + kFlashBytes)
-      bytes += static_cast<char>(machine_->eeprom_byte(at));
-    else if (flash < firmware_.flash.size())
-      bytes += static_cast<char>(firmware_.flash[flash]);
-    else
-      break;
+    const std::uint8_t* const byte = cpu().memory(at, 1);
+    if (!byte) break;
+    bytes += static_cast<char>(*byte);
   }
   return bytes;
 }

@@ -65,6 +65,10 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   load_flash(elf, board, firmware);
   load_symbols(elf, board, firmware);
   if (firmware.flash_bytes < 64 * 4) throw InputError({firmware.file}, "holds no code");
+  constexpr std::uint16_t kErased = 0xFFFF;
+  if (firmware.half(kFlash + 2) == kErased && firmware.half(kFlash + 6) == kErased)
+    throw InputError({firmware.file},
+                     fmt::format("has no vector table at 0x{:08X}: it is linked for a boot loader", kFlash));
   firmware.ram_bytes = firmware.globals_end - kRam;
   return firmware;
 }

@@ -56,32 +56,38 @@ bool Flash::write(Address address, std::uint32_t value) {
 }
 
 void Flash::erase() {
-  if (!owns_page(address_)) return;
-  const auto page = static_cast<std::ptrdiff_t>((address_ - kEepromFlash) / kPageBytes * kPageBytes);
-  std::fill_n(pages_.begin() + page, kPageBytes, std::uint8_t{0xFF});
+  const Address offset = (address_ - kFlash) / kPageBytes * kPageBytes;
+  if (address_ < kFlash || offset >= kFlashBytes) return;
+  std::fill_n(memory_.data() + offset, kPageBytes, std::uint8_t{0xFF});
+  changed_ = kFlash + offset;
   link_.clock.now += link_.clock.cycles_in(kErase);
   status_ |= kFlashDone;
 }
 
-std::uint32_t Flash::read_page(Address address, unsigned size) const {
+std::uint32_t Flash::read_memory(Address address, unsigned size) const {
   std::uint32_t value = 0;
-  for (unsigned i = 0; i < size && owns_page(address + i); ++i)
-    value |= static_cast<std::uint32_t>(pages_[address + i - kEepromFlash]) << (8 * i);
+  for (unsigned i = 0; i < size; ++i)
+    value |= (owns_memory(address + i) ? std::uint32_t{memory_.data()[address + i - kFlash]} : 0xFFu)
+             << (8 * i);
   return value;
 }
 
-bool Flash::program(Address address, std::uint32_t value, unsigned size) {
-  if (control_ & kFlashLock || !(control_ & kFlashPg) || size != 2) return false;
-  const std::uint32_t before = read_page(address, 2);
+bool Flash::programs(Address address, unsigned size) const {
+  return owns_memory(address) && size == 2 && control_ & kFlashPg && !(control_ & kFlashLock);
+}
+
+void Flash::program(Address address, std::uint32_t value) {
+  std::uint8_t* const half = memory_.data() + (address - kFlash);
+  const unsigned before = half[0] | half[1] << 8;
   link_.clock.now += link_.clock.cycles_in(kProgram);
   if (before != 0xFFFF && value != 0) {  // only an erased half, or to zeros
     status_ |= kFlashPgErr;
-    return true;
+    return;
   }
-  pages_[address - kEepromFlash] = static_cast<std::uint8_t>(value);
-  pages_[address - kEepromFlash + 1] = static_cast<std::uint8_t>(value >> 8);
+  half[0] = static_cast<std::uint8_t>(value);
+  half[1] = static_cast<std::uint8_t>(value >> 8);
+  changed_ = address / kPageBytes * kPageBytes;
   status_ |= kFlashDone;
-  return true;
 }
 
 }  // namespace robosim::exec::stm32

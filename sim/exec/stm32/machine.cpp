@@ -8,12 +8,11 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, EepromPages& pages,
+Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
                  SimTime t)
     : firmware_(firmware),
       board_(board),
-      eeprom_pages_(pages),
-      bus_(board, pages, t),
+      bus_(board, memory, t),
       cpu_(firmware, bus_, loop),
       stack_top_(cpu_.lowest_sp()) {
   if (const Symbol* end = firmware.symbols.find("robosim_heap_end")) heap_pointer_ = end->address;

@@ -12,7 +12,7 @@ class DebugPort;
 class Machine {
  public:
   /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
-  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, EepromPages& pages, SimTime t);
+  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory, SimTime t);
 
   void run_until(SimTime t);
   /// millis() begins with `start` when main() begins.
@@ -27,11 +27,6 @@ class Machine {
 
   /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
-  /// A byte of the pages that hold the EEPROM.
-  std::uint8_t eeprom_byte(Address address) const {
-    return eeprom_pages_[address - robosim::stm32::kEepromFlash];
-  }
-
   Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
   const Bus& bus() const { return bus_; }
@@ -43,7 +38,6 @@ class Machine {
 
   const Firmware& firmware_;
   ClockedBoard& board_;
-  const EepromPages& eeprom_pages_;
   Bus bus_;
   Cpu cpu_;
   std::uint32_t stack_top_;

@@ -20,9 +20,9 @@ struct Image {
 
 class RunningStm32 final : public RunningChip {
  public:
-  RunningStm32(const Image& image, ClockedBoard& board, stm32::EepromPages& pages, SimTime t,
+  RunningStm32(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, SimTime t,
                stm32::DebugPort* debugger)
-      : image_(image), machine_(image.firmware, image.loop, board, pages, t), debugger_(debugger) {
+      : image_(image), machine_(image.firmware, image.loop, board, memory, t), debugger_(debugger) {
     if (debugger) machine_.set_debug_port(debugger);
   }
   ~RunningStm32() override {
@@ -56,7 +56,8 @@ class RunningStm32 final : public RunningChip {
 
 class Stm32Firmware final : public ChipFirmware {
  public:
-  Stm32Firmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
+  Stm32Firmware(const std::filesystem::path& file, const BoardSpec& spec)
+      : image_(file, spec), flash_(image_.firmware.flash) {}
 
   const std::string& file() const override { return image_.firmware.file; }
   int int_bits() const override { return 32; }
@@ -71,13 +72,12 @@ class Stm32Firmware final : public ChipFirmware {
     debugger_ = std::make_unique<stm32::DebugPort>(server, image_.firmware, board);
   }
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
-    return std::make_unique<RunningStm32>(image_, board, eeprom_pages_, t, debugger_.get());
+    return std::make_unique<RunningStm32>(image_, board, flash_, t, debugger_.get());
   }
 
  private:
   const Image image_;
-  stm32::EepromPages eeprom_pages_ =
-      stm32::EepromPages(robosim::stm32::kEepromPages * robosim::stm32::kPageBytes, 0xFF);
+  stm32::FlashMemory flash_;
   std::unique_ptr<stm32::DebugPort> debugger_;
 };
 

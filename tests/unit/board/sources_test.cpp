@@ -13,6 +13,7 @@
 #include "hal/board/atmega328p.h"
 #include "hal/board/board_spec.h"
 #include "hal/board/stm32f103c8.h"
+#include "hal/stm32/addresses.h"
 
 namespace robosim {
 namespace {
@@ -75,7 +76,9 @@ TEST(Chips, AreTheOnesThatTheFilesForTheLinkerAndForPlainCmakeSpeakOf) {
   const BoardSpec& blue = *find_board("bluepill");
   EXPECT_THAT(ours("hal/stm32/" + std::string(kStm32f103c8.compiler_name) + ".ld"),
               HasSubstr("ORIGIN = 0x08000000, LENGTH = " + std::to_string(blue.flash_bytes / 1024) +
-                        "K\n  data (rwx) : ORIGIN = 0x20000000, LENGTH = " +
+                        "K - (DEFINED(robosim_eeprom_read) ? " +
+                        std::to_string((stm32::kFlash + stm32::kFlashBytes - stm32::kEepromFlash) / 1024) +
+                        "K : 0)\n  data (rwx) : ORIGIN = 0x20000000, LENGTH = " +
                         std::to_string(kStm32f103c8.ram_bytes / 1024) + "K\n"));
   const std::string stm32 = ours("toolchain/stm32_firmware.cmake");
   const std::string avr = ours("toolchain/avr_firmware.cmake");

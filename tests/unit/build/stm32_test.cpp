@@ -89,6 +89,14 @@ TEST_F(Stm32Test, TheSameSketchInAnotherFolderGivesTheSameBytesWithoutNamesOfThi
     EXPECT_THAT(bytes, Not(HasSubstr(name))) << name;
 }
 
+TEST_F(Stm32Test, ASketchMayFillAllOfFlashUnlessItUsesTheEeprom) {
+  const std::string table = "const byte t[61000] = {1};\nvoid loop() { Serial.print(t[random(9)]); }\n";
+  write("Whole/Whole.ino", table + "void setup() {}\n");
+  EXPECT_EQ(stm32_error_of("Whole"), "no error");
+  write("Keeps/Keeps.ino", "#include <EEPROM.h>\n" + table + "void setup() { EEPROM.write(1, 2); }\n");
+  EXPECT_THAT(stm32_error_of("Keeps"), HasSubstr("only if it does not use the EEPROM"));
+}
+
 TEST_F(Stm32Test, WhatDoesNotFitTheChipIsToldSo) {
   write("Big/Big.ino",
         "byte b[30000];\nvoid setup() { b[random(30000)] = 1; Serial.print(b[random(30000)]); }\n"
@@ -98,7 +106,7 @@ TEST_F(Stm32Test, WhatDoesNotFitTheChipIsToldSo) {
       MatchesRegex("Big does not fit: its variables take 30[0-9]+ bytes, and the bluepill has 20480 of "
                    "RAM"));
   write("Long/Long.ino",
-        "const byte t[62000] = {1};\nvoid setup() { Serial.print(t[random(9)]); }\nvoid loop() {}\n");
+        "const byte t[66000] = {1};\nvoid setup() { Serial.print(t[random(9)]); }\nvoid loop() {}\n");
   EXPECT_THAT(stm32_error_of("Long"), AllOf(StartsWith("Long does not fit: it takes "), HasSubstr("flash")));
 }
 

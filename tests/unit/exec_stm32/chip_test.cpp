@@ -263,6 +263,20 @@ TEST_F(Stm32ChipTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_EQ(activity.where.line, 3);
 }
 
+TEST_F(Stm32ChipTest, AProgramMayWriteCodeIntoFlashAndRunIt) {
+  EXPECT_EQ(
+      output("#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\n"
+             "constexpr Address code = 0x0800F800;\n"
+             "void setup() { Serial.begin(115200); auto copy = (int (*)())(code | 1);\n"
+             "  at(kFlashKeyr) = kFlashKey1; at(kFlashKeyr) = kFlashKey2;\n"
+             "  for (uint16_t value = 7; value < 60; value += 35) {\n"
+             "    at(kFlashCr) = kFlashPer; at(kFlashAr) = code; at(kFlashCr) = kFlashPer | kFlashStart;\n"
+             "    at(kFlashCr) = kFlashPg; store_half(code, 0x2000 | value); store_half(code + 2, "
+             "0x4770); Serial.print(' '); Serial.print(copy()); } }\n"
+             "void loop() {}\n"),
+      " 7 42");
+}
+
 TEST_F(Stm32ChipTest, EepromSurvivesThePowerAndMillisBeginsWhereItIsTold) {
   clock_start_ = 4'294'967 * kSecond;
   start(

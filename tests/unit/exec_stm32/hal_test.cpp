@@ -19,7 +19,7 @@ using testing::ElementsAre;
 /// Stands for the processor: time passes with every access, and handlers run when their interrupts are due.
 class Chip {
  public:
-  Chip(BoardState& state, EepromPages& pages) : board(state), bus(board, pages, 0) {}
+  Chip(BoardState& state, FlashMemory& flash) : board(state), bus(board, flash, 0) {}
 
   void pass(Cycle cycles) {
     Clock& clock = bus.link().clock;
@@ -140,8 +140,8 @@ class HalTest : public testing::Test, protected PinWatcher, protected SerialWatc
   SimTime now() const { return chip_->bus.link().clock.time(); }
 
   BoardState board_{*find_board("bluepill")};
-  EepromPages pages_ = EepromPages(4096, 0xFF);
-  std::unique_ptr<Chip> chip_ = std::make_unique<Chip>(board_, pages_);
+  FlashMemory flash_;
+  std::unique_ptr<Chip> chip_ = std::make_unique<Chip>(board_, flash_);
   std::string sent_;
   std::vector<bool> levels_;
   std::vector<SimTime> times_;
@@ -363,7 +363,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
   }
   for (std::uint16_t i = 0; i < 1024; ++i) ASSERT_EQ(robosim_eeprom_read(i), expected[i]) << i;
   // Another chip with the same flash.
-  chip_ = std::make_unique<Chip>(board_, pages_);
+  chip_ = std::make_unique<Chip>(board_, flash_);
   chip = chip_.get();
   for (std::uint16_t i = 0; i < 1024; i = static_cast<std::uint16_t>(i + 51))
     EXPECT_EQ(robosim_eeprom_read(i), expected[i]) << i;
@@ -371,11 +371,10 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
-  const EepromPages before = pages_;
   robosim_eeprom_write(5, 51);
   // The second half of the change, its address, is not there yet.
-  for (std::size_t i = 0; i + 1 < pages_.size(); i += 4)
-    if (pages_[i] == 51 && pages_[i + 1] == 0xA5) pages_[i + 2] = pages_[i + 3] = 0xFF;
+  for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
+    if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);
   robosim_eeprom_write(5, 52);
   EXPECT_EQ(robosim_eeprom_read(5), 52);
@@ -397,8 +396,8 @@ TEST_F(HalTest, ShiftOutAndShiftInTakeTheOrderOfBits) {
 TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
   BoardState board(*find_board("bluepill"));
   ClockedBoard clocked(board);
-  EepromPages pages(4096, 0xFF);
-  Bus bus(clocked, pages, 0);
+  FlashMemory flash;
+  Bus bus(clocked, flash, 0);
   bus.load(0x40005404, 4);
   ASSERT_TRUE(bus.unmodelled());
   EXPECT_EQ(bus.unmodelled()->what, "register 0x40005404 (I2C1)");
@@ -407,8 +406,8 @@ TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
 TEST(BusTest, APeripheralWithoutItsClockTakesNothing) {
   BoardState board(*find_board("bluepill"));
   ClockedBoard clocked(board);
-  EepromPages pages(4096, 0xFF);
-  Bus bus(clocked, pages, 0);
+  FlashMemory flash;
+  Bus bus(clocked, flash, 0);
   bus.store(robosim::stm32::kGpioA + robosim::stm32::kCrl, 0x33333333, 4);
   EXPECT_EQ(board.drive(14).mode, PinMode::input);
   bus.store(robosim::stm32::kRccApb2Enr, robosim::stm32::kIopaEn, 4);
@@ -420,8 +419,8 @@ TEST(BusTest, AResetOfAPeripheralLeavesItAsAfterPowerOn) {
   using namespace robosim::stm32;
   BoardState board(*find_board("bluepill"));
   ClockedBoard clocked(board);
-  EepromPages pages(4096, 0xFF);
-  Bus bus(clocked, pages, 0);
+  FlashMemory flash;
+  Bus bus(clocked, flash, 0);
   bus.store(kRccApb2Enr, 0xFFFFFFFF, 4);
   bus.store(kRccApb1Enr, 0xFFFFFFFF, 4);
   const Address crl = kGpioA + kCrl, top = kTim3 + kTimArr;
@@ -461,8 +460,8 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
   BoardState board(*find_board("bluepill"));
   board.watch_serial(heard);
   ClockedBoard clocked(board);
-  EepromPages pages(4096, 0xFF);
-  Bus bus(clocked, pages, 0);
+  FlashMemory flash;
+  Bus bus(clocked, flash, 0);
   Clock& clock = bus.link().clock;
   bus.store(kRccApb2Enr, kIopaEn, 4);
   bus.store(kRccCfgr, kPpre1Half, 4);  // their bus has half the processor's frequency
@@ -508,8 +507,8 @@ TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
   board.connect(14, quarter);  // channel 0
   board.connect(15, half);
   ClockedBoard clocked(board);
-  EepromPages pages(4096, 0xFF);
-  Bus bus(clocked, pages, 0);
+  FlashMemory flash;
+  Bus bus(clocked, flash, 0);
   bus.store(kRccApb2Enr, clock_bit(kAdc1) | clock_bit(kAdc2), 4);
   bus.store(kNvicIser, 1u << kIrqAdc, 4);
   const Address second = kAdc2 - kAdc1;

@@ -20,13 +20,13 @@ constexpr int kLength = 200;
 /// A chip that begins at kCode.
 class Chip {
  public:
-  explicit Chip(const Firmware& firmware) : cpu(firmware, bus_, {}) {}
+  explicit Chip(const Firmware& firmware) : flash_(firmware.flash), cpu(firmware, bus_, {}) {}
 
  private:
   BoardState board_{*find_board("bluepill")};
   ClockedBoard clocked_{board_};
-  EepromPages pages_ = EepromPages(kEepromPages * kPageBytes, 0xFF);
-  Bus bus_{clocked_, pages_, 0};
+  FlashMemory flash_;
+  Bus bus_{clocked_, flash_, 0};
 
  public:
   Cpu cpu;

@@ -1,0 +1,43 @@
+// The chip's flash and RAM (RM0008 3.3), for the processor and for DMA.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hal/stm32/addresses.h"
+
+namespace robosim::exec::stm32 {
+
+using robosim::stm32::Address;
+
+/// Bytes that begin at a multiple of 4096, as libunicorn wants them.
+class AlignedBytes {
+ public:
+  /// `size` is a multiple of 4096. Throws std::bad_alloc.
+  AlignedBytes(std::size_t size, std::uint8_t fill);
+  std::uint8_t* data() const { return bytes_.get(); }
+
+ private:
+  std::unique_ptr<std::uint8_t[], void (*)(void*)> bytes_;
+};
+
+/// What flash holds; outlives the power.
+class FlashMemory : public AlignedBytes {
+ public:
+  /// 0xFF behind `program`.
+  explicit FlashMemory(const std::vector<std::uint8_t>& program = {});
+};
+
+/// What RAM holds.
+class RamMemory : public AlignedBytes {
+ public:
+  RamMemory() : AlignedBytes(robosim::stm32::kRamBytes, 0) {}
+  /// Null outside of it.
+  std::uint8_t* at(Address address, unsigned bytes) const {
+    using namespace robosim::stm32;
+    return address - kRam <= kRamBytes - bytes ? data() + (address - kRam) : nullptr;
+  }
+};
+
+}  // namespace robosim::exec::stm32
