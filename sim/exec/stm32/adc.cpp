@@ -12,7 +12,8 @@ constexpr unsigned kConversionHalves = 25;
 
 }  // namespace
 
-Adc::Adc(Link& link, const Clocks& clocks, Address base) : link_(link), clocks_(clocks), base_(base) {
+Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
+    : link_(link), clocks_(clocks), line_(line), index_(index), base_(index == 0 ? kAdc1 : kAdc2) {
   pins_.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
@@ -33,6 +34,7 @@ void Adc::update() {
     converts_ = false;
     data_ = control2_ & kAlign ? sampled_ << 4 : sampled_;
     status_ |= kEoc;
+    refresh_line();
   }
 }
 
@@ -48,7 +50,10 @@ bool Adc::start() {
   return true;
 }
 
-void Adc::reset() { static_cast<AdcRegisters&>(*this) = {}; }
+void Adc::reset(Address) {
+  static_cast<AdcRegisters&>(*this) = {};
+  refresh_line();
+}
 
 std::uint32_t Adc::read(Address address) {
   update();
@@ -70,6 +75,7 @@ std::uint32_t Adc::read(Address address) {
       return sequence_[(address - kAdcSqr1) / 4];
     case kAdcDr:
       status_ &= ~kEoc;
+      refresh_line();
       return data_;
     default:
       return 0;
@@ -78,7 +84,12 @@ std::uint32_t Adc::read(Address address) {
 
 bool Adc::write(Address address, std::uint32_t value) {
   update();
-  address = address - base_ + kAdc1;
+  const bool modelled = write_register(address - base_ + kAdc1, value);
+  refresh_line();
+  return modelled;
+}
+
+bool Adc::write_register(Address address, std::uint32_t value) {
   switch (address) {
     case kAdcSr:
       status_ &= value;

@@ -19,33 +19,32 @@ struct AdcRegisters {
   Cycle sample_at_ = kNoCycle, done_at_ = 0;
 };
 
-class Adc : AdcRegisters {
+class Adc final : public Peripheral, AdcRegisters {
  public:
-  /// `base`: where its registers begin.
-  Adc(Link& link, const Clocks& clocks, Address base);
+  /// `index`: 0 is ADC1; both share `line`.
+  Adc(Link& link, const Clocks& clocks, SharedLine& line, int index);
 
-  Address base() const { return base_; }
-  bool owns(Address address) const { return address >= base_ && address <= base_ + kBytes; }
-  /// Whether it asks for the interrupt, which both share.
-  bool interrupts() const { return status_ & robosim::stm32::kEoc && control1_ & kEocie; }
-  std::uint32_t read(Address address);
-  bool write(Address address, std::uint32_t value);
-  /// As after power-on.
-  void reset();
-
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
   /// When the pin is sampled, or an interrupt comes.
-  Cycle next_event() const { return sample_at_ != kNoCycle ? sample_at_ : converts_ ? done_at_ : kNoCycle; }
-  void update();
+  Cycle next_event() const override {
+    return sample_at_ != kNoCycle ? sample_at_ : converts_ ? done_at_ : kNoCycle;
+  }
+  void update() override;
 
  private:
   static constexpr std::uint32_t kEocie = 1u << 5;  // ADC_CR1
-  static constexpr Address kBytes = robosim::stm32::kAdcDr - robosim::stm32::kAdc1;
 
   bool start();
+  bool write_register(Address address, std::uint32_t value);
+  void refresh_line() { line_.set(index_, status_ & robosim::stm32::kEoc && control1_ & kEocie); }
   int channel() const { return static_cast<int>(sequence_[2] & 31); }
 
   Link& link_;
   const Clocks& clocks_;
+  SharedLine& line_;
+  int index_;
   Address base_;
   std::array<Pin, kStm32f103c8.adc.pins> pins_;
 };

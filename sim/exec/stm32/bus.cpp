@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
@@ -48,18 +51,6 @@ Timer::Place place_of(int timer) {
   return place;
 }
 
-/// The pin by which a USART sends.
-constexpr ChipPin sending_pin(const UartSpec& uart) {
-  const std::string_view name = uart.tx;
-  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
-    if (const auto& pin = kStm32f103c8.pins[i]; name == pin.name) return {pin.port, pin.bit};
-  return {};
-}
-
-constexpr ChipPin kSends[] = {sending_pin(stm32f103c8::kUarts[0]), sending_pin(stm32f103c8::kUarts[1]),
-                              sending_pin(stm32f103c8::kUarts[2])};
-ChipPin sending_pin(const Usart& usart) { return kSends[usart.number() - 1]; }
-
 }  // namespace
 
 const char* Bus::name_at(Address address) {
@@ -74,70 +65,65 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       flash_(link_, memory),
       ports_(link_, [this](ChipPin pin) { return alternate(pin); }),
       systick_(link_),
-      timers_{Timer(link_, place_of(stm32f103c8::kTim1), [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, place_of(stm32f103c8::kTim2), [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, place_of(stm32f103c8::kTim3), [this](ChipPin pin) { ports_.refresh(pin); }),
-              Timer(link_, place_of(stm32f103c8::kTim4), [this](ChipPin pin) { ports_.refresh(pin); })},
-      adcs_{Adc(link_, clocks_, kAdc1), Adc(link_, clocks_, kAdc2)},
-      usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)} {}
+      timers_{Timer(link_, place_of(stm32f103c8::kTim1)), Timer(link_, place_of(stm32f103c8::kTim2)),
+              Timer(link_, place_of(stm32f103c8::kTim3)), Timer(link_, place_of(stm32f103c8::kTim4))},
+      adc_line_(link_.nvic, kIrqAdc),
+      adcs_{Adc(link_, clocks_, adc_line_, 0), Adc(link_, clocks_, adc_line_, 1)},
+      usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)} {
+  link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
+  for (std::size_t i = 0; i < usarts_.size(); ++i) place(usarts_[i], stm32f103c8::kUarts[i].address);
+  for (std::size_t i = 0; i < timers_.size(); ++i) place(timers_[i], kStm32f103c8.timers[i].control);
+  place(adcs_[0], kAdc1);
+  place(adcs_[1], kAdc2);
+  place(clocks_, kRcc);
+  place(flash_, kFlashIf);
+  for (const PortSpec& port : stm32f103c8::kPorts) place(ports_, port.address);
+  place(ports_, kAfio);
+  place(ports_, kExti);
+  peripherals_.push_back(&systick_);
+}
+
+void Bus::place(Peripheral& peripheral, Address block) {
+  blocks_[(block - kPeripherals) / kBlockBytes] = {&peripheral, clocks_.gate(block)};
+  if (std::find(peripherals_.begin(), peripherals_.end(), &peripheral) == peripherals_.end())
+    peripherals_.push_back(&peripheral);
+}
+
+Bus::Block* Bus::block_at(Address address) {
+  if (address - kPeripherals >= kEnd - kPeripherals) return nullptr;
+  Block& block = blocks_[(address - kPeripherals) / kBlockBytes];
+  return block.peripheral ? &block : nullptr;
+}
 
 PinDrive Bus::alternate(ChipPin pin) const {
   PinDrive drive;
   drive.mode = PinMode::output;
-  for (const Usart& usart : usarts_) {
-    if (!usart.sends()) continue;
-    const ChipPin sends = sending_pin(usart);
-    if (pin.port != sends.port || pin.bit != sends.bit) continue;
-    drive.level = true;  // a line at rest; its bytes are told as bytes
-    return drive;
-  }
-  for (const Timer& timer : timers_)
-    if (timer.drives(pin, drive)) break;
+  for (const Peripheral* peripheral : peripherals_)
+    if (peripheral->drives(pin, drive)) break;
   return drive;
 }
 
-Timer* Bus::timer_at(Address address) {
-  for (Timer& timer : timers_)
-    if (timer.owns(address)) return &timer;
-  return nullptr;
+void Bus::note_event(Peripheral& peripheral) {
+  const Cycle before = std::exchange(peripheral.noted_event, peripheral.next_event());
+  if (peripheral.noted_event < next_event_)
+    next_event_ = peripheral.noted_event;
+  else if (before == next_event_ && before != peripheral.noted_event)
+    note_all_events();
 }
 
-Usart* Bus::usart_at(Address address) {
-  for (Usart& usart : usarts_)
-    if (usart.owns(address)) return &usart;
-  return nullptr;
-}
-
-Adc* Bus::adc_at(Address address) {
-  for (Adc& adc : adcs_)
-    if (adc.owns(address)) return &adc;
-  return nullptr;
-}
-
-// RM0008 table 63: one interrupt for both.
-void Bus::refresh_adc_line() { link_.nvic.set_line(kIrqAdc, adcs_[0].interrupts() || adcs_[1].interrupts()); }
-
-// RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
-bool Bus::has_clock(Address address) const {
-  const bool is_exti = Ports::owns_exti(address) && address >= kExti;
-  return is_exti || clocks_.has_clock(address);
+void Bus::note_all_events() {
+  next_event_ = kNoCycle;
+  for (Peripheral* peripheral : peripherals_) {
+    peripheral->noted_event = peripheral->next_event();
+    next_event_ = std::min(next_event_, peripheral->noted_event);
+  }
 }
 
 // RM0008 7.3.3, 7.3.4.
 void Bus::reset_held() {
-  for (Timer& timer : timers_)
-    if (clocks_.holds_in_reset(timer.base())) timer.reset();
-  for (Adc& adc : adcs_)
-    if (clocks_.holds_in_reset(adc.base())) adc.reset();
-  refresh_adc_line();
-  for (Usart& usart : usarts_) {
-    if (!clocks_.holds_in_reset(usart.base())) continue;
-    usart.reset();
-    ports_.refresh(sending_pin(usart));
-  }
-  for (int port = 0; port < kStm32f103c8.port_count; ++port)
-    if (clocks_.holds_in_reset(kGpioA + kPortBytes * static_cast<Address>(port))) ports_.reset_port(port);
-  if (clocks_.holds_in_reset(kAfio)) ports_.reset_afio();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (blocks_[i].peripheral && blocks_[i].gate.holds_in_reset())
+      blocks_[i].peripheral->reset(kPeripherals + static_cast<Address>(i) * kBlockBytes);
 }
 
 void Bus::refuse(Address address, bool write, std::uint32_t value) {
@@ -147,64 +133,51 @@ void Bus::refuse(Address address, bool write, std::uint32_t value) {
                  fmt::format("register 0x{:08X}{}", address, name.empty() ? "" : " (" + name + ")")};
 }
 
-std::uint32_t Bus::load_word(Address address) {
-  if (SysTick::owns(address)) return systick_.read(address);
-  if (Nvic::owns(address)) {
-    systick_.update();
-    std::uint32_t value = 0;
-    if (!link_.nvic.read(address, value)) refuse(address, false);
-    return value;
+bool Bus::load_private(Address address, std::uint32_t& value) {
+  if (SysTick::owns(address)) {
+    value = systick_.read(address);
+    note_event(systick_);
+    return true;
   }
-  if (Clocks::owns(address)) return clocks_.read(address);
-  if (Flash::owns(address)) return flash_.read(address);
-  Timer* const timer = timer_at(address);
-  Usart* const usart = timer ? nullptr : usart_at(address);
-  Adc* const adc = adc_at(address);
-  if (!timer && !usart && !adc && !Ports::owns(address)) {
-    refuse(address, false);
-    return 0;
-  }
-  if (!has_clock(address)) return 0;
-  if (timer) return timer->read(address);
-  if (adc) {
-    const std::uint32_t value = adc->read(address);
-    refresh_adc_line();
-    return value;
-  }
-  if (usart) return usart->read(address);
-  return ports_.read(address);
+  systick_.update();
+  note_event(systick_);
+  return Nvic::owns(address) && link_.nvic.read(address, value);
 }
 
-bool Bus::write(Address address, std::uint32_t value) {
-  if (SysTick::owns(address)) return systick_.write(address, value), true;
-  if (Nvic::owns(address)) return link_.nvic.write(address, value);
-  if (Clocks::owns(address)) {
-    const bool modelled = clocks_.write(address, value);
-    if (address == kRccApb1Rstr || address == kRccApb2Rstr) reset_held();
-    return modelled;
+bool Bus::store_private(Address address, std::uint32_t value) {
+  if (!SysTick::owns(address)) return Nvic::owns(address) && link_.nvic.write(address, value);
+  systick_.write(address, value);
+  note_event(systick_);
+  return true;
+}
+
+std::uint32_t Bus::load_word(Address address) {
+  std::uint32_t value = 0;
+  if (Block* const block = block_at(address)) {
+    // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
+    if (!block->gate.has_clock()) return 0;
+    value = block->peripheral->read(address);
+    note_event(*block->peripheral);
+  } else if (!load_private(address, value)) {
+    refuse(address, false);
   }
-  if (Flash::owns(address)) return flash_.write(address, value);
-  Timer* const timer = timer_at(address);
-  Usart* const usart = timer ? nullptr : usart_at(address);
-  Adc* const adc = adc_at(address);
-  if (!timer && !usart && !adc && !Ports::owns(address)) return false;
-  if (!has_clock(address) || clocks_.holds_in_reset(address)) return true;
-  if (timer) return timer->write(address, value);
-  if (adc) {
-    const bool modelled = adc->write(address, value);
-    refresh_adc_line();
-    return modelled;
-  }
-  if (usart) {
-    const bool sent = usart->sends(), modelled = usart->write(address, value);
-    if (usart->sends() != sent) ports_.refresh(sending_pin(*usart));
-    return modelled;
-  }
-  return ports_.write(address, value);
+  return value;
 }
 
 void Bus::store_word(Address address, std::uint32_t value) {
-  if (!write(address, value)) refuse(address, true, value);
+  Block* const block = block_at(address);
+  bool modelled = true;
+  if (!block) {
+    modelled = store_private(address, value);
+  } else if (block->gate.has_clock() && !block->gate.holds_in_reset()) {
+    modelled = block->peripheral->write(address, value);
+    if (block->peripheral == &clocks_) {
+      reset_held();
+      note_all_events();
+    }
+    note_event(*block->peripheral);
+  }
+  if (!modelled) refuse(address, true, value);
 }
 
 bool Bus::load_bit(Address address, std::uint32_t& value) {
@@ -212,9 +185,10 @@ bool Bus::load_bit(Address address, std::uint32_t& value) {
   const Address byte = kPeripherals + (address - kBitBand) / 32;
   const Address word = byte & ~3u;
   const unsigned bit = (address - kBitBand) / 4 % 8 + 8 * (byte - word);
-  const bool input = Ports::owns(word) && !Ports::owns_exti(word) && word % kPortBytes == kIdr;
+  const bool input = Ports::owns_port(word) && word % kPortBytes == kIdr;
   if (input && bit < 16)
-    value = has_clock(word) && ports_.read_input({Ports::port_of(word), static_cast<int>(bit)});
+    value =
+        block_at(word)->gate.has_clock() && ports_.read_input({Ports::port_of(word), static_cast<int>(bit)});
   else
     value = load_word(word) >> bit & 1;
   return true;
@@ -253,19 +227,12 @@ void Bus::store(Address address, std::uint32_t value, unsigned size) {
   store_word(address & ~3u, (load_word(address & ~3u) & ~mask) | low << shift);
 }
 
-Cycle Bus::next_event() const {
-  Cycle next = std::min({systick_.next_event(), adcs_[0].next_event(), adcs_[1].next_event()});
-  for (const Usart& usart : usarts_) next = std::min(next, usart.next_event());
-  for (const Timer& timer : timers_) next = std::min(next, timer.next_event());
-  return next;
-}
-
 void Bus::update() {
-  systick_.update();
-  for (Timer& timer : timers_) timer.update();
-  for (Adc& adc : adcs_) adc.update();
-  refresh_adc_line();
-  for (Usart& usart : usarts_) usart.update();
+  const Cycle now = link_.clock.now;
+  if (now < next_event_) return;
+  for (Peripheral* peripheral : peripherals_)
+    if (peripheral->noted_event <= now) peripheral->update();
+  note_all_events();
 }
 
 void Bus::take_inputs() {

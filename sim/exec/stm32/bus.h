@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/exec/stm32/adc.h"
 #include "sim/exec/stm32/clocks.h"
@@ -38,8 +39,8 @@ class Bus {
   void store(Address address, std::uint32_t value, unsigned size);
 
   /// When a peripheral next does something by itself; kNoCycle if none will.
-  Cycle next_event() const;
-  /// Brings all peripherals up to the present time.
+  Cycle next_event() const { return next_event_; }
+  /// Lets all peripherals do what is due at the present time.
   void update();
   /// Whether a store to flash programs it (Flash::programs).
   bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
@@ -61,18 +62,23 @@ class Bus {
   static const char* name_at(Address address);
 
  private:
-  static constexpr int kTimers = 4, kUsarts = 3, kAdcs = 2;
+  static constexpr Address kBlockBytes = 0x400, kEnd = 0x40024000;
+  /// A peripheral's place; several may be one's.
+  struct Block {
+    Peripheral* peripheral = nullptr;
+    Gate gate;
+  };
 
+  void place(Peripheral& peripheral, Address block);
+  Block* block_at(Address address);
   PinDrive alternate(ChipPin pin) const;
-  Timer* timer_at(Address address);
-  Usart* usart_at(Address address);
-  Adc* adc_at(Address address);
-  void refresh_adc_line();
-  bool has_clock(Address address) const;
+  void note_event(Peripheral& peripheral);
+  void note_all_events();
   void reset_held();
   std::uint32_t load_word(Address address);
   void store_word(Address address, std::uint32_t value);
-  bool write(Address address, std::uint32_t value);
+  bool load_private(Address address, std::uint32_t& value);
+  bool store_private(Address address, std::uint32_t value);
   bool load_bit(Address address, std::uint32_t& value);
   bool store_bit(Address address, std::uint32_t value);
   void refuse(Address address, bool write, std::uint32_t value = 0);
@@ -83,9 +89,13 @@ class Bus {
   Flash flash_;
   Ports ports_;
   SysTick systick_;
-  std::array<Timer, kTimers> timers_;
-  std::array<Adc, kAdcs> adcs_;
-  std::array<Usart, kUsarts> usarts_;
+  std::array<Timer, 4> timers_;
+  SharedLine adc_line_;
+  std::array<Adc, 2> adcs_;
+  std::array<Usart, 3> usarts_;
+  std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
+  std::vector<Peripheral*> peripherals_;  ///< each once; who comes first has a pin
+  Cycle next_event_ = kNoCycle;           ///< the least of theirs
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;
 };

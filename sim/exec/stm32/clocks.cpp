@@ -11,6 +11,11 @@ constexpr SimTime kHseStarts = 2 * kMillisecond, kPllLocks = 200 * kMicrosecond;
 
 }  // namespace
 
+void Clocks::reset(Address) {
+  static_cast<ClockRegisters&>(*this) = {};
+  link_.clock.set_hz(hz());
+}
+
 bool Clocks::pll_ready() const { return control_ & kPllOn && link_.clock.time() >= pll_ready_; }
 
 std::uint32_t Clocks::pll_hz() const {
@@ -23,6 +28,13 @@ std::uint32_t Clocks::pll_hz() const {
 std::uint32_t Clocks::hz() const {
   const std::uint32_t source = configuration_ & kSwMask;
   return source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi;
+}
+
+Gate Clocks::gate(Address block) const {
+  constexpr Address kAhb = 0x40018000;
+  if (block >= kAhb || block == kExti) return {};
+  if (behind_apb2(block)) return {&apb2_, &apb2_reset_, clock_bit(block)};
+  return {&apb1_, &apb1_reset_, clock_bit(block)};
 }
 
 std::uint32_t Clocks::read(Address address) {

@@ -5,30 +5,39 @@
 // prescalers are refused, as not modelled.
 #pragma once
 
-#include "sim/exec/stm32/link.h"
+#include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-class Clocks {
+/// What a reset resets.
+struct ClockRegisters {
+  std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
+  std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0;
+  std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
+  SimTime hse_ready_ = 0, pll_ready_ = 0;
+};
+
+/// Whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in its reset (7.3.3,
+/// 7.3.4).
+struct Gate {
+  const std::uint32_t* enabled = nullptr;  ///< null = it always has one
+  const std::uint32_t* reset = nullptr;
+  std::uint32_t bit = 0;
+
+  bool has_clock() const { return !enabled || *enabled & bit; }
+  bool holds_in_reset() const { return reset && *reset & bit; }
+};
+
+class Clocks final : public Peripheral, ClockRegisters {
  public:
   explicit Clocks(Link& link) : link_(link) {}
 
-  static bool owns(Address address) {
-    return address >= robosim::stm32::kRcc && address <= robosim::stm32::kRccCsr;
-  }
-  std::uint32_t read(Address address);
-  /// False for what is not modelled.
-  bool write(Address address, std::uint32_t value);
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
 
-  /// Of a peripheral behind APB1 or APB2 (RM0008 7.3.7, 7.3.8).
-  bool has_clock(Address address) const {
-    return (robosim::stm32::behind_apb2(address) ? apb2_ : apb1_) & robosim::stm32::clock_bit(address);
-  }
-  /// Whether RCC_APB1RSTR or RCC_APB2RSTR holds it in its reset (7.3.3, 7.3.4).
-  bool holds_in_reset(Address address) const {
-    return (robosim::stm32::behind_apb2(address) ? apb2_reset_ : apb1_reset_) &
-           robosim::stm32::clock_bit(address);
-  }
+  /// Of the peripheral whose registers begin at `block`.
+  Gate gate(Address block) const;
   /// What the processor's frequency is divided by for APB1.
   std::uint32_t apb1_divider() const {
     const std::uint32_t bits = configuration_ >> 8 & 7;
@@ -45,10 +54,6 @@ class Clocks {
   bool switch_clock();
 
   Link& link_;
-  std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
-  std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0;
-  std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
-  SimTime hse_ready_ = 0, pll_ready_ = 0;
 };
 
 }  // namespace robosim::exec::stm32

@@ -12,7 +12,14 @@ constexpr SimTime kProgram = 52'500 * kNanosecond, kErase = 30 * kMillisecond;
 
 }  // namespace
 
-std::uint32_t Flash::read(Address address) const {
+void Flash::reset(Address) {
+  access_ = 0x30;
+  control_ = kFlashLock;
+  status_ = address_ = 0;
+  first_key_ = false;
+}
+
+std::uint32_t Flash::read(Address address) {
   switch (address) {
     case kFlashAcr:
       return access_ | (access_ & kPrefetch) << 1;

@@ -6,20 +6,18 @@
 #include <optional>
 #include <utility>
 
-#include "sim/exec/stm32/link.h"
 #include "sim/exec/stm32/memory.h"
+#include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-class Flash {
+class Flash final : public Peripheral {
  public:
   Flash(Link& link, FlashMemory& memory) : link_(link), memory_(memory) {}
 
-  static bool owns(Address address) {
-    return address >= robosim::stm32::kFlashIf && address <= robosim::stm32::kFlashIf + 0x20;
-  }
-  std::uint32_t read(Address address) const;
-  bool write(Address address, std::uint32_t value);
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
 
   static bool owns_memory(Address address) {
     return address - robosim::stm32::kFlash < robosim::stm32::kFlashBytes;

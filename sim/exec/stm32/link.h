@@ -1,16 +1,27 @@
 // What the chip's peripherals share: the time, the interrupt controller, the board behind the pins.
 #pragma once
 
+#include <functional>
+
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/stm32/clock.h"
 #include "sim/exec/stm32/nvic.h"
 
 namespace robosim::exec::stm32 {
 
+/// A pin as the chip calls it: port 0 = A, 1 = B, 2 = C.
+struct ChipPin {
+  int port = 0;
+  int bit = 0;
+  bool operator==(const ChipPin&) const = default;
+};
+
 struct Link {
   ClockedBoard& board;
   Clock clock;
   Nvic nvic{};
+  /// The peripheral that has a pin drives it differently from now on.
+  std::function<void(ChipPin)> pin_changed{};
 };
 
 }  // namespace robosim::exec::stm32

@@ -54,14 +54,18 @@ void Ports::refresh_port(int port) {
   for (int bit = 0; bit < kBits; ++bit) refresh({port, bit});
 }
 
-void Ports::reset_port(int port) {
-  ports_[static_cast<std::size_t>(port)] = {};
-  refresh_port(port);
-}
-
-void Ports::reset_afio() {
-  map_ = 0;
-  sources_ = {};
+void Ports::reset(Address block) {
+  if (owns_port(block)) {
+    ports_[static_cast<std::size_t>(port_of(block))] = {};
+    refresh_port(port_of(block));
+    return;
+  }
+  if (block == kAfio) {
+    map_ = 0;
+    sources_ = {};
+  } else {
+    mask_ = rising_ = falling_ = pending_ = 0;
+  }
   interrupts_changed();
 }
 
@@ -74,7 +78,7 @@ bool Ports::read_input(ChipPin pin) {
 }
 
 std::uint32_t Ports::read(Address address) {
-  if (owns_exti(address)) {
+  if (!owns_port(address)) {
     if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) return sources_[(address - kAfioExticr1) / 4];
     switch (address) {
       case kAfioMapr:
@@ -112,7 +116,7 @@ std::uint32_t Ports::read(Address address) {
 }
 
 bool Ports::write(Address address, std::uint32_t value) {
-  if (owns_exti(address)) return write_exti(address, value);
+  if (!owns_port(address)) return write_exti(address, value);
   const int port = port_of(address);
   return write_port(port, address - kGpioA - kPortBytes * static_cast<Address>(port), value);
 }

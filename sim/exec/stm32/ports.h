@@ -9,34 +9,24 @@
 #include <array>
 #include <functional>
 
-#include "sim/exec/stm32/link.h"
+#include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-/// A pin as the chip calls it: port 0 = A, 1 = B, 2 = C.
-struct ChipPin {
-  int port = 0;
-  int bit = 0;
-};
-
-class Ports {
+class Ports final : public Peripheral {
  public:
   /// `alternate` says how the peripheral that has the pin drives it.
   Ports(Link& link, std::function<PinDrive(ChipPin)> alternate);
 
-  static bool owns(Address address) {
+  /// Whether it is a port's, not of AFIO or EXTI.
+  static bool owns_port(Address address) {
     using namespace robosim::stm32;
-    return (address >= kGpioA && address < kGpioA + 3 * kPortBytes) || owns_exti(address);
+    return address >= kGpioA && address < kGpioA + kPorts * kPortBytes;
   }
-  static bool owns_exti(Address address) {
-    using namespace robosim::stm32;
-    return address >= kAfio && address <= kExtiPr;
-  }
-  std::uint32_t read(Address address);
-  bool write(Address address, std::uint32_t value);
-  /// As after power-on: a port, or AFIO.
-  void reset_port(int port);
-  void reset_afio();
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  /// A port, AFIO or EXTI.
+  void reset(Address block) override;
   /// One bit of GPIOx_IDR.
   bool read_input(ChipPin pin);
 

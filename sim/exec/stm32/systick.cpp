@@ -35,25 +35,34 @@ std::uint32_t SysTick::read(Address address) {
   }
 }
 
-void SysTick::write(Address address, std::uint32_t value_written) {
+void SysTick::reset(Address) {
+  control_ = load_ = held_ = 0;
+  zero_at_ = 0;
+  counted_ = false;
+}
+
+bool SysTick::write(Address address, std::uint32_t value_written) {
   update();
   const std::uint32_t before = value();
   switch (address) {
     case kStkCtrl:
       control_ = value_written & (kStkEnable | kTickInt | kClkSource);
-      return set_value(before);
+      set_value(before);
+      return true;
     case kStkLoad:
       if (value_written != 0 && load_ != 0 && runs()) {
         load_ = value_written & 0xFFFFFF;  // counts from the next round on
-        return;
+        return true;
       }
       load_ = value_written & 0xFFFFFF;
-      return set_value(before);
+      set_value(before);
+      return true;
     case kStkVal:
       counted_ = false;
-      return set_value(0);
+      set_value(0);
+      return true;
     default:
-      return;
+      return true;
   }
 }
 

@@ -1,24 +1,25 @@
 // SysTick, the processor's own timer (PM0056 4.5): counts from LOAD down to 0, and begins anew.
 #pragma once
 
-#include "sim/exec/stm32/link.h"
+#include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-class SysTick {
+class SysTick final : public Peripheral {
  public:
   explicit SysTick(Link& link) : link_(link) {}
 
   static bool owns(Address address) {
     return address >= robosim::stm32::kStkCtrl && address <= robosim::stm32::kStkCalib;
   }
-  std::uint32_t read(Address address);
-  void write(Address address, std::uint32_t value);
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
 
   /// When it next reaches 0; kNoCycle if it does not, or nobody hears of it.
-  Cycle next_event() const;
+  Cycle next_event() const override;
   /// Reaches 0 as often as it has by now.
-  void update();
+  void update() override;
 
  private:
   Cycle period() const { return (Cycle{load_} + 1) * (by_eight() ? 8 : 1); }

@@ -53,8 +53,7 @@ PinDrive Timer::drive_of(int channel) const {
 
 bool Timer::drives(ChipPin pin, PinDrive& drive) const {
   for (int channel = 0; channel < 4; ++channel) {
-    const ChipPin own = place_.pins[static_cast<std::size_t>(channel)];
-    if (own.port != pin.port || own.bit != pin.bit) continue;
+    if (place_.pins[static_cast<std::size_t>(channel)] != pin) continue;
     drive = drive_of(channel);
     return true;
   }
@@ -62,10 +61,10 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
 }
 
 void Timer::refresh() {
-  for (const ChipPin pin : place_.pins) changed_(pin);
+  for (const ChipPin pin : place_.pins) link_.pin_changed(pin);
 }
 
-void Timer::reset() {
+void Timer::reset(Address) {
   static_cast<TimerRegisters&>(*this) = {};
   link_.nvic.set_line(place_.irq, false);
   refresh();
@@ -122,7 +121,7 @@ bool Timer::write(Address address, std::uint32_t value) {
     const std::size_t channel = (offset - kTimCcr1) / 4;
     if (compare_[channel] == value) return true;
     compare_[channel] = value;
-    changed_(place_.pins[channel]);
+    link_.pin_changed(place_.pins[channel]);
     return true;
   }
   bool modelled = true;

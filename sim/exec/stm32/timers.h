@@ -7,9 +7,8 @@
 #pragma once
 
 #include <array>
-#include <functional>
 
-#include "sim/exec/stm32/ports.h"
+#include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
@@ -23,7 +22,7 @@ struct TimerRegisters {
   Cycle update_at_ = 0;     ///< the next overflow while it runs
 };
 
-class Timer : TimerRegisters {
+class Timer final : public Peripheral, TimerRegisters {
  public:
   struct Place {
     Address base;
@@ -31,21 +30,16 @@ class Timer : TimerRegisters {
     std::array<ChipPin, 4> pins;
   };
 
-  Timer(Link& link, const Place& place, std::function<void(ChipPin)> changed)
-      : link_(link), place_(place), changed_(std::move(changed)) {}
+  Timer(Link& link, const Place& place) : link_(link), place_(place) {}
 
-  Address base() const { return place_.base; }
-  bool owns(Address address) const { return address >= place_.base && address < place_.base + 0x50; }
-  std::uint32_t read(Address address);
-  bool write(Address address, std::uint32_t value);
-  /// As after power-on.
-  void reset();
-
-  /// Whether one of the channels is that pin's; then `drive` is how.
-  bool drives(ChipPin pin, PinDrive& drive) const;
-
-  Cycle next_event() const { return enabled() && interrupts_ & robosim::stm32::kUie ? update_at_ : kNoCycle; }
-  void update();
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+  bool drives(ChipPin pin, PinDrive& drive) const override;
+  Cycle next_event() const override {
+    return enabled() && interrupts_ & robosim::stm32::kUie ? update_at_ : kNoCycle;
+  }
+  void update() override;
 
  private:
   bool enabled() const { return control_ & robosim::stm32::kCen; }
@@ -61,7 +55,6 @@ class Timer : TimerRegisters {
 
   Link& link_;
   Place place_;
-  std::function<void(ChipPin)> changed_;
 };
 
 }  // namespace robosim::exec::stm32

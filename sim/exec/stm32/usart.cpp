@@ -4,6 +4,29 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
+namespace {
+
+ChipPin pin_named(std::string_view name) {
+  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
+    if (const auto& pin = kStm32f103c8.pins[i]; name == pin.name) return {pin.port, pin.bit};
+  return {};
+}
+
+}  // namespace
+
+Usart::Usart(Link& link, const Clocks& clocks, int index)
+    : link_(link),
+      clocks_(clocks),
+      spec_(stm32f103c8::kUarts[index]),
+      pin_(pin_named(spec_.tx)),
+      connected_(index == link.board.spec().serial_line) {}
+
+bool Usart::drives(ChipPin pin, PinDrive& drive) const {
+  if (!sends() || pin != pin_) return false;
+  drive.level = true;  // a line at rest; its bytes are told as bytes
+  return true;
+}
+
 Cycle Usart::byte_cycles() const {
   const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
   const std::uint32_t bus = behind_apb2(base()) ? 1 : clocks_.apb1_divider();
@@ -60,10 +83,11 @@ void Usart::receive(std::uint8_t byte) {
   refresh_line();
 }
 
-void Usart::reset() {
+void Usart::reset(Address) {
   static_cast<UsartRegisters&>(*this) = {};
   listen();
   refresh_line();
+  link_.pin_changed(pin_);
 }
 
 std::uint32_t Usart::read(Address address) {
@@ -88,6 +112,7 @@ std::uint32_t Usart::read(Address address) {
 
 bool Usart::write(Address address, std::uint32_t value) {
   update();
+  const bool sent = sends();
   bool modelled = true;
   switch (address - base() + kUsart1) {
     case kUsartSr:
@@ -114,6 +139,7 @@ bool Usart::write(Address address, std::uint32_t value) {
       modelled = value == 0;  // USART_CR3: hardware flow control, DMA; USART_GTPR
   }
   refresh_line();
+  if (sends() != sent) link_.pin_changed(pin_);
   return modelled;
 }
 

@@ -17,33 +17,23 @@ struct UsartRegisters {
   std::uint8_t received_ = 0;
 };
 
-class Usart : UsartRegisters {
+class Usart final : public Peripheral, UsartRegisters {
  public:
   /// `index`: among the chip's.
-  Usart(Link& link, const Clocks& clocks, int index)
-      : link_(link),
-        clocks_(clocks),
-        spec_(stm32f103c8::kUarts[index]),
-        connected_(index == link.board.spec().serial_line) {}
+  Usart(Link& link, const Clocks& clocks, int index);
 
-  Address base() const { return spec_.address; }
-  bool owns(Address address) const { return address >= base() && address <= base() + kBytes; }
-  /// 1 to 3, as it is called.
-  int number() const { return spec_.number; }
-  std::uint32_t read(Address address);
-  bool write(Address address, std::uint32_t value);
-  /// As after power-on.
-  void reset();
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+  /// Its TX pin, while it sends.
+  bool drives(ChipPin pin, PinDrive& drive) const override;
+  Cycle next_event() const override { return shifting_ ? sent_at_ : kNoCycle; }
+  void update() override;
   void receive(std::uint8_t byte);
-  /// Whether it drives its TX pin.
-  bool sends() const { return on() && control_ & robosim::stm32::kTe; }
-
-  Cycle next_event() const { return shifting_ ? sent_at_ : kNoCycle; }
-  void update();
 
  private:
-  static constexpr Address kBytes = robosim::stm32::kUsartGtpr - robosim::stm32::kUsart1;
-
+  Address base() const { return spec_.address; }
+  bool sends() const { return on() && control_ & robosim::stm32::kTe; }
   bool on() const { return control_ & robosim::stm32::kUe; }
   Cycle byte_cycles() const;
   void send(std::uint8_t byte);
@@ -53,6 +43,7 @@ class Usart : UsartRegisters {
   Link& link_;
   const Clocks& clocks_;
   const UartSpec& spec_;
+  ChipPin pin_;     ///< by which it sends
   bool connected_;  ///< to the board's serial port
 };
 

@@ -1,0 +1,33 @@
+// What the bus sees of a peripheral: registers at addresses, and when it next does something by itself.
+#pragma once
+
+#include "sim/exec/stm32/link.h"
+
+namespace robosim::exec::stm32 {
+
+class Peripheral {
+ public:
+  Peripheral() = default;
+  Peripheral(const Peripheral&) = delete;
+  Peripheral& operator=(const Peripheral&) = delete;
+  virtual ~Peripheral() = default;
+
+  /// The word at `address`, at the present time; 0 where there is no register.
+  virtual std::uint32_t read(Address address) = 0;
+  /// False for what is not modelled.
+  virtual bool write(Address address, std::uint32_t value) = 0;
+  /// As after power-on: what of it begins at `block`.
+  virtual void reset(Address block) = 0;
+
+  /// When update() next has something to do; kNoCycle if it will not.
+  virtual Cycle next_event() const { return kNoCycle; }
+  /// Brings it up to the present time.
+  virtual void update() {}
+
+  /// Whether it has that pin, by AFIO_MAPR as it is; then `drive` is how it drives it.
+  virtual bool drives(ChipPin, PinDrive&) const { return false; }
+
+  Cycle noted_event = kNoCycle;  ///< next_event() as the bus knows it
+};
+
+}  // namespace robosim::exec::stm32
