@@ -1,0 +1,65 @@
+// Random programs on the processor and on the manual's model (manual_model.h), some instructions at a time,
+// so that what the processor puts off until somebody looks is put off: afterwards program counter, cycles,
+// status, stack pointer, registers and 64 KB of memory are equal.
+//
+// ROBOSIM_FUZZ=100000000 runs so many instructions in the place of few.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "tests/support/effort.h"
+#include "tests/unit/avr_cpu/random_program.h"
+
+namespace robosim::avr {
+namespace {
+
+constexpr int kBlocks = 40, kLongestBlock = 24;
+constexpr long kFewest = 20;
+
+std::uint64_t instructions() {
+  const char* wanted = std::getenv("ROBOSIM_FUZZ");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : test::rounds(300'000ull);
+}
+
+/// It goes on with the next word, or does not.
+bool chooses(const std::string& name) {
+  return name == "CPSE" || name == "SBIC" || name == "SBIS" || name == "SBRC" || name == "SBRS" ||
+         name.starts_with("BR");
+}
+
+class Manual : public testing::TestWithParam<bool> {};
+
+TEST_P(Manual, SaysWhatTheProcessorDoesWithRandomInstructions) {
+  const bool long_pc = GetParam();
+  std::mt19937 random(long_pc ? 22 : 16);
+  Pair pair(random, long_pc);
+  std::uint64_t count = 0;
+  while (count < instructions()) {
+    pair.begin(pair.random_start(random));
+    bool goes_on = true;
+    for (int block = 0; block < kBlocks && goes_on; ++block) {
+      const std::uint32_t from = pair.manual.pc;
+      goes_on = pair.run(1 + static_cast<int>(random() % kLongestBlock));
+      ASSERT_EQ(pair.difference(), "") << "behind the instructions from word " << from << " on";
+    }
+    count = 0;
+    for (const std::uint64_t ran : pair.manual.ran) count += ran;
+  }
+  // Each one has been there, and has gone both ways.
+  for (std::size_t row = 0; row < ManualModel::rows().size(); ++row) {
+    const std::string name = ManualModel::rows()[row].name;
+    if (!long_pc && (name.starts_with("ELPM") || name.starts_with("EI"))) continue;
+    EXPECT_GE(pair.manual.ran[row], test::rounds(kFewest)) << name;
+    if (!chooses(name)) continue;
+    EXPECT_GT(pair.manual.jumped[row], 0u) << name;
+    EXPECT_GT(pair.manual.ran[row], pair.manual.jumped[row]) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfProgramCounters, Manual, testing::Bool(),
+                         [](const auto& of) { return std::string(of.param ? "Of22Bits" : "Of16Bits"); });
+
+}  // namespace
+}  // namespace robosim::avr

@@ -1,0 +1,88 @@
+// The processor of the AVR Instruction Set Manual, DS40002198B, written down from its pages and nothing else:
+// opcodes are its patterns, flags its Boolean formulas, cycles those of its table for AVRe and AVRe+. It is
+// slow, and shares no line with sim/avr, whose instructions are held to it.
+//
+// All data memory is one array of 64 KB, in which SREG, SP, RAMPZ and EIND have their places; there are no
+// peripherals and no interrupts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace robosim::avr {
+
+/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are left out.
+struct OpcodeRow {
+  const char* name = nullptr;
+  const char* pattern = nullptr;  ///< of its first word, as the manual has it: 16 digits and letters
+  int words = 1;
+};
+
+class ManualModel {
+ public:
+  static constexpr std::uint16_t kRampz = 0x5B, kEind = 0x5C, kSp = 0x5D, kSreg = 0x5F;
+
+  /// `flash`: words, a power of two of them; `long_pc`: the program counter has 22 bits.
+  ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
+
+  /// Runs one instruction. False: the opcode is reserved, or the program counter is behind the flash; nothing
+  /// has been done.
+  bool step();
+
+  std::uint16_t sp() const { return word(kSp); }
+  void set_sp(std::uint16_t value) { set_word(kSp, value); }
+
+  std::array<std::uint8_t, 0x10000> data{};
+  std::vector<std::uint16_t> flash;
+  std::uint32_t pc = 0;  ///< in words
+  std::uint64_t cycles = 0;
+
+  /// All rows, and how often each has run and not gone on to the next word.
+  static std::span<const OpcodeRow> rows();
+  /// Of a word of flash; nothing if it is reserved.
+  static std::optional<std::size_t> row_of(std::uint16_t word);
+  std::vector<std::uint64_t> ran, jumped;
+
+ private:
+  struct Code;
+  static const Code& code_of(std::size_t row);
+
+  /// The field that the manual names with this letter.
+  unsigned field(char letter) const;
+  std::uint16_t word(std::uint16_t at) const {
+    return static_cast<std::uint16_t>(data[at] | data[at + 1u] << 8);
+  }
+  void set_word(std::uint16_t at, unsigned value) {
+    data[at] = static_cast<std::uint8_t>(value);
+    data[at + 1u] = static_cast<std::uint8_t>(value >> 8);
+  }
+  bool flag(char name) const;
+  void set_flag(char name, bool value);
+  /// S = N xor V, from those two.
+  void set_sign() { set_flag('S', flag('N') != flag('V')); }
+  void set_zero_and_negative(std::uint8_t result);
+
+  std::uint8_t add(std::uint8_t d, std::uint8_t r, bool carry);
+  std::uint8_t subtract(std::uint8_t d, std::uint8_t r, bool carry, bool keeps_zero);
+  void logic(unsigned d, unsigned result);
+  void shift(bool top);
+  void multiply(int a, int b, bool fractional);
+  void push(unsigned value);
+  std::uint8_t pop();
+  void call(std::uint32_t target);
+  void return_from_call();
+  void skip_if(bool condition);
+  void branch_if(bool condition);
+  std::uint8_t program_byte(std::uint32_t address) const;
+  std::uint32_t relative(unsigned k, int bits) const;
+
+  bool long_pc_;
+  // Of the instruction that runs:
+  std::uint16_t opcode_ = 0, second_ = 0;
+  const char* pattern_ = nullptr;
+};
+
+}  // namespace robosim::avr
