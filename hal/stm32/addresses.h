@@ -50,6 +50,14 @@ constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
 constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
 constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 
+// 7.3.10: what has reset the chip
+constexpr uint32_t kLsiOn = 1u << 0, kLsiReady = 1u << 1, kRemoveFlags = 1u << 24, kPinReset = 1u << 26,
+                   kPowerOnReset = 1u << 27, kSoftwareReset = 1u << 28, kIwdgReset = 1u << 29,
+                   kWwdgReset = 1u << 30;
+
+// --- watchdogs (RM0008 19.4, 20.6)
+constexpr Address kIwdg = 0x40003000, kWwdg = 0x40002C00;
+
 // --- flash interface (RM0008 3.3.3; PM0075 3)
 constexpr Address kFlashIf = 0x40022000;
 constexpr Address kFlashAcr = kFlashIf + 0x00, kFlashKeyr = kFlashIf + 0x04, kFlashSr = kFlashIf + 0x0C,
@@ -121,12 +129,16 @@ constexpr Address kScbCpuid = 0xE000ED00, kScbIcsr = 0xE000ED04, kScbVtor = 0xE0
                   kScbShcsr = 0xE000ED24, kScbCfsr = 0xE000ED28, kScbHfsr = 0xE000ED2C,
                   kScbMmfar = 0xE000ED34, kScbBfar = 0xE000ED38;
 constexpr uint32_t kPendStClr = 1u << 25, kPendStSet = 1u << 26, kPendSvClr = 1u << 27,
-                   kPendSvSet = 1u << 28;                         // SCB_ICSR
-constexpr uint32_t kDiv0Trap = 1u << 4, kUnalignTrap = 1u << 3;   // SCB_CCR
-constexpr uint32_t kSleepOnExit = 1u << 1, kSleepDeep = 1u << 2;  // SCB_SCR
+                   kPendSvSet = 1u << 28;                        // SCB_ICSR
+constexpr uint32_t kDiv0Trap = 1u << 4, kUnalignTrap = 1u << 3;  // SCB_CCR
+constexpr uint32_t kSleepOnExit = 1u << 1, kSleepDeep = 1u << 2,
+                   kSevOnPend = 1u << 4;    // SCB_SCR
+constexpr uint32_t kSysResetReq = 1u << 2;  // SCB_AIRCR
 
 // --- numbers of interrupts (RM0008 10.1.2, table 63); SysTick is exception 15
 enum Irq : uint8_t {
+  kIrqWwdg = 0,
+  kIrqPvd = 1,
   kIrqExti0 = 6,
   kIrqExti1 = 7,
   kIrqExti2 = 8,
@@ -140,6 +152,8 @@ enum Irq : uint8_t {
   kIrqTim4 = 30,
   kIrqUsart1 = 37,
   kIrqExti15_10 = 40,
+  kIrqRtcAlarm = 41,
+  kIrqUsbWakeup = 42,
   kIrqCount = 43
 };
 

@@ -69,7 +69,9 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
               Timer(link_, place_of(stm32f103c8::kTim3)), Timer(link_, place_of(stm32f103c8::kTim4))},
       adc_line_(link_.nvic, kIrqAdc),
       adcs_{Adc(link_, clocks_, adc_line_, 0), Adc(link_, clocks_, adc_line_, 1)},
-      usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)} {
+      usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)},
+      iwdg_(link_),
+      wwdg_(link_, clocks_) {
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
   for (std::size_t i = 0; i < usarts_.size(); ++i) place(usarts_[i], stm32f103c8::kUarts[i].address);
   for (std::size_t i = 0; i < timers_.size(); ++i) place(timers_[i], kStm32f103c8.timers[i].control);
@@ -78,6 +80,8 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
   place(clocks_, kRcc);
   place(flash_, kFlashIf);
   for (const PortSpec& port : stm32f103c8::kPorts) place(ports_, port.address);
+  place(iwdg_, kIwdg);
+  place(wwdg_, kWwdg);
   place(ports_, kAfio);
   place(ports_, kExti);
   peripherals_.push_back(&systick_);
@@ -112,11 +116,21 @@ void Bus::note_event(Peripheral& peripheral) {
 }
 
 void Bus::note_all_events() {
-  next_event_ = kNoCycle;
+  next_event_ = link_.reset_cause == Reset::none ? kNoCycle : 0;
   for (Peripheral* peripheral : peripherals_) {
     peripheral->noted_event = peripheral->next_event();
     next_event_ = std::min(next_event_, peripheral->noted_event);
   }
+}
+
+void Bus::reset() {
+  clocks_.note(std::exchange(link_.reset_cause, Reset::none));
+  link_.nvic = Nvic();
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    if (blocks_[i].peripheral)
+      blocks_[i].peripheral->reset(kPeripherals + static_cast<Address>(i) * kBlockBytes);
+  systick_.reset(kStkCtrl);
+  note_all_events();
 }
 
 // RM0008 7.3.3, 7.3.4.
@@ -145,7 +159,14 @@ bool Bus::load_private(Address address, std::uint32_t& value) {
 }
 
 bool Bus::store_private(Address address, std::uint32_t value) {
-  if (!SysTick::owns(address)) return Nvic::owns(address) && link_.nvic.write(address, value);
+  if (!SysTick::owns(address)) {
+    if (!Nvic::owns(address) || !link_.nvic.write(address, value)) return false;
+    if (link_.nvic.take_reset_request()) {
+      link_.reset_cause = Reset::software;
+      next_event_ = 0;
+    }
+    return true;
+  }
   systick_.write(address, value);
   note_event(systick_);
   return true;
@@ -176,6 +197,7 @@ void Bus::store_word(Address address, std::uint32_t value) {
       note_all_events();
     }
     note_event(*block->peripheral);
+    if (link_.reset_cause != Reset::none) next_event_ = 0;
   }
   if (!modelled) refuse(address, true, value);
 }

@@ -16,6 +16,7 @@
 #include "sim/exec/stm32/systick.h"
 #include "sim/exec/stm32/timers.h"
 #include "sim/exec/stm32/usart.h"
+#include "sim/exec/stm32/watchdogs.h"
 
 namespace robosim::exec::stm32 {
 
@@ -50,6 +51,9 @@ class Bus {
   std::optional<Address> take_changed_page() { return flash_.take_changed(); }
   /// Takes what the robot has sent by now.
   void take_inputs();
+
+  /// Resets all but what the backup supply keeps, for link().reset_cause, which is none then.
+  void reset();
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
@@ -93,6 +97,8 @@ class Bus {
   SharedLine adc_line_;
   std::array<Adc, 2> adcs_;
   std::array<Usart, 3> usarts_;
+  IndependentWatchdog iwdg_;
+  WindowWatchdog wwdg_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
   std::vector<Peripheral*> peripherals_;  ///< each once; who comes first has a pin
   Cycle next_event_ = kNoCycle;           ///< the least of theirs

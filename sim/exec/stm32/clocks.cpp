@@ -16,6 +16,14 @@ void Clocks::reset(Address) {
   link_.clock.set_hz(hz());
 }
 
+// Each reset pulls the pin NRST low, too (RM0008 7.1.1).
+void Clocks::note(Reset cause) {
+  reset_flags_ |= kPinReset;
+  if (cause == Reset::software) reset_flags_ |= kSoftwareReset;
+  if (cause == Reset::independent_watchdog) reset_flags_ |= kIwdgReset;
+  if (cause == Reset::window_watchdog) reset_flags_ |= kWwdgReset;
+}
+
 bool Clocks::pll_ready() const { return control_ & kPllOn && link_.clock.time() >= pll_ready_; }
 
 std::uint32_t Clocks::pll_hz() const {
@@ -32,7 +40,7 @@ std::uint32_t Clocks::hz() const {
 
 Gate Clocks::gate(Address block) const {
   constexpr Address kAhb = 0x40018000;
-  if (block >= kAhb || block == kExti) return {};
+  if (block >= kAhb || block == kExti || block == kIwdg) return {};
   if (behind_apb2(block)) return {&apb2_, &apb2_reset_, clock_bit(block)};
   return {&apb1_, &apb1_reset_, clock_bit(block)};
 }
@@ -63,7 +71,7 @@ std::uint32_t Clocks::read(Address address) {
     case kRccBdcr:
       return backup_;
     case kRccCsr:
-      return 0x0C000000;  // reset by power-on
+      return status_ | (status_ & kLsiOn) << 1 | reset_flags_;
     default:
       return 0;
   }
@@ -108,7 +116,9 @@ bool Clocks::write(Address address, std::uint32_t value) {
       backup_ = value;
       return (value & 0x8001) == 0;  // no RTC, no LSE
     case kRccCsr:
-      return (value & 1) == 0;  // no LSI
+      status_ = value & kLsiOn;  // there at once
+      if (value & kRemoveFlags) reset_flags_ = 0;
+      return true;
     default:
       return false;
   }

@@ -9,10 +9,10 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset resets.
+/// What a reset resets: all but the flags that tell of it.
 struct ClockRegisters {
   std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
-  std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0;
+  std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0, status_ = 0;
   std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
   SimTime hse_ready_ = 0, pll_ready_ = 0;
 };
@@ -35,6 +35,8 @@ class Clocks final : public Peripheral, ClockRegisters {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
+  /// The chip is reset: RCC_CSR will tell why.
+  void note(Reset cause);
 
   /// Of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
@@ -54,6 +56,7 @@ class Clocks final : public Peripheral, ClockRegisters {
   bool switch_clock();
 
   Link& link_;
+  std::uint32_t reset_flags_ = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
 };
 
 }  // namespace robosim::exec::stm32

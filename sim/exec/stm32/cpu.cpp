@@ -131,17 +131,26 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
   for (const std::uint32_t pc : loop.each) mark(pc, &Cached::loop);
   for (const char* name : {"millis", "HAL_GetTick"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Cached::call);
-  const auto vector = [&](unsigned number) {
-    std::uint32_t value;
-    std::memcpy(&value, flash_ + 4 * number, sizeof value);
-    return value;
-  };
-  set_reg(kSp, vector(0));
+  reset();
+  lowest_sp_ = reg(kSp);
+}
+
+// PM0056 2.1.3, 2.3.4
+void Cpu::reset() {
+  if (!handlers_.empty()) handler_cycles_ += clock_.now - handler_began_;
+  handlers_.clear();
+  r_ = {};
+  std::uint32_t vectors[2];
+  std::memcpy(vectors, flash_, sizeof vectors);
+  set_reg(kSp, vectors[0]);
   set_reg(kLr, 0xFFFFFFFF);
-  lowest_sp_ = vector(0);
-  stack_limit_ = firmware.globals_end;
-  next_ = vector(1) & ~1u;
-  pc_ = next_;
+  next_ = pc_ = vectors[1] & ~1u;
+  other_sp_ = primask_ = faultmask_ = basepri_ = 0;
+  on_process_stack_ = returning_ = asleep_ = look_after_ = false;
+  rounds_.await();
+  predicated_ = 0;
+  set_status(0);
+  stack_limit_ = firmware_.globals_end;
 }
 
 Cpu::~Cpu() {
@@ -331,7 +340,7 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
 }
 
 void Cpu::sleep_to(Cycle cycle) {
-  if (nvic_.wakes()) {
+  if (waits_for_event_ ? nvic_.next(primask_ | faultmask_, basepri_) || nvic_.take_event() : nvic_.wakes()) {
     asleep_ = false;
     return;
   }

@@ -36,6 +36,7 @@ struct Fault {
     division,
     stack,
     exception_return,
+    watchdog,
     unhandled,
     unmodelled
   };
@@ -53,6 +54,8 @@ class Cpu {
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
+  /// As after power-on, but RAM and what is counted.
+  void reset();
   /// Takes the exception that is due, if one is.
   void take_exception();
   /// Runs until `cycle`, or to where something may have changed that matters outside.
@@ -214,6 +217,7 @@ class Cpu {
   std::uint32_t next_ = 0;  ///< and behind it
   Cycle stop_ = 0;
   bool returning_ = false, asleep_ = false;
+  bool waits_for_event_ = false;  ///< asleep by WFE
   bool look_after_ = false;
   Instruction last_{};
   int predicated_ = 0;  ///< instructions left of an IT block

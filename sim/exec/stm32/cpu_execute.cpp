@@ -278,7 +278,12 @@ using namespace robosim::stm32;
     case Op::nop:
       return true;
     case Op::wfi:
-      falls_asleep_ = ends_ = true;
+    case Op::wfe:
+      waits_for_event_ = t.op == Op::wfe;
+      falls_asleep_ = ends_ = !waits_for_event_ || !nvic_.take_event();
+      return true;
+    case Op::sev:
+      nvic_.set_event();
       return true;
     case Op::svc:
       nvic_.pend(kSvcall);

@@ -37,7 +37,7 @@ Instruction decode_short(unsigned op) {
       }
       if ((op & 0xFF00) == 0xBF00) {
         if (op & 0xF) i.predicates = length_of_it(op & 0xF);
-        i.sleeps = op == 0xBF30;
+        i.sleeps = op == 0xBF20 || op == 0xBF30;
       }
       break;
     case 0xC:
@@ -95,7 +95,7 @@ Instruction decode_long(unsigned first, unsigned second) {
       i.grows_stack = i.masks;
     }
     if ((first & 0xFFF0) == 0xF3B0) i.cycles = 4;  // barriers
-    if (first == 0xF3AF) i.sleeps = (second & 0xFF) == 0x03;
+    if (first == 0xF3AF) i.sleeps = (second & 0xFE) == 0x02;
   } else if ((first & 0xFBEF) == 0xF1AD || (first & 0xFBFF) == 0xF2AD || (first & 0xFFEF) == 0xEBAD) {
     i.grows_stack = (second >> 8 & 0xF) == 13;  // SUB.W sp, sp
   }

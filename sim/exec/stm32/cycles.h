@@ -6,7 +6,7 @@
 //   LDM, PUSH, POP, STM of N    1+N   LDRD, STRD                   3     TBB, TBH                   2+P
 //   branch, taken               1+P   branch, not taken            1     write to pc (any)          +P
 //   MUL 1, MLA and MLS 2, UMULL and SMULL 4, UMLAL and SMLAL 6     SDIV, UDIV 7
-//   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1 (WFE does nothing here)
+//   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1
 //
 // The manual gives ranges for P (1 to 3), long multiplications and divisions (2 to 12, by the operands); here
 // P is 2 and the others are as listed. Loads that follow each other overlap on the chip; here they do not.
@@ -24,7 +24,7 @@ struct Instruction {
   std::uint8_t cycles = 1;
   bool grows_stack = false;  ///< may lower the stack pointer
   bool masks = false;        ///< may change PRIMASK or BASEPRI
-  bool sleeps = false;       ///< WFI
+  bool sleeps = false;       ///< WFI, WFE
   bool divides = false;
   std::uint8_t divisor = 0;     ///< register that a division divides by
   std::uint8_t predicates = 0;  ///< IT: how many instructions it is about

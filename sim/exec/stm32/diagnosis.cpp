@@ -82,6 +82,9 @@ std::string Diagnosis::reason(const Fault& fault) const {
                                         access.what)
                           : fmt::format("read of {}, which Robosim does not model", access.what);
     }
+    case Fault::Kind::watchdog:
+      return fmt::format("the watchdog has reset the chip {} times, each time within 10 s of the one before",
+                         machine_.watchdog_resets());
     case Fault::Kind::exception_return:
       return "return from an interrupt that has not begun, or whose stack was overwritten";
     default:

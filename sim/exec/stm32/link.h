@@ -16,10 +16,14 @@ struct ChipPin {
   bool operator==(const ChipPin&) const = default;
 };
 
+/// What resets the chip while it runs (RM0008 7.1.1).
+enum class Reset { none, software, independent_watchdog, window_watchdog };
+
 struct Link {
   ClockedBoard& board;
   Clock clock;
   Nvic nvic{};
+  Reset reset_cause = Reset::none;  ///< of the reset that is due
   /// The peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
 };

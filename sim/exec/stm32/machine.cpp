@@ -65,6 +65,19 @@ void Machine::look_at_heap() {
   if (end > cpu_.stack_limit() && end < kRam + kRamBytes) cpu_.set_stack_limit(end);
 }
 
+void Machine::restart() {
+  constexpr int kMostInARow = 3;
+  constexpr SimTime kRow = 10 * kSecond;
+  const SimTime now = bus_.link().clock.time_of(bus_.link().clock.now);
+  if (bus_.link().reset_cause != Reset::software) {
+    watchdog_resets_ = watchdog_resets_ > 0 && now - last_bite_ < kRow ? watchdog_resets_ + 1 : 1;
+    last_bite_ = now;
+    if (watchdog_resets_ == kMostInARow) return cpu_.fail(Fault::Kind::watchdog, cpu_.pc());
+  }
+  bus_.reset();
+  cpu_.reset();
+}
+
 void Machine::run_until(SimTime t) {
   Clock& clock = bus_.link().clock;
   clock.limit = t;
@@ -73,6 +86,7 @@ void Machine::run_until(SimTime t) {
   while (clock.time_of(clock.now) < t && !cpu_.fault() && !off_) {
     bus_.update();
     bus_.take_inputs();
+    if (bus_.link().reset_cause != Reset::none) restart();
     cpu_.take_exception();
     const Cycle next = std::min(bus_.next_event(), clock.cycle_at(std::min(board_.next_input(), t)));
     const bool singly = debug_port_ && debug_port_->steps_singly();

@@ -27,6 +27,9 @@ class Machine {
 
   /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
+  /// The watchdog's, each within 10 s of the one before.
+  int watchdog_resets() const { return watchdog_resets_; }
+
   Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
   const Bus& bus() const { return bus_; }
@@ -34,6 +37,7 @@ class Machine {
 
  private:
   void look_at_heap();
+  void restart();
   void write_called(WrittenBytes& bytes);
 
   const Firmware& firmware_;
@@ -43,6 +47,8 @@ class Machine {
   std::uint32_t stack_top_;
   Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
   bool off_ = false;
+  int watchdog_resets_ = 0;  ///< one soon behind the other
+  SimTime last_bite_ = 0;
   DebugPort* debug_port_ = nullptr;
 };
 

@@ -19,9 +19,14 @@ Nvic::Nvic() : enabled_(bit(kSvcall) | bit(kPendSv) | bit(kSysTick)) {}
 
 bool Nvic::owns(Address address) { return address >= kNvicIser && address < 0xE000EF04; }
 
+void Nvic::pend(Exception exception) {
+  if (scr_ & kSevOnPend && !(pending_ & bit(exception))) event_ = true;
+  pending_ |= bit(exception);
+}
+
 void Nvic::set_line(Irq irq, bool high) {
   const Bits line = bit(kFirstIrq + irq);
-  if (high && !(lines_ & line)) pending_ |= line;
+  if (high && !(lines_ & line)) pend(kFirstIrq + irq);
   lines_ = high ? lines_ | line : lines_ & ~line;
 }
 
@@ -50,9 +55,13 @@ Exception Nvic::candidate(std::uint32_t basepri) const {
 void Nvic::enter(Exception exception) {
   pending_ &= ~bit(exception);
   active_ |= bit(exception);
+  event_ = true;
 }
 
-void Nvic::leave(Exception exception) { active_ &= ~bit(exception); }
+void Nvic::leave(Exception exception) {
+  active_ &= ~bit(exception);
+  event_ = true;
+}
 
 Exception Nvic::lowest_active() const {
   Exception found = 0;
@@ -156,8 +165,10 @@ bool Nvic::write_scb(Address address, std::uint32_t value) {
       vtor_ = value & 0x3FFFFF80;
       return true;
     case kScbAircr:
-      // Grouping 0 to 3: all four bits preempt. A reset (SYSRESETREQ) is not modelled.
-      return value >> 16 == 0x05FA && (value & 0x7) == 0 && (value >> 8 & 7) <= 3;
+      if (value >> 16 != 0x05FA) return true;
+      reset_requested_ = value & kSysResetReq;
+      // Grouping 0 to 3: all four bits preempt.
+      return (value & 0x3) == 0 && (value >> 8 & 7) <= 3;
     case kScbScr:
       if (value & kSleepDeep) return false;
       scr_ = value;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "hal/stm32/addresses.h"
 
@@ -28,10 +29,17 @@ class Nvic {
   bool read(Address address, std::uint32_t& value) const;
   bool write(Address address, std::uint32_t value);
 
-  void pend(Exception exception) { pending_ |= bit(exception); }
+  void pend(Exception exception);
   void unpend(Exception exception) { pending_ &= ~bit(exception); }
   /// A peripheral's interrupt line. While it is high its interrupt comes again and again.
   void set_line(robosim::stm32::Irq irq, bool high);
+
+  /// Whether firmware has asked for a reset since the last call.
+  bool take_reset_request() { return std::exchange(reset_requested_, false); }
+
+  // --- the event register, for which WFE waits (PM0056 2.5.2)
+  void set_event() { event_ = true; }
+  bool take_event() { return std::exchange(event_, false); }
 
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
   /// The exception that preempts what runs, PRIMASK and BASEPRI aside; 0 = none.
@@ -62,6 +70,7 @@ class Nvic {
   Bits pending_ = 0, active_ = 0, lines_ = 0;
   Bits enabled_;
   std::array<std::uint8_t, 64> priority_{};
+  bool reset_requested_ = false, event_ = false;
   std::uint32_t vtor_ = 0, scr_ = 0, ccr_ = 0x200, shcsr_ = 0;
 };
 

@@ -6,10 +6,13 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kLines = 0xFFFF;
+constexpr int kExtiLines = 19;  // 16 to 18: PVD, alarm of the RTC, USB
+constexpr std::uint32_t kLines = (1u << kExtiLines) - 1;
 
 Irq irq_of(int line) {
-  return line < 5 ? static_cast<Irq>(kIrqExti0 + line) : line < 10 ? kIrqExti9_5 : kIrqExti15_10;
+  if (line < 5) return static_cast<Irq>(kIrqExti0 + line);
+  if (line < 16) return line < 10 ? kIrqExti9_5 : kIrqExti15_10;
+  return line == 16 ? kIrqPvd : line == 17 ? kIrqRtcAlarm : kIrqUsbWakeup;
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ void Ports::reset(Address block) {
     map_ = 0;
     sources_ = {};
   } else {
-    mask_ = rising_ = falling_ = pending_ = 0;
+    mask_ = events_ = rising_ = falling_ = pending_ = software_ = 0;
   }
   interrupts_changed();
 }
@@ -85,6 +88,10 @@ std::uint32_t Ports::read(Address address) {
         return map_;
       case kExtiImr:
         return mask_;
+      case kExtiEmr:
+        return events_;
+      case kExtiSwier:
+        return software_;
       case kExtiRtsr:
         return rising_;
       case kExtiFtsr:
@@ -168,25 +175,32 @@ bool Ports::write_exti(Address address, std::uint32_t value) {
       map_ = value;
       return (value & ~kSwjMask) == 0;  // no other place for a peripheral's pins
     case kExtiImr:
-      mask_ = value;
+      mask_ = value & kLines;
+      break;
+    case kExtiEmr:
+      events_ = value & kLines;
       break;
     case kExtiRtsr:
-      rising_ = value;
+      rising_ = value & kLines;
       break;
     case kExtiFtsr:
-      falling_ = value;
+      falling_ = value & kLines;
       break;
-    case kExtiSwier:
-      pending_ |= value & mask_;
-      break;
+    case kExtiSwier: {
+      const std::uint32_t set = value & kLines & ~software_;
+      software_ |= set;
+      came(set);
+      return true;
+    }
     case kExtiPr:
       pending_ &= ~value;
+      software_ &= ~value;
       break;
     default:
-      return value == 0;  // events
+      return value == 0;  // AFIO_EVCR
   }
   interrupts_changed();
-  return ((mask_ | rising_ | falling_) & ~kLines) == 0;
+  return true;
 }
 
 void Ports::interrupts_changed() {
@@ -194,12 +208,14 @@ void Ports::interrupts_changed() {
     for (int line = 0; line < kBits; ++line) {
       const Pin number = number_of({port, line});
       if (number == kNoPin) continue;
-      const bool wanted = mask_ >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
+      const bool wanted =
+          (mask_ | events_) >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
       link_.board.set_wants_edges(number, wanted, link_.clock.time());
     }
-  for (const Irq irq : {kIrqExti0, kIrqExti1, kIrqExti2, kIrqExti3, kIrqExti4, kIrqExti9_5, kIrqExti15_10}) {
+  for (const Irq irq : {kIrqExti0, kIrqExti1, kIrqExti2, kIrqExti3, kIrqExti4, kIrqExti9_5, kIrqExti15_10,
+                        kIrqPvd, kIrqRtcAlarm, kIrqUsbWakeup}) {
     bool high = false;
-    for (int line = 0; line < kBits; ++line)
+    for (int line = 0; line < kExtiLines; ++line)
       if (irq_of(line) == irq && pending_ & mask_ & 1u << line) high = true;
     link_.nvic.set_line(irq, high);
   }
@@ -209,7 +225,13 @@ void Ports::deliver(const BoardInput& edge) {
   if (edge.pin >= link_.board.spec().pin_count) return;
   const auto& pin = link_.board.spec().pins[edge.pin].chip_pin;
   if (source(pin.bit) != pin.port || !((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
-  pending_ |= 1u << pin.bit;
+  came(1u << pin.bit);
+}
+
+// RM0008 10.2.5, figure 21
+void Ports::came(std::uint32_t lines) {
+  pending_ |= lines;
+  if (lines & events_) link_.nvic.set_event();
   interrupts_changed();
 }
 

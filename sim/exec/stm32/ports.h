@@ -57,6 +57,8 @@ class Ports final : public Peripheral {
   bool write_port(int port, Address offset, std::uint32_t value);
   bool write_exti(Address address, std::uint32_t value);
   void interrupts_changed();
+  /// Something has come by these lines.
+  void came(std::uint32_t lines);
   /// The port that line `line` listens to.
   int source(int line) const;
 
@@ -66,7 +68,7 @@ class Ports final : public Peripheral {
   std::array<std::array<Pin, kBits>, kPorts> numbers_;
   std::uint32_t map_ = 0;
   std::array<std::uint32_t, 4> sources_{};
-  std::uint32_t mask_ = 0, rising_ = 0, falling_ = 0, pending_ = 0;
+  std::uint32_t mask_ = 0, events_ = 0, rising_ = 0, falling_ = 0, pending_ = 0, software_ = 0;
   Pin last_read_ = kNoPin;
   Cycle last_read_at_ = 0;
 };

@@ -174,14 +174,17 @@ Thumb decode_various(std::uint32_t pc, unsigned op) {
       return multiple(Op::ldm, Thumb::kSp, (op & 0xFF) | (op & 0x100) << 7, 2);
     case 0xF:
       if (op & 0xF) return with_value(Op::it, 0, Thumb::kZero, op & 0xFF);
-      if (op == 0xBF30) return with_value(Op::wfi, 0, Thumb::kZero, 0);
-      return (op >> 4 & 15) <= 4 ? with_value(Op::nop, 0, Thumb::kZero, 0) : Thumb{};
+      return (op >> 4 & 15) <= 4 ? with_value(hint(op >> 4 & 15), 0, Thumb::kZero, 0) : Thumb{};
     default:
       return {};
   }
 }
 
 }  // namespace
+
+Op hint(std::uint32_t number) {
+  return number == 2 ? Op::wfe : number == 3 ? Op::wfi : number == 4 ? Op::sev : Op::nop;
+}
 
 Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second) {
   const unsigned op = first;

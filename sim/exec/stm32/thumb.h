@@ -104,6 +104,8 @@ enum class Op : std::uint8_t {
   it,
   nop,
   wfi,
+  wfe,
+  sev,
   svc,
   cps,
   msr,
@@ -127,6 +129,9 @@ struct Thumb {
   std::uint8_t carry = kCarryStays;  ///< that an immediate value brings
   std::uint32_t value = 0;           ///< of a branch: its target
 };
+
+/// What a hint does (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.
+Op hint(std::uint32_t number);
 
 /// Of the halves of a word at `pc` and behind it.
 Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second);

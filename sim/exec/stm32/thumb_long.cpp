@@ -142,7 +142,7 @@ Thumb branch_or_control(const Halves& h) {
     t.op = Op::mrs;
     t.d = h.d();
   } else if (h.first == 0xF3AF && t.value <= 4) {
-    t.op = t.value == 3 ? Op::wfi : Op::nop;
+    t.op = hint(t.value);
   } else if (h.first == 0xF3BF && (h.second >> 4 & 15) >= 4 && (h.second >> 4 & 15) <= 6) {
     t.op = Op::nop;
   }
@@ -267,9 +267,9 @@ Thumb multiply(const Halves& h) {
     t.op = h.t() == Thumb::kPc ? Op::mul : Op::mla;
   else if (kind == 0 && how == 1 && h.t() != Thumb::kPc)
     t.op = Op::mls;
-  else if (kind == 9 && how == 15)
+  else if (kind == 9 && how == 15 && h.t() == Thumb::kPc)
     t.op = Op::sdiv;
-  else if (kind == 11 && how == 15)
+  else if (kind == 11 && how == 15 && h.t() == Thumb::kPc)
     t.op = Op::udiv;
   if (kind < 8 || how != 0 || h.t() == Thumb::kPc || h.t() == h.d()) return t;
   t.op = kind == 8    ? Op::smull

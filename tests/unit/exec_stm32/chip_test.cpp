@@ -205,7 +205,7 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
              "call through a wrong function pointer to address 0x30000000"},
         Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;", "division by zero"},
         Case{"*(volatile int*)0x40005400 = 1;", "write of 0x1 to register 0x40005400 (I2C1)"},
-        Case{"n = *(volatile int*)0x40003008;", "read of register 0x40003008 (IWDG)"}}) {
+        Case{"n = *(volatile int*)0x40006408;", "read of register 0x40006408 (CAN1)"}}) {
     const auto& crash = crash_of(c.statement);
     ASSERT_TRUE(crash) << c.statement;
     EXPECT_THAT(crash->reason, HasSubstr(c.reason)) << c.statement;
@@ -261,6 +261,45 @@ TEST_F(Stm32ChipTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_LT(activity.last_call, 30 * kMillisecond);
   EXPECT_EQ(activity.where.file, "Test.ino");
   EXPECT_EQ(activity.where.line, 3);
+}
+
+const char* const kRegisters =
+    "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nuint32_t n_;\n";
+
+TEST_F(Stm32ChipTest, AResetBySoftwareBeginsAnewAndKeepsRam) {
+  EXPECT_EQ(output(std::string(kRegisters) +
+                   "uint32_t kept_ __attribute__((section(\".noinit\")));\n"
+                   "void setup() { Serial.begin(115200);\n"
+                   "  if (!(load(kRccCsr) & kSoftwareReset)) kept_ = 0;\n"
+                   "  Serial.print(n_++); Serial.print(kept_++); Serial.print(' '); Serial.flush();\n"
+                   "  if (kept_ < 3) store(kScbAircr, 0x05FA0004);\n"
+                   "  Serial.print(millis() < 5 ? 'k' : '-'); }\nvoid loop() {}\n"),
+            "00 01 02 k");
+}
+
+TEST_F(Stm32ChipTest, AWatchdogThatBitesAgainAndAgainIsACrashWhereItBit) {
+  const std::string text =
+      std::string(kRegisters) +
+      "void setup() { Serial.begin(115200); Serial.print(load(kRccCsr) & kIwdgReset ? 'w' : 'p');\n"
+      "  store(kIwdg, 0xCCCC); }\n"
+      "void loop() {\n  delay(50);\n  store(kIwdg, 0xAAAA);\n  while (n_++ >= 2) load(kRccCsr);\n}\n";
+  start(text);
+  run(3 * kSecond);
+  EXPECT_EQ(serial_, "pww");
+  ASSERT_TRUE(chip_->crash());
+  EXPECT_THAT(chip_->crash()->reason, HasSubstr("the watchdog has reset the chip 3 times"));
+  EXPECT_EQ(chip_->crash()->where.function, "loop");
+}
+
+TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
+  EXPECT_EQ(
+      output(std::string(kRegisters) +
+             "void setup() { Serial.begin(115200); uint32_t t = millis();\n"
+             "  noInterrupts(); asm volatile(\"sev\\n wfe\"); Serial.print(millis() - t); interrupts();\n"
+             "  asm volatile(\"wfe\"); for (int i = 0; i < 3; ++i) asm volatile(\"wfe\");\n"
+             "  uint32_t slept = millis() - t; Serial.print(slept >= 1 && slept <= 4 ? 'y' : 'n'); }\n"
+             "void loop() {}\n"),
+      "0y");
 }
 
 TEST_F(Stm32ChipTest, AProgramMayWriteCodeIntoFlashAndRunIt) {

@@ -1,0 +1,59 @@
+// The two watchdogs: the independent one (RM0008 19) and the window watchdog (20).
+//
+//   IWDG   resets 4 * 2^PR * (RLR + 1) / 40 kHz behind the last reload; runs in sleep, too
+//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets at 0x3F, or when it is written while
+//          it is above the window
+//
+// New values of IWDG_PR and IWDG_RLR are there at once: IWDG_SR reads 0. LSI has exactly 40 kHz (DS5319,
+// table 25: 30 to 60). Writing WWDG_CR begins a whole count.
+#pragma once
+
+#include "sim/exec/stm32/clocks.h"
+
+namespace robosim::exec::stm32 {
+
+class IndependentWatchdog final : public Peripheral {
+ public:
+  explicit IndependentWatchdog(Link& link) : link_(link) {}
+
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+  Cycle next_event() const override { return runs_ ? link_.clock.cycle_at(ends_) : kNoCycle; }
+  void update() override;
+
+ private:
+  /// A count of it.
+  SimTime step() const;
+
+  Link& link_;
+  bool runs_ = false, unlocked_ = false;
+  std::uint32_t prescaler_ = 0, reload_ = 0xFFF;
+  SimTime ends_ = 0;  ///< when it resets the chip
+};
+
+class WindowWatchdog final : public Peripheral {
+ public:
+  WindowWatchdog(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) {}
+
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+  Cycle next_event() const override;
+  void update() override;
+
+ private:
+  Cycle step() const;
+  std::uint32_t count() const;
+  /// When it will have counted down to `value`; kNoCycle if it is below.
+  Cycle reaches(std::uint32_t value) const;
+
+  Link& link_;
+  const Clocks& clocks_;
+  std::uint32_t configuration_ = 0x7F;
+  bool on_ = false, early_ = false, told_ = false;
+  std::uint32_t written_ = 0x7F;
+  Cycle written_at_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,55 @@
+// External lines (RM0008 10.2, 10.3).
+#include "tests/unit/exec_stm32/bus_fixture.h"
+
+namespace robosim::exec::stm32 {
+namespace {
+
+using namespace robosim::stm32;
+
+class ExtiTest : public BusFixture {
+ protected:
+  bool had_event() { return bus_.link().nvic.take_event(); }
+};
+
+TEST_F(ExtiTest, SoftwareInterruptsLikeAnEdgeUntilItsPendingBitIsCleared) {
+  enable(kIrqExti9_5);
+  store(kExtiImr, 1u << 7);
+  store(kExtiSwier, 1u << 7);
+  EXPECT_EQ(load(kExtiPr), 1u << 7);
+  EXPECT_EQ(load(kExtiSwier), 1u << 7);
+  EXPECT_EQ(bus_.link().nvic.wakes(), kFirstIrq + kIrqExti9_5);
+  store(kExtiPr, 1u << 7);
+  EXPECT_EQ(load(kExtiSwier), 0u);
+  EXPECT_TRUE(takes(kIrqExti9_5));
+  EXPECT_FALSE(takes(kIrqExti9_5)) << "its line is low";
+}
+
+TEST_F(ExtiTest, ALineOfTheEventMaskWakesWithoutAnInterrupt) {
+  enable(kIrqExti0);
+  store(kExtiEmr, 1);
+  store(kExtiRtsr, 1);
+  EXPECT_EQ(load(kExtiEmr), 1u);
+  board_.schedule_edge(14, true, 1000);  // PA0
+  pass(4);
+  EXPECT_FALSE(had_event());
+  pass(4);
+  EXPECT_TRUE(had_event());
+  EXPECT_FALSE(had_event());
+  EXPECT_FALSE(takes(kIrqExti0));
+  EXPECT_EQ(load(kExtiPr), 1u);
+}
+
+TEST_F(ExtiTest, TheLinesOfTheChipItselfHaveInterruptsOfTheirOwn) {
+  for (const auto& [line, irq] : {std::pair{16, kIrqPvd}, {17, kIrqRtcAlarm}, {18, kIrqUsbWakeup}}) {
+    enable(irq);
+    store(kExtiImr, 1u << line);
+    store(kExtiSwier, 1u << line);
+    store(kExtiPr, 1u << line);
+    EXPECT_TRUE(takes(irq)) << line;
+  }
+  store(kExtiImr, 0xFFFFFFFF);
+  EXPECT_EQ(load(kExtiImr), 0x7FFFFu);
+}
+
+}  // namespace
+}  // namespace robosim::exec::stm32
