@@ -10,6 +10,7 @@
 #include "sim/avr/eeprom.h"
 #include "sim/avr/external_interrupts.h"
 #include "sim/avr/high_speed_timer.h"
+#include "sim/avr/self_programming.h"
 #include "sim/avr/spi.h"
 #include "sim/avr/timer.h"
 #include "sim/avr/twi.h"
@@ -78,6 +79,7 @@ void Chip::make_peripherals() {
   }
   add(std::make_unique<Eeprom>(core_));
   add(std::make_unique<Watchdog>(core_));
+  add(std::make_unique<SelfProgramming>(core_));
 }
 
 void Chip::receive(int line, std::uint16_t data, Cycle at) {

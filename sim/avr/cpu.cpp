@@ -188,6 +188,11 @@ void Cpu::set_open_handlers(int count) {
   state.handler_began = state.cycle;
 }
 
+std::uint8_t Cpu::signature_row(std::uint32_t address) const {
+  return address < 2 * std::size(chip_.signature) && address % 2 == 0 ? chip_.signature[address / 2]
+                                                                      : kErased;
+}
+
 void Cpu::write_bit(Address address, std::uint8_t bit, bool set) {
   const auto changed = [&](std::uint8_t before) {
     return static_cast<std::uint8_t>(set ? before | bit : before & ~bit);

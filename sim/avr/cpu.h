@@ -208,7 +208,8 @@ class Cpu {
     bool held = false;  ///< one more instruction runs before an interrupt
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
-    std::uint32_t passing = ~0u;  ///< where the mark has been told
+    std::uint32_t passing = ~0u;   ///< where the mark has been told
+    bool reads_signature = false;  ///< LPM reads the signature row in the place of flash
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
     std::uint32_t interrupted_pc = 0;  ///< where the open handler, or the last one, interrupted the firmware
@@ -244,6 +245,7 @@ class Cpu {
     state.outside_pc = pc;
     return words;
   }
+  std::uint8_t signature_row(std::uint32_t address) const;
   void write_bit(Address address, std::uint8_t bit, bool set);
   void skip_if(bool taken);
 

@@ -41,8 +41,11 @@ Cpu::Stop Cpu::run(Cycle until) {
     set_pair(0, result);
   };
   const auto s8 = [&](Address at) INLINE { return static_cast<std::int8_t>(r[at]); };
-  const auto program = [&](std::uint32_t address)
-                           INLINE { return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF}; };
+  const auto program = [&](std::uint32_t address) INLINE {
+    if (state.reads_signature) [[unlikely]]
+      return signature_row(address);
+    return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF};
+  };
 #undef INLINE
 
 #if !defined(__EMSCRIPTEN__)
