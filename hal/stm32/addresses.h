@@ -41,7 +41,8 @@ constexpr uint32_t kHsiOn = 1u << 0, kHsiReady = 1u << 1, kHseOn = 1u << 16, kHs
 constexpr uint32_t kSwMask = 3u << 0, kSwPll = 2u << 0, kSwsMask = 3u << 2, kSwsPll = 2u << 2,
                    kPpre1Half = 4u << 8, kAdcPreMask = 3u << 14, kAdcPre6 = 2u << 14, kPllSrcHse = 1u << 16,
                    kPllXtpre = 1u << 17, kPllMul9 = 7u << 18, kPllMulMask = 15u << 18;
-// 7.3.7, 7.3.8
+// 7.3.6 to 7.3.8
+constexpr uint32_t kDma1En = 1u << 0;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
@@ -57,6 +58,9 @@ constexpr uint32_t kLsiOn = 1u << 0, kLsiReady = 1u << 1, kRemoveFlags = 1u << 2
 
 // --- watchdogs (RM0008 19.4, 20.6)
 constexpr Address kIwdg = 0x40003000, kWwdg = 0x40002C00;
+
+// --- DMA1 (RM0008 13.4)
+constexpr Address kDma1 = 0x40020000;
 
 // --- flash interface (RM0008 3.3.3; PM0075 3)
 constexpr Address kFlashIf = 0x40022000;
@@ -113,10 +117,13 @@ constexpr Address kUsart1 = kStm32f103c8.uarts[0].address;
 constexpr Address kUsartSr = kUsart1 + 0x00, kUsartDr = kUsart1 + 0x04, kUsartBrr = kUsart1 + 0x08,
                   kUsartCr1 = kUsart1 + 0x0C, kUsartCr2 = kUsart1 + 0x10, kUsartCr3 = kUsart1 + 0x14,
                   kUsartGtpr = kUsart1 + 0x18;
-constexpr uint32_t kOre = 1u << 3, kRxne = 1u << 5, kTc = 1u << 6, kTxe = 1u << 7;  // USART_SR
-constexpr uint32_t kRe = 1u << 2, kTe = 1u << 3, kRxneie = 1u << 5, kTcie = 1u << 6, kTxeie = 1u << 7,
-                   kPs = 1u << 9, kPce = 1u << 10, kM = 1u << 12, kUe = 1u << 13;  // USART_CR1
-constexpr uint32_t kStop2 = 2u << 12;                                              // USART_CR2
+constexpr uint32_t kOre = 1u << 3, kIdleLine = 1u << 4, kRxne = 1u << 5, kTc = 1u << 6,
+                   kTxe = 1u << 7;  // USART_SR
+constexpr uint32_t kRe = 1u << 2, kTe = 1u << 3, kIdleie = 1u << 4, kRxneie = 1u << 5, kTcie = 1u << 6,
+                   kTxeie = 1u << 7, kPs = 1u << 9, kPce = 1u << 10, kM = 1u << 12,
+                   kUe = 1u << 13;                    // USART_CR1
+constexpr uint32_t kStop2 = 2u << 12;                 // USART_CR2
+constexpr uint32_t kDmaR = 1u << 6, kDmaT = 1u << 7;  // USART_CR3
 
 // --- the processor's own: SysTick (PM0056 4.5), NVIC (4.3), SCB (4.4)
 constexpr Address kStkCtrl = 0xE000E010, kStkLoad = 0xE000E014, kStkVal = 0xE000E018, kStkCalib = 0xE000E01C;
@@ -144,6 +151,7 @@ enum Irq : uint8_t {
   kIrqExti2 = 8,
   kIrqExti3 = 9,
   kIrqExti4 = 10,
+  kIrqDma1Channel1 = 11,
   kIrqAdc = 18,
   kIrqExti9_5 = 23,
   kIrqTim1Update = 25,

@@ -1,9 +1,10 @@
-// ADC1 and ADC2: one conversion at a time, started by software (RM0008 11).
+// ADC1 and ADC2 (RM0008 11): a regular and an injected group, one conversion after the other.
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
-// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Refused, as not modelled:
-// dual mode, scans, continuous and injected conversions, triggers, DMA, the watchdog, the temperature sensor.
+// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins; 16 is the temperature sensor,
+// at 25 degrees Celsius, and 17 the reference of 1.20 V (DS5319, tables 50 and 12), of ADC1 alone. Refused,
+// as not modelled: dual modes, and the channels 10 to 15, for which this chip has no pins.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -12,10 +13,20 @@ namespace robosim::exec::stm32 {
 
 /// What a reset of the ADC resets.
 struct AdcRegisters {
-  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, sampled_ = 0;
+  enum class Group { none, regular, injected };
+
+  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, high_ = 0xFFF, low_ = 0;
   std::array<std::uint32_t, 2> sample_times_{};
   std::array<std::uint32_t, 3> sequence_{};
-  bool converts_ = false;
+  std::array<std::uint32_t, 4> offsets_{}, injected_data_{};
+  std::uint32_t injected_sequence_ = 0;
+
+  Group converts_ = Group::none;
+  int regular_at_ = 0, injected_at_ = 0;  ///< places in the sequences
+  int left_ = 0;                          ///< of the regular conversions that the last trigger has started
+  bool regular_waits_ = false;            ///< for the end of the injected group
+  bool dma_asks_ = false;
+  std::uint32_t sampled_ = 0;
   Cycle sample_at_ = kNoCycle, done_at_ = 0;
 };
 
@@ -27,19 +38,35 @@ class Adc final : public Peripheral, AdcRegisters {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
-  /// When the pin is sampled, or an interrupt comes.
   Cycle next_event() const override {
-    return sample_at_ != kNoCycle ? sample_at_ : converts_ ? done_at_ : kNoCycle;
+    return converts_ == Group::none ? kNoCycle : std::min(sample_at_, done_at_);
   }
   void update() override;
+  unsigned dma_requests() const override;
+  Signals listens() const override;
+  void heard(Signals signal) override;
 
  private:
-  static constexpr std::uint32_t kEocie = 1u << 5;  // ADC_CR1
-
-  bool start();
   bool write_register(Address address, std::uint32_t value);
-  void refresh_line() { line_.set(index_, status_ & robosim::stm32::kEoc && control1_ & kEocie); }
-  int channel() const { return static_cast<int>(sequence_[2] & 31); }
+  bool write_control2(std::uint32_t value);
+  void refresh_line();
+
+  int regular_length() const;
+  int injected_length() const { return static_cast<int>(injected_sequence_ >> 20 & 3) + 1; }
+  unsigned channel_of(Group group, int place) const;
+  unsigned channel() const {
+    return channel_of(converts_, converts_ == Group::injected ? injected_at_ : regular_at_);
+  }
+  bool sequences_are_modelled() const;
+  void start_regular(Cycle at);
+  void start_injected(Cycle at);
+  /// The conversion that is next in the group, at `at`.
+  void begin(Group group, Cycle at);
+  void finish();
+  void finish_regular();
+  void finish_injected();
+  double volts(unsigned channel);
+  void watch(bool guarded);
 
   Link& link_;
   const Clocks& clocks_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace robosim::exec::stm32 {
@@ -70,11 +71,14 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       adc_line_(link_.nvic, kIrqAdc),
       adcs_{Adc(link_, clocks_, adc_line_, 0), Adc(link_, clocks_, adc_line_, 1)},
       usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)},
+      dma_(link_, *this),
       iwdg_(link_),
       wwdg_(link_, clocks_) {
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
   for (std::size_t i = 0; i < usarts_.size(); ++i) place(usarts_[i], stm32f103c8::kUarts[i].address);
   for (std::size_t i = 0; i < timers_.size(); ++i) place(timers_[i], kStm32f103c8.timers[i].control);
+  link_.signal = [this](Signals signals) { signal(signals); };
+  place(dma_, kDma1);
   place(adcs_[0], kAdc1);
   place(adcs_[1], kAdc2);
   place(clocks_, kRcc);
@@ -107,6 +111,56 @@ PinDrive Bus::alternate(ChipPin pin) const {
   return drive;
 }
 
+bool Bus::dma_load(Address address, unsigned bytes, std::uint32_t& value) {
+  address &= ~(bytes - 1);
+  if (const std::uint8_t* const from = ram_.at(address, bytes)) {
+    std::memcpy(&value, from, bytes);
+    return true;
+  }
+  if (!Flash::owns_memory(address) && !block_at(address)) return false;
+  value = load(address, bytes);
+  return true;
+}
+
+bool Bus::dma_store(Address address, unsigned bytes, std::uint32_t value) {
+  address &= ~(bytes - 1);
+  if (std::uint8_t* const to = ram_.at(address, bytes)) {
+    std::memcpy(to, &value, bytes);
+    return true;
+  }
+  if (!block_at(address)) return false;
+  store(address, value, bytes);
+  return true;
+}
+
+void Bus::serve_dma() {
+  constexpr int kMostItems = 0x10000;  // of a request that nothing takes back
+  if (dma_.waiting() == 0 || std::exchange(serves_dma_, true)) return;
+  for (int item = 0; item < kMostItems; ++item) {
+    unsigned requests = 0;
+    for (const Peripheral* peripheral : peripherals_) requests |= peripheral->dma_requests();
+    if (!(requests & dma_.waiting())) break;
+    const int served = dma_.serve(requests & dma_.waiting());
+    for (Peripheral* peripheral : peripherals_) peripheral->dma_served(served);
+  }
+  serves_dma_ = false;
+  note_all_events();
+}
+
+void Bus::note_signals(Peripheral& peripheral) {
+  if (std::exchange(peripheral.noted_signals, peripheral.listens()) == peripheral.noted_signals) return;
+  link_.listened_to = 0;
+  for (const Peripheral* other : peripherals_) link_.listened_to |= other->noted_signals;
+  note_all_events();
+}
+
+void Bus::signal(Signals signals) {
+  if (!(signals & link_.listened_to)) return;
+  for (Peripheral* peripheral : peripherals_)
+    if (const Signals heard = signals & peripheral->noted_signals) peripheral->heard(heard);
+  note_all_events();
+}
+
 void Bus::note_event(Peripheral& peripheral) {
   const Cycle before = std::exchange(peripheral.noted_event, peripheral.next_event());
   if (peripheral.noted_event < next_event_)
@@ -130,6 +184,7 @@ void Bus::reset() {
     if (blocks_[i].peripheral)
       blocks_[i].peripheral->reset(kPeripherals + static_cast<Address>(i) * kBlockBytes);
   systick_.reset(kStkCtrl);
+  for (Peripheral* peripheral : peripherals_) note_signals(*peripheral);
   note_all_events();
 }
 
@@ -179,6 +234,7 @@ std::uint32_t Bus::load_word(Address address) {
     if (!block->gate.has_clock()) return 0;
     value = block->peripheral->read(address);
     note_event(*block->peripheral);
+    serve_dma();
   } else if (!load_private(address, value)) {
     refuse(address, false);
   }
@@ -197,6 +253,8 @@ void Bus::store_word(Address address, std::uint32_t value) {
       note_all_events();
     }
     note_event(*block->peripheral);
+    note_signals(*block->peripheral);
+    serve_dma();
     if (link_.reset_cause != Reset::none) next_event_ = 0;
   }
   if (!modelled) refuse(address, true, value);
@@ -254,6 +312,7 @@ void Bus::update() {
   if (now < next_event_) return;
   for (Peripheral* peripheral : peripherals_)
     if (peripheral->noted_event <= now) peripheral->update();
+  serve_dma();
   note_all_events();
 }
 
@@ -264,6 +323,8 @@ void Bus::take_inputs() {
       ports_.deliver(input);
     else
       for (Usart& usart : usarts_) usart.receive(input.value);
+    serve_dma();
+    note_all_events();
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "sim/exec/stm32/adc.h"
 #include "sim/exec/stm32/clocks.h"
+#include "sim/exec/stm32/dma.h"
 #include "sim/exec/stm32/flash.h"
 #include "sim/exec/stm32/ports.h"
 #include "sim/exec/stm32/systick.h"
@@ -31,7 +32,7 @@ struct Unmodelled {
   std::string what;  ///< "register 0x40005400 (I2C1)"
 };
 
-class Bus {
+class Bus : DmaBus {
  public:
   Bus(ClockedBoard& board, FlashMemory& memory, SimTime began);
 
@@ -76,6 +77,11 @@ class Bus {
   void place(Peripheral& peripheral, Address block);
   Block* block_at(Address address);
   PinDrive alternate(ChipPin pin) const;
+  bool dma_load(Address address, unsigned bytes, std::uint32_t& value) override;
+  bool dma_store(Address address, unsigned bytes, std::uint32_t value) override;
+  void serve_dma();
+  void note_signals(Peripheral& peripheral);
+  void signal(Signals signals);
   void note_event(Peripheral& peripheral);
   void note_all_events();
   void reset_held();
@@ -97,6 +103,7 @@ class Bus {
   SharedLine adc_line_;
   std::array<Adc, 2> adcs_;
   std::array<Usart, 3> usarts_;
+  Dma dma_;
   IndependentWatchdog iwdg_;
   WindowWatchdog wwdg_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
@@ -104,6 +111,7 @@ class Bus {
   Cycle next_event_ = kNoCycle;           ///< the least of theirs
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;
+  bool serves_dma_ = false;
 };
 
 }  // namespace robosim::exec::stm32

@@ -40,6 +40,7 @@ std::uint32_t Clocks::hz() const {
 
 Gate Clocks::gate(Address block) const {
   constexpr Address kAhb = 0x40018000;
+  if (block == kDma1) return {&ahb_, nullptr, kDma1En};
   if (block >= kAhb || block == kExti || block == kIwdg) return {};
   if (behind_apb2(block)) return {&apb2_, &apb2_reset_, clock_bit(block)};
   return {&apb1_, &apb1_reset_, clock_bit(block)};

@@ -19,11 +19,19 @@ struct ChipPin {
 /// What resets the chip while it runs (RM0008 7.1.1).
 enum class Reset { none, software, independent_watchdog, window_watchdog };
 
+/// What a peripheral tells others of: a set of bits.
+using Signals = std::uint32_t;
+/// Of a timer, 1 to 4: 0 = its trigger output TRGO, 1 to 4 = its channels' compare events.
+constexpr Signals signal_of(int timer, int output) { return 1u << (5 * (timer - 1) + output); }
+constexpr Signals kExti11 = 1u << 20, kExti15 = 1u << 21;
+
 struct Link {
   ClockedBoard& board;
   Clock clock;
   Nvic nvic{};
   Reset reset_cause = Reset::none;  ///< of the reset that is due
+  Signals listened_to = 0;          ///< somebody does something at these
+  std::function<void(Signals)> signal{};
   /// The peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
 };

@@ -5,6 +5,9 @@
 
 namespace robosim::exec::stm32 {
 
+/// `number`: 1 to 7.
+constexpr unsigned dma_channel(int number) { return 1u << (number - 1); }
+
 class Peripheral {
  public:
   Peripheral() = default;
@@ -24,10 +27,19 @@ class Peripheral {
   /// Brings it up to the present time.
   virtual void update() {}
 
+  /// The DMA channels whose service it asks for: dma_channel() of each.
+  virtual unsigned dma_requests() const { return 0; }
+  virtual void dma_served(int) {}
+
+  /// At which signals heard() has something to do.
+  virtual Signals listens() const { return 0; }
+  virtual void heard(Signals) {}
+
   /// Whether it has that pin, by AFIO_MAPR as it is; then `drive` is how it drives it.
   virtual bool drives(ChipPin, PinDrive&) const { return false; }
 
   Cycle noted_event = kNoCycle;  ///< next_event() as the bus knows it
+  Signals noted_signals = 0;     ///< listens(), likewise
 };
 
 }  // namespace robosim::exec::stm32

@@ -232,6 +232,7 @@ void Ports::deliver(const BoardInput& edge) {
 void Ports::came(std::uint32_t lines) {
   pending_ |= lines;
   if (lines & events_) link_.nvic.set_event();
+  link_.signal((lines & 1u << 11 ? kExti11 : 0) | (lines & 1u << 15 ? kExti15 : 0));
   interrupts_changed();
 }
 

@@ -1,10 +1,14 @@
 #include "sim/exec/stm32/usart.h"
 
+#include <string_view>
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
 namespace {
+
+constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE; there are none
 
 ChipPin pin_named(std::string_view name) {
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
@@ -43,7 +47,8 @@ void Usart::listen() {
 
 void Usart::refresh_line() {
   const bool high = (status_ & kTxe && control_ & kTxeie) || (status_ & kTc && control_ & kTcie) ||
-                    (status_ & (kRxne | kOre) && control_ & kRxneie);
+                    (status_ & (kRxne | kOre) && control_ & kRxneie) ||
+                    (status_ & kIdleLine && control_ & kIdleie);
   link_.nvic.set_line(static_cast<Irq>(spec_.vector), on() && high);
 }
 
@@ -70,6 +75,21 @@ void Usart::update() {
     }
     refresh_line();
   }
+  if (link_.clock.now >= idle_at_) {
+    idle_at_ = kNoCycle;
+    status_ |= kIdleLine;
+    refresh_line();
+  }
+}
+
+// RM0008 table 78
+unsigned Usart::dma_requests() const {
+  constexpr int kSends[] = {4, 7, 2}, kReceives[] = {5, 6, 3};
+  const int index = spec_.number - 1;
+  unsigned requests = 0;
+  if (sends() && control3_ & kDmaT && status_ & kTxe) requests |= dma_channel(kSends[index]);
+  if (on() && control3_ & kDmaR && status_ & kRxne) requests |= dma_channel(kReceives[index]);
+  return requests;
 }
 
 void Usart::receive(std::uint8_t byte) {
@@ -80,6 +100,8 @@ void Usart::receive(std::uint8_t byte) {
     received_ = byte;
     status_ |= kRxne;
   }
+  // A whole frame and a bit without another.
+  idle_at_ = link_.clock.now + byte_cycles() / 10 * 11;
   refresh_line();
 }
 
@@ -96,7 +118,7 @@ std::uint32_t Usart::read(Address address) {
     case kUsartSr:
       return status_;
     case kUsartDr:
-      status_ &= ~(kRxne | kOre);
+      status_ &= ~(kRxne | kOre | kIdleLine);
       refresh_line();
       return received_;
     case kUsartBrr:
@@ -105,6 +127,8 @@ std::uint32_t Usart::read(Address address) {
       return control_;
     case kUsartCr2:
       return control2_;
+    case kUsartCr3:
+      return control3_;
     default:
       return 0;
   }
@@ -127,7 +151,7 @@ bool Usart::write(Address address, std::uint32_t value) {
       break;
     case kUsartCr1:
       control_ = value;
-      modelled = (value & ~(kUe | kTe | kRe | kRxneie | kTcie | kTxeie | kM | kPce | kPs)) == 0;
+      modelled = (value & ~(kUe | kTe | kRe | kIdleie | kRxneie | kTcie | kTxeie | kM | kPce | kPs)) == 0;
       listen();
       break;
     case kUsartCr2:
@@ -135,8 +159,12 @@ bool Usart::write(Address address, std::uint32_t value) {
       modelled = (value & ~kStop2) == 0;
       listen();
       break;
+    case kUsartCr3:
+      control3_ = value;
+      modelled = (value & ~(kDmaR | kDmaT | kErrors)) == 0;  // no hardware flow control
+      break;
     default:
-      modelled = value == 0;  // USART_CR3: hardware flow control, DMA; USART_GTPR
+      modelled = value == 0;  // USART_GTPR
   }
   refresh_line();
   if (sends() != sent) link_.pin_changed(pin_);

@@ -11,9 +11,9 @@ namespace robosim::exec::stm32 {
 /// What a reset of a USART resets.
 struct UsartRegisters {
   std::uint32_t status_ = robosim::stm32::kTxe | robosim::stm32::kTc;
-  std::uint32_t control_ = 0, control2_ = 0, divider_ = 0;
+  std::uint32_t control_ = 0, control2_ = 0, control3_ = 0, divider_ = 0;
   bool shifting_ = false;
-  Cycle sent_at_ = 0;
+  Cycle sent_at_ = 0, idle_at_ = kNoCycle;
   std::uint8_t received_ = 0;
 };
 
@@ -27,7 +27,8 @@ class Usart final : public Peripheral, UsartRegisters {
   void reset(Address block) override;
   /// Its TX pin, while it sends.
   bool drives(ChipPin pin, PinDrive& drive) const override;
-  Cycle next_event() const override { return shifting_ ? sent_at_ : kNoCycle; }
+  Cycle next_event() const override { return std::min(shifting_ ? sent_at_ : kNoCycle, idle_at_); }
+  unsigned dma_requests() const override;
   void update() override;
   void receive(std::uint8_t byte);
 

@@ -1,0 +1,179 @@
+#include "sim/exec/stm32/dma.h"
+
+#include <algorithm>
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+// RM0008 13.4; a channel's four flags are at 4 * (its number - 1).
+constexpr Address kDmaIsr = kDma1 + 0x00, kDmaIfcr = kDma1 + 0x04, kDmaChannels = kDma1 + 0x08;
+constexpr Address kChannelBytes = 20;
+constexpr std::uint32_t kGlobal = 1u << 0, kComplete = 1u << 1, kHalf = 1u << 2, kError = 1u << 3;
+constexpr std::uint32_t kEnable = 1u << 0, kToPeripheral = 1u << 4, kCircular = 1u << 5,
+                        kPeripheralGoesOn = 1u << 6, kMemoryGoesOn = 1u << 7, kMemToMem = 1u << 14;
+constexpr Cycle kItemCycles = 5;
+
+unsigned bytes_of(std::uint32_t size) { return 1u << std::min(size & 3, 2u); }
+
+}  // namespace
+
+void Dma::flag(int index, std::uint32_t flags) {
+  status_ |= (flags | kGlobal) << (4 * index);
+  refresh(index);
+}
+
+// The interrupts' bits in CCR are where the flags are in ISR.
+void Dma::refresh(int index) {
+  const Channel& channel = channels_[static_cast<std::size_t>(index)];
+  const std::uint32_t flags = status_ >> (4 * index) & (kComplete | kHalf | kError);
+  link_.nvic.set_line(static_cast<Irq>(kIrqDma1Channel1 + index), flags & channel.control);
+  const bool waits = channel.control & kEnable && !(channel.control & kMemToMem) && channel.left > 0;
+  waiting_ = (waiting_ & ~(1u << index)) | (waits ? 1u << index : 0);
+}
+
+std::uint32_t Dma::next_stage(const Channel& channel) const {
+  const std::uint32_t half = channel.count / 2;
+  return channel.left > channel.count - half ? channel.left - (channel.count - half) : channel.left;
+}
+
+void Dma::begin(Channel& channel) {
+  channel.left = channel.count;
+  channel.next_peripheral = channel.peripheral;
+  channel.next_memory = channel.memory;
+  const bool stages = channel.control & kMemToMem && channel.left > 0;
+  channel.stage_at = stages ? link_.clock.now + next_stage(channel) * kItemCycles : kNoCycle;
+}
+
+void Dma::move(int index) {
+  Channel& channel = channels_[static_cast<std::size_t>(index)];
+  const std::uint32_t control = channel.control;
+  const unsigned of_peripheral = bytes_of(control >> 8), of_memory = bytes_of(control >> 10);
+  const bool out = control & kToPeripheral;
+  // What is left of a narrower target; a wider one gets zeros (table 77).
+  std::uint32_t value = 0;
+  const bool moved = out ? bus_.dma_load(channel.next_memory, of_memory, value) &&
+                               bus_.dma_store(channel.next_peripheral, of_peripheral, value)
+                         : bus_.dma_load(channel.next_peripheral, of_peripheral, value) &&
+                               bus_.dma_store(channel.next_memory, of_memory, value);
+  if (!moved) {
+    channel.control &= ~kEnable;
+    channel.stage_at = kNoCycle;
+    return flag(index, kError);
+  }
+  if (control & kPeripheralGoesOn) channel.next_peripheral += of_peripheral;
+  if (control & kMemoryGoesOn) channel.next_memory += of_memory;
+  --channel.left;
+  if (channel.left == channel.count - channel.count / 2 && channel.count > 1) flag(index, kHalf);
+  if (channel.left > 0) return;
+  if (control & kCircular)
+    begin(channel);
+  else
+    channel.count = 0;
+  flag(index, kComplete);
+}
+
+int Dma::serve(unsigned channels) {
+  int chosen = -1;
+  std::uint32_t best = 0;
+  for (int i = 0; i < kChannels; ++i) {
+    const std::uint32_t priority = channels_[static_cast<std::size_t>(i)].control >> 12 & 3;
+    if (channels >> i & 1 && (chosen < 0 || priority > best)) {
+      chosen = i;
+      best = priority;
+    }
+  }
+  move(chosen);
+  return chosen + 1;
+}
+
+Cycle Dma::next_event() const {
+  Cycle next = kNoCycle;
+  for (const Channel& channel : channels_) next = std::min(next, channel.stage_at);
+  return next;
+}
+
+void Dma::update() {
+  for (int i = 0; i < kChannels; ++i) {
+    Channel& channel = channels_[static_cast<std::size_t>(i)];
+    while (link_.clock.now >= channel.stage_at) {
+      const Cycle at = channel.stage_at;
+      channel.stage_at = kNoCycle;
+      for (std::uint32_t items = next_stage(channel); items > 0 && channel.control & kEnable; --items)
+        move(i);
+      if (channel.left > 0 && channel.control & kEnable)
+        channel.stage_at = at + next_stage(channel) * kItemCycles;
+    }
+  }
+}
+
+void Dma::reset(Address) {
+  channels_ = {};
+  status_ = 0;
+  for (int i = 0; i < kChannels; ++i) refresh(i);
+}
+
+std::uint32_t Dma::read(Address address) {
+  update();
+  if (address == kDmaIsr) return status_;
+  if (address < kDmaChannels) return 0;
+  const std::size_t index = (address - kDmaChannels) / kChannelBytes;
+  if (index >= channels_.size()) return 0;
+  const Channel& channel = channels_[index];
+  switch ((address - kDmaChannels) % kChannelBytes) {
+    case 0x0:
+      return channel.control;
+    case 0x4:
+      return channel.left;
+    case 0x8:
+      return channel.peripheral;
+    case 0xC:
+      return channel.memory;
+    default:
+      return 0;
+  }
+}
+
+bool Dma::write(Address address, std::uint32_t value) {
+  update();
+  if (address == kDmaIfcr) {
+    for (int i = 0; i < kChannels; ++i) {
+      const std::uint32_t clears = value >> (4 * i) & 15;
+      std::uint32_t flags = status_ >> (4 * i) & 15 & ~(clears & kGlobal ? 15u : clears);
+      if (flags == kGlobal) flags = 0;
+      status_ = (status_ & ~(15u << (4 * i))) | flags << (4 * i);
+      refresh(i);
+    }
+    return true;
+  }
+  const std::size_t index = (address - kDmaChannels) / kChannelBytes;
+  if (address < kDmaChannels || index >= channels_.size()) return true;
+  Channel& channel = channels_[index];
+  const bool runs = channel.control & kEnable;
+  switch ((address - kDmaChannels) % kChannelBytes) {
+    case 0x0:
+      channel.control = value & 0x7FFF;
+      if (!runs && value & kEnable) {
+        channel.count = channel.left;
+        begin(channel);
+      }
+      if (!(value & kEnable)) channel.stage_at = kNoCycle;
+      refresh(static_cast<int>(index));
+      return true;
+    case 0x4:
+      if (!runs) channel.count = channel.left = value & 0xFFFF;
+      return true;
+    case 0x8:
+      if (!runs) channel.peripheral = value;
+      return true;
+    case 0xC:
+      if (!runs) channel.memory = value;
+      return true;
+    default:
+      return true;
+  }
+}
+
+}  // namespace robosim::exec::stm32

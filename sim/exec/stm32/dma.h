@@ -1,0 +1,60 @@
+// DMA1 (RM0008 13): seven channels that move items between memory and peripherals.
+//
+// A peripheral's request is served at once, and takes the processor no time; from memory to memory an item
+// takes 5 cycles (AN2548, 3.3), and is there at the half and at the end of the transfer. Of several requests
+// that with the highest priority is served first.
+#pragma once
+
+#include "sim/exec/stm32/peripheral.h"
+
+namespace robosim::exec::stm32 {
+
+/// What DMA moves items from and to; `bytes` is 1, 2 or 4.
+class DmaBus {
+ public:
+  /// False where there is nothing.
+  virtual bool dma_load(Address address, unsigned bytes, std::uint32_t& value) = 0;
+  virtual bool dma_store(Address address, unsigned bytes, std::uint32_t value) = 0;
+
+ protected:
+  ~DmaBus() = default;
+};
+
+class Dma final : public Peripheral {
+ public:
+  static constexpr int kChannels = 7;
+
+  Dma(Link& link, DmaBus& bus) : link_(link), bus_(bus) {}
+
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+  Cycle next_event() const override;
+  void update() override;
+
+  /// The channels that peripherals' requests would make move something.
+  unsigned waiting() const { return waiting_; }
+  /// Moves an item by one of `channels`, which are waiting; returns its number, 1 to 7.
+  int serve(unsigned channels);
+
+ private:
+  struct Channel {
+    std::uint32_t control = 0, count = 0, peripheral = 0, memory = 0;
+    std::uint32_t left = 0, next_peripheral = 0, next_memory = 0;  ///< of the transfer that runs
+    Cycle stage_at = kNoCycle;                                     ///< of memory to memory
+  };
+
+  void refresh(int index);
+  void begin(Channel& channel);
+  void move(int index);
+  void flag(int index, std::uint32_t flags);
+  std::uint32_t next_stage(const Channel& channel) const;
+
+  Link& link_;
+  DmaBus& bus_;
+  std::array<Channel, kChannels> channels_{};
+  std::uint32_t status_ = 0;
+  unsigned waiting_ = 0;
+};
+
+}  // namespace robosim::exec::stm32
