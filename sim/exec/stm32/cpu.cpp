@@ -22,13 +22,13 @@ struct Cpu::Hooks {
   static void code(uc_engine* uc, std::uint64_t address, std::uint32_t, void* cpu) {
     Cpu& c = self(cpu);
     const auto pc = static_cast<std::uint32_t>(address);
-    if (std::exchange(c.first_, false)) return;
+    if (std::exchange(c.first_, false) || (pc - c.pc_ < c.block_bytes_ && !c.fault_)) return;
     // ARM code, which the chip has none of: it goes wrong at the instruction behind the branch.
     std::uint32_t cpsr = 0;
     uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
     constexpr std::uint32_t kThumbState = 1u << 5;
     if (!(cpsr & kThumbState)) {
-      if (Cached* const entry = c.cached(pc); entry && c.before(pc, *entry)) return;
+      if (c.begins(pc)) return;
       c.ends_ = true;
     }
     c.after_ = pc;
@@ -104,7 +104,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
       nvic_(bus.link().nvic),
       flash_(bus.flash().data()),
       ram_(bus.ram().data()),
-      cache_(kFlashBytes / 2) {
+      code_(kFlashBytes / 2 + 2) {
   // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
@@ -127,12 +127,14 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
   add(UC_HOOK_INTR, &Hooks::interrupt);
   add(UC_HOOK_INSN_INVALID, &Hooks::undefined);
 
-  for (const std::uint32_t pc : loop.first) mark(pc, &Cached::starts);
-  for (const std::uint32_t pc : loop.each) mark(pc, &Cached::loop);
+  for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
+  for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
+  for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
   for (const char* name : {"millis", "HAL_GetTick"})
-    if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Cached::call);
+    if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
   reset();
   lowest_sp_ = reg(kSp);
+  watch_stack();
 }
 
 // PM0056 2.1.3, 2.3.4
@@ -146,11 +148,11 @@ void Cpu::reset() {
   set_reg(kLr, 0xFFFFFFFF);
   next_ = pc_ = vectors[1] & ~1u;
   other_sp_ = primask_ = faultmask_ = basepri_ = 0;
-  on_process_stack_ = returning_ = asleep_ = look_after_ = false;
+  on_process_stack_ = returning_ = asleep_ = false;
   rounds_.await();
   predicated_ = 0;
   set_status(0);
-  stack_limit_ = firmware_.globals_end;
+  set_stack_limit(firmware_.globals_end);
 }
 
 Cpu::~Cpu() {
@@ -184,52 +186,94 @@ std::uint32_t Cpu::opcode(std::uint32_t pc) const {
   return first >= 0xE800 ? first << 16 | half(at + 2) : first;
 }
 
-Cpu::Cached* Cpu::cached(std::uint32_t pc) {
-  const std::uint32_t offset = pc - kFlash;
-  if (offset >= kFlashBytes) {
-    if (!memory(pc, 2)) return nullptr;
-    elsewhere_.instruction = decode(half(pc), half(pc + 2));
-    elsewhere_.thumb = decode_thumb(pc, half(pc), half(pc + 2));
-    elsewhere_.plain = false;
-    return &elsewhere_;
+bool Cpu::make(std::uint32_t pc, Step& step) const {
+  if (!memory(pc, 2)) return false;
+  const Thumb thumb = decode_thumb(pc, half(pc), half(pc + 2));
+  step = step_of(thumb, decode(half(pc), half(pc + 2)));
+  step.pc = pc;
+  if (step.kind == Step::Kind::branch && step.value - kFlash < kFlashBytes && step.value != step.next()) {
+    step.kind = step.within = direct_kind(step);
+    step.value = (step.value - kFlash) / 2;
   }
-  Cached& entry = cache_[offset / 2];
-  if (entry.known) return &entry;
-  entry.known = true;
-  entry.instruction = decode(half(pc), half(pc + 2));
-  entry.thumb = decode_thumb(pc, half(pc), half(pc + 2));
-  const Instruction& i = entry.instruction;
-  entry.plain = !i.grows_stack && !i.masks && !i.sleeps && !i.divides && i.predicates == 0 && !entry.starts &&
-                !entry.loop && !entry.call && !entry.sets && !entry.watched && !entry.breaks && !referee_;
-  return &entry;
+  const bool is_constant = thumb.n == Thumb::kZero && thumb.m == Thumb::kZero && thumb.d != Thumb::kPc;
+  if (thumb.op == Op::ldr && is_constant && thumb.value - kFlash <= kFlashBytes - 4) {
+    step.kind = step.within = Step::Kind::ldr_const;
+    std::memcpy(&step.value, flash_ + (thumb.value - kFlash), 4);
+  }
+  if (referee_ && thumb.op <= Op::it) step.kind = step.within = Step::Kind::emulate;
+  return true;
 }
 
-void Cpu::mark(std::uint32_t pc, bool Cached::*flag) {
+const Step* Cpu::fetched(const Step& at) {
+  const std::uint32_t pc = at.pc, offset = pc - kFlash;
+  if (offset >= kFlashBytes) {
+    elsewhere_count_ = (elsewhere_count_ + 1) % elsewhere_.size();
+    auto& steps = elsewhere_[elsewhere_count_];
+    steps = {};
+    if (!make(pc, steps[0])) return nullptr;
+    steps[1].pc = pc + 2;
+    steps[2].pc = pc + 4;
+    return steps.data();
+  }
+  Step& step = code_[offset / 2];
+  make(pc, step);
+  if (Mark* const mark = mark_at(pc)) {
+    mark->kind = step.kind;
+    mark->within = step.within;
+    step.kind = step.within = Step::Kind::mark;
+  }
+  return &step;
+}
+
+const Step* Cpu::step_at(std::uint32_t pc) {
+  const std::uint32_t offset = pc - kFlash;
+  if (offset < kFlashBytes) return &code_[offset / 2];
+  if (!memory(pc, 2)) return nullptr;
+  elsewhere_count_ = (elsewhere_count_ + 1) % elsewhere_.size();
+  Step& step = elsewhere_[elsewhere_count_][0];
+  step = {};
+  step.pc = pc;
+  return &step;
+}
+
+Cpu::Mark* Cpu::mark_at(std::uint32_t pc) {
+  for (Mark& mark : marks_)
+    if (mark.pc == pc) return &mark;
+  return nullptr;
+}
+
+void Cpu::mark(std::uint32_t pc, bool Mark::*flag, bool set) {
   if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
-  Cached& entry = cache_[(pc - kFlash) / 2];
-  entry.known = entry.plain = false;
-  entry.*flag = true;
+  if (!mark_at(pc)) {
+    marks_.push_back({});
+    marks_.back().pc = pc;
+  }
+  mark_at(pc)->*flag = set;
+  code_[(pc - kFlash) / 2].kind = Step::Kind::fetch;
 }
 
-// The last instruction before it may be of two halves.
 void Cpu::forget(Address page) {
-  const std::size_t begin = (page - kFlash) / 2, end = begin + kPageBytes / 2;
-  for (std::size_t i = begin > 0 ? begin - 1 : begin; i < end; ++i) cache_[i].known = cache_[i].plain = false;
+  // Instructions before and behind it have constants there.
+  constexpr std::uint32_t kReach = 0x1004;
+  const std::uint32_t begin = page - kFlash, end = begin + kPageBytes;
+  for (std::uint32_t at = begin > kReach ? begin - kReach : 0; at < std::min(end + kReach, kFlashBytes);
+       at += 2)
+    code_[at / 2].kind = Step::Kind::fetch;
   uc_ctl_remove_cache(uc_, page, page + kPageBytes);
   uc_ctl_remove_cache(uc_, page - kFlash, page - kFlash + kPageBytes);
 }
 
-void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
-  watcher_ = std::move(watcher);
-  mark(pc, &Cached::watched);
+void Cpu::use_referee() {
+  referee_ = true;
+  for (Step& step : code_) step.kind = Step::Kind::fetch;
 }
 
-void Cpu::set_breakpoint(std::uint32_t pc, bool set) {
-  if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
-  Cached& entry = cache_[(pc - kFlash) / 2];
-  entry.known = entry.plain = false;
-  entry.breaks = set;
+void Cpu::watch(std::uint32_t pc, std::function<void()> watcher) {
+  watcher_ = std::move(watcher);
+  mark(pc, &Mark::watched);
 }
+
+void Cpu::set_breakpoint(std::uint32_t pc, bool set) { mark(pc, &Mark::breaks, set); }
 
 bool Cpu::write_register(int number, std::uint32_t value) {
   if (number == kPc) {
@@ -247,7 +291,7 @@ void Cpu::set_byte(Address address, std::uint8_t value) {
 
 void Cpu::set_at(std::uint32_t pc, Address variable, std::uint32_t value) {
   early_ = EarlySet{pc, variable, value};
-  mark(pc, &Cached::sets);
+  mark(pc, &Mark::sets);
 }
 
 void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
@@ -261,71 +305,40 @@ void Cpu::jumped_nowhere(std::uint32_t pc) {
   fail(Fault::Kind::bad_jump, pc);
 }
 
-void Cpu::accessed() {
-  if (handlers_.empty()) {
-    last_io_ = clock_.now;
-    last_io_pc_ = pc_;
-  }
-  if (bus_.unmodelled()) return fail(Fault::Kind::unmodelled, pc_, bus_.unmodelled()->address);
-  if (nvic_.any_pending()) stop_ = 0;
-  stop_ = std::min({stop_, bus_.next_event(), clock_.cycle_at(bus_.link().board.next_input())});
-}
-
-bool Cpu::before(std::uint32_t pc, const Cached& entry) {
-  if (look_after_) after_special();
+bool Cpu::begins(std::uint32_t pc) {
+  const Instruction instruction = decode(half(pc), half(pc + 2));
   if (pc != next_) {
     clock_.now += kRefill_cycles;
     note_jump();
   }
   next_ = pc;
-  if (clock_.now >= stop_ && (predicated_ == 0 || fault_)) return false;
-  if ((halting_ || entry.breaks) && halts_at(pc, entry)) return false;
+  if (!memory(pc, 2) || (clock_.now >= stop_ && (predicated_ == 0 || fault_))) return false;
   pc_ = pc;
-  next_ = pc + entry.instruction.bytes;
-  clock_.now += entry.instruction.cycles;
-  if (predicated_ > 0) --predicated_;
-  if (!entry.plain) before_special(entry);
+  next_ = pc + instruction.bytes;
+  clock_.now += instruction.cycles;
   return true;
 }
 
-bool Cpu::halts_at(std::uint32_t pc, const Cached& entry) {
-  if (entry.breaks && std::exchange(passing_, 1) != pc) halting_ = true;
+bool Cpu::halts_at(std::uint32_t pc) {
+  const Mark* const mark = mark_at(pc);
+  if (mark && mark->breaks && std::exchange(passing_, 1) != pc) halting_ = true;
   if (!halting_ || predicated_ > 0) return false;
   halting_ = false;
   at_breakpoint_ = true;
   return true;
 }
 
-void Cpu::before_special(const Cached& entry) {
-  const Instruction& i = entry.instruction;
-  if (i.predicates > 0) predicated_ = i.predicates;
-  if (entry.loop || (entry.starts && !rounds_.is_running())) rounds_.began(clock_.time_of(clock_.now));
-  if (entry.call && handlers_.empty()) {
+void Cpu::reached(const Mark& mark) {
+  if (mark.loop || (mark.starts && !rounds_.is_running())) rounds_.began(clock_.time_of(clock_.now));
+  if (mark.call && handlers_.empty()) {
     last_io_ = clock_.now;
     last_io_pc_ = pc_;
   }
-  if (entry.sets && early_) {
+  if (mark.sets && early_) {
     set_word(early_->variable, early_->value);
     early_.reset();
   }
-  if (entry.watched && watcher_) watcher_();
-  if (i.divides && nvic_.traps_division() && i.divisor < 13 && reg(i.divisor) == 0)
-    fail(Fault::Kind::division, pc_);
-  look_after_ = i.grows_stack || i.masks;
-  last_ = i;
-}
-
-void Cpu::after_special() {
-  look_after_ = false;
-  if (last_.grows_stack) check_stack();
-  if (last_.masks && nvic_.any_pending()) stop_ = 0;
-}
-
-void Cpu::check_stack() {
-  if (on_process_stack_) return;
-  const std::uint32_t sp = reg(kSp);
-  if (sp < lowest_sp_) lowest_sp_ = sp;
-  if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);
+  if (mark.watched && watcher_) watcher_();
 }
 
 Cycle Cpu::handler_cycles() const {
@@ -337,6 +350,16 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
   const std::uint32_t kept = std::min<std::uint32_t>(jump_count_, static_cast<std::uint32_t>(jumps_.size()));
   for (std::uint32_t i = 1; i <= kept; ++i) jumps.push_back(jumps_[(jump_count_ - i) % jumps_.size()]);
   return jumps;
+}
+
+void Cpu::run_to(Cycle cycle) {
+  if (asleep_ || fault_) return;
+  stop_ = cycle;
+  ends_ = falls_asleep_ = false;
+  run();
+  if (fault_) return;
+  if (returning_) return leave();
+  asleep_ = falls_asleep_;
 }
 
 void Cpu::sleep_to(Cycle cycle) {

@@ -1,9 +1,9 @@
 // The Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
-// Instructions are taken apart once (thumb.h) and executed here (cpu_execute.cpp); the few that are not, and
-// those that go wrong, are libunicorn's, one at a time. Before each of them cycles are counted (cycles.h), so
-// that an interrupt comes at its instruction and a tick ends at its cycle, at most one instruction (and what
-// follows an IT) late. Exceptions are entered and left as PM0056 2.3.7 says.
+// Instructions are taken apart once (thumb.h, step.h) and executed by one loop (cpu_run.cpp); the few that
+// are not, and those that go wrong, are libunicorn's, one at a time. Before each of them cycles are counted
+// (cycles.h), so that an interrupt comes at its instruction and a tick ends at its cycle, at most one
+// instruction (and what follows an IT) late. Exceptions are entered and left as PM0056 2.3.7 says.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 #include "sim/exec/stm32/bus.h"
 #include "sim/exec/stm32/cycles.h"
 #include "sim/exec/stm32/firmware.h"
-#include "sim/exec/stm32/thumb.h"
+#include "sim/exec/stm32/flags.h"
+#include "sim/exec/stm32/step.h"
 
 struct uc_struct;
 
@@ -79,13 +80,16 @@ class Cpu {
   /// Where the firmware was when the outermost handler that runs interrupted it.
   std::uint32_t interrupted_pc() const { return interrupted_pc_; }
   std::uint32_t lowest_sp() const { return lowest_sp_; }
-  void set_stack_limit(Address limit) { stack_limit_ = limit; }
+  void set_stack_limit(Address limit) {
+    stack_limit_ = limit;
+    watch_stack();
+  }
   Address stack_limit() const { return stack_limit_; }
   /// Addresses of the instructions that jumped last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
 
   /// From now on libunicorn executes all that it can: a referee for tests.
-  void use_referee() { referee_ = true; }
+  void use_referee();
 
   // --- for debuggers
   /// run_to() returns before the instruction at `pc` runs; within an IT block, behind the block.
@@ -123,11 +127,11 @@ class Cpu {
                                  kPrivateBytes = 0x100000;
 
   struct Hooks;
-  struct alignas(32) Cached {
-    Instruction instruction{};
-    Thumb thumb{};
-    bool known = false, plain = false, starts = false, loop = false, call = false, sets = false,
-         watched = false, breaks = false;
+  /// What happens before the instruction at `pc` runs.
+  struct Mark {
+    std::uint32_t pc = 0;
+    bool starts = false, loop = false, call = false, sets = false, watched = false, breaks = false;
+    Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
   };
   struct Handler {
     Exception exception;
@@ -139,40 +143,40 @@ class Cpu {
     std::uint32_t value = 0;
   };
 
-  /// Accounts for the instruction at `pc`; false if it shall not run.
-  bool before(std::uint32_t pc, const Cached& cached);
-  /// Runs the instruction that before() was about by libunicorn.
+  /// The interpreter's loop: until stop_.
+  void run();
+  /// Runs the instruction at pc_ by libunicorn.
   void emulate();
-  /// False, with nothing changed, if libunicorn must do it. The second is for where speed does not count.
-  bool execute(const Thumb& thumb, unsigned within_it);
-  bool execute_rarely(const Thumb& thumb, unsigned within_it);
-  /// One instruction that may be anything, anywhere; false if run_to() ends before it.
-  bool step();
-  bool passes(unsigned condition) const;
-  template <unsigned kBytes>
-  bool load(Address address, std::uint32_t& value);
-  template <unsigned kBytes>
-  bool store(Address address, std::uint32_t value);
-  template <unsigned kBytes>
-  bool load_elsewhere(Address address, std::uint32_t& value);
-  template <unsigned kBytes>
-  bool store_elsewhere(Address address, std::uint32_t value);
-  bool load_as(Op op, Address address, std::uint32_t& value);
-  bool store_as(Op op, Address address, std::uint32_t value);
-  bool transfer_back(const Thumb& thumb);
-  bool transfer_two(const Thumb& thumb);
-  bool transfer_many(const Thumb& thumb);
-  /// As BX and POP do: the lowest bit says Thumb; the highest addresses end a handler.
-  bool branch_to(std::uint32_t target);
+  /// libunicorn goes on with the instruction at `pc`; false if it shall not.
+  bool begins(std::uint32_t pc);
+  /// Null where no code can be.
+  const Step* step_at(std::uint32_t pc);
+  /// What has not been made yet; null where no code can be.
+  const Step* fetched(const Step& at);
+  bool make(std::uint32_t pc, Step& step) const;
+
+  std::optional<std::uint32_t> load_elsewhere(Address address, unsigned bytes);
+  bool store_elsewhere(Address address, unsigned bytes, std::uint32_t value);
+  /// Where a load into the program counter leads; false if libunicorn must say.
+  bool load_target(Address address, std::uint32_t& target) const;
+  bool load_two(const Step& step);
+  bool store_two(const Step& step);
+  /// `registers`: a bit each, of those that the Step has.
+  bool load_many(const Step& step, std::uint32_t registers);
+  bool store_many(const Step& step);
+  void multiply_long(const Step& step);
+  /// `b` is the second operand, `carry` what made it has shifted out.
+  void compute(Op op, const Step& step, std::uint32_t b, std::uint32_t carry, bool sets, Flags& flags);
   void change_masks(std::uint32_t value);
+  void masks_changed();
   bool read_special(std::uint32_t number, std::uint32_t& value) const;
   bool write_special(std::uint32_t number, std::uint32_t value);
   void set_status(std::uint32_t value);
   void select_stack(bool process);
-  bool halts_at(std::uint32_t pc, const Cached& cached);
-  void before_special(const Cached& cached);
-  void after_special();
+  bool halts_at(std::uint32_t pc);
+  void reached(const Mark& mark);
   void check_stack();
+  void watch_stack();
   void note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
@@ -181,9 +185,8 @@ class Cpu {
   std::uint32_t opcode(std::uint32_t pc) const;
   /// 0 where no code can be.
   std::uint16_t half(Address address) const;
-  /// Null where no code can be.
-  Cached* cached(std::uint32_t pc);
-  void mark(std::uint32_t pc, bool Cached::*flag);
+  Mark* mark_at(std::uint32_t pc);
+  void mark(std::uint32_t pc, bool Mark::*flag, bool set = true);
   /// The page of flash that begins at `page` has changed.
   void forget(Address page);
   std::uint8_t* ram(Address address, unsigned bytes) const;
@@ -198,35 +201,37 @@ class Cpu {
   uc_struct* uc_ = nullptr;
   std::uint8_t* const flash_;
   std::uint8_t* const ram_;
-  std::vector<Cached> cache_;
-  Cached elsewhere_;  ///< of code outside of flash
+  std::vector<Step> code_;  ///< one for each half of a word of flash, and two that are none
+  /// Of code outside of flash: an instruction, and what leads on behind it. Those made last are kept.
+  std::array<std::array<Step, 3>, 4> elsewhere_;
+  std::size_t elsewhere_count_ = 0;
+  std::vector<Mark> marks_;
 
   std::array<std::uint32_t, 17> r_{};  ///< and one that is always 0; r_[15] is what an instruction reads
-  // Negative: bit 31 of flag_n_; zero: flag_z_ is 0; the others are 0 or 1.
-  std::uint32_t flag_n_ = 0, flag_z_ = 1, flag_c_ = 0, flag_v_ = 0;
+  Flags flags_;
   bool saturated_ = false, referee_ = false;
   std::uint32_t it_ = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
   std::uint32_t primask_ = 0, faultmask_ = 0, basepri_ = 0;
   std::uint32_t other_sp_ = 0;  ///< of MSP and PSP the one that is not r_[13]
   bool on_process_stack_ = false;
 
-  std::uint32_t after_ = 0;  ///< where the instruction that runs leads
-  bool first_ = false;       ///< libunicorn has not begun its instruction
+  std::uint32_t after_ = 0;        ///< where the instruction that runs leads
+  bool first_ = false;             ///< libunicorn has not begun its instruction
+  std::uint32_t block_bytes_ = 0;  ///< of the IT block that it runs; 0 = none
   bool ends_ = false, falls_asleep_ = false;
   std::uint32_t pc_ = 0;    ///< of the instruction that runs
   std::uint32_t next_ = 0;  ///< and behind it
   Cycle stop_ = 0;
   bool returning_ = false, asleep_ = false;
   bool waits_for_event_ = false;  ///< asleep by WFE
-  bool look_after_ = false;
-  Instruction last_{};
-  int predicated_ = 0;  ///< instructions left of an IT block
+  int predicated_ = 0;            ///< instructions left of an IT block
   std::vector<Handler> handlers_;
   std::uint32_t interrupted_pc_ = 0;
   std::optional<Fault> fault_;
   std::array<std::uint32_t, 32> jumps_{};
   std::uint32_t jump_count_ = 0;
   std::uint32_t lowest_sp_ = 0, stack_limit_ = 0;
+  std::uint32_t stack_watch_ = 0;  ///< below it check_stack() has something to say
   std::optional<EarlySet> early_;
   std::function<void()> watcher_;
   std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; no instruction's address if none is

@@ -1,4 +1,5 @@
 // The processor's special registers (PM0056 2.1.3), and how its state goes to libunicorn and back.
+#include <algorithm>
 #include <utility>
 
 #include "sim/exec/stm32/cpu.h"
@@ -34,8 +35,7 @@ enum Special : std::uint32_t {
 }  // namespace
 
 std::uint32_t Cpu::status() const {
-  std::uint32_t value = kThumb | (flag_n_ & 1u << 31) | flag_c_ << 29 | flag_v_ << 28;
-  if (flag_z_ == 0) value |= 1u << 30;
+  std::uint32_t value = kThumb | flags_.pack();
   if (saturated_) value |= kSaturated;
   value |= (it_ & 3) << 25 | (it_ & 0xFC) << 8;
   if (!handlers_.empty()) value |= static_cast<std::uint32_t>(handlers_.back().exception);
@@ -43,34 +43,36 @@ std::uint32_t Cpu::status() const {
 }
 
 void Cpu::set_status(std::uint32_t value) {
-  flag_n_ = value;
-  flag_z_ = value & 1u << 30 ? 0 : 1;
-  flag_c_ = value >> 29 & 1;
-  flag_v_ = value >> 28 & 1;
+  flags_.unpack(value);
   saturated_ = value & kSaturated;
   it_ = (value >> 25 & 3) | (value >> 8 & 0xFC);
-}
-
-bool Cpu::has_registers(Address address) {
-  return address - kPeripherals < kPeripheralBytes || address - kBitBand < kBitBandBytes ||
-         address - kPrivate < kPrivateBytes;
-}
-
-const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
-  if (const std::uint8_t* in_ram = ram(address, bytes)) return in_ram;
-  const Address offset = address < kFlash ? address : address - kFlash;
-  return offset <= kFlashBytes - bytes ? flash_ + offset : nullptr;
 }
 
 void Cpu::select_stack(bool process) {
   if (process != on_process_stack_) std::swap(r_[kSp], other_sp_);
   on_process_stack_ = process;
+  watch_stack();
+}
+
+void Cpu::watch_stack() { stack_watch_ = on_process_stack_ ? 0 : std::max(lowest_sp_, stack_limit_); }
+
+void Cpu::check_stack() {
+  if (on_process_stack_) return;
+  const std::uint32_t sp = reg(kSp);
+  lowest_sp_ = std::min(lowest_sp_, sp);
+  watch_stack();
+  if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);
 }
 
 void Cpu::change_masks(std::uint32_t value) {
   const std::uint32_t masks = value >> 4 & 1;
   if (value & 2) primask_ = masks;
   if (value & 1) faultmask_ = masks;
+  masks_changed();
+}
+
+void Cpu::masks_changed() {
+  if (nvic_.any_pending()) stop_ = 0;
 }
 
 bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
@@ -143,6 +145,10 @@ bool Cpu::write_special(std::uint32_t number, std::uint32_t value) {
 }
 
 void Cpu::emulate() {
+  const Instruction about = decode(half(pc_), half(pc_ + 2));
+  if (about.divides && nvic_.traps_division() && about.divisor < kSp && reg(about.divisor) == 0)
+    fail(Fault::Kind::division, pc_);
+  after_ = next_;
   // Its condition holds, and no instruction that comes here cares for more of its IT block.
   const std::uint32_t it = std::exchange(it_, 0);
   std::uint32_t psr = status();
@@ -150,10 +156,18 @@ void Cpu::emulate() {
   // Code in RAM may have been written since.
   if (pc_ >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
   first_ = true;
+  block_bytes_ = 0;
+  if (about.predicates > 0) {
+    block_bytes_ = about.bytes;
+    for (int i = 0; i < about.predicates; ++i)
+      block_bytes_ += decode(half(pc_ + block_bytes_), half(pc_ + block_bytes_ + 2)).bytes;
+  }
   const uc_err error = uc_emu_start(uc_, pc_ | 1, kNeverAddress, 0, 0);
   for (unsigned i = 0; i < kRegisters; ++i) uc_reg_read(uc_, kIds[i], i < 15 ? &r_[i] : &psr);
   set_status(psr);
   it_ = it;
+  if (about.grows_stack) check_stack();
+  if (about.masks) masks_changed();
   if (returning_ || fault_) ends_ = true;
   if (error != UC_ERR_OK && !ends_) fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
 }

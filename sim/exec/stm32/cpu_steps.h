@@ -1,0 +1,210 @@
+// What the interpreter's loop (cpu_run.cpp) is written with: macros over its local variables, since a jump to
+// a label needs them to be where the label is. Nobody else includes this.
+//
+//   i, last        the Step that runs, and the one before it
+//   left, end      cycles to `end`, where run_to() is to stop; what is left tells the cycle
+//   r, flags       the registers
+//   held           0, or what `left` and `end` are too small by: then nothing is left, and before each
+//                  instruction the loop passes by `leave`, for an IT block and what follows it
+#pragma once
+
+#include <cstring>
+
+#include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/thumb_values.h"
+
+#define GO_TO_STEP(what) goto* kLabels[static_cast<unsigned>(what)]
+#define DISPATCH              \
+  if (left <= 0) [[unlikely]] \
+    goto leave;               \
+  GO_TO_STEP(i->kind)
+#define BEHIND reinterpret_cast<const Step*>(reinterpret_cast<const char*>(i) + i->ahead)
+#define ADVANCE \
+  last = i;     \
+  i = BEHIND
+#define NEXT \
+  ADVANCE;   \
+  DISPATCH
+// From here on the instruction has its cycles.
+#define STEP(name, count) L_##name : left -= (count);
+
+#define DO(name, count, what) \
+  STEP(name, count) what;     \
+  NEXT
+#define TRY(name, count, done)                  \
+  STEP(name, count) if (!(done)) goto emulated; \
+  NEXT
+
+#define NOW (end - static_cast<Cycle>(left))
+// What the rest of the processor may look at while an instruction runs; RESUME_TIME for what it may change.
+#define PUT         \
+  clock_.now = NOW; \
+  pc_ = i->pc;      \
+  next_ = i->next()
+#define RESUME_TIME                                            \
+  left = static_cast<std::int64_t>(stop_ - clock_.now) - held; \
+  end = clock_.now + static_cast<Cycle>(left)
+
+#define D r[i->d]
+#define N r[i->n]
+#define M r[i->m]
+#define B (r[i->m] + i->value)
+#define SETS_CARRY \
+  if (i->shift != Thumb::kCarryStays) flags.carry = i->shift
+
+// Two kinds, without and with flags.
+#define LOGIC(name, expression)   \
+  STEP(name, 1) D = (expression); \
+  NEXT;                           \
+  STEP(name##s, 1) {              \
+    D = flags.logic(expression);  \
+    SETS_CARRY;                   \
+    NEXT;                         \
+  }
+#define SHIFT(name, result, shifted_out) \
+  STEP(name, 1) D = (result);            \
+  NEXT;                                  \
+  STEP(name##s, 1) {                     \
+    const std::uint32_t value = M;       \
+    flags.carry = (shifted_out)&1;       \
+    D = flags.logic(result);             \
+    NEXT;                                \
+  }
+
+// The second operand is shifted; no flags.
+#define OF_SHIFTED(name, expression)  \
+  STEP(name##_lsl, 1)                 \
+  OF_VALUE(expression, M << i->value) \
+  STEP(name##_lsr, 1)                 \
+  OF_VALUE(expression, M >> i->value) \
+  STEP(name##_asr, 1)                 \
+  OF_VALUE(expression, static_cast<std::uint32_t>(static_cast<std::int32_t>(M) >> i->value))
+#define OF_VALUE(expression, from)    \
+  {                                   \
+    const std::uint32_t value = from; \
+    D = (expression);                 \
+    NEXT;                             \
+  }
+
+// Not by the flags that are kept in registers, whose address nobody shall have.
+#define COMPUTE(op, b, carry, sets)                                 \
+  {                                                                 \
+    flags_ = flags;                                                 \
+    compute(static_cast<Op>(op), *i, (b), (carry), (sets), flags_); \
+    flags = flags_;                                                 \
+    NEXT;                                                           \
+  }
+
+#define READ(bytes, address, use)                                            \
+  {                                                                          \
+    const std::uint32_t at = (address);                                      \
+    std::uint32_t value = 0;                                                 \
+    if (at - kRam <= kRamBytes - (bytes)) [[likely]] {                       \
+      std::memcpy(&value, ram + (at - kRam), (bytes));                       \
+    } else if (at - kFlash <= kFlashBytes - (bytes)) {                       \
+      std::memcpy(&value, flash + (at - kFlash), (bytes));                   \
+    } else {                                                                 \
+      PUT;                                                                   \
+      const std::optional<std::uint32_t> read = load_elsewhere(at, (bytes)); \
+      if (!read) goto emulated;                                              \
+      value = *read;                                                         \
+      RESUME_TIME;                                                           \
+    }                                                                        \
+    use;                                                                     \
+  }
+#define WRITE(bytes, address, source)                          \
+  {                                                            \
+    const std::uint32_t at = (address), value = (source);      \
+    if (at - kRam <= kRamBytes - (bytes)) [[likely]] {         \
+      std::memcpy(ram + (at - kRam), &value, (bytes));         \
+    } else {                                                   \
+      PUT;                                                     \
+      if (!store_elsewhere(at, (bytes), value)) goto emulated; \
+      RESUME_TIME;                                             \
+    }                                                          \
+  }
+#define READS(name, bytes, address, use) STEP(name, 2) READ(bytes, address, use) NEXT
+#define WRITES(name, bytes, address, source) STEP(name, 2) WRITE(bytes, address, source) NEXT
+#define SIGNED(bits) sign_extended(value, bits)
+#define INDEXED (N + (M << i->shift) + i->value)
+// The forms that move the base: `use` may take `value` and `moved`.
+#define READ_BACK(bytes, result)                     \
+  {                                                  \
+    const std::uint32_t moved = N + i->value;        \
+    READ(bytes, i->shift ? moved : N, D = (result)); \
+    N = moved;                                       \
+    NEXT;                                            \
+  }
+#define WRITE_BACK(bytes)                     \
+  {                                           \
+    const std::uint32_t moved = N + i->value; \
+    WRITE(bytes, i->shift ? moved : N, D);    \
+    N = moved;                                \
+    NEXT;                                     \
+  }
+#define CHECK_STACK                         \
+  if (r[kSp] < stack_watch_) [[unlikely]] { \
+    PUT;                                    \
+    check_stack();                          \
+    RESUME_TIME;                            \
+  }
+
+#define SET_STACK(sp) \
+  {                   \
+    r[kSp] = (sp);    \
+    CHECK_STACK;      \
+    NEXT;             \
+  }
+#define DIVIDE(is_signed)                                              \
+  {                                                                    \
+    if (M == 0 && i->m < kSp && nvic_.traps_division()) [[unlikely]] { \
+      PUT;                                                             \
+      fail(Fault::Kind::division, pc_);                                \
+      RESUME_TIME;                                                     \
+    }                                                                  \
+    D = quotient(N, M, is_signed);                                     \
+    NEXT;                                                              \
+  }
+
+#define NOTE_JUMP(pc) jumps_[jump_count_++ % jumps_.size()] = (pc)
+// To a Step of flash that is not the next one.
+#define JUMP_TO_STEP        \
+  {                         \
+    left -= kRefill_cycles; \
+    NOTE_JUMP(i->pc);       \
+    last = i;               \
+    i = code + i->value;    \
+    DISPATCH;               \
+  }
+#define BRANCH_IF(condition)   \
+  if (condition) JUMP_TO_STEP; \
+  NEXT
+#define JUMP(address)   \
+  {                     \
+    target = (address); \
+    goto jump;          \
+  }
+// As BX and POP do: the lowest bit says Thumb.
+#define JUMP_AS_BX(address)                             \
+  {                                                     \
+    target = (address);                                 \
+    if (target >= kExceptionReturn) goto leave_handler; \
+    target &= ~1u;                                      \
+    goto jump;                                          \
+  }
+#define TABLE(bytes)                                                 \
+  {                                                                  \
+    r[kPc] = i->pc + 4;                                              \
+    std::uint32_t entry = 0;                                         \
+    const std::uint8_t* const from = memory(N + (bytes)*M, (bytes)); \
+    if (!from) goto emulated;                                        \
+    std::memcpy(&entry, from, (bytes));                              \
+    JUMP(i->next() + 2 * entry);                                     \
+  }
+#define FALL_ASLEEP(by_event)      \
+  {                                \
+    falls_asleep_ = true;          \
+    waits_for_event_ = (by_event); \
+    ADVANCE;                       \
+    goto out;                      \
+  }

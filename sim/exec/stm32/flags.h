@@ -1,0 +1,85 @@
+// The flags of the xPSR, taken apart: an instruction writes down what its flags come from, and only who looks
+// at one makes it (ARMv7-M ARM, A2.2.1, A7.3).
+#pragma once
+
+#include <cstdint>
+
+namespace robosim::exec::stm32 {
+
+struct Flags {
+  std::int64_t sign = 1;       ///< N is set where it is negative, Z where its lower 32 bits are 0
+  std::uint32_t carry = 0;     ///< 0 or 1
+  std::uint32_t overflow = 0;  ///< V in bit 31
+
+  /// N, Z, C, V in bits 31 to 28, as in the xPSR.
+  std::uint32_t pack() const {
+    return (sign < 0 ? 1u << 31 : 0) | (zero() ? 1u << 30 : 0) | carry << 29 | (overflow >> 31) << 28;
+  }
+  void unpack(std::uint32_t status) {
+    constexpr std::int64_t kNegative = std::int64_t{-1} << 32;
+    sign = (status >> 31 ? kNegative : 0) | (status >> 30 & 1 ? 0 : 1);
+    carry = status >> 29 & 1;
+    overflow = status << 3;
+  }
+  bool zero() const { return static_cast<std::uint32_t>(sign) == 0; }
+  /// N differs from V.
+  bool less() const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(sign >> 32) ^ overflow) < 0;
+  }
+  /// By the number of a condition (A7.3).
+  bool passes(unsigned condition) const {
+    bool holds = true;
+    switch (condition >> 1) {
+      case 0:
+        holds = zero();
+        break;
+      case 1:
+        holds = carry;
+        break;
+      case 2:
+        holds = sign < 0;
+        break;
+      case 3:
+        holds = overflow >> 31;
+        break;
+      case 4:
+        holds = carry && !zero();
+        break;
+      case 5:
+        holds = !less();
+        break;
+      case 6:
+        holds = !less() && !zero();
+        break;
+      default:
+        return true;
+    }
+    return holds != (condition & 1);
+  }
+
+  std::uint32_t logic(std::uint32_t result) {
+    sign = static_cast<std::int32_t>(result);
+    return result;
+  }
+  std::uint32_t sum(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t result = a + b;
+    carry = result < a;
+    overflow = (a ^ result) & (b ^ result);
+    return logic(result);
+  }
+  std::uint32_t sum_with_carry(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t wide = std::uint64_t{a} + b + carry;
+    const auto result = static_cast<std::uint32_t>(wide);
+    carry = static_cast<std::uint32_t>(wide >> 32);
+    overflow = (a ^ result) & (b ^ result);
+    return logic(result);
+  }
+  std::uint32_t difference(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t result = a - b;
+    carry = a >= b;
+    overflow = (a ^ b) & (a ^ result);
+    return logic(result);
+  }
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,58 @@
+// An instruction as the interpreter's loop wants it (cpu_run.cpp): which piece of that to jump to, and what
+// with. It is made from a Thumb (thumb.h) when it is first run, and each 16 bits of flash have room for one.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/exec/stm32/cycles.h"
+#include "sim/exec/stm32/thumb.h"
+
+namespace robosim::exec::stm32 {
+
+// A name that ends with s sets flags; with _i or _r the second operand is `value` or r[m] alone, otherwise
+// it is r[m] + value.
+// clang-format off
+#define ROBOSIM_STM32_STEPS(X)                                                                           \
+  X(fetch) X(mark) X(emulate) X(reads_pc) X(nop) X(mov_i) X(mov_r) X(movs_i) X(movs_r) X(add_i) X(add_r) \
+  X(adds_i) X(adds_r) X(sub_i) X(sub_r) X(subs_i) X(subs_r) X(cmp_i) X(cmp_r) X(and_) X(and_s) X(orr)    \
+  X(orrs) X(eor) X(eors) X(bic) X(bics) X(mvn) X(mvns) X(tst) X(adc) X(adcs) X(sbc) X(sbcs) X(rsb)       \
+  X(rsbs) X(cmn) X(data) X(datas) X(shifted) X(shifteds) X(lsl) X(lsls) X(lsr) X(lsrs) X(asr) X(asrs)    \
+  X(and_lsl) X(and_lsr) X(and_asr) X(orr_lsl) X(orr_lsr) X(orr_asr) X(eor_lsl) X(eor_lsr) X(eor_asr)     \
+  X(bic_lsl) X(bic_lsr) X(bic_asr) X(add_lsl) X(add_lsr) X(add_asr) X(sub_lsl) X(sub_lsr) X(sub_asr)     \
+  X(rsb_lsl) X(rsb_lsr) X(rsb_asr) X(shift_r) X(shift_rs) X(sub_sp) X(to_sp) X(to_pc) X(movt) X(mul)     \
+  X(muls) X(mla) X(mls) X(multiply_long) X(sdiv) X(udiv) X(sxtb) X(sxth) X(uxtb) X(uxth) X(clz) X(rbit)  \
+  X(rev) X(rev16) X(revsh) X(sbfx) X(ubfx) X(bfi) X(ldr_const) X(ldr_i) X(ldr_r) X(ldrb_i) X(ldrb_r)     \
+  X(ldrh_i) X(ldrh_r) X(ldrsb) X(ldrsh) X(ldr_pc) X(str_i) X(str_r) X(strb_i) X(strb_r) X(strh_i)        \
+  X(strh_r) X(ldr_back) X(ldrb_back) X(ldrh_back) X(ldrsb_back) X(ldrsh_back) X(ldr_pc_back) X(str_back) \
+  X(push) X(strb_back) X(strh_back) X(ldrd) X(strd) X(ldm) X(ldm_pc) X(stm) X(b) X(beq) X(bne) X(bcs)    \
+  X(bcc) X(bmi) X(bpl) X(bvs) X(bvc) X(bhi) X(bls) X(bge) X(blt) X(bgt) X(ble) X(bl) X(cbz) X(cbnz)      \
+  X(branch) X(bx) X(blx) X(tbb) X(tbh) X(it) X(it_one) X(wfi) X(wfe) X(sev) X(svc) X(cps) X(msr) X(mrs)
+// clang-format on
+
+struct alignas(16) Step {
+  enum class Kind : std::uint8_t {
+#define ROBOSIM_STM32_NAME(name) name,
+    ROBOSIM_STM32_STEPS(ROBOSIM_STM32_NAME)
+#undef ROBOSIM_STM32_NAME
+  };
+
+  Kind kind = Kind::fetch;           ///< `fetch`: it has not been made yet
+  Kind within = Kind::fetch;         ///< the kind within an IT block, where less instructions set flags
+  std::uint8_t d = 0, n = 0, m = 0;  ///< as in Thumb
+  std::uint8_t shift = 0;            ///< as there; of what sets flags, the carry
+  std::uint8_t ahead = 16;           ///< bytes from here to the next one
+  std::uint8_t cycles = 1;
+  std::uint32_t value = 0;
+  std::uint32_t pc = 0;  ///< where it is
+
+  std::uint32_t next() const { return pc + ahead / 8u; }
+};
+
+static_assert(sizeof(Step) == 16);
+
+/// But for its `pc`. A branch is of the kind `branch`: its target is its value, its `shift` an Op.
+Step step_of(const Thumb& thumb, const Instruction& instruction);
+/// The kind of a `branch` whose value is an index among all Steps, and differs from the next one's.
+Step::Kind direct_kind(const Step& branch);
+
+}  // namespace robosim::exec::stm32
