@@ -1,7 +1,6 @@
 #include "sim/avr/chip.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "hal/board/avr_registers.h"
@@ -169,26 +168,9 @@ Chip::Stop Chip::run_to(Cycle until) {
   }
 }
 
-std::vector<std::byte> Chip::snapshot() const {
-  std::vector<std::byte> bytes;
-  const auto add = [&](const void* from, std::size_t size) {
-    const auto* begin = static_cast<const std::byte*>(from);
-    bytes.insert(bytes.end(), begin, begin + size);
-  };
-  for (const Core::Kept& kept : core_.kept) add(kept.bytes, kept.size);
-  add(core_.cpu.data.data(), core_.cpu.data.size());
-  return bytes;
-}
-
-void Chip::restore(const std::vector<std::byte>& snapshot) {
-  const std::byte* from = snapshot.data();
-  const auto take = [&](void* to, std::size_t size) {
-    std::memcpy(to, from, size);
-    from += size;
-  };
-  for (const Core::Kept& kept : core_.kept) take(kept.bytes, kept.size);
-  take(core_.cpu.data.data(), core_.cpu.data.size());
-  idle_.interrupted();
+void Chip::restore(const Kept::Copy& saved) {
+  core_.kept.put_back(saved);
+  idle_.moved_in_time();
 }
 
 }  // namespace robosim::avr

@@ -8,7 +8,6 @@
 // Equal flash and equal surroundings give equal runs, however often run_to() comes back in between.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -63,9 +62,9 @@ class Chip {
   Pins& pins() { return pins_; }
 
   /// All that changes while the chip runs, but for what lies in the surroundings.
-  std::vector<std::byte> snapshot() const;
+  Kept::Copy save() const { return core_.kept.copy(); }
   /// Of a chip that was made alike.
-  void restore(const std::vector<std::byte>& snapshot);
+  void restore(const Kept::Copy& saved);
 
  private:
   void make_peripherals();

@@ -8,7 +8,6 @@
 //   }
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "sim/avr/surroundings.h"
 #include "sim/avr/triggers.h"
 #include "sim/avr/visitor.h"
+#include "sim/base/kept.h"
 
 namespace robosim::avr {
 
@@ -51,6 +51,7 @@ struct Core {
         oscillator_hz(oscillator),
         clock_hz(oscillator) {
     keep(cpu.state);
+    kept.add_memory(cpu.data);
     keep(events.state);
     keep(interrupts.state);
     keep(triggers.state);
@@ -122,7 +123,7 @@ struct Core {
   template <typename State>
   void keep(State& state) {
     static_assert(std::is_trivially_copyable_v<State>);
-    kept.push_back({reinterpret_cast<std::byte*>(&state), sizeof state});
+    kept.add(state);
   }
 
   const ChipSpec& chip;
@@ -134,11 +135,7 @@ struct Core {
   const std::int64_t oscillator_hz;
   std::int64_t clock_hz;      ///< the processor's: the oscillator's, divided by CLKPR
   double supply_volts = 5.0;  ///< AVCC has them too. Whoever uses the chip may set them.
-  struct Kept {
-    std::byte* bytes = nullptr;
-    std::size_t size = 0;
-  };
-  std::vector<Kept> kept;
+  Kept kept;
   Visitor* visitor = nullptr;  ///< of marks; null = they stop the chip
   /// A reset may come though interrupts are off: the watchdog's.
   bool reset_may_come = false;

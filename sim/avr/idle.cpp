@@ -24,6 +24,13 @@ void Idle::allow(bool allowed) {
   for (Head& head : heads_) mark(head, allowed);
 }
 
+void Idle::moved_in_time() {
+  recorded_ = nullptr;
+  explore_at_ = std::min(explore_at_, core_.now() + explore_every_);
+  for (Head& head : heads_)
+    head.banned_until = std::min(head.banned_until, core_.now() + (kFirstBan << head.bans));
+}
+
 void Idle::mark(Head& head, bool marked) {
   if (head.marked == marked) return;
   head.marked = marked;

@@ -42,6 +42,8 @@ class Idle {
   }
   /// Something came in between: an interrupt, a reset, an input.
   void interrupted() { recorded_ = nullptr; }
+  /// It is another cycle now, maybe an earlier one.
+  void moved_in_time();
 
  private:
   static constexpr std::size_t kMostHeads = 64;

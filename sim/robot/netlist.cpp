@@ -17,7 +17,7 @@ void Netlist::watch(Pin pin, PinWatcher& watcher) {
 }
 
 void Netlist::drive_output(Pin output, const PinDrive& drive, SimTime t) {
-  PinDrive& now = outputs_[index_of(output)];
+  PinDrive& now = state_.outputs[index_of(output)];
   if (now == drive) return;
   now = drive;
   for (PinWatcher* watcher : watchers_[index_of(output)]) watcher->pin_changed(output, drive, t);

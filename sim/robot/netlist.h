@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hal/board/robot_port.h"
+#include "sim/base/kept.h"
 
 namespace robosim::robot {
 
@@ -27,12 +28,15 @@ static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 
 class Netlist {
  public:
-  Netlist(RobotPort& board, std::size_t registers)
-      : board_(board), outputs_(registers * kRegisterOutputs), watchers_(outputs_.size()) {}
+  Netlist(RobotPort& board, std::size_t registers, Kept& kept)
+      : board_(board), watchers_(registers * kRegisterOutputs) {
+    state_.outputs.resize(watchers_.size());
+    kept.add(state_);
+  }
 
   /// How a wire is driven. A shift register's output that is switched off is not driven.
   const PinDrive& drive(Pin pin) const {
-    return is_output(pin) ? outputs_[index_of(pin)] : board_.drive(pin);
+    return is_output(pin) ? state_.outputs[index_of(pin)] : board_.drive(pin);
   }
   /// As RobotPort::watch.
   void watch(Pin pin, PinWatcher& watcher);
@@ -42,9 +46,13 @@ class Netlist {
  private:
   static std::size_t index_of(Pin output) { return static_cast<std::size_t>(output - kMaxPins); }
 
+  struct State {
+    std::vector<PinDrive> outputs;
+  };
+
   RobotPort& board_;
-  std::vector<PinDrive> outputs_;
   std::vector<std::vector<PinWatcher*>> watchers_;
+  State state_;
 };
 
 }  // namespace robosim::robot

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "hal/board/robot_port.h"
+#include "sim/base/kept.h"
 #include "sim/base/noise.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/number.h"
@@ -51,14 +52,20 @@ struct View {
 class PartContext {
  public:
   PartContext(const Description& description_, RobotPort& board_, Netlist& netlist_, const View& view_,
-              const Individual& individual_)
-      : description(description_), board(board_), netlist(netlist_), view(view_), individual(individual_) {}
+              const Individual& individual_, Kept& kept_)
+      : description(description_),
+        board(board_),
+        netlist(netlist_),
+        view(view_),
+        individual(individual_),
+        kept(kept_) {}
 
   const Description& description;
   RobotPort& board;
   Netlist& netlist;  ///< how a part sees what the firmware drives
   const View& view;
   const Individual& individual;
+  Kept& kept;  ///< a part adds all of it that changes during a run, its State
 };
 
 }  // namespace robosim::robot

@@ -41,8 +41,11 @@ struct Robot::Inside {
         body(world.body(body_number)),
         individual(seed, profile, number),
         view{&world.floor(), &body, 0, 1.0},
-        netlist(board, d.registers.size()),
-        context(d, board, netlist, view, individual) {}
+        netlist(board, d.registers.size(), kept),
+        context(d, board, netlist, view, individual, kept) {
+    kept.add(view);
+    kept.add(state);
+  }
 
   ButtonPart& button(const std::string& name) const;
   RadioPart& radio(const std::string& name) const;
@@ -51,18 +54,23 @@ struct Robot::Inside {
   Breakable& breakable(const std::string& name) const;
   PartFault read_fault(Breakable&, const std::string& kind, const std::vector<std::string>& arguments) const;
 
+  struct State {
+    std::vector<ButtonPart*> bouncing;
+    bool edges = false;  // the board wanted some in the last tick
+    world::WheelCommand command[2];
+    std::size_t last_seen = 0;  // the sensor that saw the line last
+  };
+
   const Description& description;
   world::Body& body;
-  Individual individual;
+  const Individual individual;
+  Kept kept;
   View view;
   Netlist netlist;
   PartContext context;
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
-  std::vector<ButtonPart*> bouncing;
-  bool edges = false;  // the board wanted some in the last tick
-  world::WheelCommand command[2];
-  mutable std::size_t last_seen = 0;  // the sensor that saw the line last
+  State state;
 };
 
 ButtonPart& Robot::Inside::button(const std::string& name) const {
@@ -80,8 +88,8 @@ RadioPart& Robot::Inside::radio(const std::string& name) const {
 void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
   ButtonPart& part = button(name);
   part.hold(down, t);
-  std::erase(bouncing, &part);
-  bouncing.push_back(&part);
+  std::erase(state.bouncing, &part);
+  state.bouncing.push_back(&part);
 }
 
 std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
@@ -146,12 +154,12 @@ void Robot::begin_tick(SimTime t) {
   in_->view.tick_start = t;
   for (Part* part : in_->roster.ticking) part->begin_tick(t);
   const bool edges = in_->context.board.wants_any_edges();
-  if (edges || in_->edges)
+  if (edges || in_->state.edges)
     for (Part* part : in_->roster.edge_makers) part->begin_tick(t);
-  in_->edges = edges;
-  if (in_->bouncing.empty()) return;
-  for (ButtonPart* part : in_->bouncing) part->begin_tick(t);
-  std::erase_if(in_->bouncing, [](const ButtonPart* part) { return part->settled(); });
+  in_->state.edges = edges;
+  if (in_->state.bouncing.empty()) return;
+  for (ButtonPart* part : in_->state.bouncing) part->begin_tick(t);
+  std::erase_if(in_->state.bouncing, [](const ButtonPart* part) { return part->settled(); });
 }
 
 void Robot::end_tick(SimTime t) {
@@ -159,19 +167,23 @@ void Robot::end_tick(SimTime t) {
     MotorPart* motor = in_->roster.motor[side];
     if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in_->view.tick_start, t);
-    world::WheelCommand& last = in_->command[side];
+    world::WheelCommand& last = in_->state.command[side];
     if (command.drive == last.drive && command.brake == last.brake) continue;
     last = command;
     in_->body.command(side, command);
   }
 }
 
+Kept::Copy Robot::save() const { return in_->kept.copy(); }
+
+void Robot::restore(const Kept::Copy& saved) { in_->kept.put_back(saved); }
+
 bool Robot::sees_line() const {
   const auto& sensors = in_->roster.sensors;
-  if (in_->last_seen < sensors.size() && sensors[in_->last_seen]->coverage() > 0.0) return true;
+  if (in_->state.last_seen < sensors.size() && sensors[in_->state.last_seen]->coverage() > 0.0) return true;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (sensors[i]->coverage() <= 0.0) continue;
-    in_->last_seen = i;
+    in_->state.last_seen = i;
     return true;
   }
   return false;
@@ -191,12 +203,12 @@ Vec2 Robot::sensor_midpoint() const {
 }
 
 bool Robot::driven() const {
-  return in_->command[world::left].drive != 0.0 || in_->command[world::right].drive != 0.0;
+  return in_->state.command[world::left].drive != 0.0 || in_->state.command[world::right].drive != 0.0;
 }
 
-double Robot::left_command() const { return in_->command[world::left].drive; }
+double Robot::left_command() const { return in_->state.command[world::left].drive; }
 
-double Robot::right_command() const { return in_->command[world::right].drive; }
+double Robot::right_command() const { return in_->state.command[world::right].drive; }
 
 void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t); }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/board/robot_port.h"
+#include "sim/base/kept.h"
 #include "sim/base/vec.h"
 #include "sim/robot/fault.h"
 
@@ -75,6 +76,11 @@ class Robot {
   double battery() const;
   /// Sets the battery's voltage from now on: it affects the motors, and the parts that measure it.
   void set_battery(double volts);
+
+  /// All that changes during a run, but for its body and its board.
+  Kept::Copy save() const;
+  /// What this robot's save() gave.
+  void restore(const Kept::Copy& saved);
 
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
   /// Holds a button down from `t` on, or lets go of it; `t` is not before the current tick.

@@ -37,7 +37,6 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
     : own_(own),
       setup_(stage.setup),
       number_(number),
-      listener_(own.listener ? own.listener : &nobody()),
       executor_(*own.executor),
       start_(own.start ? *own.start : grid::default_start(*setup_.map)),
       network_(grid::trace_network(*setup_.map, start_)),
@@ -57,38 +56,54 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
               progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),
-      stops_({serial_, progress_, body_, robot_, board_, number}),
-      went_high_(board_.spec().pin_count),
-      was_output_(board_.spec().pin_count) {
+      state_{.listener = own.listener ? own.listener : &nobody()},
+      stops_({state_.serial, progress_, body_, robot_, board_, number}) {
+  state_.went_high.resize(board_.spec().pin_count);
+  state_.was_output.resize(board_.spec().pin_count);
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
-  if (listener_->wants_inputs()) board_.watch_inputs(*this);
+  if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
+}
+
+Agent::Saved Agent::save() const {
+  return {state_, progress_, judge_, hash_, stops_.save(), robot_.save(), player_.save(), executor_.save()};
+}
+
+void Agent::restore(const Saved& saved) {
+  executor_.restore(saved.executor);
+  player_.restore(saved.player);
+  robot_.restore(saved.robot);
+  stops_.restore(saved.stops);
+  hash_ = saved.hash;
+  judge_ = saved.judge;
+  progress_ = saved.progress;
+  state_ = saved.own;
 }
 
 void Agent::begin() {
   const grid::Map& map = *setup_.map;
   Beginning beginning{start_, goal_, network_.stations, {}, map.width, map.height, map.cell_m};
   for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
-  listener_->began(beginning);
+  state_.listener->began(beginning);
   executor_.power_on(0);
-  if (setup_.samples_every > 0) listener_->sampled(sample_at(0));
+  if (setup_.samples_every > 0) state_.listener->sampled(sample_at(0));
 }
 
 void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   hash_.pin(pin, drive, t);
   if (drive.mode == PinMode::output) {
-    was_output_[pin] = true;
-    if (drive.duty > 0.0) went_high_[pin] = true;
+    state_.was_output[pin] = true;
+    if (drive.duty > 0.0) state_.went_high[pin] = true;
   }
   if (setup_.controller) stops_.pin_changed(pin, drive);
-  listener_->pin_changed(pin, drive, t);
+  state_.listener->pin_changed(pin, drive, t);
 }
 
 void Agent::byte_sent(std::uint8_t byte, SimTime t) {
   hash_.serial(byte, t);
-  if (serial_.size() < judge::kSerialKept) serial_ += static_cast<char>(byte);
+  if (state_.serial.size() < judge::kSerialKept) state_.serial += static_cast<char>(byte);
   player_.hear(byte);
-  listener_->byte_sent(byte, t);
+  state_.listener->byte_sent(byte, t);
 }
 
 std::vector<std::uint8_t> Agent::eeprom() const {
@@ -97,38 +112,38 @@ std::vector<std::uint8_t> Agent::eeprom() const {
 }
 
 void Agent::tell_events(SimTime t) {
-  for (wire::RunEvent::What& what : happened_) {
-    events_.push_back({t, number_, std::move(what)});
-    listener_->happened(events_.back());
-    if (setup_.controller) stops_.happened(events_.back());
-    if (events_.size() > kEventsKept) events_.pop_front();
+  for (wire::RunEvent::What& what : state_.happened) {
+    state_.events.push_back({t, number_, std::move(what)});
+    state_.listener->happened(state_.events.back());
+    if (setup_.controller) stops_.happened(state_.events.back());
+    if (state_.events.size() > kEventsKept) state_.events.pop_front();
   }
-  happened_.clear();
+  state_.happened.clear();
 }
 
 void Agent::observe(SimTime end) {
-  cross_track_ = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
+  state_.cross_track = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
   if (end > kSettling) {
-    cross_track_squares_ += cross_track_ * cross_track_;
-    if (cross_track_ > cross_track_max_) cross_track_max_ = cross_track_;
-    ++cross_track_ticks_;
+    state_.cross_track_squares += state_.cross_track * state_.cross_track;
+    if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
+    ++state_.cross_track_ticks;
   }
-  if (cross_track_ > state_.worst_cross_track) {
-    state_.worst_cross_track = cross_track_;
-    state_.worst_t = end;
-    state_.worst_at = body_.pose().position;
+  if (state_.cross_track > state_.shown.worst_cross_track) {
+    state_.shown.worst_cross_track = state_.cross_track;
+    state_.shown.worst_t = end;
+    state_.shown.worst_at = body_.pose().position;
   }
-  if (end / kTick % kLookEvery == 0) sees_line_ = robot_.sees_line();
-  if (!sees_line_ && !body_.lifted()) ++off_line_ticks_;
-  if (body_.collisions() > collisions_told_) {
-    collisions_told_ = body_.collisions();
-    happened_.push_back(wire::CollisionBegan{body_.collided_with_body()});
+  if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
+  if (!state_.sees_line && !body_.lifted()) ++state_.off_line_ticks;
+  if (body_.collisions() > state_.collisions_told) {
+    state_.collisions_told = body_.collisions();
+    state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
   }
 }
 
 Sample Agent::sample_at(SimTime t) const {
-  Sample sample{t, body_.pose(), body_.speed(), cross_track_, robot_.left_command(), robot_.right_command(),
-                {}};
+  Sample sample{
+      t, body_.pose(), body_.speed(), state_.cross_track, robot_.left_command(), robot_.right_command(), {}};
   for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
   if (setup_.controller) {
     for (const judge::Waypoint& station : progress_.stations())
@@ -139,24 +154,25 @@ Sample Agent::sample_at(SimTime t) const {
 
 void Agent::begin_leg(const Leg& leg, SimTime t) {
   stops_.begin(leg, t);
-  state_.worst_cross_track = 0.0;
-  state_.worst_t = t;
-  state_.worst_at = body_.pose().position;
+  state_.shown.worst_cross_track = 0.0;
+  state_.shown.worst_t = t;
+  state_.shown.worst_at = body_.pose().position;
 }
 
 void Agent::stand_still(SimTime t, int stop_met) {
-  state_.t = t;
-  state_.stop = stop_met;
-  state_.powered = player_.powered();
-  state_.driven = robot_.driven();
-  state_.serial_bytes = serial_.size();
-  state_.metrics = metrics();
-  state_.resources = executor_.resources();
-  sample_ = sample_at(t);
+  run::State& shown = state_.shown;
+  shown.t = t;
+  shown.stop = stop_met;
+  shown.powered = player_.powered();
+  shown.driven = robot_.driven();
+  shown.serial_bytes = state_.serial.size();
+  shown.metrics = metrics();
+  shown.resources = executor_.resources();
+  state_.sample = sample_at(t);
 }
 
 void Agent::act(SimTime t) {
-  if (!finished()) player_.act(t, progress_, happened_);
+  if (!finished()) player_.act(t, progress_, state_.happened);
   robot_.begin_tick(t);
 }
 
@@ -167,10 +183,10 @@ void Agent::run_firmware(SimTime end) {
 
 bool Agent::look(SimTime end) {
   hash_.pose(body_.pose());
-  progress_.update(body_, end, happened_);
+  progress_.update(body_, end, state_.happened);
   observe(end);
-  if (!happened_.empty()) tell_events(end);
-  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) listener_->sampled(sample_at(end));
+  if (!state_.happened.empty()) tell_events(end);
+  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));
   const std::optional<judge::Verdict> verdict = verdict_at(end);
   if (verdict) finish(*verdict, end);
   return verdict.has_value();
@@ -180,13 +196,13 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   if (progress_.reached()) return judge::Verdict::reached;
   if (executor_.crash()) return judge::Verdict::crashed;
   if (end % kBudgetEvery == 0) {
-    exceeded_ = exceeded_budget(own_.robot->budget, executor_.resources());
-    if (!exceeded_.empty()) return judge::Verdict::over_budget;
+    state_.exceeded = exceeded_budget(own_.robot->budget, executor_.resources());
+    if (!state_.exceeded.empty()) return judge::Verdict::over_budget;
   }
   judge::Situation now{end,
                        &body_.pose(),
                        body_.wheel_travel(),
-                       sees_line_,
+                       state_.sees_line,
                        robot_.driven(),
                        body_.lifted(),
                        player_.powered(),
@@ -199,7 +215,7 @@ void Agent::time_out(SimTime limit) {
 }
 
 void Agent::leave(SimTime t) {
-  listener_ = &nobody();
+  state_.listener = &nobody();
   if (player_.powered()) executor_.power_off(t);
 }
 
@@ -213,11 +229,11 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.progress = &progress_;
   e.judge = &judge_;
   e.crash = executor_.crash();
-  e.exceeded = exceeded_;
+  e.exceeded = state_.exceeded;
   e.int_bits = executor_.int_bits();
   e.wiring = robot_.wiring();
-  e.went_high = went_high_;
-  e.was_output = was_output_;
+  e.went_high = state_.went_high;
+  e.was_output = state_.was_output;
   e.in_contact = body_.in_contact();
   e.faults = player_.faults();
   e.moved = body_.wheel_travel() > 0.0;
@@ -231,10 +247,11 @@ judge::Metrics Agent::metrics() const {
   judge::Metrics m;
   m.distance_m = body_.distance();
   m.laps_s = progress_.laps_s();
-  if (cross_track_ticks_ > 0)
-    m.cross_track_rms_mm = 1e3 * std::sqrt(cross_track_squares_ / static_cast<double>(cross_track_ticks_));
-  m.cross_track_max_mm = 1e3 * cross_track_max_;
-  m.off_line_s = 1e-9 * static_cast<double>(off_line_ticks_ * kTick);
+  if (state_.cross_track_ticks > 0)
+    m.cross_track_rms_mm =
+        1e3 * std::sqrt(state_.cross_track_squares / static_cast<double>(state_.cross_track_ticks));
+  m.cross_track_max_mm = 1e3 * state_.cross_track_max;
+  m.off_line_s = 1e-9 * static_cast<double>(state_.off_line_ticks * kTick);
   m.collisions = body_.collisions();
   m.energy_j = body_.energy();
   for (const int i : progress_.visited())
@@ -246,8 +263,8 @@ judge::Metrics Agent::metrics() const {
 void Agent::finish(judge::Verdict verdict, SimTime t) {
   const judge::Evidence e = evidence(verdict, t);
   if (setup_.controller && setup_.samples_every > 0 && t % setup_.samples_every != 0)
-    listener_->sampled(sample_at(t));
-  judge::Outcome& outcome = outcome_.emplace();
+    state_.listener->sampled(sample_at(t));
+  judge::Outcome& outcome = state_.outcome.emplace();
   outcome.verdict = verdict;
   outcome.why = explain(e);
   outcome.next = next_step(e);
@@ -255,8 +272,8 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.resources = executor_.resources();
-  outcome.events.assign(events_.begin(), events_.end());
-  outcome.serial = serial_;
+  outcome.events.assign(state_.events.begin(), state_.events.end());
+  outcome.serial = state_.serial;
   outcome.end = body_.pose();
   outcome.eeprom_writes = player_.eeprom_writes();
   outcome.trace_hash = hash_.text();

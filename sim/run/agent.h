@@ -2,6 +2,7 @@
 // judges it.
 #pragma once
 
+#include <any>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -48,11 +49,11 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void finish(judge::Verdict verdict, SimTime t);
   /// Its time is up: reached where there was no goal.
   void time_out(SimTime limit);
-  bool finished() const { return outcome_.has_value(); }
+  bool finished() const { return state_.outcome.has_value(); }
   /// Leaves a finished agent on the floor while others go on: the firmware is off, and nothing is told any
   /// more.
   void leave(SimTime t);
-  judge::Outcome take_outcome() { return std::move(*outcome_); }
+  judge::Outcome take_outcome() { return std::move(*state_.outcome); }
 
   // --- driven step by step (step_controller.h) ---
   void begin_leg(const Leg& leg, SimTime t);
@@ -63,16 +64,49 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
   /// Its state where the run stands still at `t`; stop_met: of all agents.
   void stand_still(SimTime t, int stop_met);
-  const State& state() const { return state_; }
-  const Sample& sample() const { return sample_; }
+  const run::State& state() const { return state_.shown; }
+  const Sample& sample() const { return state_.sample; }
   std::vector<std::uint8_t> eeprom() const;
+
+  // --- snapshots (simulation.h) ---
+  struct State {
+    Listener* listener;    ///< nobody, once the agent has left
+    std::string exceeded;  ///< the budget that was, as a sentence
+    double cross_track = 0.0;
+    double cross_track_squares = 0.0;
+    double cross_track_max = 0.0;
+    std::int64_t cross_track_ticks = 0;
+    std::int64_t off_line_ticks = 0;
+    bool sees_line = true;
+    int collisions_told = 0;
+    judge::Events happened;  ///< in this tick
+    std::deque<wire::RunEvent> events;
+    std::string serial;
+    run::State shown;
+    Sample sample;
+    std::vector<bool> went_high, was_output;
+    std::optional<judge::Outcome> outcome;
+  };
+  /// All that changes during a run, but for its body.
+  struct Saved {
+    State own;
+    judge::Progress progress;
+    judge::Judge judge;
+    trace::TraceHash hash;
+    StopConditions::State stops;
+    Kept::Copy robot;
+    scenario::ScenarioPlayer::Saved player;
+    std::any executor;
+  };
+  Saved save() const;
+  void restore(const Saved& saved);
 
  private:
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
-  void level_seen(Pin pin, bool level, SimTime t) override { listener_->level_seen(pin, level, t); }
-  void volts_seen(Pin pin, double volts, SimTime t) override { listener_->volts_seen(pin, volts, t); }
-  void byte_received(std::uint8_t byte, SimTime t) override { listener_->byte_received(byte, t); }
+  void level_seen(Pin pin, bool level, SimTime t) override { state_.listener->level_seen(pin, level, t); }
+  void volts_seen(Pin pin, double volts, SimTime t) override { state_.listener->volts_seen(pin, volts, t); }
+  void byte_received(std::uint8_t byte, SimTime t) override { state_.listener->byte_received(byte, t); }
 
   std::optional<judge::Verdict> verdict_at(SimTime end);
   void observe(SimTime end);
@@ -83,39 +117,23 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   const AgentSetup& own_;
   const Setup& setup_;
-  int number_;
-  Listener* listener_;
+  const int number_;
   exec::Executor& executor_;
-  grid::Start start_;
-  grid::Network network_;
-  judge::Goal goal_;
+  const grid::Start start_;
+  const grid::Network network_;
+  const judge::Goal goal_;
   judge::Progress progress_;
   const world::World& world_;
-  std::size_t body_number_;
+  const std::size_t body_number_;
   world::Body& body_;
   RobotPort& board_;
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::string exceeded_;  ///< the budget that was, as a sentence
   trace::TraceHash hash_;
-
-  Vec2 sensor_midpoint_;
-  double cross_track_ = 0.0;
-  double cross_track_squares_ = 0.0;
-  double cross_track_max_ = 0.0;
-  std::int64_t cross_track_ticks_ = 0;
-  std::int64_t off_line_ticks_ = 0;
-  bool sees_line_ = true;
-  int collisions_told_ = 0;
-  judge::Events happened_;  ///< in this tick
-  std::deque<wire::RunEvent> events_;
-  std::string serial_;
-  StopConditions stops_;
+  const Vec2 sensor_midpoint_;
   State state_;
-  Sample sample_;
-  std::vector<bool> went_high_, was_output_;
-  std::optional<judge::Outcome> outcome_;
+  StopConditions stops_;
 };
 
 }  // namespace robosim::run

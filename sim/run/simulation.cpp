@@ -4,30 +4,23 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "sim/run/agent.h"
 #include "sim/world/world.h"
 
 namespace robosim::run {
-namespace {
-
-/// A clock, a world and its agents.
-class Simulation final : Standstill {
- public:
-  explicit Simulation(const Setup& setup);
-  std::vector<judge::Outcome> run();
-
- private:
-  using Agents = std::vector<std::unique_ptr<Agent>>;
+struct Simulation::Inside final : Standstill {
+  explicit Inside(const Setup& from);
 
   const Agent& agent(int number) const;
-  int agent_count() const override { return static_cast<int>(agents_.size()); }
+  int agent_count() const override { return static_cast<int>(agents.size()); }
   const State& state(int number) const override { return agent(number).state(); }
   const Sample& sample(int number) const override { return agent(number).sample(); }
   std::vector<std::uint8_t> eeprom(int number) const override { return agent(number).eeprom(); }
   void add(std::vector<scenario::Step> steps, int number) override {
     agent(number);
-    agents_[static_cast<std::size_t>(number)]->add(std::move(steps));
+    agents[static_cast<std::size_t>(number)]->add(std::move(steps));
   }
   void check(const Leg& leg) const override;
 
@@ -35,92 +28,134 @@ class Simulation final : Standstill {
   bool leg_ends(SimTime t);
   void tick(SimTime t);
   void interrupt(SimTime t);
+  void run_until(SimTime end);
   bool over() const {
-    return std::all_of(agents_.begin(), agents_.end(), [](const auto& agent) { return agent->finished(); });
+    return std::all_of(agents.begin(), agents.end(), [](const auto& agent) { return agent->finished(); });
   }
-  std::vector<judge::Outcome> outcomes();
 
-  const Setup& setup_;
-  grid::Stripes stripes_;
-  world::World world_;
-  Agents agents_;
+  struct Clock {
+    SimTime t = 0;
+    bool leg_over = true;
+  };
+
+  const Setup& setup;
+  const grid::Stripes stripes;
+  world::World world;
+  std::vector<std::unique_ptr<Agent>> agents;
+  Clock clock;
 };
 
-Simulation::Simulation(const Setup& setup)
-    : setup_(setup), stripes_(*setup.map, setup.map->cell_m), world_(*setup.map) {
+struct Simulation::Snapshot::Saved {
+  const Inside* of;
+  Inside::Clock clock;
+  world::World::State world;
+  std::vector<Agent::Saved> agents;
+};
+
+Simulation::Inside::Inside(const Setup& from)
+    : setup(from), stripes(*from.map, from.map->cell_m), world(*from.map) {
   for (const AgentSetup& own : setup.agents)
-    agents_.push_back(std::make_unique<Agent>(own, Agent::Stage{setup_, stripes_, world_},
-                                              static_cast<int>(agents_.size())));
+    agents.push_back(
+        std::make_unique<Agent>(own, Agent::Stage{setup, stripes, world}, static_cast<int>(agents.size())));
 }
 
-const Agent& Simulation::agent(int number) const {
+const Agent& Simulation::Inside::agent(int number) const {
   if (number < 0 || number >= agent_count())
     throw InputError(
         fmt::format("there is no robot {}; they are numbered from 0 to {}", number, agent_count() - 1));
-  return *agents_[static_cast<std::size_t>(number)];
+  return *agents[static_cast<std::size_t>(number)];
 }
 
-void Simulation::check(const Leg& leg) const {
+void Simulation::Inside::check(const Leg& leg) const {
   for (const Stop& stop : leg.stops) agent(stop.agent);
-  for (const auto& agent : agents_) agent->check(leg);
+  for (const auto& agent : agents) agent->check(leg);
 }
 
 // The controller's turn. False if the run is to end here.
-bool Simulation::stand_still(SimTime t) {
+bool Simulation::Inside::stand_still(SimTime t) {
   int met = -1;
-  for (const auto& agent : agents_)
+  for (const auto& agent : agents)
     if (agent->met() >= 0 && (met < 0 || agent->met() < met)) met = agent->met();
-  for (const auto& agent : agents_) agent->stand_still(t, met);
-  const Leg leg = setup_.controller->next(*this);
+  for (const auto& agent : agents) agent->stand_still(t, met);
+  const Leg leg = setup.controller->next(*this);
   if (leg.end) return false;
-  for (const auto& agent : agents_) agent->begin_leg(leg, t);
+  for (const auto& agent : agents) agent->begin_leg(leg, t);
   return true;
 }
 
-bool Simulation::leg_ends(SimTime t) {
+inline bool Simulation::Inside::leg_ends(SimTime t) {
   bool ends = false;
-  for (const auto& agent : agents_) ends |= agent->leg_ends(t);
+  for (const auto& agent : agents) ends |= agent->leg_ends(t);
   return ends;
 }
 
-void Simulation::tick(SimTime t) {
+inline void Simulation::Inside::tick(SimTime t) {
   const SimTime end = t + kTick;
-  for (const auto& agent : agents_) agent->act(t);
-  for (const auto& agent : agents_) agent->run_firmware(end);
-  world_.step();
-  for (const auto& agent : agents_)
+  for (const auto& agent : agents) agent->act(t);
+  for (const auto& agent : agents) agent->run_firmware(end);
+  world.step();
+  for (const auto& agent : agents)
     if (!agent->finished() && agent->look(end) && !over()) agent->leave(end);
 }
 
-void Simulation::interrupt(SimTime t) {
-  for (const auto& agent : agents_)
+void Simulation::Inside::interrupt(SimTime t) {
+  for (const auto& agent : agents)
     if (!agent->finished()) agent->finish(judge::Verdict::interrupted, t);
 }
 
-std::vector<judge::Outcome> Simulation::run() {
-  for (const auto& agent : agents_) agent->begin();
-  bool leg_over = true;
-  for (SimTime t = 0; t < setup_.limit && !over(); t += kTick) {
-    if (setup_.controller && leg_over && !stand_still(t)) interrupt(t);
+void Simulation::Inside::run_until(SimTime end) {
+  for (; clock.t < std::min(end, setup.limit) && !over(); clock.t += kTick) {
+    if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (over()) break;
-    if (setup_.reached) setup_.reached->store(t, std::memory_order_relaxed);
-    tick(t);
-    if (setup_.interrupted && setup_.interrupted->load(std::memory_order_relaxed)) interrupt(t + kTick);
-    leg_over = setup_.controller && leg_ends(t + kTick);
+    if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
+    tick(clock.t);
+    if (setup.interrupted && setup.interrupted->load(std::memory_order_relaxed)) interrupt(clock.t + kTick);
+    clock.leg_over = setup.controller && leg_ends(clock.t + kTick);
   }
-  for (const auto& agent : agents_)
-    if (!agent->finished()) agent->time_out(setup_.limit);
-  return outcomes();
 }
 
-std::vector<judge::Outcome> Simulation::outcomes() {
+Simulation::Simulation(const Setup& setup) : in_(std::make_unique<Inside>(setup)) {
+  for (const auto& agent : in_->agents) agent->begin();
+}
+
+Simulation::~Simulation() = default;
+
+SimTime Simulation::now() const { return in_->clock.t; }
+
+bool Simulation::is_over() const { return in_->clock.t >= in_->setup.limit || in_->over(); }
+
+void Simulation::run_until(SimTime t) { in_->run_until(t); }
+
+std::vector<judge::Outcome> Simulation::end() {
   std::vector<judge::Outcome> all;
-  for (const auto& agent : agents_) all.push_back(agent->take_outcome());
+  for (const auto& agent : in_->agents) {
+    if (!agent->finished()) agent->time_out(now());
+    all.push_back(agent->take_outcome());
+  }
   return all;
 }
 
-}  // namespace
+Simulation::Snapshot Simulation::save() const {
+  auto saved = std::make_shared<Snapshot::Saved>(in_.get(), in_->clock, in_->world.save());
+  saved->agents.reserve(in_->agents.size());
+  for (const auto& agent : in_->agents) saved->agents.push_back(agent->save());
+  Snapshot snapshot;
+  snapshot.saved_ = std::move(saved);
+  return snapshot;
+}
 
-std::vector<judge::Outcome> simulate(const Setup& setup) { return Simulation(setup).run(); }
+void Simulation::restore(const Snapshot& snapshot) {
+  const Snapshot::Saved& saved = *snapshot.saved_;
+  if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
+  in_->clock = saved.clock;
+  in_->world.restore(saved.world);
+  for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);
+}
+
+std::vector<judge::Outcome> simulate(const Setup& setup) {
+  Simulation simulation(setup);
+  simulation.run_until(setup.limit);
+  return simulation.end();
+}
 
 }  // namespace robosim::run

@@ -13,6 +13,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,9 +91,51 @@ struct Setup {
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
 };
 
+/// A run that can stand still between two ticks, be saved there, and go on from there again and again.
+class Simulation {
+ public:
+  /// A moment of a simulation: a value, valid as long as the simulation that gave it.
+  class Snapshot;
+
+  /// Switches the firmware on. Throws InputError if the set-up, which must outlive this, makes no sense
+  /// (start off the line, unknown parts …).
+  explicit Simulation(const Setup& setup);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// How far it has come: a whole number of ticks.
+  SimTime now() const;
+  /// Whether each agent has its verdict, or the set-up's time is up.
+  bool is_over() const;
+  /// Goes on until now() is `t` or later, or it is over.
+  void run_until(SimTime t);
+  /// Ends the run here: who has no verdict yet has used up the time. Those of all agents, in their order.
+  std::vector<judge::Outcome> end();
+
+  /// All that changes: the chips with their boards, robots, world, scripts, goals, judges and trace hashes.
+  /// Throws InputError where an executor cannot be saved: on the targets host and stm32, and under a
+  /// debugger.
+  Snapshot save() const;
+  /// Goes on from there as it did after save(), also from behind its end(). What listeners have heard since
+  /// is not taken back: they hear it again.
+  void restore(const Snapshot& snapshot);
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> in_;
+};
+
 /// Runs until each agent has its verdict; theirs, in the order of the agents. One that is finished stays
 /// where it is, its firmware off, while others go on. Throws InputError if the set-up makes no sense (start
 /// off the line, unknown parts …).
 std::vector<judge::Outcome> simulate(const Setup& setup);
+
+class Simulation::Snapshot {
+ private:
+  friend class Simulation;
+  struct Saved;
+  std::shared_ptr<const Saved> saved_;
+};
 
 }  // namespace robosim::run

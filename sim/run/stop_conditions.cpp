@@ -84,27 +84,27 @@ void StopConditions::check(const Leg& leg) const {
 }
 
 void StopConditions::begin(const Leg& leg, SimTime t) {
-  watches_.clear();
+  state_.watches.clear();
   for (std::size_t i = 0; i < leg.stops.size(); ++i) {
     const Stop& stop = leg.stops[i];
     if (stop.agent != scene_.agent) continue;
-    watches_.push_back(watch_for(stop));
-    Watch& watch = watches_.back();
+    state_.watches.push_back(watch_for(stop));
+    Watch& watch = state_.watches.back();
     watch.number = static_cast<int>(i);
     watch.rest_since = t;
     if (watch.pin != kNoPin) watch.met = matches(scene_.board.drive(watch.pin), stop.level);
   }
-  until_ = leg.until;
-  met_ = -1;
+  state_.until = leg.until;
+  state_.met = -1;
 }
 
 void StopConditions::pin_changed(Pin pin, const PinDrive& drive) {
-  for (Watch& watch : watches_)
+  for (Watch& watch : state_.watches)
     if (watch.pin == pin && matches(drive, watch.stop.level)) watch.met = true;
 }
 
 void StopConditions::happened(const wire::RunEvent& event) {
-  for (Watch& watch : watches_) {
+  for (Watch& watch : state_.watches) {
     if (watch.stop.kind == Stop::Kind::event && watch.stop.text == wire::kind_of(event)) watch.met = true;
     if (watch.stop.kind == Stop::Kind::note &&
         wire::text_of(event).find(watch.stop.text) != std::string::npos)
@@ -162,9 +162,9 @@ bool StopConditions::is_met(Watch& watch, SimTime t) const {
 }
 
 bool StopConditions::look(SimTime t) {
-  for (Watch& watch : watches_)
-    if (met_ < 0 && is_met(watch, t)) met_ = watch.number;
-  return met_ >= 0 || t >= until_;
+  for (Watch& watch : state_.watches)
+    if (state_.met < 0 && is_met(watch, t)) state_.met = watch.number;
+  return state_.met >= 0 || t >= state_.until;
 }
 
 }  // namespace robosim::run

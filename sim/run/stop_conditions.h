@@ -36,9 +36,8 @@ class StopConditions {
   /// Called with the time at the end of a tick: whether the leg ends here.
   bool look(SimTime t);
   /// Of the leg that has ended: the number of the first stop that was met, or -1.
-  int met() const { return met_; }
+  int met() const { return state_.met; }
 
- private:
   struct Watch {
     Stop stop;
     int number = 0;           ///< in the leg
@@ -49,16 +48,23 @@ class StopConditions {
     SimTime rest_since = 0;
     bool met = false;
   };
+  /// What changes during a run.
+  struct State {
+    std::vector<Watch> watches;
+    SimTime until = 0;
+    int met = -1;
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
 
+ private:
   Watch watch_for(const Stop& stop) const;
   bool is_met(Watch& watch, SimTime t) const;
   bool says(Watch& watch) const;
   bool says_line(Watch& watch) const;
 
-  Scene scene_;
-  std::vector<Watch> watches_;
-  SimTime until_ = 0;
-  int met_ = -1;
+  const Scene scene_;
+  State state_;
 };
 
 }  // namespace robosim::run

@@ -121,10 +121,8 @@ bool repairs(const BoardFault& fault) {
 
 BoardFaults::BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed,
                          std::uint32_t number)
-    : executor_(executor),
-      robot_(robot),
-      noise_(seed, number, "serial", "fault"),
-      chip_volts_(executor.board().spec().supply_volts) {
+    : executor_(executor), robot_(robot), noise_(seed, number, "serial", "fault") {
+  state_.chip_volts = executor.board().spec().supply_volts;
   executor.board().watch_eeprom(*this);
 }
 
@@ -172,13 +170,13 @@ void BoardFaults::begin(const PowerFault& fault, SimTime t) {
   const BoardSpec& spec = executor_.board().spec();
   const double low = std::min(robot_.battery(), spec.brown_out_volts + spec.regulator_drop_volts - 0.1);
   set_battery(fault.kind == none ? robot_.battery() : fault.kind == sag ? fault.volts : low, t);
-  if (fault.kind == brown_out) chip_volts_ = std::min(chip_volts_, spec.brown_out_volts - 0.1);
+  if (fault.kind == brown_out) state_.chip_volts = std::min(state_.chip_volts, spec.brown_out_volts - 0.1);
   update_power(t);
 }
 
 void BoardFaults::begin(const SerialFault& fault, SimTime) {
-  serial_ = fault;
-  bytes_before_ = bytes_;
+  state_.serial = fault;
+  state_.bytes_before = state_.bytes;
 }
 
 void BoardFaults::begin(const EepromFlip& fault, SimTime) {
@@ -194,26 +192,26 @@ void BoardFaults::set_battery(double volts, SimTime t) {
   robot_.set_battery(volts);
   const BoardSpec& spec = executor_.board().spec();
   const bool feeds_board = robot_.battery() - spec.regulator_drop_volts >= spec.brown_out_volts;
-  chip_volts_ =
+  state_.chip_volts =
       feeds_board ? std::clamp(volts - spec.regulator_drop_volts, 0.0, spec.supply_volts) : spec.supply_volts;
-  const bool keeps = chip_volts_ >= kLogicKeeps;
-  if (switched_on_ && keeps != keeps_) robot_.power(keeps, t);
-  keeps_ = keeps;
+  const bool keeps = state_.chip_volts >= kLogicKeeps;
+  if (state_.switched_on && keeps != state_.keeps) robot_.power(keeps, t);
+  state_.keeps = keeps;
 }
 
 void BoardFaults::switch_power(bool on, SimTime t) {
-  if (on == switched_on_) return;
-  switched_on_ = on;
-  if (keeps_) robot_.power(on, t);
+  if (on == state_.switched_on) return;
+  state_.switched_on = on;
+  if (state_.keeps) robot_.power(on, t);
   update_power(t);
 }
 
 void BoardFaults::update_power(SimTime t) {
-  const bool powered = switched_on_ && chip_volts_ >= executor_.board().spec().brown_out_volts;
-  if (powered == powered_) return;
-  powered_ = powered;
+  const bool powered = state_.switched_on && state_.chip_volts >= executor_.board().spec().brown_out_volts;
+  if (powered == state_.powered) return;
+  state_.powered = powered;
   if (powered) {
-    ++boots_;
+    ++state_.boots;
     executor_.power_on(t);
   } else {
     executor_.power_off(t);
@@ -222,11 +220,11 @@ void BoardFaults::update_power(SimTime t) {
 
 std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,
                                                                             SimTime t) {
-  if (!last_write_ || t >= last_write_->began + kEepromWriteTime) return std::nullopt;
-  std::uint8_t& byte = executor_.probe().memory()[last_write_->address];
-  if (what.kind == HalfWritten::Kind::before) byte = last_write_->before;
+  if (!state_.last_write || t >= state_.last_write->began + kEepromWriteTime) return std::nullopt;
+  std::uint8_t& byte = executor_.probe().memory()[state_.last_write->address];
+  if (what.kind == HalfWritten::Kind::before) byte = state_.last_write->before;
   if (what.kind == HalfWritten::Kind::value) byte = what.value;
-  return wire::PowerLost::HalfWritten{last_write_->address, byte};
+  return wire::PowerLost::HalfWritten{state_.last_write->address, byte};
 }
 
 void BoardFaults::send(const std::string& bytes, SimTime t) {
@@ -234,20 +232,21 @@ void BoardFaults::send(const std::string& bytes, SimTime t) {
   RobotPort& board = executor_.board();
   for (const char c : bytes) {
     auto byte = static_cast<std::uint8_t>(c);
-    const std::uint64_t n = bytes_++;
-    const bool hit = serial_.kind != none && (serial_.nth > 0 ? n - bytes_before_ + 1 == serial_.nth
-                                                              : noise_.uniform(2 * n) < serial_.share);
-    if (hit && serial_.kind == lost) continue;
-    if (hit && serial_.kind == corrupted)
+    const std::uint64_t n = state_.bytes++;
+    const bool hit = state_.serial.kind != none &&
+                     (state_.serial.nth > 0 ? n - state_.bytes_before + 1 == state_.serial.nth
+                                            : noise_.uniform(2 * n) < state_.serial.share);
+    if (hit && state_.serial.kind == lost) continue;
+    if (hit && state_.serial.kind == corrupted)
       byte = static_cast<std::uint8_t>(byte ^ 1 << (noise_.bits(2 * n + 1) & 7));
     board.receive_byte(byte, t);
-    if (hit && serial_.kind == doubled) board.receive_byte(byte, t);
+    if (hit && state_.serial.kind == doubled) board.receive_byte(byte, t);
   }
 }
 
 void BoardFaults::eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t, SimTime t) {
-  ++writes_;
-  last_write_ = {address, before, t};
+  ++state_.writes;
+  state_.last_write = {address, before, t};
 }
 
 }  // namespace robosim::scenario

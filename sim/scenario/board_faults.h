@@ -76,7 +76,7 @@ class BoardFaults final : EepromWatcher {
   /// The switch between battery and board. Parts that share the board's supply lose their state.
   void switch_power(bool on, SimTime t);
   /// Whether the chip runs: it is switched on and has its voltage.
-  bool powered() const { return powered_; }
+  bool powered() const { return state_.powered; }
   /// Settles what the byte holds that is being written at `t`; nothing if none is.
   std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
@@ -84,17 +84,32 @@ class BoardFaults final : EepromWatcher {
   void send(const std::string& bytes, SimTime t);
 
   /// How often the chip has started.
-  std::uint64_t boots() const { return boots_; }
+  std::uint64_t boots() const { return state_.boots; }
   /// By the firmware, since the run began.
-  std::uint64_t eeprom_writes() const { return writes_; }
+  std::uint64_t eeprom_writes() const { return state_.writes; }
 
- private:
   struct Write {
     std::uint16_t address;
     std::uint8_t before;
     SimTime began;
   };
+  /// What changes during a run.
+  struct State {
+    bool switched_on = true;
+    bool powered = true;
+    std::uint64_t boots = 1;
+    double chip_volts = 0.0;  ///< of its supply
+    bool keeps = true;        ///< parts on the board's supply have enough of it
+    SerialFault serial;
+    std::uint64_t bytes = 0;         ///< sent to the firmware so far
+    std::uint64_t bytes_before = 0;  ///< before the present serial fault
+    std::uint64_t writes = 0;
+    std::optional<Write> last_write;
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
 
+ private:
   void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
   void set_battery(double volts, SimTime t);
   void update_power(SimTime t);
@@ -105,17 +120,8 @@ class BoardFaults final : EepromWatcher {
 
   exec::Executor& executor_;
   robot::Robot& robot_;
-  NoiseStream noise_;
-  bool switched_on_ = true;
-  bool powered_ = true;
-  std::uint64_t boots_ = 1;
-  double chip_volts_;  ///< of its supply
-  bool keeps_ = true;  ///< parts on the board's supply have enough of it
-  SerialFault serial_;
-  std::uint64_t bytes_ = 0;         ///< sent to the firmware so far
-  std::uint64_t bytes_before_ = 0;  ///< before the present serial fault
-  std::uint64_t writes_ = 0;
-  std::optional<Write> last_write_;
+  const NoiseStream noise_;
+  State state_;
 };
 
 }  // namespace robosim::scenario

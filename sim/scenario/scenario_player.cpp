@@ -44,13 +44,19 @@ ScenarioPlayer::ScenarioPlayer(std::vector<Step> steps, const Stage& stage, cons
   add(std::move(steps), progress);
 }
 
+void ScenarioPlayer::restore(const Saved& saved) {
+  state_ = saved.own;
+  board_.restore(saved.board);
+}
+
 void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progress) {
   std::vector<std::optional<ReadFault>> faults;
   for (const Step& step : steps) faults.push_back(check(step, progress));
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Trigger& trigger = steps[i].trigger;
-    if (trigger.kind == Trigger::Kind::serial) longest_text_ = std::max(longest_text_, trigger.text.size());
-    pending_.push_back({std::move(steps[i]), std::move(faults[i])});
+    if (trigger.kind == Trigger::Kind::serial)
+      state_.longest_text = std::max(state_.longest_text, trigger.text.size());
+    state_.pending.push_back({std::move(steps[i]), std::move(faults[i])});
   }
 }
 
@@ -95,11 +101,13 @@ ScenarioPlayer::ReadFault ScenarioPlayer::read_fault(const std::string& part,
 }
 
 void ScenarioPlayer::hear(std::uint8_t byte) {
-  if (longest_text_ == 0) return;
-  heard_ += static_cast<char>(byte);
-  if (heard_.size() > 4 * longest_text_) heard_.erase(0, heard_.size() - longest_text_);
-  for (Pending& pending : pending_)
-    if (pending.step.trigger.kind == Trigger::Kind::serial && heard_.ends_with(pending.step.trigger.text))
+  if (state_.longest_text == 0) return;
+  state_.heard += static_cast<char>(byte);
+  if (state_.heard.size() > 4 * state_.longest_text)
+    state_.heard.erase(0, state_.heard.size() - state_.longest_text);
+  for (Pending& pending : state_.pending)
+    if (pending.step.trigger.kind == Trigger::Kind::serial &&
+        state_.heard.ends_with(pending.step.trigger.text))
       pending.heard = true;
 }
 
@@ -121,17 +129,17 @@ bool ScenarioPlayer::met(const Pending& pending, SimTime t, const judge::Progres
 }
 
 void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
-  for (std::size_t i = 0; i < undo_.size();) {
-    if (t < undo_[i].at) {
+  for (std::size_t i = 0; i < state_.undo.size();) {
+    if (t < state_.undo[i].at) {
       ++i;
       continue;
     }
-    const Undo undo = std::move(undo_[i]);
-    undo_.erase(undo_.begin() + static_cast<std::ptrdiff_t>(i));
+    const Undo undo = std::move(state_.undo[i]);
+    state_.undo.erase(state_.undo.begin() + static_cast<std::ptrdiff_t>(i));
     if (auto event = end(undo, t)) events.push_back(std::move(*event));
   }
-  for (std::size_t i = 0; i < pending_.size();) {
-    Pending& pending = pending_[i];
+  for (std::size_t i = 0; i < state_.pending.size();) {
+    Pending& pending = state_.pending[i];
     const Trigger& trigger = pending.step.trigger;
     if (pending.due == kNever && met(pending, t, progress))
       pending.due = trigger.kind == Trigger::Kind::at ? t : t + trigger.time;
@@ -141,10 +149,10 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
     }
     const Action action = pending.step.action;
     const std::optional<ReadFault> fault = pending.fault;
-    pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
-    std::erase_if(undo_, [&](const Undo& undo) { return replaces(action, undo.action); });
+    state_.pending.erase(state_.pending.begin() + static_cast<std::ptrdiff_t>(i));
+    std::erase_if(state_.undo, [&](const Undo& undo) { return replaces(action, undo.action); });
     events.push_back(perform(action, fault, t));
-    if (action.duration) undo_.push_back({t + *action.duration, action, fault});
+    if (action.duration) state_.undo.push_back({t + *action.duration, action, fault});
   }
 }
 
@@ -153,12 +161,12 @@ void ScenarioPlayer::put_obstacle(const Action& action) {
   const grid::CellAt cell = parse_cell(stage_.map, action.text);
   const Vec2 at =
       grid::is_line(stage_.map.at(cell)) ? stage_.stripes.point_of(cell) : stage_.map.centre(cell);
-  obstacles_.push_back({cell, stage_.world.add_obstacle(at, action.radius)});
+  state_.obstacles.push_back({cell, stage_.world.add_obstacle(at, action.radius)});
 }
 
 void ScenarioPlayer::clear_obstacle(const std::string& text) {
   const grid::CellAt cell = parse_cell(stage_.map, text);
-  std::erase_if(obstacles_, [&](const Obstacle& obstacle) {
+  std::erase_if(state_.obstacles, [&](const Obstacle& obstacle) {
     if (obstacle.cell != cell) return false;
     stage_.world.remove_obstacle(obstacle.number);
     return true;
@@ -166,7 +174,7 @@ void ScenarioPlayer::clear_obstacle(const std::string& text) {
 }
 
 void ScenarioPlayer::note_repair(const std::string& part, SimTime t) {
-  for (judge::ScriptFault& fault : faults_)
+  for (judge::ScriptFault& fault : state_.faults)
     if (fault.part == part && fault.ended == kNever) fault.ended = t;
 }
 
@@ -195,7 +203,7 @@ wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const
   const bool whole =
       of_part ? of_part->fault.failure == robot::Failure::ok : repairs(std::get<BoardFault>(fault));
   if (whole) return wire::FaultEnded{action.part, action.arguments, true};
-  faults_.push_back(
+  state_.faults.push_back(
       {action.part, action.arguments, of_part ? std::optional(of_part->fault.failure) : std::nullopt, t});
   return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
 }

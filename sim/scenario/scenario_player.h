@@ -43,11 +43,10 @@ class ScenarioPlayer {
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
   /// What the script has broken so far, in the order of time.
-  const std::vector<judge::ScriptFault>& faults() const { return faults_; }
+  const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
   /// Writes of the firmware to its EEPROM, so far.
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
- private:
   /// What a script's words ask for.
   using ReadFault = std::variant<BoardFault, robot::PartFault>;
   struct Pending {
@@ -66,7 +65,23 @@ class ScenarioPlayer {
     grid::CellAt cell;
     int number;  ///< the world's
   };
+  /// What changes during a run, but for what the script has changed elsewhere.
+  struct State {
+    std::vector<Pending> pending;
+    std::vector<Undo> undo;
+    std::vector<Obstacle> obstacles;
+    std::vector<judge::ScriptFault> faults;
+    std::string heard;
+    std::size_t longest_text = 0;
+  };
+  struct Saved {
+    State own;
+    BoardFaults::State board;
+  };
+  Saved save() const { return {state_, board_.save()}; }
+  void restore(const Saved& saved);
 
+ private:
   bool met(const Pending& pending, SimTime t, const judge::Progress& progress) const;
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
@@ -83,14 +98,9 @@ class ScenarioPlayer {
   /// The arguments begin with the kind.
   ReadFault read_fault(const std::string& part, const std::vector<std::string>& arguments, bool ends) const;
 
-  Stage stage_;
+  const Stage stage_;
   BoardFaults board_;
-  std::vector<Pending> pending_;
-  std::vector<Undo> undo_;
-  std::vector<Obstacle> obstacles_;
-  std::vector<judge::ScriptFault> faults_;
-  std::string heard_;
-  std::size_t longest_text_ = 0;
+  State state_;
 };
 
 }  // namespace robosim::scenario

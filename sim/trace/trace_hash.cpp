@@ -21,6 +21,15 @@ constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
 }  // namespace
 
 TraceHash::TraceHash() : state_(std::make_unique<State>()) { XXH3_64bits_reset(&state_->hash); }
+TraceHash::TraceHash(const TraceHash& other) : state_(std::make_unique<State>()) { *this = other; }
+
+TraceHash& TraceHash::operator=(const TraceHash& other) {
+  *state_ = *other.state_;
+  words_ = other.words_;
+  used_ = other.used_;
+  return *this;
+}
+
 TraceHash::~TraceHash() = default;
 
 void TraceHash::pose(const Pose& pose) {

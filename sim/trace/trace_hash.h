@@ -18,6 +18,8 @@ namespace robosim::trace {
 class TraceHash {
  public:
   TraceHash();
+  TraceHash(const TraceHash& other);
+  TraceHash& operator=(const TraceHash& other);
   ~TraceHash();
 
   /// The pose at the end of a tick. Called once a tick: the hash needs no time for it.

@@ -63,16 +63,16 @@ bool Walls::solid(int column, int row) const {
 }
 
 int Walls::add(Vec2 centre, double radius_m) {
-  discs_.push_back({next_id_, centre, radius_m});
-  return next_id_++;
+  state_.discs.push_back({state_.next_id, centre, radius_m});
+  return state_.next_id++;
 }
 
 void Walls::remove(int id) {
-  std::erase_if(discs_, [id](const Disc& d) { return d.id == id; });
+  std::erase_if(state_.discs, [id](const Disc& d) { return d.id == id; });
 }
 
 bool Walls::near_disc(Vec2 centre, double radius) const {
-  for (const Disc& disc : discs_) {
+  for (const Disc& disc : state_.discs) {
     const Vec2 d = centre - disc.centre;
     const double reach = radius + disc.radius_m + kNear;
     if (dot(d, d) < reach * reach) return true;
@@ -82,7 +82,7 @@ bool Walls::near_disc(Vec2 centre, double radius) const {
 
 double Walls::stride(double body_radius) const {
   double least = map_->cell_m;
-  for (const Disc& disc : discs_) least = std::min(least, body_radius + disc.radius_m);
+  for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);
   return 0.25 * least;
 }
 
@@ -145,7 +145,7 @@ Contacts Walls::touch(Vec2 centre, double radius) const {
       return found;
     }
   }
-  for (const Disc& disc : discs_) {
+  for (const Disc& disc : state_.discs) {
     const Vec2 d = centre - disc.centre;
     const double away = length(d);
     const double depth = radius + disc.radius_m - away;
@@ -169,7 +169,7 @@ Contacts Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius)
     }
   }
   const std::size_t corners = polygon.size();
-  for (const Disc& disc : discs_) {
+  for (const Disc& disc : state_.discs) {
     double nearest = std::numeric_limits<double>::infinity();
     Vec2 point;
     bool inside = true;

@@ -71,7 +71,14 @@ class Walls {
   int add(Vec2 centre, double radius_m);
   /// Does nothing if there is no such obstacle.
   void remove(int id);
-  std::span<const Disc> discs() const { return discs_; }
+  std::span<const Disc> discs() const { return state_.discs; }
+  /// What changes during a run.
+  struct State {
+    std::vector<Disc> discs;
+    int next_id = 1;
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
   /// Whether a disc is closer than kNear to the circle.
   bool near_disc(Vec2 centre, double radius) const;
 
@@ -84,10 +91,9 @@ class Walls {
   void touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts&) const;
 
   const grid::Map* map_;
-  double per_cell_, columns_, rows_;
+  const double per_cell_, columns_, rows_;
   std::vector<std::uint8_t> rings_;  // row by row from the bottom; 255 = that many or more
-  std::vector<Disc> discs_;
-  int next_id_ = 1;
+  State state_;
 };
 
 }  // namespace robosim::world

@@ -10,6 +10,18 @@ std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
   return bodies_.size() - 1;
 }
 
+World::State World::save() const {
+  State state{{}, walls_.save()};
+  state.bodies.reserve(bodies_.size());
+  for (const auto& body : bodies_) state.bodies.push_back(*body);
+  return state;
+}
+
+void World::restore(const State& saved) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) *bodies_[i] = saved.bodies[i];
+  walls_.restore(saved.walls);
+}
+
 void World::step() {
   for (const auto& body : bodies_) body->step(walls_);
   if (bodies_.size() > 1) collide_bodies();

@@ -31,6 +31,15 @@ class World {
   /// Takes it away; does nothing if there is no such obstacle.
   void remove_obstacle(int number) { walls_.remove(number); }
 
+  /// What changes during a run.
+  struct State {
+    std::vector<Body> bodies;
+    Walls::State walls;
+  };
+  State save() const;
+  /// Of this world; bodies stay where they are in memory.
+  void restore(const State& saved);
+
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
   void step();
 

@@ -40,6 +40,13 @@ class AvrExecutor::Running final : public RunningChip {
     return diagnosis().place_of_calls(machine_.stack().open_calls());
   }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
+  std::any save() const override {
+    if (debugger_) throw InputError("a run that a debugger may halt cannot be saved");
+    return machine_.save();
+  }
+  void restore(const std::any& saved) override {
+    machine_.restore(std::any_cast<const avr::Machine::Saved&>(saved));
+  }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
 
  private:

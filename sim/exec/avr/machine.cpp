@@ -18,7 +18,7 @@ Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& boa
       chip_(firmware, board.spec(), *this),
       stack_(chip_, firmware) {
   plug_in(chip_.chip());
-  chip_.count(rounds_);
+  chip_.count(state_.rounds);
   for (const std::uint32_t pc : loop.each) chip_.set_trap(WatchedChip::kLoopTrap, pc);
   await_loop();
   look_ = chip_.chip().core().events.add<&Machine::look_at_heap>(this);
@@ -27,6 +27,13 @@ Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& boa
 }
 
 Machine::~Machine() = default;
+
+void Machine::restore(const Saved& saved) {
+  chip_.restore(saved.chip);
+  Outside::restore(saved.outside);
+  stack_.restore(saved.stack);
+  state_ = saved.own;
+}
 
 void Machine::look_at_heap(Cycle at) {
   if (!stack_.has_heap()) return;
@@ -41,14 +48,14 @@ void Machine::was_reset(std::uint8_t, Cycle at) {
 }
 
 void Machine::await_loop() {
-  rounds_.await();
+  state_.rounds.await();
   for (const std::uint32_t pc : loop_.first) chip_.set_trap(WatchedChip::kFirstLoopTrap, pc);
 }
 
 void Machine::loop_began() {
-  if (!rounds_.is_running())
+  if (!state_.rounds.is_running())
     for (const std::uint32_t pc : loop_.first) chip_.clear_trap(WatchedChip::kFirstLoopTrap, pc);
-  rounds_.began(chip_.cycle());
+  state_.rounds.began(chip_.cycle());
 }
 
 void Machine::set_debug_port(DebugPort* port) {
@@ -86,7 +93,7 @@ void Machine::write_called() {
 }
 
 void Machine::set_clock(SimTime start) {
-  clock_start_ = start;
+  state_.clock_start = start;
   if (const auto main = firmware_.find("main")) chip_.set_trap(WatchedChip::kMainTrap, *main);
 }
 
@@ -100,8 +107,9 @@ void Machine::start_clock() {
       chip_.chip().core().at(static_cast<reg::Address>(*address + i)) =
           static_cast<std::uint8_t>(value >> (8 * i));
   };
-  set("timer0_millis", static_cast<std::uint64_t>(clock_start_ / kMillisecond));
-  set("timer0_overflow_count", static_cast<std::uint64_t>(clock_start_ / link().length_of(kOverflowCycles)));
+  set("timer0_millis", static_cast<std::uint64_t>(state_.clock_start / kMillisecond));
+  set("timer0_overflow_count",
+      static_cast<std::uint64_t>(state_.clock_start / link().length_of(kOverflowCycles)));
 }
 
 Resources Machine::resources() const {
@@ -110,10 +118,10 @@ Resources Machine::resources() const {
   r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_.most_bytes();
-  r.loops = rounds_.count();
-  r.loop_us_max = static_cast<double>(rounds_.longest(chip_.cycle())) * cycle_us;
+  r.loops = state_.rounds.count();
+  r.loop_us_max = static_cast<double>(state_.rounds.longest(chip_.cycle())) * cycle_us;
   if (r.loops > 0)
-    r.loop_us_mean = static_cast<double>(rounds_.total()) * cycle_us / static_cast<double>(r.loops);
+    r.loop_us_mean = static_cast<double>(state_.rounds.total()) * cycle_us / static_cast<double>(r.loops);
   const auto all = static_cast<double>(std::max<Cycle>(chip_.cycle(), 1));
   r.interrupt_share = static_cast<double>(chip_.handler_cycles()) / all;
   r.cpu_load = 1.0 - static_cast<double>(chip_.sleep_cycles()) / all;

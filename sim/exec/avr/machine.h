@@ -37,6 +37,21 @@ class Machine final : Outside {
   const Stack& stack() const { return stack_; }
   const Outside& outside() const { return *this; }
   using Outside::link;
+
+  struct State {
+    RoundCounter<Cycle> rounds;
+    SimTime clock_start = 0;
+  };
+  /// All that changes while the chip runs, but for its board.
+  struct Saved {
+    State own;
+    WatchedChip::Saved chip;
+    Outside::State outside;
+    Stack::State stack;
+  };
+  Saved save() const { return {state_, chip_.save(), Outside::save(), stack_.save()}; }
+  void restore(const Saved& saved);
+
   SimTime now() const { return link().time_of(chip_.cycle()); }
 
  private:
@@ -53,8 +68,7 @@ class Machine final : Outside {
   WatchedChip chip_;
   Stack stack_;
   robosim::avr::Events::Id look_ = 0;
-  RoundCounter<Cycle> rounds_;
-  SimTime clock_start_ = 0;
+  State state_;
   DebugPort* debug_port_ = nullptr;
   WrittenBytes* written_ = nullptr;
 };

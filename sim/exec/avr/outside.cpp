@@ -13,11 +13,11 @@ bool is_same_place(const ChipPin& a, const ChipPin& b) {
 
 Outside::Outside(ClockedBoard& board, SimTime began)
     : board_(board),
-      link_(board.spec().clock_hz, began),
       pins_(board.spec().chip->pin_count, kNoPin),
       chip_pins_(board.spec().pin_count, -1),
       analog_pins_(board.spec().chip->adc.pins, kNoPin),
-      serial_(board.spec().serial_line) {
+      serial_(board.spec().serial_line),
+      state_{Link(board.spec().clock_hz, began)} {
   const BoardSpec& spec = board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
     for (int place = 0; place < spec.chip->pin_count; ++place)
@@ -35,9 +35,9 @@ Pin Outside::last_read() const {
 }
 
 void Outside::take_inputs(Cycle now) {
-  expected_ = kNever;
+  state_.expected = kNever;
   BoardInput input;
-  while (board_.take_input(link_.time_of(now), input)) {
+  while (board_.take_input(state_.link.time_of(now), input)) {
     if (input.kind == BoardInput::Kind::byte) {
       chip_->receive(serial_, input.value, now);
     } else if (chip_pins_[input.pin] >= 0) {
@@ -49,68 +49,68 @@ void Outside::take_inputs(Cycle now) {
 
 void Outside::expect_input() {
   const SimTime next = board_.next_input();
-  if (next == expected_ || !chip_) return;
-  expected_ = next;
-  chip_->call_at(next == kNever ? robosim::avr::kNoCycle : link_.cycle_at(next));
+  if (next == state_.expected || !chip_) return;
+  state_.expected = next;
+  chip_->call_at(next == kNever ? robosim::avr::kNoCycle : state_.link.cycle_at(next));
 }
 
 bool Outside::level(int pin, bool pull_up, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
-  return number == kNoPin ? pull_up : board_.read_level(number, link_.time_of(at));
+  return number == kNoPin ? pull_up : board_.read_level(number, state_.link.time_of(at));
 }
 
 Cycle Outside::level_until(int pin, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   if (number == kNoPin) return robosim::avr::kNoCycle;
-  const SimTime until = board_.same_until(number, link_.time_of(at));
+  const SimTime until = board_.same_until(number, state_.link.time_of(at));
   if (until == kNever) return robosim::avr::kNoCycle;
-  const Cycle cycle = link_.cycle_at(until);
+  const Cycle cycle = state_.link.cycle_at(until);
   return cycle > at + kClockRounding ? cycle - kClockRounding : at;
 }
 
 double Outside::volts(int channel, Cycle at) {
   const Pin pin = analog_pins_[static_cast<std::size_t>(channel)];
-  return pin == kNoPin ? 0.0 : board_.read_volts(pin, link_.time_of(at));
+  return pin == kNoPin ? 0.0 : board_.read_volts(pin, state_.link.time_of(at));
 }
 
 void Outside::driven(int pin, const PinDrive& drive, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   if (number == kNoPin) return;
-  board_.set_drive(number, drive, link_.time_of(at));
+  board_.set_drive(number, drive, state_.link.time_of(at));
   expect_input();
 }
 
 bool Outside::wants_edges(int pin, bool wanted, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   if (number == kNoPin || (!wanted && !board_.wants_edges(number))) return false;
-  const bool found = board_.set_wants_edges(number, wanted, link_.time_of(at));
+  const bool found = board_.set_wants_edges(number, wanted, state_.link.time_of(at));
   expect_input();
   return found;
 }
 
 void Outside::sent(int line, std::uint16_t data, Cycle at) {
   if (line != serial_) return;
-  board_.send_byte(static_cast<std::uint8_t>(data), link_.time_of(at));
+  board_.send_byte(static_cast<std::uint8_t>(data), state_.link.time_of(at));
   expect_input();
 }
 
 void Outside::listens(int line, Cycle frame, Cycle at) {
   if (line != serial_) return;
-  frame_ = frame;
-  board_.listen(link_.length_of(frame), link_.time_of(at));
+  state_.frame = frame;
+  board_.listen(state_.link.length_of(frame), state_.link.time_of(at));
   expect_input();
 }
 
 void Outside::clock_divided(int divisor, Cycle at) {
-  link_.divide(divisor, at);
-  if (frame_ != 0) board_.listen(link_.length_of(frame_), link_.time_of(at));
-  expected_ = kNever;
+  state_.link.divide(divisor, at);
+  if (state_.frame != 0) board_.listen(state_.link.length_of(state_.frame), state_.link.time_of(at));
+  state_.expected = kNever;
   expect_input();
   chip_->cpu().stop();  // the tick ends at another cycle
 }
 
 void Outside::write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) {
-  board_.write_eeprom(address, value, link_.time_of(at));
+  board_.write_eeprom(address, value, state_.link.time_of(at));
 }
 
 }  // namespace robosim::exec::avr

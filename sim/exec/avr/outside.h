@@ -19,10 +19,19 @@ class Outside : public robosim::avr::Surroundings {
   /// What has arrived by now reaches the chip, and it is called when the next input will have.
   void take_inputs(Cycle now);
 
-  const Link& link() const { return link_; }
+  const Link& link() const { return state_.link; }
   /// The board's pin that the firmware read last, and when; kNoPin = none yet.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
+
+  /// All that changes while the chip runs.
+  struct State {
+    Link link;
+    SimTime expected = kNever;  ///< when the chip is called for the next input
+    Cycle frame = 0;            ///< what a received one takes; 0 = the receiver is off
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
 
  private:
   bool level(int pin, bool pull_up, Cycle at) override;
@@ -40,14 +49,12 @@ class Outside : public robosim::avr::Surroundings {
   void expect_input();
 
   ClockedBoard& board_;
-  Link link_;
   robosim::avr::Chip* chip_ = nullptr;
-  SimTime expected_ = kNever;     ///< when the chip is called for the next input
-  Cycle frame_ = 0;               ///< what a received one takes; 0 = the receiver is off
   std::vector<Pin> pins_;         ///< the board's, by the chip's; kNoPin = not led out
   std::vector<int> chip_pins_;    ///< the chip's, by the board's; -1 = none
   std::vector<Pin> analog_pins_;  ///< the board's, by the channel; kNoPin = not led out
-  int serial_;                    ///< the line that leads to the computer
+  const int serial_;              ///< the line that leads to the computer
+  State state_;
 };
 
 }  // namespace robosim::exec::avr

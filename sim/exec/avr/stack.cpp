@@ -11,16 +11,16 @@ Stack::Stack(WatchedChip& chip, const Firmware& firmware)
     : chip_(chip),
       firmware_(firmware),
       heap_pointer_(firmware.find_variable("__brkval").value_or(0)),
-      heap_end_(firmware.globals_end) {
-  chip_.set_stack_limit(heap_end_);
+      state_{firmware.globals_end} {
+  chip_.set_stack_limit(state_.heap_end);
 }
 
 void Stack::look() {
   if (!heap_pointer_) return;
   const int end = chip_.data(heap_pointer_) | chip_.data(static_cast<reg::Address>(heap_pointer_ + 1)) << 8;
-  if (end <= heap_end_ || end > firmware_.last_ram) return;
-  heap_end_ = static_cast<std::uint16_t>(end);
-  chip_.set_stack_limit(heap_end_);
+  if (end <= state_.heap_end || end > firmware_.last_ram) return;
+  state_.heap_end = static_cast<std::uint16_t>(end);
+  chip_.set_stack_limit(state_.heap_end);
 }
 
 std::uint32_t Stack::return_address(std::uint32_t at) const {

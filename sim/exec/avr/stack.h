@@ -25,9 +25,9 @@ class Stack {
     return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
   }
   /// What variables and heap leave.
-  std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - heap_end_; }
+  std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - state_.heap_end; }
   /// Whether the stack has reached the variables or the heap.
-  bool has_overflown() const { return chip_.lowest_sp() + 1 < heap_end_; }
+  bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
 
   /// An instruction in the code that called something.
   struct Call {
@@ -37,6 +37,12 @@ class Stack {
   /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
   /// Saved registers may happen to look like one.
   std::vector<Call> open_calls() const;
+  struct State {
+    std::uint16_t heap_end = 0;  ///< the highest it has been
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
   /// The word that the last `ret` has taken, as a flash address.
   std::uint32_t last_return() const;
 
@@ -46,8 +52,8 @@ class Stack {
 
   WatchedChip& chip_;
   const Firmware& firmware_;
-  std::uint16_t heap_pointer_ = 0;  ///< where malloc keeps the heap's end; 0 = there is no heap
-  std::uint16_t heap_end_;          ///< the highest it has been
+  const std::uint16_t heap_pointer_;  ///< where malloc keeps the heap's end; 0 = there is no heap
+  State state_;
 };
 
 }  // namespace robosim::exec::avr

@@ -44,9 +44,9 @@ WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
     : firmware_(firmware),
       spec_(*board.chip),
       clock_hz_(board.clock_hz),
-      lowest_sp_(firmware.last_ram),
       chip_(spec_, flash_of(firmware), firmware.last_ram, outside, board.clock_hz) {
   using robosim::avr::Cpu;
+  state_.lowest_sp = firmware.last_ram;
   chip_.core().supply_volts = board.supply_volts;
   chip_.core().visitor = this;
   chip_.cpu().on_sp_low = Cpu::call<&WatchedChip::stack_is_low>(this);
@@ -65,8 +65,8 @@ std::uint32_t WatchedChip::return_address(reg::Address at) const {
 }
 
 void WatchedChip::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
-  if (fault_) return;
-  fault_ = Fault{kind, pc, address};
+  if (state_.fault) return;
+  state_.fault = Fault{kind, pc, address};
   chip_.cpu().stop();
 }
 
@@ -80,7 +80,7 @@ void WatchedChip::step_singly(bool singly) {
 void WatchedChip::set_pc(std::uint32_t pc) { chip_.cpu().set_pc(pc / 2); }
 
 void WatchedChip::run_to(Cycle cycle) {
-  while (this->cycle() < cycle && !fault_ && !off_ && !trapped_) {
+  while (this->cycle() < cycle && !state_.fault && !state_.off && !state_.trapped) {
     const auto why = chip_.run_to(cycle);
     const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
     switch (why) {
@@ -88,11 +88,11 @@ void WatchedChip::run_to(Cycle cycle) {
       case Chip::Stop::sleep:  // which a chip sleeps through by itself
         break;
       case Chip::Stop::off:
-        off_ = true;
+        state_.off = true;
         break;
       case Chip::Stop::mark:
-        trapped_ = traps_at(here);
-        if (trapped_ & kRestartTrap) fail(Fault::Kind::restart, 0, 0);
+        state_.trapped = traps_at(here);
+        if (state_.trapped & kRestartTrap) fail(Fault::Kind::restart, 0, 0);
         break;
       case Chip::Stop::bad_read:
         fail(Fault::Kind::bad_read, last, cpu().bad_address());
@@ -127,43 +127,52 @@ void WatchedChip::look_at_code(std::uint32_t pc) {
 
 void WatchedChip::was_reset() {
   const Cycle now = cycle();
-  watchdog_resets_ =
-      watchdog_resets_ > 0 && now - last_bite_ < kRepeatWithin_s * clock_hz_ ? watchdog_resets_ + 1 : 1;
-  last_bite_ = now;
+  state_.watchdog_resets = state_.watchdog_resets > 0 && now - state_.last_bite < kRepeatWithin_s * clock_hz_
+                               ? state_.watchdog_resets + 1
+                               : 1;
+  state_.last_bite = now;
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   chip_.core().at(reg::kMcusr) = 0;
   chip_.cpu().store(reg::kWdtcsr, kWatchdogUnlocked);
   chip_.cpu().store(reg::kWdtcsr, 0);
-  own_stack_ = false;
-  handlers_of_stacks_.clear();
-  chip_.cpu().state.sp_watch = lowest_sp_;
+  state_.own_stack = false;
+  state_.handlers_of_stacks.clear();
+  chip_.cpu().state.sp_watch = state_.lowest_sp;
   start();
-  if (watchdog_resets_ >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
+  if (state_.watchdog_resets >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
 // --- traps
 
 void WatchedChip::set_trap(Trap trap, std::uint32_t pc) {
-  auto place = std::find_if(traps_.begin(), traps_.end(), [&](const TrapPlace& at) { return at.pc == pc; });
-  if (place == traps_.end()) place = traps_.insert(place, {pc, 0});
+  auto place = std::find_if(state_.traps.begin(), state_.traps.end(),
+                            [&](const TrapPlace& at) { return at.pc == pc; });
+  if (place == state_.traps.end()) place = state_.traps.insert(place, {pc, 0});
   place->traps |= trap;
   chip_.cpu().set_mark(pc / 2, true);
 }
 
 void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
-  const auto place =
-      std::find_if(traps_.begin(), traps_.end(), [&](const TrapPlace& at) { return at.pc == pc; });
-  if (place == traps_.end()) return;
+  const auto place = std::find_if(state_.traps.begin(), state_.traps.end(),
+                                  [&](const TrapPlace& at) { return at.pc == pc; });
+  if (place == state_.traps.end()) return;
   place->traps &= ~static_cast<unsigned>(trap);
   if (place->traps != 0) return;
   chip_.cpu().set_mark(pc / 2, false);
-  traps_.erase(place);
+  state_.traps.erase(place);
 }
 
 unsigned WatchedChip::traps_at(std::uint32_t pc) const {
-  for (const TrapPlace& trap : traps_)
+  for (const TrapPlace& trap : state_.traps)
     if (trap.pc == pc) return trap.traps;
   return 0;
+}
+
+void WatchedChip::restore(const Saved& saved) {
+  chip_.restore(saved.chip);
+  for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, false);
+  state_ = saved.own;
+  for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, true);
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
@@ -176,34 +185,34 @@ void WatchedChip::left_out(std::uint32_t, Cycle first, Cycle period, std::uint64
   rounds_->began(first, period, count);
 }
 
-unsigned WatchedChip::take_traps() { return std::exchange(trapped_, 0); }
+unsigned WatchedChip::take_traps() { return std::exchange(state_.trapped, 0); }
 
 // --- the stack
 
-void WatchedChip::set_stack_limit(std::uint16_t limit) { stack_limit_ = limit; }
+void WatchedChip::set_stack_limit(std::uint16_t limit) { state_.stack_limit = limit; }
 
 void WatchedChip::stack_is_low() {
-  pointer_written_ = 0;
+  state_.pointer_written = 0;
   stack_moved();
 }
 
 void WatchedChip::stack_pointer_written() {
   // It is whole when both halves are written, or when something is pushed.
   const Cycle now = cycle();
-  const bool whole = pointer_written_ != 0 && now - pointer_written_ <= kHalvesApart;
-  pointer_written_ = whole ? 0 : now;
-  if (!whole) pointer_before_ = chip_.cpu().state.sp_before;
+  const bool whole = state_.pointer_written != 0 && now - state_.pointer_written <= kHalvesApart;
+  state_.pointer_written = whole ? 0 : now;
+  if (!whole) state_.pointer_before = chip_.cpu().state.sp_before;
   chip_.cpu().state.sp_watch = 0xFFFF;
   if (!whole) return;
   const std::uint16_t now_at = sp();
-  if (was_loaded()) task_changed(pointer_before_, now_at);
-  if (now_at + 1 >= stack_limit_) {
-    own_stack_ = false;
+  if (was_loaded()) task_changed(state_.pointer_before, now_at);
+  if (now_at + 1 >= state_.stack_limit) {
+    state_.own_stack = false;
   } else if (!is_computed_from_itself()) {
-    own_stack_ = true;
-    own_variable_ = firmware_.symbols.variable_at(kAvrData + now_at);
-    own_limit_ =
-        static_cast<std::uint16_t>(own_variable_ ? own_variable_->address - kAvrData : firmware_.globals_end);
+    state_.own_stack = true;
+    state_.own_variable = firmware_.symbols.variable_at(kAvrData + now_at);
+    state_.own_limit = static_cast<std::uint16_t>(
+        state_.own_variable ? state_.own_variable->address - kAvrData : firmware_.globals_end);
   }
   stack_moved();
 }
@@ -237,17 +246,19 @@ bool WatchedChip::was_loaded() const {
 /// A handler may leave the task that it has interrupted, and another go on that had left by itself: it does
 /// so by RET, not RETI.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
-  if (cpu().open_handlers() > 0) handlers_of_stacks_[from] = cpu().open_handlers();
-  const auto left = handlers_of_stacks_.find(to);
-  chip_.cpu().set_open_handlers(left == handlers_of_stacks_.end() ? 0 : left->second);
-  if (left != handlers_of_stacks_.end()) handlers_of_stacks_.erase(left);
+  if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
+  const auto left = state_.handlers_of_stacks.find(to);
+  chip_.cpu().set_open_handlers(left == state_.handlers_of_stacks.end() ? 0 : left->second);
+  if (left != state_.handlers_of_stacks.end()) state_.handlers_of_stacks.erase(left);
 }
 
 void WatchedChip::stack_moved() {
   const std::uint16_t now = sp();
-  if (!own_stack_) lowest_sp_ = std::min(lowest_sp_, now);
-  chip_.cpu().state.sp_watch = static_cast<std::uint16_t>(own_stack_ ? own_limit_ - 1 : lowest_sp_);
-  if (now + 1 < (own_stack_ ? own_limit_ : stack_limit_)) fail(Fault::Kind::stack, 2 * cpu().last_pc(), 0);
+  if (!state_.own_stack) state_.lowest_sp = std::min(state_.lowest_sp, now);
+  chip_.cpu().state.sp_watch =
+      static_cast<std::uint16_t>(state_.own_stack ? state_.own_limit - 1 : state_.lowest_sp);
+  if (now + 1 < (state_.own_stack ? state_.own_limit : state_.stack_limit))
+    fail(Fault::Kind::stack, 2 * cpu().last_pc(), 0);
 }
 
 std::vector<std::uint32_t> WatchedChip::last_jumps() const {

@@ -46,10 +46,10 @@ class WatchedChip final : robosim::avr::Visitor {
   /// Runs until `cycle` or a few cycles later; returns sooner after a fault, before an instruction with a
   /// trap, when the firmware has switched itself off, or when somebody has called Cpu::stop().
   void run_to(Cycle cycle);
-  const std::optional<Fault>& fault() const { return fault_; }
+  const std::optional<Fault>& fault() const { return state_.fault; }
   /// The firmware sleeps with interrupts off: nothing will ever wake it.
-  bool is_off() const { return off_; }
-  bool is_asleep() const { return chip_.is_asleep() && !off_; }
+  bool is_off() const { return state_.off; }
+  bool is_asleep() const { return chip_.is_asleep() && !state_.off; }
 
   // --- traps: run_to() returns before an instruction
   /// Who wants to know that an instruction is about to run.
@@ -76,13 +76,13 @@ class WatchedChip final : robosim::avr::Visitor {
   void set_pc(std::uint32_t pc);
 
   // --- the stack
-  std::uint16_t lowest_sp() const { return lowest_sp_; }
+  std::uint16_t lowest_sp() const { return state_.lowest_sp; }
   /// Where variables and heap end: the sketch's stack must not go below.
   void set_stack_limit(std::uint16_t limit);
   /// Whether the stack in use is one that the sketch has loaded, a task's of its own, and the variable that
   /// holds it; null = it lies in the heap.
-  bool has_own_stack() const { return own_stack_; }
-  const Symbol* own_stack_variable() const { return own_variable_; }
+  bool has_own_stack() const { return state_.own_stack; }
+  const Symbol* own_stack_variable() const { return state_.own_variable; }
   /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
 
@@ -91,19 +91,43 @@ class WatchedChip final : robosim::avr::Visitor {
   std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
   Cycle handler_cycles() const { return cpu().handler_cycles(); }
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
-  int watchdog_resets() const { return watchdog_resets_; }
+  int watchdog_resets() const { return state_.watchdog_resets; }
   /// Where the firmware was when the handler that runs now, or ran last, interrupted it.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
+
+  // --- snapshots
+  struct TrapPlace {
+    std::uint32_t pc = 0;
+    unsigned traps = 0;  ///< a sum
+  };
+  /// All that changes while the chip runs, but for the chip itself.
+  struct State {
+    std::vector<TrapPlace> traps;
+    unsigned trapped = 0;
+    std::optional<Fault> fault;
+    bool off = false;
+    std::uint16_t lowest_sp = 0;
+    std::uint16_t stack_limit = 0;
+    bool own_stack = false;                ///< the sketch has loaded another stack, a task's of its own
+    const Symbol* own_variable = nullptr;  ///< that holds it; null = it lies in the heap
+    std::uint16_t own_limit = 0;
+    std::uint16_t pointer_before = 0;  ///< the stack pointer, before its first half was written
+    std::map<std::uint16_t, int> handlers_of_stacks;  ///< handlers that tasks were in when they were left
+    Cycle pointer_written = 0;                        ///< when the first half of the stack pointer was
+    int watchdog_resets = 0;
+    Cycle last_bite = 0;
+  };
+  struct Saved {
+    State own;
+    Kept::Copy chip;
+  };
+  Saved save() const { return {state_, chip_.save()}; }
+  void restore(const Saved& saved);
 
   /// The surroundings say that the chip has reset itself.
   void was_reset();
 
  private:
-  struct TrapPlace {
-    std::uint32_t pc = 0;
-    unsigned traps = 0;  ///< a sum
-  };
-
   bool visited(std::uint32_t pc, Cycle at) override;
   void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) override;
 
@@ -121,23 +145,10 @@ class WatchedChip final : robosim::avr::Visitor {
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
-  std::uint32_t clock_hz_;
-  std::vector<TrapPlace> traps_;
+  const std::uint32_t clock_hz_;
   RoundCounter<Cycle>* rounds_ = nullptr;
-  unsigned trapped_ = 0;
-  std::optional<Fault> fault_;
-  bool off_ = false;
   bool singly_ = false;
-  std::uint16_t lowest_sp_;
-  std::uint16_t stack_limit_ = 0;
-  bool own_stack_ = false;                ///< the sketch has loaded another stack, a task's of its own
-  const Symbol* own_variable_ = nullptr;  ///< that holds it; null = it lies in the heap
-  std::uint16_t own_limit_ = 0;
-  std::uint16_t pointer_before_ = 0;                 ///< the stack pointer, before its first half was written
-  std::map<std::uint16_t, int> handlers_of_stacks_;  ///< handlers that tasks were in when they were left
-  Cycle pointer_written_ = 0;                        ///< when the first half of the stack pointer was
-  int watchdog_resets_ = 0;
-  Cycle last_bite_ = 0;
+  State state_;
   robosim::avr::Chip chip_;
 };
 

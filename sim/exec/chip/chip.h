@@ -2,6 +2,7 @@
 // All times here are by the chip's own clock.
 #pragma once
 
+#include <any>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ class RunningChip {
   virtual SourceLine printing(const SourceLine& before) const = 0;
   /// What the firmware prints is told to `bytes`, which outlives this.
   virtual void trace_bytes(WrittenBytes& bytes) = 0;
+  /// All that changes while it runs, but for its board. Throws InputError where that cannot be copied.
+  virtual std::any save() const = 0;
+  /// Of a chip with the same firmware. It does nothing to the board.
+  virtual void restore(const std::any& saved) = 0;
   /// millis() begins with `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };

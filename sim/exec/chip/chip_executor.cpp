@@ -11,8 +11,12 @@ ChipExecutor::ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> 
 
 void ChipExecutor::power_on(SimTime t) {
   power_off(t);
+  make_chip(t);
+}
+
+void ChipExecutor::make_chip(SimTime t) {
   chip_ = firmware_->power_on(clocked_, clocked_.begin_tick(t));
-  if (clock_start_ > 0) chip_->set_clock(clock_start_);
+  if (state_.clock_start > 0) chip_->set_clock(state_.clock_start);
   if (written_) {
     written_->begin([this](const SourceLine& before) { return chip_->printing(before); });
     chip_->trace_bytes(*written_);
@@ -20,32 +24,50 @@ void ChipExecutor::power_on(SimTime t) {
 }
 
 void ChipExecutor::power_off(SimTime t) {
-  before_ = resources();
+  state_.before = resources();
   chip_.reset();
-  crash_.reset();
+  state_.crash.reset();
   board_.reset(t);
-  reached_ = t;
+  state_.reached = t;
+}
+
+std::any ChipExecutor::save() const {
+  Saved saved{state_, board_.save(), clocked_.save(), {}, {}};
+  if (chip_) saved.chip = chip_->save();
+  if (written_) saved.written = written_->save();
+  return saved;
+}
+
+void ChipExecutor::restore(const std::any& from) {
+  const auto& saved = std::any_cast<const Saved&>(from);
+  if (!saved.chip.has_value()) chip_.reset();
+  if (saved.chip.has_value() && !chip_) make_chip(0);
+  if (chip_) chip_->restore(saved.chip);
+  if (written_ && saved.written) written_->restore(*saved.written);
+  board_.restore(saved.board);
+  clocked_.restore(saved.clocked);
+  state_ = saved.own;
 }
 
 void ChipExecutor::run_until(SimTime t) {
-  if (!chip_ || crash_) return;
+  if (!chip_ || state_.crash) return;
   chip_->run_until(clocked_.begin_tick(t));
-  reached_ = t;
-  if (chip_->has_crashed()) crash_ = chip_->crash();
+  state_.reached = t;
+  if (chip_->has_crashed()) state_.crash = chip_->crash();
   board_.forget_edges(t);
 }
 
 SimTime ChipExecutor::last_call() const {
-  return !chip_ || chip_->is_asleep() ? reached_ : clocked_.to_world(chip_->last_io());
+  return !chip_ || chip_->is_asleep() ? state_.reached : clocked_.to_world(chip_->last_io());
 }
 
 std::optional<Resources> ChipExecutor::resources() const {
   if (!firmware_->fits_chip()) return std::nullopt;
-  if (!chip_) return before_;
+  if (!chip_) return state_.before;
   Resources r = chip_->resources();
-  if (before_) {
-    r.stack_bytes_max = std::max(r.stack_bytes_max, before_->stack_bytes_max);
-    r.loop_us_max = std::max(r.loop_us_max, before_->loop_us_max);
+  if (state_.before) {
+    r.stack_bytes_max = std::max(r.stack_bytes_max, state_.before->stack_bytes_max);
+    r.loop_us_max = std::max(r.loop_us_max, state_.before->loop_us_max);
   }
   return r;
 }
@@ -53,14 +75,14 @@ std::optional<Resources> ChipExecutor::resources() const {
 void ChipExecutor::set_clock_start(SimTime start) {
   const std::string why = firmware_->why_clock_stays();
   if (!why.empty()) throw InputError({firmware_->file()}, "has no clock that could be set (" + why + ")");
-  clock_start_ = start;
+  state_.clock_start = start;
 }
 
 Activity ChipExecutor::activity() {
   Activity activity;
   if (chip_) activity = chip_->activity();
-  activity.last_call = chip_ ? clocked_.to_world(chip_->last_io()) : reached_;
-  if (crash_) activity.where = crash_->where;
+  activity.last_call = chip_ ? clocked_.to_world(chip_->last_io()) : state_.reached;
+  if (state_.crash) activity.where = state_.crash->where;
   return activity;
 }
 

@@ -23,7 +23,7 @@ class ChipExecutor : public Executor {
   void power_on(SimTime t) override;
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
-  const std::optional<Crash>& crash() const override { return crash_; }
+  const std::optional<Crash>& crash() const override { return state_.crash; }
   Activity activity() override;
   SimTime last_call() const override;
   int int_bits() const override { return firmware_->int_bits(); }
@@ -32,20 +32,35 @@ class ChipExecutor : public Executor {
   bool has_boards_eeprom() const override { return firmware_->has_boards_eeprom(); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
   void debug_with(gdb::Server& server) override { firmware_->debug_with(server, clocked_); }
+  std::any save() const override;
+  void restore(const std::any& saved) override;
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
   void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
   SourceLine source_of(std::uint8_t byte) override { return written_ ? written_->take(byte) : SourceLine{}; }
 
  private:
+  struct State {
+    std::optional<Crash> crash;
+    std::optional<Resources> before;  ///< what was measured before the last power-on
+    SimTime clock_start = 0;
+    SimTime reached = 0;  ///< until when firmware has run
+  };
+  struct Saved {
+    State own;
+    BoardState::State board;
+    ClockedBoard::State clocked;
+    std::any chip;  ///< empty while the power is off
+    std::optional<WrittenBytes::State> written;
+  };
+
+  void make_chip(SimTime t);
+
   BoardState board_;
   ClockedBoard clocked_{board_};
   std::unique_ptr<ChipFirmware> firmware_;
   std::unique_ptr<RunningChip> chip_;  ///< null while the power is off
   std::optional<WrittenBytes> written_;
-  std::optional<Crash> crash_;
-  std::optional<Resources> before_;  ///< what was measured before the last power-on
-  SimTime clock_start_ = 0;
-  SimTime reached_ = 0;  ///< until when firmware has run
+  State state_;
 };
 
 }  // namespace robosim::exec

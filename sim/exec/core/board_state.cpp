@@ -4,23 +4,25 @@
 
 namespace robosim::exec {
 
-BoardState::BoardState(const BoardSpec& spec)
-    : spec_(spec), pins_(spec.pin_count + 1u), eeprom_(spec.eeprom_bytes, 0xFF) {}
+BoardState::BoardState(const BoardSpec& spec) : spec_(spec), wires_(spec.pin_count) {
+  state_.pins.resize(spec.pin_count + 1u);
+  state_.eeprom.assign(spec.eeprom_bytes, 0xFF);
+}
 
 void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
   if (pin >= spec_.pin_count) return;
-  PinState& state = pins_[pin];
+  PinState& state = state_.pins[pin];
   if (state.drive == drive) return;
   state.drive = drive;
   if (state.wants_edges && drive.mode == PinMode::output) state.last_level = level_on(pin, t);
-  for (PinWatcher* watcher : state.watchers) watcher->pin_changed(pin, drive, t);
+  for (PinWatcher* watcher : wires_[pin].watchers) watcher->pin_changed(pin, drive, t);
 }
 
 bool BoardState::level_on(Pin pin, SimTime t) {
-  const PinState& state = pins_[pin];
+  const PinState& state = state_.pins[pin];
   if (state.drive.mode == PinMode::output)
     return state.drive.pwm ? state.drive.duty >= 0.5 : state.drive.level;
-  if (state.source) return state.source->level(t);
+  if (PinSource* source = wires_[pin].source) return source->level(t);
   return state.drive.mode == PinMode::input_pullup;
 }
 
@@ -33,15 +35,15 @@ bool BoardState::read_level(Pin pin, SimTime t) {
 
 SimTime BoardState::same_until(Pin pin, SimTime t) const {
   if (input_watcher_) return t;
-  const PinState& state = state_of(pin);
-  return state.drive.mode == PinMode::output || !state.source ? kNever : state.source->same_until(t);
+  if (pin >= spec_.pin_count || drive(pin).mode == PinMode::output) return kNever;
+  PinSource* const source = wires_[pin].source;
+  return source ? source->same_until(t) : kNever;
 }
 
 double BoardState::read_volts(Pin pin, SimTime t) {
   if (pin >= spec_.pin_count) return 0.0;
-  const PinState& state = pins_[pin];
-  const bool sourced = state.drive.mode != PinMode::output && state.source;
-  const double volts = sourced ? state.source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
+  PinSource* const source = drive(pin).mode == PinMode::output ? nullptr : wires_[pin].source;
+  const double volts = source ? source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
   if (input_watcher_) input_watcher_->volts_seen(pin, volts, t);
   return volts;
 }
@@ -51,58 +53,58 @@ void BoardState::send_byte(std::uint8_t byte, SimTime t) {
 }
 
 void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) {
-  if (address >= eeprom_.size()) return;
-  const std::uint8_t before = eeprom_[address];
-  eeprom_[address] = value;
+  if (address >= state_.eeprom.size()) return;
+  const std::uint8_t before = state_.eeprom[address];
+  state_.eeprom[address] = value;
   if (eeprom_watcher_) eeprom_watcher_->eeprom_written(address, before, value, t);
 }
 
 void BoardState::connect(Pin pin, PinSource& source) {
-  if (pin < spec_.pin_count) pins_[pin].source = &source;
+  if (pin < spec_.pin_count) wires_[pin].source = &source;
 }
 
 void BoardState::watch(Pin pin, PinWatcher& watcher) {
-  if (pin < spec_.pin_count) pins_[pin].watchers.push_back(&watcher);
+  if (pin < spec_.pin_count) wires_[pin].watchers.push_back(&watcher);
 }
 
 void BoardState::schedule_edge(Pin pin, bool level, SimTime at) {
   if (pin >= spec_.pin_count) return;
-  PinState& state = pins_[pin];
+  PinState& state = state_.pins[pin];
   if (state.wants_edges && level == state.last_level) return;
   state.last_level = level;
   const BoardInput edge{BoardInput::Kind::edge, pin, level, at};
   const auto later = [](SimTime time, const BoardInput& other) { return time < other.at; };
-  edges_.insert(std::upper_bound(edges_.begin(), edges_.end(), at, later), edge);
-  if (state.wants_edges) next_input_ = std::min(next_input_, at);
+  state_.edges.insert(std::upper_bound(state_.edges.begin(), state_.edges.end(), at, later), edge);
+  if (state.wants_edges) state_.next_input = std::min(state_.next_input, at);
 }
 
 void BoardState::receive_byte(std::uint8_t byte, SimTime at) {
   const auto later = [](SimTime time, const Byte& other) { return time < other.sent; };
-  bytes_.insert(std::upper_bound(bytes_.begin(), bytes_.end(), at, later), Byte{byte, at});
+  state_.bytes.insert(std::upper_bound(state_.bytes.begin(), state_.bytes.end(), at, later), Byte{byte, at});
   refresh_next();
 }
 
 void BoardState::reset(SimTime t) {
   for (Pin pin = 0; pin < spec_.pin_count; ++pin) {
     set_drive(pin, PinDrive{}, t);
-    pins_[pin].wants_edges = false;
+    state_.pins[pin].wants_edges = false;
   }
-  wanted_pins_ = 0;
-  edges_.clear();
-  bytes_.clear();
-  byte_time_ = 0;
-  next_input_ = kNever;
+  state_.wanted_pins = 0;
+  state_.edges.clear();
+  state_.bytes.clear();
+  state_.byte_time = 0;
+  state_.next_input = kNever;
 }
 
 bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
-  if (pin >= spec_.pin_count || pins_[pin].wants_edges == wanted) return false;
-  PinState& state = pins_[pin];
+  if (pin >= spec_.pin_count || state_.pins[pin].wants_edges == wanted) return false;
+  PinState& state = state_.pins[pin];
   state.wants_edges = wanted;
-  wanted_pins_ += wanted ? 1 : -1;
+  state_.wanted_pins += wanted ? 1 : -1;
   const bool level = wanted && read_level(pin, now);
   if (wanted) {
     state.last_level = level;
-    std::erase_if(edges_, [&](const BoardInput& edge) {
+    std::erase_if(state_.edges, [&](const BoardInput& edge) {
       if (edge.pin != pin) return false;
       const bool changes = edge.at > now && (edge.value != 0) != state.last_level;
       if (changes) state.last_level = edge.value != 0;
@@ -114,42 +116,42 @@ bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
 }
 
 void BoardState::listen(SimTime byte_time, SimTime now) {
-  if (byte_time_ == 0) std::erase_if(bytes_, [now](const Byte& byte) { return byte.sent < now; });
-  byte_time_ = byte_time;
+  if (state_.byte_time == 0) std::erase_if(state_.bytes, [now](const Byte& byte) { return byte.sent < now; });
+  state_.byte_time = byte_time;
   refresh_next();
 }
 
 const BoardState::Byte* BoardState::next_byte() const {
-  return byte_time_ > 0 && !bytes_.empty() ? &bytes_.front() : nullptr;
+  return state_.byte_time > 0 && !state_.bytes.empty() ? &state_.bytes.front() : nullptr;
 }
 
 SimTime BoardState::arrival(const Byte& byte) const {
-  return std::max(byte.sent, last_arrival_) + byte_time_;
+  return std::max(byte.sent, state_.last_arrival) + state_.byte_time;
 }
 
 std::size_t BoardState::next_edge() const {
   std::size_t i = 0;
-  while (i < edges_.size() && !pins_[edges_[i].pin].wants_edges) ++i;
+  while (i < state_.edges.size() && !state_.pins[state_.edges[i].pin].wants_edges) ++i;
   return i;
 }
 
 void BoardState::refresh_next() {
   const std::size_t edge = next_edge();
-  next_input_ = edge < edges_.size() ? edges_[edge].at : kNever;
-  if (const Byte* byte = next_byte()) next_input_ = std::min(next_input_, arrival(*byte));
+  state_.next_input = edge < state_.edges.size() ? state_.edges[edge].at : kNever;
+  if (const Byte* byte = next_byte()) state_.next_input = std::min(state_.next_input, arrival(*byte));
 }
 
 bool BoardState::take_input(SimTime until, BoardInput& input) {
-  if (next_input_ > until) return false;
+  if (state_.next_input > until) return false;
   const std::size_t edge = next_edge();
-  if (edge < edges_.size() && edges_[edge].at == next_input_) {
-    input = edges_[edge];
-    edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(edge));
+  if (edge < state_.edges.size() && state_.edges[edge].at == state_.next_input) {
+    input = state_.edges[edge];
+    state_.edges.erase(state_.edges.begin() + static_cast<std::ptrdiff_t>(edge));
     if (input_watcher_) input_watcher_->level_seen(input.pin, input.value != 0, input.at);
   } else {
-    last_arrival_ = next_input_;
-    input = {BoardInput::Kind::byte, kNoPin, bytes_.front().value, next_input_};
-    bytes_.erase(bytes_.begin());
+    state_.last_arrival = state_.next_input;
+    input = {BoardInput::Kind::byte, kNoPin, state_.bytes.front().value, state_.next_input};
+    state_.bytes.erase(state_.bytes.begin());
     if (input_watcher_) input_watcher_->byte_received(input.value, input.at);
   }
   refresh_next();
@@ -157,8 +159,9 @@ bool BoardState::take_input(SimTime until, BoardInput& input) {
 }
 
 void BoardState::forget_edges(SimTime t) {
-  if (edges_.empty()) return;
-  std::erase_if(edges_, [&](const BoardInput& edge) { return edge.at < t && !pins_[edge.pin].wants_edges; });
+  if (state_.edges.empty()) return;
+  std::erase_if(state_.edges,
+                [&](const BoardInput& edge) { return edge.at < t && !state_.pins[edge.pin].wants_edges; });
 }
 
 }  // namespace robosim::exec

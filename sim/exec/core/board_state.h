@@ -33,7 +33,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool read_level(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
   void send_byte(std::uint8_t byte, SimTime t) override;
-  std::uint8_t* eeprom() override { return eeprom_.data(); }
+  std::uint8_t* eeprom() override { return state_.eeprom.data(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
   // --- RobotPort
@@ -44,12 +44,12 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
   void schedule_edge(Pin pin, bool level, SimTime at) override;
   bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
-  bool wants_any_edges() const override { return wanted_pins_ > 0; }
+  bool wants_any_edges() const override { return state_.wanted_pins > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
   // --- BoardProbe
-  std::span<std::uint8_t> memory() override { return eeprom_; }
+  std::span<std::uint8_t> memory() override { return state_.eeprom; }
   bool level(Pin pin, SimTime t) override { return read_level(pin, t); }
 
   // --- for executors
@@ -63,7 +63,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void listen(SimTime byte_time, SimTime now);
 
   /// When the next wanted edge or byte arrives; kNever if none is on its way.
-  SimTime next_input() const { return next_input_; }
+  SimTime next_input() const { return state_.next_input; }
   /// Until when, exclusive, reads of `pin` surely give what they give at `t`, and nobody misses them if they
   /// are left out; `t` = that is not known.
   SimTime same_until(Pin pin, SimTime t) const;
@@ -72,11 +72,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Forgets edges before `t` that nobody wanted.
   void forget_edges(SimTime t);
 
- private:
   struct PinState {
     PinDrive drive;
-    PinSource* source = nullptr;
-    std::vector<PinWatcher*> watchers;
     bool wants_edges = false;
     bool last_level = false;  ///< while edges are wanted: after the last one that is known
   };
@@ -84,27 +81,42 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     std::uint8_t value;
     SimTime sent;
   };
+  /// All that changes during a run.
+  struct State {
+    std::vector<PinState> pins;  ///< the last is of numbers that are no pin: nobody drives it
+    int wanted_pins = 0;         ///< of which edges are wanted
+    std::vector<std::uint8_t> eeprom;
+    std::vector<BoardInput> edges;  ///< by time, and as scheduled where times are equal
+    std::vector<Byte> bytes;        ///< by time
+    SimTime byte_time = 0;          ///< 0 = the receiver is off
+    SimTime last_arrival = 0;
+    SimTime next_input = kNever;
+  };
+  const State& save() const { return state_; }
+  /// Tells no watcher.
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  /// What is connected to a pin.
+  struct Wire {
+    PinSource* source = nullptr;
+    std::vector<PinWatcher*> watchers;
+  };
 
   const Byte* next_byte() const;
   SimTime arrival(const Byte& byte) const;
   std::size_t next_edge() const;
   void refresh_next();
 
-  const PinState& state_of(Pin pin) const { return pins_[std::min(pin, spec_.pin_count)]; }
+  const PinState& state_of(Pin pin) const { return state_.pins[std::min(pin, spec_.pin_count)]; }
   bool level_on(Pin pin, SimTime t);
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
   EepromWatcher* eeprom_watcher_ = nullptr;
-  std::vector<PinState> pins_;  ///< the last is of numbers that are no pin: nobody drives it
-  int wanted_pins_ = 0;         ///< of which edges are wanted
+  std::vector<Wire> wires_;  ///< by pin
   std::vector<SerialWatcher*> serial_watchers_;
-  std::vector<std::uint8_t> eeprom_;
-  std::vector<BoardInput> edges_;  ///< by time, and as scheduled where times are equal
-  std::vector<Byte> bytes_;        ///< by time
-  SimTime byte_time_ = 0;          ///< 0 = the receiver is off
-  SimTime last_arrival_ = 0;
-  SimTime next_input_ = kNever;
+  State state_;
 };
 
 }  // namespace robosim::exec

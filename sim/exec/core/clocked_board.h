@@ -17,26 +17,36 @@ class ClockedBoard final : public FirmwarePort {
   /// The firmware shall run to `end`, a time of the world; returns it by the firmware's clock. What an
   /// instruction does that begins before and ends behind it, the world sees at `end`.
   SimTime begin_tick(SimTime end) {
-    limit_ = end;
-    return clock_.to_firmware(end);
+    state_.limit = end;
+    return state_.clock.to_firmware(end);
   }
-  SimTime to_firmware(SimTime world) const { return clock_.to_firmware(world); }
-  SimTime to_world(SimTime t) const { return clock_.to_world(t); }
+  SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
+  SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
   /// From `world` on its clock runs so much too fast, in parts per million.
-  void drift(int ppm, SimTime world) { clock_.drift(ppm, world); }
+  void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }
   bool set_wants_edges(Pin pin, bool wanted, SimTime now) {
     return board_.set_wants_edges(pin, wanted, at(now));
   }
   void listen(SimTime byte_time, SimTime now) { board_.listen(byte_time, at(now)); }
-  SimTime same_until(Pin pin, SimTime t) const { return clock_.to_firmware(board_.same_until(pin, at(t))); }
-  SimTime next_input() const { return clock_.to_firmware(board_.next_input()); }
+  SimTime same_until(Pin pin, SimTime t) const {
+    return state_.clock.to_firmware(board_.same_until(pin, at(t)));
+  }
+  SimTime next_input() const { return state_.clock.to_firmware(board_.next_input()); }
   bool take_input(SimTime until, BoardInput& input) {
-    if (!board_.take_input(clock_.to_world(until), input)) return false;
-    input.at = clock_.to_firmware(input.at);
+    if (!board_.take_input(state_.clock.to_world(until), input)) return false;
+    input.at = state_.clock.to_firmware(input.at);
     return true;
   }
+
+  struct State {
+    FirmwareClock clock;
+    SimTime limit = kNever;
+  };
+  /// But for the board's.
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
 
   // --- FirmwarePort
   const BoardSpec& spec() const override { return board_.spec(); }
@@ -50,11 +60,10 @@ class ClockedBoard final : public FirmwarePort {
   }
 
  private:
-  SimTime at(SimTime t) const { return std::min(clock_.to_world(t), limit_); }
+  SimTime at(SimTime t) const { return std::min(state_.clock.to_world(t), state_.limit); }
 
   BoardState& board_;
-  FirmwareClock clock_;
-  SimTime limit_ = kNever;
+  State state_;
 };
 
 }  // namespace robosim::exec

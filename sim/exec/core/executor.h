@@ -1,6 +1,7 @@
 // Who executes the firmware. An executor knows pins and time; it knows no robot and no world.
 #pragma once
 
+#include <any>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,10 @@ struct Activity {
   SourceLine where;        ///< where in the sketch the firmware is now
   std::string stopped_by;  ///< "exit(0)" if the firmware gave up by itself; else empty
 };
+
+constexpr const char* kCannotBeSaved =
+    "only a run on the target avr can be saved: firmware for the host is a program of this machine, and for "
+    "stm32 a part of its state is in an emulator's hands";
 
 class Executor {
  public:
@@ -64,6 +69,13 @@ class Executor {
   /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
   /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
   virtual std::vector<BundledFile> counters() { return {}; }
+  /// A copy of all that changes in firmware, chip and board. Throws InputError where that cannot be.
+  virtual std::any save() const { throw InputError(kCannotBeSaved); }
+  /// What this executor's save() gave. Nobody who watches the board is told.
+  virtual void restore(const std::any& saved) {
+    static_cast<void>(saved);
+    throw InputError(kCannotBeSaved);
+  }
   /// What millis() shall begin with at the next power-on. Throws InputError where that cannot be.
   virtual void set_clock_start(SimTime) {
     throw InputError(

@@ -22,32 +22,37 @@ class WrittenBytes {
   /// At power-on. `printing` says which line of the sketch prints now, asked while it does; it may get the
   /// line of the byte before.
   void begin(std::function<SourceLine(const SourceLine&)> printing) {
-    waiting_.clear();
-    last_ = {};
+    state_ = {};
     printing_ = std::move(printing);
   }
   /// The firmware has called kFunction at `t`.
   void wrote(std::uint8_t byte, SimTime t) {
-    if (t >= from_ && t < to_) last_ = printing_(last_);
-    waiting_.emplace_back(byte, last_);
+    if (t >= from_ && t < to_) state_.last = printing_(state_.last);
+    state_.waiting.emplace_back(byte, state_.last);
   }
   /// The line of a byte that leaves. Those before it that never left (the port was closed) are dropped.
   SourceLine take(std::uint8_t byte) {
-    while (!waiting_.empty()) {
-      auto [written, line] = std::move(waiting_.front());
-      waiting_.pop_front();
+    while (!state_.waiting.empty()) {
+      auto [written, line] = std::move(state_.waiting.front());
+      state_.waiting.pop_front();
       if (written == byte) return line;
     }
     return {};
   }
 
+  struct State {
+    SourceLine last;
+    std::deque<std::pair<std::uint8_t, SourceLine>> waiting;
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
  private:
   static constexpr SimTime kLongestWait = kSecond;  // 64 bytes at 600 baud
 
-  SimTime from_, to_;
+  const SimTime from_, to_;
   std::function<SourceLine(const SourceLine&)> printing_;
-  SourceLine last_;
-  std::deque<std::pair<std::uint8_t, SourceLine>> waiting_;
+  State state_;
 };
 
 }  // namespace robosim::exec

@@ -45,6 +45,8 @@ class RunningStm32 final : public RunningChip {
   }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
+  std::any save() const override { throw InputError(kCannotBeSaved); }
+  void restore(const std::any&) override { throw InputError(kCannotBeSaved); }
 
  private:
   stm32::Diagnosis diagnosis() const { return {image_.firmware, image_.debug, machine_}; }

@@ -16,15 +16,15 @@ void BumperPart::join(Roster& roster) {
 }
 
 void BumperPart::hold(bool down, SimTime t) {
-  held_ = down;
-  ButtonPart::hold(held_ || touches_, t);
+  state_.held = down;
+  ButtonPart::hold(state_.held || state_.touches, t);
 }
 
 void BumperPart::begin_tick(SimTime t) {
   const bool touches = view_.body->pressed_ahead();
-  if (touches == touches_ && settled()) return;
-  touches_ = touches;
-  hold(held_, t);
+  if (touches == state_.touches && settled()) return;
+  state_.touches = touches;
+  hold(state_.held, t);
   ButtonPart::begin_tick(t);
 }
 

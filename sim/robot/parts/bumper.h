@@ -16,15 +16,21 @@ class BumperSpec final : public ButtonSpec {
 
 class BumperPart final : public ButtonPart {
  public:
-  BumperPart(const BumperSpec& spec, PartContext& context) : ButtonPart(spec, context), view_(context.view) {}
+  BumperPart(const BumperSpec& spec, PartContext& context) : ButtonPart(spec, context), view_(context.view) {
+    context.kept.add(state_);
+  }
 
   void join(Roster&) override;
   void hold(bool down, SimTime t) override;
   void begin_tick(SimTime) override;
 
  private:
+  struct State {
+    bool held = false, touches = false;
+  };
+
   const View& view_;
-  bool held_ = false, touches_ = false;
+  State state_;
 };
 
 }  // namespace robosim::robot

@@ -37,7 +37,9 @@ ButtonPart::ButtonPart(const ButtonSpec& spec, PartContext& context)
       stream_(context.individual.noise(spec.name, "bounce")),
       bounce_(context.individual.ideal() ? 0.0
                                          : context.individual.draw(spec.bounce, spec.name, "bounce time")),
-      supply_(context.description.board->supply_volts) {}
+      supply_(context.description.board->supply_volts) {
+  context.kept.add(state_);
+}
 
 void ButtonPart::join(Roster& roster) {
   context_.board.connect(spec_.pin, *this);
@@ -46,26 +48,28 @@ void ButtonPart::join(Roster& roster) {
 }
 
 void ButtonPart::hold(bool down, SimTime t) {
-  if (down == down_) return;
-  was_closed_ = closed(t);
-  down_ = down;
-  flips_.clear();
-  announced_ = 0;
-  if (was_closed_ != down) flips_.push_back(t);
-  const std::uint64_t draws = moves_++ * (2 * kMostBounces + 1);
+  if (down == state_.down) return;
+  state_.was_closed = closed(t);
+  state_.down = down;
+  state_.flips.clear();
+  state_.announced = 0;
+  if (state_.was_closed != down) state_.flips.push_back(t);
+  const std::uint64_t draws = state_.moves++ * (2 * kMostBounces + 1);
   const auto bounces = bounce_ > 0.0 ? static_cast<int>(stream_.uniform(draws) * (kMostBounces + 1)) : 0;
   for (int i = 0; i < 2 * bounces; ++i)
-    flips_.push_back(
+    state_.flips.push_back(
         t + static_cast<SimTime>(stream_.uniform(draws + 1 + static_cast<std::uint64_t>(i)) * bounce_ * 1e9));
-  std::sort(flips_.begin(), flips_.end());
+  std::sort(state_.flips.begin(), state_.flips.end());
 }
 
 bool ButtonPart::closed(SimTime t) const {
-  const auto passed = std::upper_bound(flips_.begin(), flips_.end(), t) - flips_.begin();
-  return was_closed_ != ((passed & 1) != 0);
+  const auto passed = std::upper_bound(state_.flips.begin(), state_.flips.end(), t) - state_.flips.begin();
+  return state_.was_closed != ((passed & 1) != 0);
 }
 
-bool ButtonPart::pulls(SimTime t) const { return stuck_ == Stuck::no ? closed(t) : stuck_ == Stuck::pressed; }
+bool ButtonPart::pulls(SimTime t) const {
+  return state_.stuck == Stuck::no ? closed(t) : state_.stuck == Stuck::pressed;
+}
 
 bool ButtonPart::floats(SimTime t) const {
   return !pulls(t) && !spec_.resistor && context_.board.drive(spec_.pin).mode != PinMode::input_pullup;
@@ -73,8 +77,8 @@ bool ButtonPart::floats(SimTime t) const {
 
 SimTime ButtonPart::same_until(SimTime t) {
   if (floats(t) && !context_.individual.ideal()) return t;
-  const auto next = std::upper_bound(flips_.begin(), flips_.end(), t);
-  return next == flips_.end() ? kNever : *next;
+  const auto next = std::upper_bound(state_.flips.begin(), state_.flips.end(), t);
+  return next == state_.flips.end() ? kNever : *next;
 }
 
 bool ButtonPart::level(SimTime t) {
@@ -88,22 +92,23 @@ bool ButtonPart::level(SimTime t) {
 
 void ButtonPart::begin_tick(SimTime t) {
   const bool wanted = context_.board.wants_edges(spec_.pin);
-  for (; announced_ < flips_.size() && flips_[announced_] < t + kTick; ++announced_) {
-    const SimTime at = std::max(flips_[announced_], t);
+  for (; state_.announced < state_.flips.size() && state_.flips[state_.announced] < t + kTick;
+       ++state_.announced) {
+    const SimTime at = std::max(state_.flips[state_.announced], t);
     if (wanted) context_.board.schedule_edge(spec_.pin, level(at), at);
   }
 }
 
 void ButtonPart::read(std::vector<Reading>& readings) const {
-  readings.push_back({spec_.name, down_ ? 1.0 : 0.0});
+  readings.push_back({spec_.name, state_.down ? 1.0 : 0.0});
 }
 
 std::span<const FaultKind> ButtonPart::fault_kinds() const { return kButtonFaults; }
 
 void ButtonPart::fail(const Fault& fault) {
-  stuck_ = fault.failure == Failure::pressed    ? Stuck::pressed
-           : fault.failure == Failure::released ? Stuck::released
-                                                : Stuck::no;
+  state_.stuck = fault.failure == Failure::pressed    ? Stuck::pressed
+                 : fault.failure == Failure::released ? Stuck::released
+                                                      : Stuck::no;
 }
 
 }  // namespace robosim::robot

@@ -35,7 +35,7 @@ class ButtonPart : public Part, public PinSource, public Breakable {
 
   /// Pressed or released from `t` on. Wants begin_tick until it is settled().
   virtual void hold(bool down, SimTime t);
-  bool settled() const { return announced_ == flips_.size(); }
+  bool settled() const { return state_.announced == state_.flips.size(); }
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
@@ -58,17 +58,21 @@ class ButtonPart : public Part, public PinSource, public Breakable {
   /// Whether nothing does, no resistor either.
   bool floats(SimTime t) const;
 
+  struct State {
+    std::uint64_t moves = 0;
+    bool down = false;
+    bool was_closed = false;     // before the first of flips
+    std::vector<SimTime> flips;  // when the contact changes, after the last hold
+    std::size_t announced = 0;   // so many of flips have been scheduled
+    Stuck stuck = Stuck::no;
+  };
+
   const ButtonSpec& spec_;
   PartContext& context_;
-  NoiseStream stream_;
-  std::uint64_t moves_ = 0;
-  double bounce_;
-  double supply_;
-  bool down_ = false;
-  bool was_closed_ = false;     // before the first of flips_
-  std::vector<SimTime> flips_;  // when the contact changes, after the last hold
-  std::size_t announced_ = 0;   // so many of flips_ have been scheduled
-  Stuck stuck_ = Stuck::no;
+  const NoiseStream stream_;
+  const double bounce_;
+  const double supply_;
+  State state_;
 };
 
 }  // namespace robosim::robot

@@ -36,7 +36,9 @@ EncoderPart::EncoderPart(const EncoderSpec& spec, PartContext& context)
       a_(*this, 0),
       b_(*this, 3),
       quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)),
-      supply_(context.description.board->supply_volts) {}
+      supply_(context.description.board->supply_volts) {
+  context.kept.add(state_);
+}
 
 void EncoderPart::join(Roster& roster) {
   context_.board.connect(spec_.a, a_);
@@ -47,25 +49,25 @@ void EncoderPart::join(Roster& roster) {
 
 std::int64_t EncoderPart::quarter(SimTime t) const {
   const SimTime start = context_.view.tick_start;
-  if (looked_at_ != start && !dead_) {
+  if (state_.looked_at != start && !state_.dead) {
     const world::Body& body = *context_.view.body;
-    looked_at_ = start;
-    at_ = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
-    per_ns_ = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
+    state_.looked_at = start;
+    state_.at = 1.5 + quarters_per_rad_ * body.wheel_angle(spec_.wheel);
+    state_.per_ns = quarters_per_rad_ * body.wheel_rate(spec_.wheel) * 1e-9;
   }
-  return static_cast<std::int64_t>(std::floor(at_ + per_ns_ * static_cast<double>(t - start)));
+  return static_cast<std::int64_t>(std::floor(state_.at + state_.per_ns * static_cast<double>(t - start)));
 }
 
 void EncoderPart::begin_tick(SimTime t) {
   const bool wanted =
       context_.board.wants_edges(spec_.a) || (spec_.b != kNoPin && context_.board.wants_edges(spec_.b));
   if (wanted) {
-    if (!followed_) last_ = quarter(t);
+    if (!state_.followed) state_.last = quarter(t);
     const std::int64_t end = quarter(t + kTick - 1);
-    if (end != last_) announce(last_, end);
-    last_ = end;
+    if (end != state_.last) announce(state_.last, end);
+    state_.last = end;
   }
-  followed_ = wanted;
+  state_.followed = wanted;
 }
 
 void EncoderPart::announce(std::int64_t from, std::int64_t to) {
@@ -85,9 +87,9 @@ void EncoderPart::announce(std::int64_t from, std::int64_t to) {
 
 SimTime EncoderPart::time_of(std::int64_t edge, bool forward) const {
   const SimTime start = context_.view.tick_start;
-  if (per_ns_ == 0.0) return start;
+  if (state_.per_ns == 0.0) return start;
   const auto border = static_cast<double>(forward ? edge : edge + 1);
-  const double ns = std::clamp((border - at_) / per_ns_, 0.0, static_cast<double>(kTick - 1));
+  const double ns = std::clamp((border - state_.at) / state_.per_ns, 0.0, static_cast<double>(kTick - 1));
   SimTime t = start + static_cast<SimTime>(ns);
   const auto beyond = [&](SimTime time) { return forward ? quarter(time) >= edge : quarter(time) <= edge; };
   while (t > start && beyond(t - 1)) --t;
@@ -103,11 +105,11 @@ std::span<const FaultKind> EncoderPart::fault_kinds() const { return kEncoderFau
 
 void EncoderPart::fail(const Fault& fault) {
   const std::int64_t now = quarter(context_.view.tick_start);
-  dead_ = fault.failure == Failure::dead;
-  if (dead_) at_ = static_cast<double>(now) + 0.5;
-  if (dead_) per_ns_ = 0.0;
-  looked_at_ = -1;
-  followed_ = false;
+  state_.dead = fault.failure == Failure::dead;
+  if (state_.dead) state_.at = static_cast<double>(now) + 0.5;
+  if (state_.dead) state_.per_ns = 0.0;
+  state_.looked_at = -1;
+  state_.followed = false;
 }
 
 }  // namespace robosim::robot

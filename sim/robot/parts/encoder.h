@@ -48,7 +48,7 @@ class EncoderPart final : public Part, public Breakable {
 
    private:
     EncoderPart& encoder_;
-    int shift_;
+    const int shift_;
   };
 
   /// floor(q) at `t`, a time inside the current tick.
@@ -57,19 +57,23 @@ class EncoderPart final : public Part, public Breakable {
   SimTime time_of(std::int64_t edge, bool forward) const;
   void announce(std::int64_t from, std::int64_t to);
 
+  struct State {
+    // q at the start of the tick looked_at, and its slope; brought up to date when it is read.
+    double at = 1.5;
+    double per_ns = 0.0;
+    SimTime looked_at = -1;
+    std::int64_t last = 1;  // quarter() up to which edges have been scheduled
+    bool followed = false;  // edges were wanted in the last tick
+    bool dead = false;
+  };
+
   const EncoderSpec& spec_;
   PartContext& context_;
   Channel a_;
   Channel b_;
-  double quarters_per_rad_;
-  double supply_;
-  // q at the start of the tick looked_at_, and its slope; brought up to date when it is read.
-  mutable double at_ = 1.5;
-  mutable double per_ns_ = 0.0;
-  mutable SimTime looked_at_ = -1;
-  std::int64_t last_ = 1;  // quarter() up to which edges have been scheduled
-  bool followed_ = false;  // edges were wanted in the last tick
-  bool dead_ = false;
+  const double quarters_per_rad_;
+  const double supply_;
+  mutable State state_;
 };
 
 }  // namespace robosim::robot

@@ -46,7 +46,9 @@ std::unique_ptr<Part> MotorSpec::make(PartContext& context) const {
   return std::make_unique<MotorPart>(*this, context);
 }
 
-MotorPart::MotorPart(const MotorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
+MotorPart::MotorPart(const MotorSpec& spec, PartContext& context) : spec_(spec), context_(context) {
+  context.kept.add(state_);
+}
 
 void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
@@ -59,7 +61,7 @@ void MotorPart::join(Roster& roster) {
 void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) {
   account(t);
   update();
-  steady_ = false;
+  state_.steady = false;
 }
 
 void MotorPart::update() {
@@ -67,50 +69,50 @@ void MotorPart::update() {
     return pin == kNoPin ? unwired : high_share(context_.netlist.drive(pin));
   };
   const Driver& driver = context_.description.driver;
-  now_ = {};
+  state_.now = {};
   const double awake = share(driver.standby, 1.0);
   if (awake > 0.0) {
-    now_ = bridge_command(*driver.chip,
-                          {share(spec_.en, 1.0), share(spec_.in1, 0.0), share(spec_.in2, 0.0), spec_.phase});
-    now_.drive *= spec_.reversed ? -awake : awake;
-    now_.brake *= awake;
+    state_.now = bridge_command(
+        *driver.chip, {share(spec_.en, 1.0), share(spec_.in1, 0.0), share(spec_.in2, 0.0), spec_.phase});
+    state_.now.drive *= spec_.reversed ? -awake : awake;
+    state_.now.brake *= awake;
   }
 }
 
 void MotorPart::account(SimTime t) {
-  if (!changed_) {
-    changed_ = true;
-    sum_ = {};
-    since_ = context_.view.tick_start;
+  if (!state_.changed) {
+    state_.changed = true;
+    state_.sum = {};
+    state_.since = context_.view.tick_start;
   }
-  const auto lasted = static_cast<double>(std::max<SimTime>(t - since_, 0));
-  sum_.drive += now_.drive * lasted;
-  sum_.brake += now_.brake * lasted;
-  since_ = std::max(since_, t);
+  const auto lasted = static_cast<double>(std::max<SimTime>(t - state_.since, 0));
+  state_.sum.drive += state_.now.drive * lasted;
+  state_.sum.brake += state_.now.brake * lasted;
+  state_.since = std::max(state_.since, t);
 }
 
 world::WheelCommand MotorPart::average(SimTime tick_start, SimTime t) {
   account(t);
-  changed_ = false;
+  state_.changed = false;
   const auto tick = static_cast<double>(std::max<SimTime>(t - tick_start, 1));
-  return {sum_.drive / tick, sum_.brake / tick};
+  return {state_.sum.drive / tick, state_.sum.brake / tick};
 }
 
 void MotorPart::spoil(world::WheelCommand& command) const {
-  command.drive *= strength_;
-  if (dead_) command = {};
+  command.drive *= state_.strength;
+  if (state_.dead) command = {};
 }
 
 std::span<const FaultKind> MotorPart::fault_kinds() const { return kMotorFaults; }
 
 void MotorPart::fail(const Fault& fault) {
-  strength_ = 1.0;
-  dead_ = fault.failure == Failure::dead;
-  if (fault.failure == Failure::reversed) strength_ = -1.0;
-  if (fault.failure == Failure::weak) strength_ = fault.number;
-  blocked_ = fault.failure == Failure::stuck;
-  broken_ = fault.failure != Failure::ok;
-  steady_ = false;
+  state_.strength = 1.0;
+  state_.dead = fault.failure == Failure::dead;
+  if (fault.failure == Failure::reversed) state_.strength = -1.0;
+  if (fault.failure == Failure::weak) state_.strength = fault.number;
+  state_.blocked = fault.failure == Failure::stuck;
+  state_.broken = fault.failure != Failure::ok;
+  state_.steady = false;
 }
 
 }  // namespace robosim::robot

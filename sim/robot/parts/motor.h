@@ -32,18 +32,18 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
 
   /// The command of the tick that ends at `t`.
   world::WheelCommand take(SimTime tick_start, SimTime t) {
-    world::WheelCommand command = now_;
-    steady_ = !changed_;
-    if (changed_) command = average(tick_start, t);
-    if (broken_) spoil(command);
+    world::WheelCommand command = state_.now;
+    state_.steady = !state_.changed;
+    if (state_.changed) command = average(tick_start, t);
+    if (state_.broken) spoil(command);
     return command;
   }
 
   /// Whether take() would give what it gave last.
-  bool steady() const { return steady_; }
+  bool steady() const { return state_.steady; }
 
   /// Whether something blocks its wheel.
-  bool blocked() const { return blocked_; }
+  bool blocked() const { return state_.blocked; }
 
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;
@@ -55,17 +55,21 @@ class MotorPart final : public Part, public PinWatcher, public Breakable {
   world::WheelCommand average(SimTime tick_start, SimTime t);
   void spoil(world::WheelCommand&) const;
 
+  struct State {
+    world::WheelCommand now;  // since `since`
+    world::WheelCommand sum;  // times nanoseconds, before
+    SimTime since = 0;
+    bool steady = false;   // nothing has happened since the last take()
+    bool changed = false;  // since the tick began
+    bool broken = false;
+    double strength = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
+    bool dead = false;
+    bool blocked = false;
+  };
+
   const MotorSpec& spec_;
   PartContext& context_;
-  world::WheelCommand now_;  // since `since_`
-  world::WheelCommand sum_;  // times nanoseconds, before
-  SimTime since_ = 0;
-  bool steady_ = false;   // nothing has happened since the last take()
-  bool changed_ = false;  // since the tick began
-  bool broken_ = false;
-  double strength_ = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
-  bool dead_ = false;
-  bool blocked_ = false;
+  State state_;
 };
 
 }  // namespace robosim::robot

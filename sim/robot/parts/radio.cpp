@@ -35,7 +35,9 @@ RadioPart::RadioPart(const RadioSpec& spec, PartContext& context)
       outputs_{{*this, data}, {*this, clock}, {*this, enable}},
       stream_(context.individual.noise(spec.name, "air")),
       bit_(static_cast<SimTime>(context.individual.draw(spec.bit, spec.name, "bit") * 1e9)),
-      supply_(context.description.board->supply_volts) {}
+      supply_(context.description.board->supply_volts) {
+  context.kept.add(state_);
+}
 
 void RadioPart::join(Roster& roster) {
   for (const Line line : {data, clock, enable}) context_.board.connect(pin_of(line), outputs_[line]);
@@ -49,30 +51,30 @@ Pin RadioPart::pin_of(Line line) const {
 }
 
 void RadioPart::send(const std::vector<bool>& bits, SimTime t) {
-  if (dead_) return;
-  if (announced_ == changes_.size()) {
-    changes_.clear();
-    announced_ = 0;
+  if (state_.dead) return;
+  if (state_.announced == state_.changes.size()) {
+    state_.changes.clear();
+    state_.announced = 0;
   }
-  SimTime at = std::max(t, free_at_);
-  changes_.push_back({at, enable, true});
+  SimTime at = std::max(t, state_.free_at);
+  state_.changes.push_back({at, enable, true});
   at += bit_ / 2;
   for (const bool bit : bits) {
-    const bool wrong = stream_.uniform(bits_sent_++) < turned_;
-    changes_.push_back({at, data, bit != wrong});
-    changes_.push_back({at + bit_ / 2, clock, true});
+    const bool wrong = stream_.uniform(state_.bits_sent++) < state_.turned;
+    state_.changes.push_back({at, data, bit != wrong});
+    state_.changes.push_back({at + bit_ / 2, clock, true});
     at += bit_;
-    changes_.push_back({at, clock, false});
+    state_.changes.push_back({at, clock, false});
   }
-  changes_.push_back({at, data, false});
+  state_.changes.push_back({at, data, false});
   at += bit_ / 2;
-  changes_.push_back({at, enable, false});
-  free_at_ = at + bit_;
+  state_.changes.push_back({at, enable, false});
+  state_.free_at = at + bit_;
 }
 
 bool RadioPart::level(Line line, SimTime t) const {
   bool level = false;
-  for (const Change& change : changes_) {
+  for (const Change& change : state_.changes) {
     if (change.at > t) break;
     if (change.line == line) level = change.level;
   }
@@ -80,8 +82,9 @@ bool RadioPart::level(Line line, SimTime t) const {
 }
 
 void RadioPart::begin_tick(SimTime t) {
-  for (; announced_ < changes_.size() && changes_[announced_].at < t + kTick; ++announced_) {
-    const Change& change = changes_[announced_];
+  for (; state_.announced < state_.changes.size() && state_.changes[state_.announced].at < t + kTick;
+       ++state_.announced) {
+    const Change& change = state_.changes[state_.announced];
     const Pin pin = pin_of(change.line);
     if (context_.board.wants_edges(pin))
       context_.board.schedule_edge(pin, change.level, std::max(change.at, t));
@@ -95,8 +98,8 @@ void RadioPart::read(std::vector<Reading>& readings) const {
 std::span<const FaultKind> RadioPart::fault_kinds() const { return kRadioFaults; }
 
 void RadioPart::fail(const Fault& fault) {
-  dead_ = fault.failure == Failure::dead;
-  turned_ = fault.failure == Failure::noisy ? fault.number : 0.0;
+  state_.dead = fault.failure == Failure::dead;
+  state_.turned = fault.failure == Failure::noisy ? fault.number : 0.0;
 }
 
 }  // namespace robosim::robot

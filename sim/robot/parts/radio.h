@@ -64,24 +64,28 @@ class RadioPart final : public Part, public Breakable {
 
    private:
     RadioPart& radio_;
-    Line line_;
+    const Line line_;
   };
 
   bool level(Line line, SimTime t) const;
   Pin pin_of(Line line) const;
 
+  struct State {
+    std::uint64_t bits_sent = 0;
+    std::vector<Change> changes;  // by time, of what is on the air
+    std::size_t announced = 0;    // so many of changes have been scheduled
+    SimTime free_at = 0;          // the air
+    bool dead = false;
+    double turned = 0.0;  // share of bits that arrive wrong
+  };
+
   const RadioSpec& spec_;
   PartContext& context_;
   Output outputs_[3];
-  NoiseStream stream_;
-  std::uint64_t bits_sent_ = 0;
-  SimTime bit_;
-  double supply_;
-  std::vector<Change> changes_;  // by time, of what is on the air
-  std::size_t announced_ = 0;    // so many of changes_ have been scheduled
-  SimTime free_at_ = 0;          // the air
-  bool dead_ = false;
-  double turned_ = 0.0;  // share of bits that arrive wrong
+  const NoiseStream stream_;
+  const SimTime bit_;
+  const double supply_;
+  State state_;
 };
 
 }  // namespace robosim::robot

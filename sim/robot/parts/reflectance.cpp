@@ -66,7 +66,8 @@ PinUse use_of(const ReflectanceSpec& spec) {
 
 class ReflectancePart final : public Part {
  public:
-  ReflectancePart(const ReflectanceSpec& spec, PartContext& context) : spec_(spec), context_(context) {
+  ReflectancePart(const ReflectanceSpec& spec, PartContext& context)
+      : spec_(spec), context_(context), emitter_(context.kept) {
     for (const ReflectanceSpec::Element& element : spec.elements) {
       switch (spec.read) {
         case Read::analog:
@@ -112,6 +113,13 @@ class ReflectancePart final : public Part {
   std::vector<std::unique_ptr<Sensor>> sensors_;
 };
 
+double light_from(double height) {
+  const double far = kBestHeight / height;
+  return far < 1.0 ? far * far : 1.0;
+}
+
+double footprint_of(double drawn, double height) { return drawn > 0.0 ? drawn : 2.0 * height; }
+
 double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
 }  // namespace
@@ -153,7 +161,7 @@ std::vector<SensorPlace> ReflectanceSpec::sensors() const {
 }
 
 void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime) {
-  brightness_ = drive.mode == PinMode::output ? high_share(drive) : 1.0;
+  state_.brightness = drive.mode == PinMode::output ? high_share(drive) : 1.0;
 }
 
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
@@ -163,23 +171,19 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       part_(spec.name),
       emitter_(emitter),
       home_(element.at),
-      at_(element.at) {
-  const auto draw = [&](const Number& figure, const char* key) {
-    return context.individual.draw(figure, name_, key);
-  };
-  const double height = draw(spec.height, "height");
-  const double footprint = draw(spec.footprint, "footprint");
-  footprint_ = footprint > 0.0 ? footprint : 2.0 * height;
-  const double far = kBestHeight / height;
-  healthy_light_ = light_ = far < 1.0 ? far * far : 1.0;
-  healthy_shift_ = shift_ = -draw(spec.ambient, "ambient");
-  healthy_noise_ = noise_ = context.individual.ideal() ? 0.0 : draw(spec.noise, "noise");
-  stream_ = context.individual.noise(name_, "reading");
+      height_(context.individual.draw(spec.height, name_, "height")),
+      footprint_(footprint_of(context.individual.draw(spec.footprint, name_, "footprint"), height_)),
+      healthy_{light_from(height_), -context.individual.draw(spec.ambient, name_, "ambient"),
+               context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise")},
+      stream_(context.individual.noise(name_, "reading")),
+      state_{.at = home_, .now = healthy_} {
+  context.kept.add(state_);
 }
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
-  return clamp01(1.0 - light_ * emitter_.brightness() * (1.0 - (dark() ? 1.0 : coverage())) + shift_);
+  return clamp01(1.0 - state_.now.light * emitter_.brightness() * (1.0 - (dark() ? 1.0 : coverage())) +
+                 state_.now.shift);
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
@@ -187,48 +191,48 @@ std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaul
 // Each sensor is in one exchange at most; the one before ends, for both.
 void Sensor::swap_with(Sensor* other) {
   for (Sensor* sensor : {this, other}) {
-    if (!sensor || !sensor->other_) continue;
-    sensor->other_->at_ = sensor->other_->home_;
-    sensor->other_->other_ = nullptr;
-    sensor->at_ = sensor->home_;
-    sensor->other_ = nullptr;
+    if (!sensor || !sensor->state_.other) continue;
+    Sensor& partner = *sensor->state_.other;
+    partner.state_.at = partner.home_;
+    partner.state_.other = nullptr;
+    sensor->state_.at = sensor->home_;
+    sensor->state_.other = nullptr;
   }
   if (!other) return;
-  at_ = other->home_;
-  other->at_ = home_;
-  other_ = other;
-  other->other_ = this;
+  state_.at = other->home_;
+  other->state_.at = home_;
+  state_.other = other;
+  other->state_.other = this;
 }
 
 void Sensor::fail(const Fault& fault) {
   swap_with(fault.failure == Failure::swapped ? fault.sensor : nullptr);
-  stuck_ = fault.failure == Failure::stuck ? fault.number : -1.0;
-  noise_ = healthy_noise_ + (fault.failure == Failure::noisy ? fault.number : 0.0);
-  shift_ = healthy_shift_ + (fault.failure == Failure::offset ? fault.number : 0.0);
-  light_ = fault.failure == Failure::dead ? 0.0 : healthy_light_;
+  state_.stuck = fault.failure == Failure::stuck ? fault.number : -1.0;
+  state_.now.noise = healthy_.noise + (fault.failure == Failure::noisy ? fault.number : 0.0);
+  state_.now.shift = healthy_.shift + (fault.failure == Failure::offset ? fault.number : 0.0);
+  state_.now.light = fault.failure == Failure::dead ? 0.0 : healthy_.light;
 }
 
 AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                            const PartContext& context, const Emitter& emitter)
-    : Sensor(spec, element, context, emitter) {
-  const BoardSpec& board = *context.description.board;
-  white_ = context.individual.draw(spec.white_volts, name(), "white_volts");
-  span_ = context.individual.draw(spec.black_volts, name(), "black_volts") - white_;
-  supply_ = board.supply_volts;
-  step_volts_ = supply_ / board.adc_steps;
-}
+    : Sensor(spec, element, context, emitter),
+      white_(context.individual.draw(spec.white_volts, name(), "white_volts")),
+      span_(context.individual.draw(spec.black_volts, name(), "black_volts") - white_),
+      supply_(context.description.board->supply_volts),
+      step_volts_(supply_ / context.description.board->adc_steps) {}
 
 void AnalogSensor::join(RobotPort& board, Pin pin) { board.connect(pin, *this); }
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                              const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
+      threshold_(context.individual.draw(spec.threshold, name(), "threshold")),
+      hysteresis_(context.individual.draw(spec.hysteresis, name(), "hysteresis")),
+      rises_(threshold_ + 0.5 * hysteresis_),
+      falls_(threshold_ - 0.5 * hysteresis_),
       supply_(context.description.board->supply_volts),
       black_high_(spec.black_high) {
-  const double threshold = context.individual.draw(spec.threshold, name(), "threshold");
-  const double half = 0.5 * context.individual.draw(spec.hysteresis, name(), "hysteresis");
-  rises_ = threshold + half;
-  falls_ = threshold - half;
+  context.kept.add(state_);
 }
 
 void DigitalSensor::join(RobotPort& board, Pin pin) {

@@ -54,11 +54,15 @@ class ReflectanceSpec final : public PartSpec {
 /// gate is pulled up on the board).
 class Emitter final : public PinWatcher {
  public:
+  explicit Emitter(Kept& kept) { kept.add(state_); }
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  double brightness() const { return brightness_; }
+  double brightness() const { return state_.brightness; }
 
  private:
-  double brightness_ = 1.0;
+  struct State {
+    double brightness = 1.0;
+  };
+  State state_;
 };
 
 /// One element, without its output stage.
@@ -70,12 +74,12 @@ class Sensor : public Breakable {
   const std::string& name() const override { return name_; }
   /// The name of the part it belongs to.
   const std::string& part() const { return part_; }
-  Vec2 at() const { return at_; }
-  void cover(bool covered) { covered_ = covered; }
+  Vec2 at() const { return state_.at; }
+  void cover(bool covered) { state_.covered = covered; }
   /// The share of the footprint on the line at the start of the tick.
   double coverage() const {
     if (context_.view.body->lifted()) return 0.0;
-    return context_.view.floor->coverage(context_.view.body->pose().to_world(at_), footprint_);
+    return context_.view.floor->coverage(context_.view.body->pose().to_world(state_.at), footprint_);
   }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
@@ -89,14 +93,14 @@ class Sensor : public Breakable {
   /// Takes a sample of noise.
   double blackness(SimTime t) {
     const Pose pose = context_.view.pose_at(t);
-    const double c = dark() ? 1.0 : context_.view.floor->coverage(pose.to_world(at_), footprint_);
-    double b = 1.0 - light_ * emitter_.brightness() * (1.0 - c) + shift_;
-    if (noise_ > 0.0) b += noise_ * stream_.gauss(samples_++);
+    const double c = dark() ? 1.0 : context_.view.floor->coverage(pose.to_world(state_.at), footprint_);
+    double b = 1.0 - state_.now.light * emitter_.brightness() * (1.0 - c) + state_.now.shift;
+    if (state_.now.noise > 0.0) b += state_.now.noise * stream_.gauss(state_.samples++);
     return b;
   }
-  bool stuck() const { return stuck_ >= 0.0; }
+  bool stuck() const { return state_.stuck >= 0.0; }
   /// The number after `fault NAME stuck`.
-  double stuck_at() const { return stuck_; }
+  double stuck_at() const { return state_.stuck; }
   /// The blackness of which `stuck_at` is the output; for people.
   virtual double stuck_blackness() const = 0;
 
@@ -104,23 +108,31 @@ class Sensor : public Breakable {
 
  private:
   /// Whether no light comes back: a finger is on it, or it is held up in the air.
-  bool dark() const { return covered_ || context_.view.body->lifted(); }
+  bool dark() const { return state_.covered || context_.view.body->lifted(); }
   void swap_with(Sensor*);
+
+  struct Figures {
+    double light;  // that comes back from white
+    double shift;  // of blackness
+    double noise;
+  };
+  struct State {
+    Vec2 at;                  // where what its wire says comes from
+    Sensor* other = nullptr;  // whose wire is exchanged with its own
+    Figures now;
+    double stuck = -1.0;
+    std::uint64_t samples = 0;
+    bool covered = false;
+  };
 
   const std::string& name_;
   const std::string& part_;
   const Emitter& emitter_;
-  Vec2 home_;                // where it sits
-  Vec2 at_;                  // where what its wire says comes from
-  Sensor* other_ = nullptr;  // whose wire is exchanged with its own
-  double footprint_;
-  double light_, healthy_light_;  // light that comes back from white
-  double shift_, healthy_shift_;  // of blackness
-  double noise_, healthy_noise_;
-  double stuck_ = -1.0;
-  NoiseStream stream_;
-  std::uint64_t samples_ = 0;
-  bool covered_ = false;
+  const Vec2 home_;  // where it sits
+  const double height_, footprint_;
+  const Figures healthy_;
+  const NoiseStream stream_;
+  State state_;
 };
 
 /// Reads with `read = "analog"`.
@@ -138,7 +150,7 @@ class AnalogSensor final : public Sensor, public PinSource {
  private:
   double stuck_blackness() const override { return ((stuck_at() + 0.5) * step_volts_ - white_) / span_; }
 
-  double white_, span_, supply_, step_volts_;
+  const double white_, span_, supply_, step_volts_;
 };
 
 /// Reads with `read = "digital"`.
@@ -150,18 +162,22 @@ class DigitalSensor final : public Sensor, public PinSource {
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override {
     if (stuck()) return stuck_at() > 0.0;
-    dark_ = blackness(t) > (dark_ ? falls_ : rises_);
-    return dark_ == black_high_;
+    state_.dark = blackness(t) > (state_.dark ? falls_ : rises_);
+    return state_.dark == black_high_;
   }
 
  private:
   double stuck_blackness() const override { return (stuck_at() > 0.0) == black_high_ ? 1.0 : 0.0; }
 
-  double rises_, falls_, supply_;
-  bool black_high_;
-  bool dark_ = false;
+  struct State {
+    bool dark = false;
+  };
+
+  const double threshold_, hysteresis_, rises_, falls_, supply_;
+  const bool black_high_;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
+  State state_;
 };
 
 }  // namespace robosim::robot

@@ -13,9 +13,11 @@ constexpr double kThreshold = 0.5;        // of the supply, at which an input fa
 
 RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                    const PartContext& context, const Emitter& emitter)
-    : Sensor(spec, element, context, emitter), supply_(context.description.board->supply_volts) {
-  white_rate_ = 1.0 / context.individual.draw(spec.white_time, name(), "white_time");
-  black_rate_ = 1.0 / context.individual.draw(spec.black_time, name(), "black_time");
+    : Sensor(spec, element, context, emitter),
+      white_rate_(1.0 / context.individual.draw(spec.white_time, name(), "white_time")),
+      black_rate_(1.0 / context.individual.draw(spec.black_time, name(), "black_time")),
+      supply_(context.description.board->supply_volts) {
+  context.kept.add(state_);
 }
 
 void RcSensor::join(RobotPort& board, Pin pin) {
@@ -26,38 +28,39 @@ void RcSensor::join(RobotPort& board, Pin pin) {
 }
 
 double RcSensor::charge(SimTime t) const {
-  return std::clamp(charge_ + slope_ * static_cast<double>(t - since_), 0.0, 1.0);
+  return std::clamp(state_.charge + state_.slope * static_cast<double>(t - state_.since), 0.0, 1.0);
 }
 
 void RcSensor::pin_changed(Pin, const PinDrive& drive, SimTime t) {
   const bool driven = drive.mode == PinMode::output;
-  if (!driven && !driven_) return;
-  driven_ = driven;
-  charge_ = charge(t);
-  since_ = t;
-  announced_ = true;
+  if (!driven && !state_.driven) return;
+  state_.driven = driven;
+  state_.charge = charge(t);
+  state_.since = t;
+  state_.announced = true;
   if (driven) {
-    slope_ = drive.level ? kFillRate : -kFillRate;
-    falls_at_ = drive.level ? kNever : t;
+    state_.slope = drive.level ? kFillRate : -kFillRate;
+    state_.falls_at = drive.level ? kNever : t;
     return;
   }
   const double b = blackness(t);
   const double rate = stuck() ? 1e6 / std::max(stuck_at(), 1.0)
                               : std::max(black_rate_ * b + white_rate_ * (1.0 - b), 0.1 * black_rate_);
-  slope_ = -(1.0 - kThreshold) * rate * 1e-9;
-  falls_at_ = t + static_cast<SimTime>(std::ceil(std::max(charge_ - kThreshold, 0.0) / -slope_));
-  announced_ = falls_at_ <= t;
+  state_.slope = -(1.0 - kThreshold) * rate * 1e-9;
+  state_.falls_at =
+      t + static_cast<SimTime>(std::ceil(std::max(state_.charge - kThreshold, 0.0) / -state_.slope));
+  state_.announced = state_.falls_at <= t;
   announce(t, context_.view.tick_start + kTick);
 }
 
 void RcSensor::begin_tick(SimTime t) {
-  if (!announced_) announce(t, t + kTick);
+  if (!state_.announced) announce(t, t + kTick);
 }
 
 void RcSensor::announce(SimTime from, SimTime to) {
-  if (announced_ || falls_at_ >= to) return;
-  announced_ = true;
-  if (board_->wants_edges(pin_)) board_->schedule_edge(pin_, false, std::max(falls_at_, from));
+  if (state_.announced || state_.falls_at >= to) return;
+  state_.announced = true;
+  if (board_->wants_edges(pin_)) board_->schedule_edge(pin_, false, std::max(state_.falls_at, from));
 }
 
 double RcSensor::volts(SimTime t) { return charge(t) * supply_; }

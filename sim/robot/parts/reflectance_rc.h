@@ -21,24 +21,28 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   double volts(SimTime) override;
-  bool level(SimTime t) override { return t < falls_at_; }
+  bool level(SimTime t) override { return t < state_.falls_at; }
 
  private:
   double charge(SimTime t) const;
   void announce(SimTime from, SimTime to);
   double stuck_blackness() const override;
 
-  double white_rate_, black_rate_;  // 1/s: white_time and black_time, inverted
-  double supply_;
+  struct State {
+    // The capacitor's charge, 0..1, at `since`, and its slope from there on, in 1/ns.
+    double charge = 0.0;
+    double slope = 0.0;
+    SimTime since = 0;
+    SimTime falls_at = 0;  // when the level falls; kNever while the pin charges
+    bool driven = false;
+    bool announced = true;
+  };
+
+  const double white_rate_, black_rate_;  // 1/s: white_time and black_time, inverted
+  const double supply_;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
-  // The capacitor's charge, 0..1, at `since_`, and its slope from there on, in 1/ns.
-  double charge_ = 0.0;
-  double slope_ = 0.0;
-  SimTime since_ = 0;
-  SimTime falls_at_ = 0;  // when the level falls; kNever while the pin charges
-  bool driven_ = false;
-  bool announced_ = true;
+  State state_;
 };
 
 }  // namespace robosim::robot

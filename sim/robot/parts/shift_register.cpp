@@ -101,7 +101,9 @@ std::unique_ptr<Part> ShiftRegisterSpec::make(PartContext& context) const {
 
 ShiftRegisterPart::ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain,
                                      PartContext& context)
-    : spec_(head), context_(context), chain_(std::move(chain)) {}
+    : spec_(head), context_(context), chain_(std::move(chain)) {
+  context.kept.add(state_);
+}
 
 void ShiftRegisterPart::join(Roster& roster) {
   for (const Pin pin : {spec_.clock, spec_.latch, spec_.enable})
@@ -114,39 +116,39 @@ void ShiftRegisterPart::join(Roster& roster) {
 void ShiftRegisterPart::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   if (pin == spec_.enable) return show(t);
   const bool high = is_high(drive);
-  bool& before = pin == spec_.clock ? clock_ : latch_;
+  bool& before = pin == spec_.clock ? state_.clock : state_.latch;
   const bool rising = high && !before;
   before = high;
-  if (!rising || !on_) return;
+  if (!rising || !state_.on) return;
   if (pin == spec_.clock) {
-    shifted_ = shifted_ << 1 | (is_high(context_.netlist.drive(spec_.data)) ? 1u : 0u);
+    state_.shifted = state_.shifted << 1 | (is_high(context_.netlist.drive(spec_.data)) ? 1u : 0u);
   } else {
-    latched_ = shifted_;
+    state_.latched = state_.shifted;
     show(t);
   }
 }
 
 void ShiftRegisterPart::power(bool on, SimTime t) {
-  on_ = on;
+  state_.on = on;
   if (on) forget();
   show(t);
 }
 
 void ShiftRegisterPart::forget() {
-  shifted_ = latched_ = 0;
+  state_.shifted = state_.latched = 0;
   if (context_.individual.ideal()) return;
   const NoiseStream stream = context_.individual.noise(spec_.name, "power-on");
-  shifted_ = stream.bits(power_ons_++);
-  latched_ = stream.bits(power_ons_++);
+  state_.shifted = stream.bits(state_.power_ons++);
+  state_.latched = stream.bits(state_.power_ons++);
 }
 
 void ShiftRegisterPart::show(SimTime t) {
-  const bool driven = on_ && (spec_.enable == kNoPin || !is_high(context_.netlist.drive(spec_.enable)));
+  const bool driven = state_.on && (spec_.enable == kNoPin || !is_high(context_.netlist.drive(spec_.enable)));
   for (std::size_t r = 0; r < chain_.size(); ++r) {
     for (int q = 0; q < kRegisterOutputs; ++q) {
       PinDrive drive;
       if (driven) {
-        const bool high = (latched_ >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1) != 0;
+        const bool high = (state_.latched >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1) != 0;
         drive = {PinMode::output, high, false, high ? 1.0 : 0.0, 0};
       }
       context_.netlist.drive_output(output_pin(chain_[r], q), drive, t);

@@ -52,15 +52,19 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
   void forget();
   void show(SimTime);
 
+  struct State {
+    std::uint64_t shifted = 0;    // bit 8 r + q is Qq of register chain_[r]
+    std::uint64_t latched = 0;    // the same, as the outputs show it
+    std::uint64_t power_ons = 0;  // so many samples of noise taken
+    bool clock = false;
+    bool latch = false;
+    bool on = true;
+  };
+
   const ShiftRegisterSpec& spec_;
   PartContext& context_;
-  std::vector<int> chain_;       // indices of its registers, from the board outwards
-  std::uint64_t shifted_ = 0;    // bit 8 r + q is Qq of register chain_[r]
-  std::uint64_t latched_ = 0;    // the same, as the outputs show it
-  std::uint64_t power_ons_ = 0;  // so many samples of noise taken
-  bool clock_ = false;
-  bool latch_ = false;
-  bool on_ = true;
+  const std::vector<int> chain_;  // indices of its registers, from the board outwards
+  State state_;
 };
 
 }  // namespace robosim::robot

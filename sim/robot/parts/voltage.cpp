@@ -21,19 +21,21 @@ std::unique_ptr<Part> VoltageSpec::make(PartContext& context) const {
 }
 
 VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
-    : spec_(spec), context_(context), stream_(context.individual.noise(spec.name, "reading")) {
-  const Individual& individual = context.individual;
-  supply_ = context.description.board->supply_volts;
-  const double battery = individual.draw(context.description.motors.supply, "motors", "supply");
-  volts_ = individual.draw(spec.volts, spec.name, "volts");
-  battery_volts_ = individual.draw(spec.share, spec.name, "share") * battery;
-  noise_ = individual.ideal() ? 0.0 : individual.draw(spec.noise, spec.name, "noise");
+    : spec_(spec),
+      context_(context),
+      stream_(context.individual.noise(spec.name, "reading")),
+      supply_(context.description.board->supply_volts),
+      volts_(context.individual.draw(spec.volts, spec.name, "volts")),
+      battery_volts_(context.individual.draw(spec.share, spec.name, "share") *
+                     context.individual.draw(context.description.motors.supply, "motors", "supply")),
+      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")) {
+  context.kept.add(state_);
 }
 
 void VoltagePart::join(Roster&) { context_.board.connect(spec_.pin, *this); }
 
 double VoltagePart::volts(SimTime) {
-  const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(samples_++) : 0.0;
+  const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;
   return std::clamp(volts_ + battery_volts_ * context_.view.battery + noise, 0.0, supply_);
 }
 

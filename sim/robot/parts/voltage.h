@@ -31,11 +31,15 @@ class VoltagePart final : public Part, public PinSource {
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
 
  private:
+  struct State {
+    std::uint64_t samples = 0;
+  };
+
   const VoltageSpec& spec_;
   PartContext& context_;
-  NoiseStream stream_;
-  std::uint64_t samples_ = 0;
-  double volts_, battery_volts_, noise_, supply_;
+  const NoiseStream stream_;
+  const double supply_, volts_, battery_volts_, noise_;
+  State state_;
 };
 
 }  // namespace robosim::robot

@@ -44,7 +44,7 @@ class ChipTest : public testing::Test, protected IdleChip {
 TEST_F(ChipTest, ARestoredOneRunsOnAsBefore) {
   begin_everything();
   run(100);
-  const auto snapshot = bench.chip.snapshot();
+  const auto snapshot = bench.chip.save();
   const auto go_on = [&] {
     bench.samples.clear();
     bench.sent_bytes.clear();

@@ -14,7 +14,7 @@ class OutlookTest : public testing::Test, protected IdleChip {
  protected:
   /// Reads at `cycle`, with nothing in between; the chip is then as before.
   std::uint8_t read_at(Address address, Cycle cycle) {
-    const auto before = bench.chip.snapshot();
+    const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);
     const std::uint8_t value = read(address);
     bench.chip.restore(before);

@@ -167,5 +167,15 @@ TEST_F(AgentsTest, AreDrivenStepByStepTogetherAndStopsSayWhomTheyAreAbout) {
   for (const judge::Outcome& outcome : outcomes) EXPECT_EQ(outcome.verdict, judge::Verdict::interrupted);
 }
 
+TEST_F(AgentsTest, CannotBeSavedWhereTheirFirmwareCannot) {
+  run::Setup setup;
+  setup.map = &map_;
+  setup.agents = {agent(driver_, "none")};
+  Simulation simulation(setup);
+  EXPECT_THAT(
+      [&] { simulation.save(); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("only a run on the target avr can be saved")));
+}
+
 }  // namespace
 }  // namespace robosim::run

@@ -1,0 +1,63 @@
+// What changes while something runs: its owners name it piece by piece, once; from then on all of it can be
+// copied and put back.
+//
+//   ButtonPart::ButtonPart(PartContext& context) { context.kept.add(state_); }
+//   const Kept::Copy before = kept.copy();   …   kept.put_back(before);
+//
+// The pieces stay where they are, so that what points at them stays good. A copy is a value.
+#pragma once
+
+#include <any>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace robosim {
+
+class Kept {
+ public:
+  struct Copy {
+    std::vector<std::byte> bytes;
+    std::vector<std::any> values;  ///< of pieces that are more than bytes
+  };
+
+  /// `state` outlives this.
+  template <typename State>
+  void add(State& state) {
+    if constexpr (std::is_trivially_copyable_v<State>) {
+      add_bytes(&state, sizeof state);
+    } else {
+      values_.push_back({&state, [](const void* from) { return std::any(*static_cast<const State*>(from)); },
+                         [](void* to, const std::any& value) {
+                           *static_cast<State*>(to) = std::any_cast<const State&>(value);
+                         }});
+    }
+  }
+  /// Memory of a fixed size.
+  void add_memory(std::span<std::uint8_t> memory) { add_bytes(memory.data(), memory.size()); }
+
+  Copy copy() const;
+  /// A copy of the same pieces.
+  void put_back(const Copy& copy);
+
+ private:
+  struct Bytes {
+    std::byte* begin;
+    std::size_t size;
+  };
+  struct Value {
+    void* at;
+    std::any (*copy)(const void* from);
+    void (*put_back)(void* to, const std::any& value);
+  };
+
+  void add_bytes(void* begin, std::size_t size);
+
+  std::vector<Bytes> bytes_;
+  std::vector<Value> values_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace robosim

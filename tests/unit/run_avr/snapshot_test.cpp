@@ -1,0 +1,250 @@
+// A run that goes on from a snapshot is the run that was not interrupted: its trace, its events, its result.
+// At 100 random moments of each stock sketch, with noise, and with a script that does to the robot what
+// scripts can do. ROBOSIM_TEST_MOMENTS=1000 tries more, in longer runs.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "sim/build/sketch.h"
+#include "sim/exec/avr/avr_executor.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/wire/json_writer.h"
+#include "tests/support/effort.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::run {
+namespace {
+
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+
+/// Each so many-th run goes on to the end, the others for a while.
+constexpr std::size_t kToTheEnd = 10, kAWhile = 8;
+
+struct Case {
+  const char* sketch;
+  const char* robot;
+  const char* map;
+  const char* ahead;  ///< a cell in front of the robot
+  const char* script;
+};
+
+/// What is the same for each robot: it is in its way, held up, without power, broken.
+const std::string kScript = R"(
+at 230ms fault left weak 0.6 for 300ms
+at 350ms lift for 80ms
+at 900ms power off for 15ms
+at 1100ms fault power sag 4V
+at 1140ms fault power ok
+at 1200ms fault clock drift 300ppm
+at 1300ms fault serial corrupted 50%
+after boot 2 wait 100ms send "x1\n2\n"
+after boot 2 wait 400ms send "2\n"
+)";
+
+constexpr const char* kObstacles = R"(
+at 160ms obstacle {} radius 20mm for 500ms
+at 760ms obstacle {} radius 50mm
+)";
+
+const std::string kFiveSensors = R"(
+at 100ms press start 60ms
+at 260ms press start for 40ms
+at 400ms fault S2 swapped S4
+at 520ms cover S3 50ms
+at 600ms fault S1 noisy 0.2 for 200ms
+at 1000ms press start 70ms
+at 1250ms fault encoder_left dead for 100ms
+at 1400ms fault S5 stuck 300
+)";
+
+const std::string kThreeSensors = R"(
+at 400ms fault left_sensor swapped right_sensor for 90ms
+at 520ms cover middle_sensor 50ms
+at 600ms fault left_sensor noisy 0.2 for 200ms
+at 1400ms fault right_sensor stuck 1
+)";
+
+struct Told final : Listener {
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    lines.push_back(fmt::format("{} byte {}", t, byte));
+  }
+  void happened(const wire::RunEvent& event) override {
+    lines.push_back(fmt::format("{} {}", event.t_ns, wire::text_of(event)));
+  }
+  std::vector<std::string> lines;
+};
+
+std::string text_of(const judge::Outcome& o) {
+  std::string text = fmt::format("{} {} {} ({}, {}, {}) {}\n{}\n{}\n", o.trace_hash, o.why, o.time,
+                                 o.end.position.x, o.end.position.y, o.end.heading.y, o.eeprom_writes,
+                                 wire::to_json(o.metrics).dump(), wire::to_json(*o.resources).dump());
+  for (const wire::RunEvent& event : o.events)
+    text += fmt::format("{} {}\n", event.t_ns, wire::text_of(event));
+  return text + o.serial;
+}
+
+/// Set from outside; 0 = not.
+int wanted_moments() {
+  const char* text = ::getenv("ROBOSIM_TEST_MOMENTS");
+  return text ? std::stoi(text) : 0;
+}
+
+class AvrSnapshots : public testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("avr");
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  void use(const char* sketch, const char* robot, const char* map) {
+    map_ = grid::read_map(grid::find_map(map));
+    robot_ = robot::load_description(robot);
+    build::Request request{std::filesystem::path(ROBOSIM_EXAMPLES) / sketch, *robot_.board};
+    request.target = "avr";
+    image_ = build::build(request).image;
+  }
+  AgentSetup agent(exec::Executor& executor, const char* goal, const std::string& script,
+                   Listener* listener = nullptr) {
+    return {.robot = &robot_,
+            .executor = &executor,
+            .goal = judge::parse_goal(goal),
+            .scenario = scenario::parse_scenario(script, "s.txt"),
+            .listener = listener};
+  }
+  run::Setup setup(std::vector<AgentSetup> agents, SimTime limit) {
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = std::move(agents);
+    setup.limit = limit;
+    setup.seed = 5;
+    return setup;
+  }
+
+  grid::Map map_;
+  robot::Description robot_;
+  std::filesystem::path image_;
+};
+
+class Snapshots : public AvrSnapshots, public testing::WithParamInterface<Case> {
+ protected:
+  void SetUp() override {
+    AvrSnapshots::SetUp();
+    if (!IsSkipped()) use(GetParam().sketch, GetParam().robot, GetParam().map);
+  }
+  static bool longer() { return wanted_moments() > 0; }
+  static int moments() { return longer() ? wanted_moments() : test::rounds(100); }
+  run::Setup setup(exec::Executor& executor, Listener* listener = nullptr) {
+    const std::string script =
+        kScript + GetParam().script + fmt::format(kObstacles, GetParam().ahead, GetParam().ahead);
+    return AvrSnapshots::setup({agent(executor, "none", script, listener)},
+                               longer() ? 10 * kSecond : 1600 * kMillisecond);
+  }
+};
+
+TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
+  exec::AvrExecutor untouched(*robot_.board, image_), executor(*robot_.board, image_);
+  Told told;
+  const run::Setup setup = this->setup(executor, &told);
+
+  struct Moment {
+    SimTime t;
+    std::string result;  ///< of a run that ends here
+    std::size_t told = 0;
+    Simulation::Snapshot snapshot;
+  };
+  std::mt19937 random(17);
+  std::vector<SimTime> times;
+  for (int i = 0; i < moments(); ++i)
+    times.push_back(static_cast<SimTime>(random() % (setup.limit / kTick)) * kTick);
+  times.push_back(setup.limit);
+  std::sort(times.begin(), times.end());
+  Simulation simulation(setup);
+  std::vector<Moment> moments;
+  for (const SimTime t : times) {
+    simulation.run_until(t);
+    ASSERT_EQ(simulation.now(), t);
+    moments.push_back({t, "", told.lines.size(), simulation.save()});
+    moments.back().result = text_of(simulation.end().front());
+    simulation.restore(moments.back().snapshot);
+  }
+  ASSERT_EQ(moments.back().result, text_of(simulate(this->setup(untouched)).front()));
+  const std::vector<std::string> all = told.lines;
+
+  std::vector<std::size_t> order(moments.size() - 1);
+  std::iota(order.begin(), order.end(), 0u);
+  std::shuffle(order.begin(), order.end(), random);
+  for (const std::size_t i : order) {
+    const Moment& from = moments[i];
+    const Moment& to =
+        i % kToTheEnd == 0 || longer() ? moments.back() : moments[std::min(i + kAWhile, moments.size() - 1)];
+    simulation.restore(from.snapshot);
+    told.lines.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(from.told));
+    simulation.run_until(to.t);
+    ASSERT_EQ(text_of(simulation.end().front()), to.result) << "from " << from.t / kTick << " ms on";
+    ASSERT_THAT(told.lines, ElementsAreArray(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(to.told)))
+        << "from " << from.t / kTick << " ms on";
+  }
+}
+
+const std::string kPony = R"(
+at 100ms press scan 60ms
+at 130ms send radio 3
+at 980ms press scan 60ms
+at 1000ms send radio 0b1101
+at 1150ms fault radio noisy 0.3
+at 1160ms send radio 200
+)" + kThreeSensors;
+
+INSTANTIATE_TEST_SUITE_P(Stock, Snapshots,
+                         testing::Values(Case{"PidFollower", "uno5", "oval", "13,14", kFiveSensors.c_str()},
+                                         Case{"LeftPath", "uno3", "d", "6,10", kThreeSensors.c_str()},
+                                         Case{"RightPath", "uno3", "a", "6,4", kThreeSensors.c_str()},
+                                         Case{"AiNavigator", "uno5", "b", "6,10", kFiveSensors.c_str()},
+                                         Case{"PonyNavigator", "pony", "city", "7,24", kPony.c_str()}),
+                         [](const auto& parameter) { return std::string(parameter.param.sketch); });
+
+TEST_F(AvrSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
+  use("PidFollower", "uno5", "oval");
+  exec::AvrExecutor first(*robot_.board, image_), second(*robot_.board, image_);
+  run::Setup setup =
+      this->setup({agent(first, "still", "at 200ms fault left dead\nat 200ms fault right dead"),
+                   agent(second, "none", "")},
+                  2500 * kMillisecond);
+  setup.agents[1].start = grid::parse_start(map_, "20,2,W");
+  Simulation simulation(setup);
+  std::vector<Simulation::Snapshot> snapshots;
+  for (const SimTime t : {100, 1000, 2000}) {
+    simulation.run_until(t * kMillisecond);
+    snapshots.push_back(simulation.save());
+  }
+  const auto the_end = [&] {
+    simulation.run_until(setup.limit);
+    std::string text;
+    for (const judge::Outcome& outcome : simulation.end()) text += text_of(outcome) + '\n';
+    return text;
+  };
+  const std::string due = the_end();
+  EXPECT_THAT(due, HasSubstr("The goal still was reached"));
+  for (const int i : {2, 0, 1, 2}) {
+    simulation.restore(snapshots[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(the_end(), due) << "from snapshot " << i;
+  }
+}
+
+TEST_F(AvrSnapshots, AreNoOtherSimulations) {
+  use("PidFollower", "uno5", "oval");
+  exec::AvrExecutor first(*robot_.board, image_), second(*robot_.board, image_);
+  const run::Setup one = setup({agent(first, "none", "")}, kSecond);
+  const run::Setup two = setup({agent(second, "none", "")}, kSecond);
+  Simulation simulation(one), other(two);
+  EXPECT_THROW(other.restore(simulation.save()), std::logic_error);
+}
+
+}  // namespace
+}  // namespace robosim::run
