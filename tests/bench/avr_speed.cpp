@@ -1,7 +1,9 @@
 // How many times faster than real time the emulated chip runs, on one core.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
+#include "sim/avr/chip.h"
 #include "sim/build/sketch.h"
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/robot/description.h"
@@ -54,6 +56,47 @@ void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
+// The whole simulation, in the midst of a run.
+class Midway {
+ public:
+  Midway() : executor_(*robot_.board, image_of(build::find_sketch("PidFollower"))), simulation_(setup_) {
+    simulation_.run_until(kSecond);
+  }
+  run::Simulation& operator*() { return simulation_; }
+  std::size_t chip_bytes() const { return executor_.chip()->save().bytes.size(); }
+
+ private:
+  run::Setup setup() {
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = {{.robot = &robot_, .executor = &executor_}};
+    return setup;
+  }
+
+  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  robot::Description robot_ = robot::load_description("uno5");
+  exec::AvrExecutor executor_;
+  run::Setup setup_ = setup();
+  run::Simulation simulation_;
+};
+
+void save(benchmark::State& state) {
+  Midway midway;
+  const auto before = ::mallinfo2().uordblks;
+  const run::Simulation::Snapshot kept = (*midway).save();
+  state.counters["bytes"] = static_cast<double>(::mallinfo2().uordblks - before);
+  state.counters["chip_bytes"] = static_cast<double>(midway.chip_bytes());
+  for (auto _ : state) benchmark::DoNotOptimize((*midway).save());
+}
+
+void restore(benchmark::State& state) {
+  Midway midway;
+  const run::Simulation::Snapshot snapshot = (*midway).save();
+  for (auto _ : state) (*midway).restore(snapshot);
+}
+
+BENCHMARK(save)->Name("avr/save PidFollower on oval")->Unit(benchmark::kMicrosecond);
+BENCHMARK(restore)->Name("avr/restore PidFollower on oval")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(whole, follower, build::find_sketch("PidFollower"))
     ->Name("avr/PidFollower on oval")
     ->Unit(benchmark::kMillisecond);
