@@ -125,6 +125,12 @@ constexpr uint32_t kRe = 1u << 2, kTe = 1u << 3, kIdleie = 1u << 4, kRxneie = 1u
 constexpr uint32_t kStop2 = 2u << 12;                 // USART_CR2
 constexpr uint32_t kDmaR = 1u << 6, kDmaT = 1u << 7;  // USART_CR3
 
+// --- SPI1, SPI2 (RM0008 25.5), I2C1, I2C2 (26.6)
+constexpr Address kSpi1 = 0x40013000, kSpi2 = 0x40003800, kI2c1 = 0x40005400, kI2c2 = 0x40005800;
+
+// --- RTC (RM0008 18.4), power control (5.4), backup registers (6.4), CRC (4.4)
+constexpr Address kRtc = 0x40002800, kPwr = 0x40007000, kBkp = 0x40006C00, kCrc = 0x40023000;
+
 // --- the processor's own: SysTick (PM0056 4.5), NVIC (4.3), SCB (4.4)
 constexpr Address kStkCtrl = 0xE000E010, kStkLoad = 0xE000E014, kStkVal = 0xE000E018, kStkCalib = 0xE000E01C;
 constexpr uint32_t kStkEnable = 1u << 0, kTickInt = 1u << 1, kClkSource = 1u << 2, kCountFlag = 1u << 16;
@@ -146,6 +152,7 @@ constexpr uint32_t kSysResetReq = 1u << 2;  // SCB_AIRCR
 enum Irq : uint8_t {
   kIrqWwdg = 0,
   kIrqPvd = 1,
+  kIrqRtc = 3,
   kIrqExti0 = 6,
   kIrqExti1 = 7,
   kIrqExti2 = 8,
@@ -154,10 +161,19 @@ enum Irq : uint8_t {
   kIrqDma1Channel1 = 11,
   kIrqAdc = 18,
   kIrqExti9_5 = 23,
+  kIrqTim1Break = 24,
   kIrqTim1Update = 25,
+  kIrqTim1Trigger = 26,
+  kIrqTim1Capture = 27,
   kIrqTim2 = 28,
   kIrqTim3 = 29,
   kIrqTim4 = 30,
+  kIrqI2c1Event = 31,
+  kIrqI2c1Error = 32,
+  kIrqI2c2Event = 33,
+  kIrqI2c2Error = 34,
+  kIrqSpi1 = 35,
+  kIrqSpi2 = 36,
   kIrqUsart1 = 37,
   kIrqExti15_10 = 40,
   kIrqRtcAlarm = 41,

@@ -43,15 +43,6 @@ constexpr Range kRanges[] = {
     {0xE000EDF0, 0xE000EF00, "debug"},  {0xE0042000, 0xE0042400, "DBGMCU"},
 };
 
-Timer::Place place_of(int timer) {
-  const TimerSpec& spec = kStm32f103c8.timers[timer];
-  Timer::Place place{spec.control, static_cast<Irq>(spec.vector), {}};
-  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
-    if (const auto& pin = kStm32f103c8.pins[i]; pin.timer == timer)
-      place.pins[pin.output] = {pin.port, pin.bit};
-  return place;
-}
-
 }  // namespace
 
 const char* Bus::name_at(Address address) {
@@ -64,16 +55,20 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
     : link_{board, Clock(began)},
       clocks_(link_),
       flash_(link_, memory),
-      ports_(link_, [this](ChipPin pin) { return alternate(pin); }),
+      ports_(
+          link_, [this](ChipPin pin) { return alternate(pin); },
+          [this](ChipPin pin) { return watched(pin); }),
       systick_(link_),
-      timers_{Timer(link_, place_of(stm32f103c8::kTim1)), Timer(link_, place_of(stm32f103c8::kTim2)),
-              Timer(link_, place_of(stm32f103c8::kTim3)), Timer(link_, place_of(stm32f103c8::kTim4))},
+      timers_{Timer(link_, clocks_, stm32f103c8::kTim1), Timer(link_, clocks_, stm32f103c8::kTim2),
+              Timer(link_, clocks_, stm32f103c8::kTim3), Timer(link_, clocks_, stm32f103c8::kTim4)},
       adc_line_(link_.nvic, kIrqAdc),
       adcs_{Adc(link_, clocks_, adc_line_, 0), Adc(link_, clocks_, adc_line_, 1)},
       usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)},
       dma_(link_, *this),
       iwdg_(link_),
       wwdg_(link_, clocks_) {
+  link_.watch_changed = [this] { ports_.watch(); };
+  link_.pin_level = [this](ChipPin pin) { return ports_.level(pin); };
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
   for (std::size_t i = 0; i < usarts_.size(); ++i) place(usarts_[i], stm32f103c8::kUarts[i].address);
   for (std::size_t i = 0; i < timers_.size(); ++i) place(timers_[i], kStm32f103c8.timers[i].control);
@@ -109,6 +104,19 @@ PinDrive Bus::alternate(ChipPin pin) const {
   for (const Peripheral* peripheral : peripherals_)
     if (peripheral->drives(pin, drive)) break;
   return drive;
+}
+
+bool Bus::watched(ChipPin pin) const {
+  return std::any_of(peripherals_.begin(), peripherals_.end(),
+                     [&](const Peripheral* peripheral) { return peripheral->watches(pin); });
+}
+
+void Bus::edge(const BoardInput& edge) {
+  ports_.deliver(edge);
+  if (edge.pin >= link_.board.spec().pin_count) return;
+  const auto& place = link_.board.spec().pins[edge.pin].chip_pin;
+  for (Peripheral* peripheral : peripherals_)
+    peripheral->edge({place.port, place.bit}, edge.value, link_.clock.cycle_at(edge.at));
 }
 
 bool Bus::dma_load(Address address, unsigned bytes, std::uint32_t& value) {
@@ -320,7 +328,7 @@ void Bus::take_inputs() {
   BoardInput input;
   while (link_.board.take_input(link_.clock.time_of(link_.clock.now), input)) {
     if (input.kind == BoardInput::Kind::edge)
-      ports_.deliver(input);
+      edge(input);
     else
       for (Usart& usart : usarts_) usart.receive(input.value);
     serve_dma();

@@ -77,6 +77,8 @@ class Bus : DmaBus {
   void place(Peripheral& peripheral, Address block);
   Block* block_at(Address address);
   PinDrive alternate(ChipPin pin) const;
+  bool watched(ChipPin pin) const;
+  void edge(const BoardInput& edge);
   bool dma_load(Address address, unsigned bytes, std::uint32_t& value) override;
   bool dma_store(Address address, unsigned bytes, std::uint32_t value) override;
   void serve_dma();

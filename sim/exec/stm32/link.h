@@ -25,6 +25,8 @@ using Signals = std::uint32_t;
 constexpr Signals signal_of(int timer, int output) { return 1u << (5 * (timer - 1) + output); }
 constexpr Signals kExti11 = 1u << 20, kExti15 = 1u << 21;
 
+constexpr ChipPin kNoChipPin = {-1, -1};
+
 struct Link {
   ClockedBoard& board;
   Clock clock;
@@ -32,6 +34,10 @@ struct Link {
   Reset reset_cause = Reset::none;  ///< of the reset that is due
   Signals listened_to = 0;          ///< somebody does something at these
   std::function<void(Signals)> signal{};
+  std::uint32_t map = 0;  ///< AFIO_MAPR
+  /// Which pins peripherals watch has changed.
+  std::function<void()> watch_changed{};
+  std::function<bool(ChipPin)> pin_level{};
   /// The peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
 };

@@ -38,6 +38,10 @@ class Peripheral {
   /// Whether it has that pin, by AFIO_MAPR as it is; then `drive` is how it drives it.
   virtual bool drives(ChipPin, PinDrive&) const { return false; }
 
+  /// Whether it wants to hear of the pin's edges; then edge() tells it.
+  virtual bool watches(ChipPin) const { return false; }
+  virtual void edge(ChipPin, bool, Cycle) {}
+
   Cycle noted_event = kNoCycle;  ///< next_event() as the bus knows it
   Signals noted_signals = 0;     ///< listens(), likewise
 };

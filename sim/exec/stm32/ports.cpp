@@ -1,5 +1,7 @@
 #include "sim/exec/stm32/ports.h"
 
+#include "sim/exec/stm32/remap.h"
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
@@ -17,8 +19,8 @@ Irq irq_of(int line) {
 
 }  // namespace
 
-Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate)
-    : link_(link), alternate_(std::move(alternate)) {
+Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<bool(ChipPin)> watched)
+    : link_(link), alternate_(std::move(alternate)), watched_(std::move(watched)) {
   for (auto& port : numbers_) port.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin) {
@@ -36,6 +38,10 @@ PinDrive Ports::drive_of(ChipPin pin) const {
   const std::uint32_t c = configuration(pin);
   const bool output = ports_[static_cast<std::size_t>(pin.port)].output >> pin.bit & 1;
   PinDrive drive;
+  if (is_debuggers(pin, link_.map)) {
+    drive.mode = pin.bit == 15 || pin.bit == 4 ? PinMode::input_pullup : PinMode::input;  // 9.3.5
+    return drive;
+  }
   if ((c & 3) == 0) {
     if (c == kPulled && output) drive.mode = PinMode::input_pullup;
     return drive;
@@ -50,6 +56,7 @@ PinDrive Ports::drive_of(ChipPin pin) const {
 }
 
 void Ports::refresh(ChipPin pin) {
+  if (pin == kNoChipPin) return;
   if (number_of(pin) != kNoPin) link_.board.set_drive(number_of(pin), drive_of(pin), link_.clock.time());
 }
 
@@ -64,12 +71,18 @@ void Ports::reset(Address block) {
     return;
   }
   if (block == kAfio) {
-    map_ = 0;
+    change_map(0);
     sources_ = {};
   } else {
     mask_ = events_ = rising_ = falling_ = pending_ = software_ = 0;
   }
+  watch();
   interrupts_changed();
+}
+
+bool Ports::level(ChipPin pin) const {
+  if (pin == kNoChipPin || number_of(pin) == kNoPin) return false;
+  return link_.board.read_level(number_of(pin), link_.clock.time());
 }
 
 bool Ports::read_input(ChipPin pin) {
@@ -85,7 +98,7 @@ std::uint32_t Ports::read(Address address) {
     if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) return sources_[(address - kAfioExticr1) / 4];
     switch (address) {
       case kAfioMapr:
-        return map_;
+        return link_.map;
       case kExtiImr:
         return mask_;
       case kExtiEmr:
@@ -167,13 +180,13 @@ int Ports::source(int line) const {
 bool Ports::write_exti(Address address, std::uint32_t value) {
   if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) {
     sources_[(address - kAfioExticr1) / 4] = value & 0xFFFF;
-    interrupts_changed();
+    watch();
     return true;
   }
   switch (address) {
     case kAfioMapr:
-      map_ = value;
-      return (value & ~kSwjMask) == 0;  // no other place for a peripheral's pins
+      change_map(value);
+      return true;
     case kExtiImr:
       mask_ = value & kLines;
       break;
@@ -199,19 +212,30 @@ bool Ports::write_exti(Address address, std::uint32_t value) {
     default:
       return value == 0;  // AFIO_EVCR
   }
+  watch();
   interrupts_changed();
   return true;
 }
 
-void Ports::interrupts_changed() {
+void Ports::change_map(std::uint32_t map) {
+  link_.map = map;
+  for (int port = 0; port < kPorts; ++port) refresh_port(port);
+  watch();
+}
+
+void Ports::watch() {
   for (int port = 0; port < kPorts; ++port)
     for (int line = 0; line < kBits; ++line) {
       const Pin number = number_of({port, line});
       if (number == kNoPin) continue;
-      const bool wanted =
+      const bool by_line =
           (mask_ | events_) >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
+      const bool wanted = by_line || watched_({port, line});
       link_.board.set_wants_edges(number, wanted, link_.clock.time());
     }
+}
+
+void Ports::interrupts_changed() {
   for (const Irq irq : {kIrqExti0, kIrqExti1, kIrqExti2, kIrqExti3, kIrqExti4, kIrqExti9_5, kIrqExti15_10,
                         kIrqPvd, kIrqRtcAlarm, kIrqUsbWakeup}) {
     bool high = false;
@@ -224,7 +248,8 @@ void Ports::interrupts_changed() {
 void Ports::deliver(const BoardInput& edge) {
   if (edge.pin >= link_.board.spec().pin_count) return;
   const auto& pin = link_.board.spec().pins[edge.pin].chip_pin;
-  if (source(pin.bit) != pin.port || !((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
+  if (!((mask_ | events_) >> pin.bit & 1) || source(pin.bit) != pin.port) return;
+  if (!((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
   came(1u << pin.bit);
 }
 

@@ -16,7 +16,8 @@ namespace robosim::exec::stm32 {
 class Ports final : public Peripheral {
  public:
   /// `alternate` says how the peripheral that has the pin drives it.
-  Ports(Link& link, std::function<PinDrive(ChipPin)> alternate);
+  /// `watched`: whether a peripheral wants to hear of its edges.
+  Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<bool(ChipPin)> watched);
 
   /// Whether it is a port's, not of AFIO or EXTI.
   static bool owns_port(Address address) {
@@ -29,6 +30,11 @@ class Ports final : public Peripheral {
   void reset(Address block) override;
   /// One bit of GPIOx_IDR.
   bool read_input(ChipPin pin);
+
+  /// As it is now; asks the robot.
+  bool level(ChipPin pin) const;
+  /// The pins whose edges somebody wants to hear of have changed.
+  void watch();
 
   /// The peripheral drives the pin differently.
   void refresh(ChipPin pin);
@@ -57,6 +63,7 @@ class Ports final : public Peripheral {
   bool write_port(int port, Address offset, std::uint32_t value);
   bool write_exti(Address address, std::uint32_t value);
   void interrupts_changed();
+  void change_map(std::uint32_t map);
   /// Something has come by these lines.
   void came(std::uint32_t lines);
   /// The port that line `line` listens to.
@@ -64,9 +71,9 @@ class Ports final : public Peripheral {
 
   Link& link_;
   std::function<PinDrive(ChipPin)> alternate_;
+  std::function<bool(ChipPin)> watched_;
   std::array<Port, kPorts> ports_;
   std::array<std::array<Pin, kBits>, kPorts> numbers_;
-  std::uint32_t map_ = 0;
   std::array<std::uint32_t, 4> sources_{};
   std::uint32_t mask_ = 0, events_ = 0, rising_ = 0, falling_ = 0, pending_ = 0, software_ = 0;
   Pin last_read_ = kNoPin;

@@ -1,84 +1,61 @@
 #include "sim/exec/stm32/timers.h"
 
+#include "sim/exec/stm32/timer_bits.h"
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-std::uint32_t Timer::count() const {
-  if (!enabled()) return held_;
-  const Cycle left = (update_at_ - link_.clock.now + step() - 1) / step();
-  return left > Cycle{top_} + 1 ? 0 : static_cast<std::uint32_t>(Cycle{top_} + 1 - left);
+Timer::Timer(Link& link, const Clocks& clocks, int index)
+    : link_(link),
+      clocks_(clocks),
+      index_(index),
+      base_(kStm32f103c8.timers[index].control),
+      irq_(static_cast<Irq>(kStm32f103c8.timers[index].vector)) {
+  usual_pins_.fill(kNoChipPin);
+  for (int i = 0; i < kStm32f103c8.pin_count; ++i)
+    if (const auto& pin = kStm32f103c8.pins[i]; pin.timer == index)
+      usual_pins_[pin.output] = {pin.port, pin.bit};
 }
 
-void Timer::start_from(std::uint32_t count) {
-  held_ = count;
-  const Cycle left = count > top_ ? 1 : Cycle{top_} + 1 - count;
-  update_at_ = link_.clock.now + left * step();
-}
-
-void Timer::update_event(bool flag) {
-  prescaler_ = waiting_prescaler_;
-  if (flag) status_ |= kUif;
-  link_.nvic.set_line(place_.irq, status_ & interrupts_ & kUif);
-}
-
-void Timer::update() {
-  if (!enabled() || link_.clock.now < update_at_) return;
-  const Cycle at = update_at_;
-  if (control_ & kOpm) {
-    control_ &= ~kCen;
-    held_ = 0;
-  }
-  update_event(true);
-  if (!enabled()) return refresh();
-  const Cycle rounds = (link_.clock.now - at) / period() + 1;
-  update_at_ = at + rounds * period();
-}
-
-PinDrive Timer::drive_of(int channel) const {
-  PinDrive drive;
-  drive.mode = PinMode::output;
-  const bool on = outputs_ >> (4 * channel) & 1 && (!advanced() || dead_time_ & kMoe);
-  if (!on) return drive;
-  const std::uint32_t mode = modes_[static_cast<std::size_t>(channel / 2)] >> (8 * (channel % 2)) & 0x70;
-  const bool inverted = (mode == 0x70) != bool(outputs_ >> (4 * channel) & 2);
-  const double share =
-      static_cast<double>(compare_[static_cast<std::size_t>(channel)]) / static_cast<double>(Cycle{top_} + 1);
-  drive.duty = share < 1.0 ? share : 1.0;
-  if (inverted) drive.duty = 1.0 - drive.duty;
-  drive.pwm = enabled();
-  if (!drive.pwm) drive.duty = 0.0;
-  return drive;
-}
-
-bool Timer::drives(ChipPin pin, PinDrive& drive) const {
-  for (int channel = 0; channel < 4; ++channel) {
-    if (place_.pins[static_cast<std::size_t>(channel)] != pin) continue;
-    drive = drive_of(channel);
-    return true;
-  }
-  return false;
-}
-
-void Timer::refresh() {
-  for (const ChipPin pin : place_.pins) link_.pin_changed(pin);
+// RM0008 table 63: TIM1 has four interrupts, the others have one.
+void Timer::refresh_lines() {
+  constexpr std::uint32_t kChannelEvents = 0x1E, kTriggers = kComEvent | kTriggerEvent;
+  const std::uint32_t asks = status_ & interrupts_;
+  if (!advanced()) return link_.nvic.set_line(irq_, asks & (kUif | kChannelEvents | kTriggers));
+  link_.nvic.set_line(irq_, asks & kUif);
+  link_.nvic.set_line(kIrqTim1Trigger, asks & kTriggers);
+  link_.nvic.set_line(kIrqTim1Capture, asks & kChannelEvents);
+  link_.nvic.set_line(kIrqTim1Break, asks & kBreakEvent);
 }
 
 void Timer::reset(Address) {
   static_cast<TimerRegisters&>(*this) = {};
-  link_.nvic.set_line(place_.irq, false);
-  refresh();
+  refresh_lines();
+  refresh_pins();
+  link_.watch_changed();
 }
 
 std::uint32_t Timer::read(Address address) {
   update();
-  const Address offset = address - place_.base;
-  if (offset >= kTimCcr1 && offset < kTimCcr1 + 16) return compare_[(offset - kTimCcr1) / 4];
+  const Address offset = address - base_;
+  if (offset >= kTimCcr1 && offset < kTimCcr1 + 16) {
+    const auto channel = static_cast<int>((offset - kTimCcr1) / 4);
+    if (captures(channel)) {
+      status_ &= ~channel_event(channel);
+      refresh_lines();
+    }
+    return waiting_compare_[static_cast<std::size_t>(channel)];
+  }
   switch (offset) {
-    case kTimCr1:
-      return control_;
+    case kTimCr1: {
+      const bool down = centered() && is_clocked() && place(link_.clock.now) >= std::int64_t{top_};
+      return control_ | (down ? kDir : 0);
+    }
     case kTimCr2:
       return control2_;
+    case kTimSmcr:
+      return slave_;
     case kTimDier:
       return interrupts_;
     case kTimSr:
@@ -90,11 +67,11 @@ std::uint32_t Timer::read(Address address) {
     case kTimCcer:
       return outputs_;
     case kTimCnt:
-      return count();
+      return count(link_.clock.now);
     case kTimPsc:
       return waiting_prescaler_;
     case kTimArr:
-      return top_;
+      return waiting_top_;
     case kTimRcr:
       return repetition_;
     case kTimBdtr:
@@ -104,82 +81,111 @@ std::uint32_t Timer::read(Address address) {
   }
 }
 
-bool Timer::supported_modes() const {
-  for (int channel = 0; channel < 4; ++channel) {
-    const std::uint32_t byte = modes_[static_cast<std::size_t>(channel / 2)] >> (8 * (channel % 2)) & 0xFF;
-    const std::uint32_t mode = byte & 0x70;
-    if (byte & 3 || (mode != 0 && mode != 0x60 && mode != 0x70)) return false;
-  }
+bool Timer::slave_is_modelled() const {
+  const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
+  if (slave_ & kExternalClock) return false;
+  return slave_mode < kResets || (slave_mode != kGates && from != kExternal);
+}
+
+bool Timer::write_compare(std::size_t channel, std::uint32_t value) {
+  if (waiting_compare_[channel] == value && compare_[channel] == value) return true;
+  waiting_compare_[channel] = value;
+  if (mode(static_cast<int>(channel)) & kPreload && enabled()) return true;
+  compare_[channel] = value;
+  link_.pin_changed(pin_of(static_cast<int>(channel)));
   return true;
 }
 
 bool Timer::write(Address address, std::uint32_t value) {
   update();
-  value &= 0xFFFF;
-  const Address offset = address - place_.base;
-  if (offset >= kTimCcr1 && offset < kTimCcr1 + 16) {
-    const std::size_t channel = (offset - kTimCcr1) / 4;
-    if (compare_[channel] == value) return true;
-    compare_[channel] = value;
-    link_.pin_changed(place_.pins[channel]);
-    return true;
-  }
-  bool modelled = true;
+  const bool modelled = write_register(address - base_, value & 0xFFFF);
+  refresh_lines();
+  return modelled;
+}
+
+bool Timer::write_register(Address offset, std::uint32_t value) {
+  if (offset >= kTimCcr1 && offset < kTimCcr1 + 16) return write_compare((offset - kTimCcr1) / 4, value);
+  const Cycle now = link_.clock.now;
+  const std::uint32_t before = count(now);
   switch (offset) {
-    case kTimCr1: {
-      const std::uint32_t before = count();
-      control_ = value;
-      start_from(before);
-      modelled = (value & ~(kCen | kUrs | kOpm | kArpe)) == 0;
-      break;
-    }
+    case kTimCr1:
+      held_ = before;
+      steps_down_ = value & kDir;
+      control_ = value & (kCen | kUdis | kUrs | kOpm | kDir | kCms | kArpe | kCkd);
+      start_from(before, now);
+      refresh_pins();
+      if (value & kCen && (control2_ >> kMmsShift & 7) == 1) link_.signal(signal_of(number(), 0));
+      return true;
+    case kTimCr2:
+      control2_ = value;
+      return (value & kCcpc) == 0;
+    case kTimSmcr:
+      held_ = before;
+      slave_ = value;
+      start_from(before, now);
+      link_.watch_changed();
+      return slave_is_modelled();
     case kTimDier:
       interrupts_ = value;
-      link_.nvic.set_line(place_.irq, status_ & interrupts_ & kUif);
-      return (value & ~kUie) == 0;
+      return true;
     case kTimSr:
       status_ &= value;
-      link_.nvic.set_line(place_.irq, status_ & interrupts_ & kUif);
       return true;
     case kTimEgr:
       if (value & kUg) {
         update_event(!(control_ & kUrs));
-        start_from(0);
+        if ((control2_ >> kMmsShift & 7) == 0) link_.signal(signal_of(number(), 0));
+        start_from(counts_down() && !centered() ? top_ : 0, now);
       }
-      return (value & ~kUg) == 0;
+      for (int channel = 0; channel < kChannels; ++channel) {
+        if (!(value & channel_event(channel))) continue;
+        if (captures(channel))
+          capture(channel, now);
+        else
+          captured_or_compared(channel);
+      }
+      status_ |= value & (kComEvent | kTriggerEvent | kBreakEvent);
+      if (value & kBreakEvent) dead_time_ &= ~kMoe;
+      refresh_pins();
+      return true;
     case kTimCcmr1:
     case kTimCcmr2:
       modes_[offset == kTimCcmr2] = value;
-      modelled = supported_modes();
-      break;
+      for (int channel = 0; channel < kChannels; ++channel) {
+        const std::uint32_t how = mode(channel) >> 4 & 7;
+        if (how == 4 || how == 5) active_[static_cast<std::size_t>(channel)] = how == 5;
+      }
+      refresh_pins();
+      link_.watch_changed();
+      return true;
     case kTimCcer:
       outputs_ = value;
-      modelled = (value & 0xCCCC) == 0;  // no complementary outputs
-      break;
+      refresh_pins();
+      link_.watch_changed();
+      return true;
     case kTimCnt:
-      start_from(value);
+      start_from(value, now);
       return true;
     case kTimPsc:
       waiting_prescaler_ = value;
       return true;
-    case kTimArr: {
-      const std::uint32_t before = count();
+    case kTimArr:
+      waiting_top_ = value;
+      if (control_ & kArpe && enabled()) return true;
       top_ = value;
-      start_from(before);
-      break;
-    }
+      start_from(before, now);
+      refresh_pins();
+      return true;
     case kTimRcr:
-      repetition_ = value;
-      return value == 0;
+      repetition_ = value & 0xFF;
+      return advanced() || value == 0;
     case kTimBdtr:
       dead_time_ = value;
-      modelled = advanced() && (value & 0x0FFF) == 0;
-      break;
+      refresh_pins();
+      return advanced() && (value & 1u << 12) == 0;  // no break input
     default:
-      return value == 0;
+      return value == 0;  // TIM_DCR, TIM_DMAR
   }
-  refresh();
-  return modelled;
 }
 
 }  // namespace robosim::exec::stm32

@@ -1,60 +1,118 @@
-// TIM1 to TIM4, counting up: PWM, and interrupts at the update event (RM0008 14, 15).
+// TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and starting one another.
 //
-//   a period = (PSC + 1) * (ARR + 1) cycles     duty (PWM mode 1) = min(CCR / (ARR + 1), 1), mode 2 the rest
+//   up, down       a period = (PSC + 1) * (ARR + 1) cycles     duty (PWM mode 1, up) = min(CCR / (ARR + 1),
+//   1) centre-aligned                       2 * ARR                                                  CCR /
+//   ARR
 //
-// New values count at once, not only at the next update. Refused, as not modelled: other ways of counting,
-// input capture, slave modes, interrupts at a compare, DMA, outputs other than PWM.
+// timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp what channels and signals
+// do. PWM is a duty, other outputs are edges. An edge is captured with the count at its time, without filter
+// or synchroniser. Dead time makes no difference to a duty. A CCR, ARR or PSC that is preloaded counts from
+// the next update on. Refused, as not modelled: external trigger inputs (ETR), gating by another timer, DMA
+// bursts, the break input, and preloaded control bits (CCPC).
 #pragma once
 
 #include <array>
 
-#include "sim/exec/stm32/peripheral.h"
+#include "sim/exec/stm32/clocks.h"
 
 namespace robosim::exec::stm32 {
 
 /// What a reset of a timer resets.
 struct TimerRegisters {
-  std::uint32_t control_ = 0, control2_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0, dead_time_ = 0;
+  std::uint32_t control_ = 0, control2_ = 0, slave_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0,
+                dead_time_ = 0;
   std::array<std::uint32_t, 2> modes_{};
-  std::uint32_t prescaler_ = 0, waiting_prescaler_ = 0, top_ = 0xFFFF, repetition_ = 0;
+  std::uint32_t waiting_prescaler_ = 0, waiting_top_ = 0xFFFF, repetition_ = 0;
+  std::array<std::uint32_t, 4> waiting_compare_{};
+  // As they count
+  std::uint32_t prescaler_ = 0, top_ = 0xFFFF, repetitions_left_ = 0;
   std::array<std::uint32_t, 4> compare_{};
-  std::uint32_t held_ = 0;  ///< the count while it stands still
-  Cycle update_at_ = 0;     ///< the next overflow while it runs
+  std::array<bool, 4> active_{};             ///< OCxREF of the modes that are no PWM
+  std::array<std::uint32_t, 4> captures_{};  ///< edges that its prescaler has let pass
+  unsigned dma_pending_ = 0;
+
+  std::uint32_t held_ = 0;  ///< the count while no clock drives it
+  Cycle origin_ = 0;        ///< while one does: where the period began
+  Cycle step_ = 1;          ///< cycles of a count
+  std::int64_t done_ = -1;  ///< the place in the period up to which everything has been done
+  bool steps_down_ = false;
 };
 
 class Timer final : public Peripheral, TimerRegisters {
  public:
-  struct Place {
-    Address base;
-    robosim::stm32::Irq irq;
-    std::array<ChipPin, 4> pins;
-  };
-
-  Timer(Link& link, const Place& place) : link_(link), place_(place) {}
+  /// `index`: among the chip's.
+  Timer(Link& link, const Clocks& clocks, int index);
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   bool drives(ChipPin pin, PinDrive& drive) const override;
-  Cycle next_event() const override {
-    return enabled() && interrupts_ & robosim::stm32::kUie ? update_at_ : kNoCycle;
-  }
+  bool watches(ChipPin pin) const override;
+  void edge(ChipPin pin, bool level, Cycle at) override;
+  Cycle next_event() const override;
   void update() override;
+  unsigned dma_requests() const override { return dma_pending_; }
+  void dma_served(int channel) override { dma_pending_ &= ~dma_channel(channel); }
+  Signals listens() const override;
+  void heard(Signals signals) override;
 
  private:
+  static constexpr int kChannels = 4;
+
+  // --- registers
   bool enabled() const { return control_ & robosim::stm32::kCen; }
-  bool advanced() const { return place_.base == robosim::stm32::kTim1; }
-  Cycle step() const { return Cycle{prescaler_} + 1; }
-  Cycle period() const { return step() * (Cycle{top_} + 1); }
-  std::uint32_t count() const;
-  void start_from(std::uint32_t count);
+  bool advanced() const { return index_ == stm32f103c8::kTim1; }
+  int number() const { return index_ + 1; }
+  bool write_register(Address offset, std::uint32_t value);
+  bool write_compare(std::size_t channel, std::uint32_t value);
+  bool modes_are_modelled() const;
+  bool slave_is_modelled() const;
+  void refresh_lines();
+  void refresh_pins();
+
+  // --- counter
+  bool is_clocked() const;
+  bool centered() const { return control_ >> 5 & 3; }
+  bool counts_down() const { return control_ & 1u << 4; }
+  std::int64_t period() const;
+  std::int64_t place(Cycle at) const { return static_cast<std::int64_t>((at - origin_) / step_); }
+  std::uint32_t count_at(std::int64_t place) const;
+  std::uint32_t count(Cycle at) const;
+  void start_from(std::uint32_t count, Cycle at);
+  /// Places of a period where the channel compares equal; -1 = none.
+  std::array<std::int64_t, 2> places_of(int channel) const;
+  bool needs_update_event() const;
+  bool needs_compare_event(int channel) const;
+  void fall_behind(std::int64_t place);
+  void overflow(Cycle at);
+  void load_waiting();
   void update_event(bool flag);
-  void refresh();
-  bool supported_modes() const;
-  PinDrive drive_of(int channel) const;
+  void step(bool up, Cycle at);
+
+  // --- channels
+  std::uint32_t mode(int channel) const {
+    return modes_[static_cast<std::size_t>(channel / 2)] >> (8 * (channel % 2)) & 0xFF;
+  }
+  bool captures(int channel) const { return mode(channel) & 3; }
+  bool is_on(int channel) const { return outputs_ >> (4 * channel) & 1; }
+  bool is_pwm(int channel) const;
+  ChipPin pin_of(int channel) const;
+  void compared(int channel);
+  void capture(int channel, Cycle at);
+  void captured_or_compared(int channel);
+  double share_of(int channel) const;
+  PinDrive drive_of(int channel, bool complement) const;
+  void trigger(Cycle at);
+  /// Whether TRGO is the OCxREF of a channel that becomes active at an update.
+  bool rises_at_update() const;
+  void edge_of_input(int input, bool level, Cycle at);
 
   Link& link_;
-  Place place_;
+  const Clocks& clocks_;
+  int index_;
+  Address base_;
+  robosim::stm32::Irq irq_;
+  std::array<ChipPin, kChannels> usual_pins_{};
 };
 
 }  // namespace robosim::exec::stm32

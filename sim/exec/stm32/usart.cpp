@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "sim/exec/stm32/remap.h"
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
@@ -26,10 +28,12 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
       connected_(index == link.board.spec().serial_line) {}
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {
-  if (!sends() || pin != pin_) return false;
+  if (!sends() || pin != pin_now()) return false;
   drive.level = true;  // a line at rest; its bytes are told as bytes
   return true;
 }
+
+ChipPin Usart::pin_now() const { return usart_pin(spec_.number, link_.map, pin_); }
 
 Cycle Usart::byte_cycles() const {
   const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
@@ -53,15 +57,20 @@ void Usart::refresh_line() {
 }
 
 void Usart::send(std::uint8_t byte) {
-  if (!sends() || !(status_ & kTxe)) return;
-  if (connected_) link_.board.send_byte(byte, link_.clock.time());
+  if (!sends()) return;
   status_ &= ~kTc;
   if (shifting_) {
+    waiting_ = byte;  // instead of one that waits already
     status_ &= ~kTxe;
     return;
   }
+  shift(byte, link_.clock.now);
+}
+
+void Usart::shift(std::uint8_t byte, Cycle at) {
+  if (connected_) link_.board.send_byte(byte, link_.clock.time_of(at));
   shifting_ = true;
-  sent_at_ = link_.clock.now + byte_cycles();
+  sent_at_ = at + byte_cycles();
 }
 
 void Usart::update() {
@@ -71,7 +80,7 @@ void Usart::update() {
       status_ |= kTc;
     } else {
       status_ |= kTxe;
-      sent_at_ += byte_cycles();
+      shift(waiting_, sent_at_);
     }
     refresh_line();
   }
@@ -109,7 +118,7 @@ void Usart::reset(Address) {
   static_cast<UsartRegisters&>(*this) = {};
   listen();
   refresh_line();
-  link_.pin_changed(pin_);
+  link_.pin_changed(pin_now());
 }
 
 std::uint32_t Usart::read(Address address) {
@@ -167,7 +176,7 @@ bool Usart::write(Address address, std::uint32_t value) {
       modelled = value == 0;  // USART_GTPR
   }
   refresh_line();
-  if (sends() != sent) link_.pin_changed(pin_);
+  if (sends() != sent) link_.pin_changed(pin_now());
   return modelled;
 }
 

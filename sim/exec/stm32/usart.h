@@ -14,7 +14,7 @@ struct UsartRegisters {
   std::uint32_t control_ = 0, control2_ = 0, control3_ = 0, divider_ = 0;
   bool shifting_ = false;
   Cycle sent_at_ = 0, idle_at_ = kNoCycle;
-  std::uint8_t received_ = 0;
+  std::uint8_t received_ = 0, waiting_ = 0;
 };
 
 class Usart final : public Peripheral, UsartRegisters {
@@ -36,15 +36,17 @@ class Usart final : public Peripheral, UsartRegisters {
   Address base() const { return spec_.address; }
   bool sends() const { return on() && control_ & robosim::stm32::kTe; }
   bool on() const { return control_ & robosim::stm32::kUe; }
+  ChipPin pin_now() const;
   Cycle byte_cycles() const;
   void send(std::uint8_t byte);
+  void shift(std::uint8_t byte, Cycle at);
   void listen();
   void refresh_line();
 
   Link& link_;
   const Clocks& clocks_;
   const UartSpec& spec_;
-  ChipPin pin_;     ///< by which it sends
+  ChipPin pin_;     ///< by which it sends after a reset
   bool connected_;  ///< to the board's serial port
 };
 

@@ -254,11 +254,16 @@ TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
   analogReadResolution(10);
 }
 
+/// A duty counts from the next period on.
+constexpr Cycle kPwmPeriod = 73'440;
+
 TEST_F(HalTest, AnalogWriteTakesAnotherResolution) {
   analogWriteResolution(12);
   analogWrite(5, 51 << 4);
+  chip_->pass(kPwmPeriod);
   EXPECT_DOUBLE_EQ(board_.drive(5).duty, 0.2);
   analogWrite(5, 4095);
+  chip_->pass(kPwmPeriod);
   EXPECT_DOUBLE_EQ(board_.drive(5).duty, 1.0);
   analogWriteResolution(8);
 }
@@ -267,11 +272,14 @@ TEST_F(HalTest, AnalogWriteIsADutyOnEveryPinThatHasPwmAndDigitalWriteEndsIt) {
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) {
     if (!board_.spec().pins[pin].pwm) continue;
     analogWrite(pin, 51);
+    chip_->pass(kPwmPeriod);
     EXPECT_TRUE(board_.drive(pin).pwm) << int{pin};
     EXPECT_DOUBLE_EQ(board_.drive(pin).duty, 0.2) << int{pin};
     analogWrite(pin, 255);
+    chip_->pass(kPwmPeriod);
     EXPECT_DOUBLE_EQ(board_.drive(pin).duty, 1.0);
     analogWrite(pin, 0);
+    chip_->pass(kPwmPeriod);
     EXPECT_DOUBLE_EQ(board_.drive(pin).duty, 0.0);
     digitalWrite(pin, HIGH);
     EXPECT_FALSE(board_.drive(pin).pwm);

@@ -1,0 +1,211 @@
+// What the timers' channels do with pins, and what starts or counts them (RM0008 14.3.5 to 14.3.14, 14.3.16,
+// 15.3.12, 15.3.14).
+#include <algorithm>
+
+#include "sim/exec/stm32/remap.h"
+#include "sim/exec/stm32/timer_bits.h"
+#include "sim/exec/stm32/timers.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+// Table 86: which timer's TRGO an internal trigger is; 0 = that of none that the chip has.
+constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
+// Table 78; 0 = none
+constexpr int kChannelDma[4][4] = {{2, 0, 6, 4}, {5, 7, 1, 7}, {6, 0, 2, 3}, {1, 4, 5, 0}};
+
+}  // namespace
+
+ChipPin Timer::pin_of(int channel) const {
+  return timer_pin(number(), channel, link_.map, usual_pins_[static_cast<std::size_t>(channel)]);
+}
+
+bool Timer::is_pwm(int channel) const { return !captures(channel) && (mode(channel) & 0x60) == 0x60; }
+
+// --- comparing
+
+void Timer::captured_or_compared(int channel) {
+  status_ |= channel_event(channel);
+  const int dma = kChannelDma[index_][channel];
+  if (interrupts_ & channel_dma(channel) && dma > 0) dma_pending_ |= dma_channel(dma);
+}
+
+void Timer::compared(int channel) {
+  captured_or_compared(channel);
+  bool& active = active_[static_cast<std::size_t>(channel)];
+  const bool before = active;
+  switch (mode(channel) >> 4 & 7) {
+    case 1:
+      active = true;
+      break;
+    case 2:
+      active = false;
+      break;
+    case 3:
+      active = !active;
+      break;
+    default:
+      break;
+  }
+  if (active != before) link_.pin_changed(pin_of(channel));
+  const std::uint32_t master = control2_ >> kMmsShift & 7;
+  const bool rises = active && !before;
+  Signals signals = signal_of(number(), channel + 1);
+  if ((master == 3 && channel == 0) ||
+      (master == 4u + static_cast<unsigned>(channel) && (rises || (mode(channel) >> 4 & 7) == 7)))
+    signals |= signal_of(number(), 0);
+  link_.signal(signals);
+}
+
+// Its part of a period at which a PWM output is active (14.3.10).
+double Timer::share_of(int channel) const {
+  const auto value = static_cast<double>(compare_[static_cast<std::size_t>(channel)]);
+  const double top = static_cast<double>(top_);
+  const double share = centered()      ? (top_ > 0 ? value / top : 1.0)
+                       : counts_down() ? (value + 1.0) / (top + 1.0)
+                                       : value / (top + 1.0);
+  return std::min(share, 1.0);
+}
+
+PinDrive Timer::drive_of(int channel, bool complement) const {
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  const std::uint32_t own = outputs_ >> (4 * channel) & 15;
+  const bool on = complement ? own & 4 : own & 1;
+  if (!on || captures(channel) || (advanced() && !(dead_time_ & kMoe))) return drive;
+  // A complementary output beside its twin is its opposite; alone it is as that would be (table 83).
+  const bool opposite = complement && own & 1;
+  const bool inverted = opposite != bool(own & (complement ? 8 : 2));
+  const std::uint32_t how = mode(channel) >> 4 & 7;
+  if (how < 6) {
+    const bool active = how == 5 || (how < 4 && active_[static_cast<std::size_t>(channel)]);
+    drive.level = active != inverted;
+    return drive;
+  }
+  const double share = share_of(channel);
+  drive.duty = (how == 7) != inverted ? 1.0 - share : share;
+  drive.pwm = enabled();
+  if (!drive.pwm) drive.duty = 0.0;
+  return drive;
+}
+
+bool Timer::drives(ChipPin pin, PinDrive& drive) const {
+  for (int channel = 0; channel < kChannels; ++channel) {
+    const bool complement = advanced() && pin == complementary_pin(channel, link_.map);
+    if (pin_of(channel) != pin && !complement) continue;
+    if (captures(channel)) continue;
+    drive = drive_of(channel, complement);
+    return true;
+  }
+  return false;
+}
+
+void Timer::refresh_pins() {
+  for (int channel = 0; channel < kChannels; ++channel) {
+    link_.pin_changed(pin_of(channel));
+    if (advanced()) link_.pin_changed(complementary_pin(channel, link_.map));
+  }
+}
+
+// --- inputs
+
+bool Timer::watches(ChipPin pin) const {
+  for (int input = 0; input < kChannels; ++input) {
+    if (pin_of(input) != pin) continue;
+    const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
+    if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3 && input < 2) return true;
+    if (slave_mode >= kResets &&
+        ((input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2)))
+      return true;
+    // CCxS: 1 = its own input, 2 = that of its neighbour
+    if ((mode(input) & 3) == 1 && is_on(input)) return true;
+    if ((mode(input ^ 1) & 3) == 2 && is_on(input ^ 1)) return true;
+  }
+  return false;
+}
+
+void Timer::edge(ChipPin pin, bool level, Cycle at) {
+  if (!watches(pin)) return;
+  update();
+  for (int input = 0; input < kChannels; ++input)
+    if (pin_of(input) == pin) edge_of_input(input, level, at);
+  refresh_lines();
+}
+
+void Timer::edge_of_input(int input, bool level, Cycle at) {
+  const auto inverted = [&](int channel) { return bool(outputs_ >> (4 * channel) & 2); };
+  for (const int channel : {input, input ^ 1}) {
+    const std::uint32_t source = channel == input ? 1 : 2;
+    if ((mode(channel) & 3) == source && is_on(channel) && level != inverted(channel)) capture(channel, at);
+  }
+  if (!enabled() && (slave_ & 7) != kStarts) return;
+  const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
+  if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3) {
+    if (input > 1) return;
+    const bool counts = slave_mode == kEncoder3 || (slave_mode == kEncoder1) == (input == 1);
+    // Table 85: the other signal's level says which way. In mode 1 edges of TI2 count, in mode 2 those of
+    // TI1.
+    const bool other = link_.pin_level(pin_of(input ^ 1)) != inverted(input ^ 1);
+    const bool own = level != inverted(input);
+    if (counts && enabled()) step((own == other) == (input == 1), at);
+    return;
+  }
+  const bool chosen =
+      (input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2);
+  if (!chosen) return;
+  const bool rises = level != inverted(input);
+  if (from == kAnyEdgeOf1 || rises) trigger(at);
+}
+
+void Timer::capture(int channel, Cycle at) {
+  std::uint32_t& passed = captures_[static_cast<std::size_t>(channel)];
+  const std::uint32_t every = 1u << (mode(channel) >> 2 & 3);
+  if (++passed < every) return;
+  passed = 0;
+  if (status_ & channel_event(channel)) status_ |= overcapture(channel);
+  compare_[static_cast<std::size_t>(channel)] = waiting_compare_[static_cast<std::size_t>(channel)] =
+      count(at);
+  captured_or_compared(channel);
+}
+
+// --- triggers
+
+bool Timer::rises_at_update() const {
+  const std::uint32_t master = control2_ >> kMmsShift & 7;
+  return master >= 4 && (mode(static_cast<int>(master) - 4) >> 4 & 7) == 6;
+}
+
+Signals Timer::listens() const {
+  const std::uint32_t from = slave_ >> 4 & 7;
+  if ((slave_ & 7) < kResets || from >= 4) return 0;
+  const int master = kInternalTriggers[index_][from];
+  return master > 0 ? signal_of(master, 0) : 0;
+}
+
+void Timer::heard(Signals) {
+  update();
+  trigger(link_.clock.now);
+  refresh_lines();
+}
+
+void Timer::trigger(Cycle at) {
+  const std::uint32_t slave_mode = slave_ & 7;
+  if (slave_mode == kClocks) {
+    step(!counts_down(), at);
+    return;
+  }
+  status_ |= kTriggerEvent;
+  if (slave_mode == kResets) {
+    update_event(!(control_ & kUrs));
+    start_from(counts_down() && !centered() ? top_ : 0, at);
+  } else if (slave_mode == kStarts && !enabled()) {
+    control_ |= kCen;
+    start_from(held_, at);
+    refresh_pins();
+  }
+}
+
+}  // namespace robosim::exec::stm32
