@@ -42,7 +42,7 @@ constexpr uint32_t kSwMask = 3u << 0, kSwPll = 2u << 0, kSwsMask = 3u << 2, kSws
                    kPpre1Half = 4u << 8, kAdcPreMask = 3u << 14, kAdcPre6 = 2u << 14, kPllSrcHse = 1u << 16,
                    kPllXtpre = 1u << 17, kPllMul9 = 7u << 18, kPllMulMask = 15u << 18;
 // 7.3.6 to 7.3.8
-constexpr uint32_t kDma1En = 1u << 0;
+constexpr uint32_t kDma1En = 1u << 0, kCrcUnitEn = 1u << 6;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;

@@ -53,7 +53,7 @@ const char* Bus::name_at(Address address) {
 
 Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
     : link_{board, Clock(began)},
-      clocks_(link_),
+      clocks_(link_, power_),
       flash_(link_, memory),
       ports_(
           link_, [this](ChipPin pin) { return alternate(pin); },
@@ -66,7 +66,12 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)},
       dma_(link_, *this),
       iwdg_(link_),
-      wwdg_(link_, clocks_) {
+      wwdg_(link_, clocks_),
+      spis_{Spi(link_, clocks_, 1), Spi(link_, clocks_, 2)},
+      i2cs_{I2c(link_, clocks_, 1), I2c(link_, clocks_, 2)},
+      backup_(power_),
+      rtc_(link_, power_, [this] { ports_.alarmed(); }),
+      tracing_(link_) {
   link_.watch_changed = [this] { ports_.watch(); };
   link_.pin_level = [this](ChipPin pin) { return ports_.level(pin); };
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
@@ -81,6 +86,14 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
   for (const PortSpec& port : stm32f103c8::kPorts) place(ports_, port.address);
   place(iwdg_, kIwdg);
   place(wwdg_, kWwdg);
+  place(spis_[0], kSpi1);
+  place(spis_[1], kSpi2);
+  place(i2cs_[0], kI2c1);
+  place(i2cs_[1], kI2c2);
+  place(power_, kPwr);
+  place(backup_, kBkp);
+  place(rtc_, kRtc);
+  place(crc_, kCrc);
   place(ports_, kAfio);
   place(ports_, kExti);
   peripherals_.push_back(&systick_);
@@ -192,7 +205,19 @@ void Bus::reset() {
     if (blocks_[i].peripheral)
       blocks_[i].peripheral->reset(kPeripherals + static_cast<Address>(i) * kBlockBytes);
   systick_.reset(kStkCtrl);
+  tracing_.reset(0);
+  rtc_.set_clock(clocks_.rtc_hz());
   for (Peripheral* peripheral : peripherals_) note_signals(*peripheral);
+  note_all_events();
+}
+
+void Bus::clocks_changed() {
+  reset_held();
+  rtc_.set_clock(clocks_.rtc_hz());
+  if (clocks_.resets_backup_domain()) {
+    backup_.reset_domain();
+    rtc_.reset_domain();
+  }
   note_all_events();
 }
 
@@ -216,12 +241,17 @@ bool Bus::load_private(Address address, std::uint32_t& value) {
     note_event(systick_);
     return true;
   }
+  if (Tracing::owns(address)) {
+    value = tracing_.read(address);
+    return true;
+  }
   systick_.update();
   note_event(systick_);
   return Nvic::owns(address) && link_.nvic.read(address, value);
 }
 
 bool Bus::store_private(Address address, std::uint32_t value) {
+  if (Tracing::owns(address)) return tracing_.write(address, value);
   if (!SysTick::owns(address)) {
     if (!Nvic::owns(address) || !link_.nvic.write(address, value)) return false;
     if (link_.nvic.take_reset_request()) {
@@ -256,10 +286,7 @@ void Bus::store_word(Address address, std::uint32_t value) {
     modelled = store_private(address, value);
   } else if (block->gate.has_clock() && !block->gate.holds_in_reset()) {
     modelled = block->peripheral->write(address, value);
-    if (block->peripheral == &clocks_) {
-      reset_held();
-      note_all_events();
-    }
+    if (block->peripheral == &clocks_) clocks_changed();
     note_event(*block->peripheral);
     note_signals(*block->peripheral);
     serve_dma();

@@ -10,12 +10,17 @@
 #include <vector>
 
 #include "sim/exec/stm32/adc.h"
+#include "sim/exec/stm32/backup.h"
 #include "sim/exec/stm32/clocks.h"
+#include "sim/exec/stm32/crc.h"
 #include "sim/exec/stm32/dma.h"
 #include "sim/exec/stm32/flash.h"
+#include "sim/exec/stm32/i2c.h"
 #include "sim/exec/stm32/ports.h"
+#include "sim/exec/stm32/spi.h"
 #include "sim/exec/stm32/systick.h"
 #include "sim/exec/stm32/timers.h"
+#include "sim/exec/stm32/tracing.h"
 #include "sim/exec/stm32/usart.h"
 #include "sim/exec/stm32/watchdogs.h"
 
@@ -86,6 +91,7 @@ class Bus : DmaBus {
   void signal(Signals signals);
   void note_event(Peripheral& peripheral);
   void note_all_events();
+  void clocks_changed();
   void reset_held();
   std::uint32_t load_word(Address address);
   void store_word(Address address, std::uint32_t value);
@@ -108,6 +114,13 @@ class Bus : DmaBus {
   Dma dma_;
   IndependentWatchdog iwdg_;
   WindowWatchdog wwdg_;
+  std::array<Spi, 2> spis_;
+  std::array<I2c, 2> i2cs_;
+  Power power_;
+  Backup backup_;
+  Rtc rtc_;
+  Crc crc_;
+  Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
   std::vector<Peripheral*> peripherals_;  ///< each once; who comes first has a pin
   Cycle next_event_ = kNoCycle;           ///< the least of theirs

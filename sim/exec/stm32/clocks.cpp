@@ -1,5 +1,7 @@
 #include "sim/exec/stm32/clocks.h"
 
+#include "sim/exec/stm32/backup.h"
+
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
@@ -7,7 +9,11 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr std::uint32_t kHsi = 8'000'000, kHse = 8'000'000;
-constexpr SimTime kHseStarts = 2 * kMillisecond, kPllLocks = 200 * kMicrosecond;
+constexpr SimTime kHseStarts = 2 * kMillisecond, kPllLocks = 200 * kMicrosecond,
+                  kLseStarts = 2500 * kMillisecond;  // DS5319, table 23
+
+// RCC_BDCR
+constexpr std::uint32_t kLseOn = 1u << 0, kLseReady = 1u << 1, kRtcEn = 1u << 15, kDomainReset = 1u << 16;
 
 }  // namespace
 
@@ -33,6 +39,21 @@ std::uint32_t Clocks::pll_hz() const {
   return input * (multiplier >= 14 ? 16 : multiplier + 2);
 }
 
+// HSE's 8 MHz are divided by 128.
+std::uint32_t Clocks::rtc_hz() const {
+  if (!(backup_ & kRtcEn)) return 0;
+  switch (backup_ >> 8 & 3) {
+    case 1:
+      return backup_ & kLseOn ? 32768 : 0;
+    case 2:
+      return status_ & kLsiOn ? 40'000 : 0;
+    case 3:
+      return control_ & kHseOn ? kHse / 128 : 0;
+    default:
+      return 0;
+  }
+}
+
 std::uint32_t Clocks::hz() const {
   const std::uint32_t source = configuration_ & kSwMask;
   return source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi;
@@ -41,7 +62,8 @@ std::uint32_t Clocks::hz() const {
 Gate Clocks::gate(Address block) const {
   constexpr Address kAhb = 0x40018000;
   if (block == kDma1) return {&ahb_, nullptr, kDma1En};
-  if (block >= kAhb || block == kExti || block == kIwdg) return {};
+  if (block == kCrc) return {&ahb_, nullptr, kCrcUnitEn};
+  if (block >= kAhb || block == kExti || block == kIwdg || block == kRtc) return {};
   if (behind_apb2(block)) return {&apb2_, &apb2_reset_, clock_bit(block)};
   return {&apb1_, &apb1_reset_, clock_bit(block)};
 }
@@ -70,7 +92,7 @@ std::uint32_t Clocks::read(Address address) {
     case kRccApb1Enr:
       return apb1_;
     case kRccBdcr:
-      return backup_;
+      return backup_ | (backup_ & kLseOn && link_.clock.time() >= lse_ready_ ? kLseReady : 0);
     case kRccCsr:
       return status_ | (status_ & kLsiOn) << 1 | reset_flags_;
     default:
@@ -114,8 +136,10 @@ bool Clocks::write(Address address, std::uint32_t value) {
       apb1_ = value;
       return true;
     case kRccBdcr:
-      backup_ = value;
-      return (value & 0x8001) == 0;  // no RTC, no LSE
+      if (!power_.allows()) return true;
+      if (value & ~backup_ & kLseOn) lse_ready_ = link_.clock.time() + kLseStarts;
+      backup_ = value & kDomainReset ? kDomainReset : value & ~kLseReady;
+      return true;
     case kRccCsr:
       status_ = value & kLsiOn;  // there at once
       if (value & kRemoveFlags) reset_flags_ = 0;

@@ -12,7 +12,7 @@ namespace robosim::exec::stm32 {
 /// What a reset resets: all but the flags that tell of it.
 struct ClockRegisters {
   std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
-  std::uint32_t configuration_ = 0, interrupts_ = 0, backup_ = 0, status_ = 0;
+  std::uint32_t configuration_ = 0, interrupts_ = 0, status_ = 0;
   std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
   SimTime hse_ready_ = 0, pll_ready_ = 0;
 };
@@ -28,9 +28,12 @@ struct Gate {
   bool holds_in_reset() const { return reset && *reset & bit; }
 };
 
+class Power;
+
 class Clocks final : public Peripheral, ClockRegisters {
  public:
-  explicit Clocks(Link& link) : link_(link) {}
+  /// `power` says whether RCC_BDCR can be written.
+  Clocks(Link& link, const Power& power) : link_(link), power_(power) {}
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -47,6 +50,9 @@ class Clocks final : public Peripheral, ClockRegisters {
   }
   /// What APB2's frequency is divided by for the ADC.
   std::uint32_t adc_divider() const { return 2 * ((configuration_ >> 14 & 3) + 1); }
+  /// Of the RTC; 0 if it has none (7.3.9).
+  std::uint32_t rtc_hz() const;
+  bool resets_backup_domain() const { return backup_ & 1u << 16; }
   /// Flash's wait states are set elsewhere; too few for the frequency make a real chip fail.
   std::uint32_t hz() const;
 
@@ -56,6 +62,9 @@ class Clocks final : public Peripheral, ClockRegisters {
   bool switch_clock();
 
   Link& link_;
+  const Power& power_;
+  std::uint32_t backup_ = 0;  ///< RCC_BDCR: no reset of the chip resets it
+  SimTime lse_ready_ = 0;
   std::uint32_t reset_flags_ = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
 };
 

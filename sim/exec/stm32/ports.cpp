@@ -253,6 +253,11 @@ void Ports::deliver(const BoardInput& edge) {
   came(1u << pin.bit);
 }
 
+void Ports::alarmed() {
+  constexpr std::uint32_t kLine = 1u << 17;
+  if (rising_ & kLine) came(kLine);
+}
+
 // RM0008 10.2.5, figure 21
 void Ports::came(std::uint32_t lines) {
   pending_ |= lines;

@@ -33,6 +33,8 @@ class Ports final : public Peripheral {
 
   /// As it is now; asks the robot.
   bool level(ChipPin pin) const;
+  /// The RTC's alarm: line 17.
+  void alarmed();
   /// The pins whose edges somebody wants to hear of have changed.
   void watch();
 

@@ -204,7 +204,7 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
         Case{"((void (*)())0x30000001)(); n = 1;",
              "call through a wrong function pointer to address 0x30000000"},
         Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;", "division by zero"},
-        Case{"*(volatile int*)0x40005400 = 1;", "write of 0x1 to register 0x40005400 (I2C1)"},
+        Case{"*(volatile int*)0x40005C40 = 1;", "write of 0x1 to register 0x40005C40 (USB)"},
         Case{"n = *(volatile int*)0x40006408;", "read of register 0x40006408 (CAN1)"}}) {
     const auto& crash = crash_of(c.statement);
     ASSERT_TRUE(crash) << c.statement;

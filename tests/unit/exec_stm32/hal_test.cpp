@@ -406,9 +406,9 @@ TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
   ClockedBoard clocked(board);
   FlashMemory flash;
   Bus bus(clocked, flash, 0);
-  bus.load(0x40005404, 4);
+  bus.load(0x40006404, 4);
   ASSERT_TRUE(bus.unmodelled());
-  EXPECT_EQ(bus.unmodelled()->what, "register 0x40005404 (I2C1)");
+  EXPECT_EQ(bus.unmodelled()->what, "register 0x40006404 (CAN1)");
 }
 
 TEST(BusTest, APeripheralWithoutItsClockTakesNothing) {

@@ -1,0 +1,77 @@
+// Power control and the backup domain (RM0008 5, 6, 18): what a reset of the chip leaves alone.
+//
+//   Power    PWR_CR, whose DBP lets the rest be written; the supply is always above the detector's threshold
+//   Backup   ten registers of 16 bits
+//   Rtc      counts up by 1 each PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
+//
+// All of it loses its content with the power: a Blue Pill's VBAT has no battery. What is written to the RTC
+// is there at once: RTOFF and RSF are always 1.
+#pragma once
+
+#include "sim/exec/stm32/clocks.h"
+
+namespace robosim::exec::stm32 {
+
+class Power final : public Peripheral {
+ public:
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address) override { control_ = status_ = 0; }
+  /// Whether the backup domain can be written.
+  bool allows() const { return control_ & 1u << 8; }
+
+ private:
+  std::uint32_t control_ = 0, status_ = 0;
+};
+
+class Backup final : public Peripheral {
+ public:
+  explicit Backup(const Power& power) : power_(power) {}
+
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address) override {}
+  /// RCC_BDCR's BDRST.
+  void reset_domain() { data_ = {}; }
+
+ private:
+  static std::size_t place(Address address);
+
+  const Power& power_;
+  std::array<std::uint32_t, 14> data_{};
+};
+
+class Rtc final : public Peripheral {
+ public:
+  /// `alarmed` is called when the counter reaches the alarm: EXTI's line 17.
+  Rtc(Link& link, const Power& power, std::function<void()> alarmed)
+      : link_(link), power_(power), alarmed_(std::move(alarmed)) {}
+
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  /// Only its interrupts: the rest is the backup domain's.
+  void reset(Address block) override;
+  void reset_domain();
+  Cycle next_event() const override;
+  void update() override;
+  /// Its clock in Hz; 0 = it stands still.
+  void set_clock(std::uint32_t hz);
+
+ private:
+  SimTime now() const { return link_.clock.time_of(link_.clock.now); }
+  SimTime time_of(std::uint64_t ticks) const;
+  std::uint64_t ticks() const;
+  void restart(std::uint32_t counter);
+  void refresh_line();
+
+  Link& link_;
+  const Power& power_;
+  std::function<void()> alarmed_;
+  std::uint32_t hz_ = 0, enabled_ = 0, flags_ = 0, divider_ = 0x8000, alarm_ = 0xFFFFFFFF;
+  bool configures_ = false;
+  std::uint32_t began_with_ = 0;  ///< the counter
+  SimTime began_ = 0;
+  std::uint64_t told_ = 0;  ///< ticks since
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,31 @@
+// What of the processor's debug parts programs use by themselves (RM0008 31; PM0056 does not have it: ARM DDI
+// 0337E 11, 17): the cycle counter DWT_CYCCNT, and ITM, which always takes what is printed by it, and drops
+// it. Other registers of DWT, ITM, TPIU and DBGMCU keep what is written.
+#pragma once
+
+#include <map>
+
+#include "sim/exec/stm32/peripheral.h"
+
+namespace robosim::exec::stm32 {
+
+class Tracing final : public Peripheral {
+ public:
+  explicit Tracing(Link& link) : link_(link) {}
+
+  static bool owns(Address address);
+  std::uint32_t read(Address address) override;
+  bool write(Address address, std::uint32_t value) override;
+  void reset(Address block) override;
+
+ private:
+  std::uint32_t cycles() const;
+
+  Link& link_;
+  std::map<Address, std::uint32_t> kept_;
+  bool counts_ = false;
+  std::uint32_t held_ = 0;
+  Cycle zero_at_ = 0;
+};
+
+}  // namespace robosim::exec::stm32
