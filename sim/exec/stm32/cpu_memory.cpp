@@ -17,6 +17,7 @@ bool Cpu::has_registers(Address address) {
 
 const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
   if (const std::uint8_t* in_ram = ram(address, bytes)) return in_ram;
+  if (const std::uint8_t* facts = chip_facts(address, bytes)) return facts;
   const Address offset = address < kFlash ? address : address - kFlash;
   return offset <= kFlashBytes - bytes ? flash_ + offset : nullptr;
 }

@@ -29,6 +29,10 @@ class FlashMemory : public AlignedBytes {
   explicit FlashMemory(const std::vector<std::uint8_t>& program = {});
 };
 
+/// What the maker has written (RM0008 30, PM0075 2.5): how much flash there is, the chip's unique number,
+/// which is the same for all of ours, and the option bytes as when new. Null elsewhere.
+const std::uint8_t* chip_facts(Address address, unsigned bytes);
+
 /// What RAM holds.
 class RamMemory : public AlignedBytes {
  public:

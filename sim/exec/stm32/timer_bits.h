@@ -7,7 +7,7 @@ namespace robosim::exec::stm32 {
 
 // TIM_CR1, TIM_CR2
 constexpr std::uint32_t kUdis = 1u << 1, kDir = 1u << 4, kCms = 3u << 5, kCkd = 3u << 8;
-constexpr std::uint32_t kCcpc = 1u << 0, kMmsShift = 4;
+constexpr std::uint32_t kCcpc = 1u << 0, kCcus = 1u << 2, kMmsShift = 4;
 // TIM_SMCR
 enum SlaveMode : std::uint32_t {
   kEncoder1 = 1,

@@ -198,6 +198,10 @@ void Timer::trigger(Cycle at) {
     return;
   }
   status_ |= kTriggerEvent;
+  if (control2_ & kCcpc && control2_ & kCcus) {
+    status_ |= kComEvent;
+    commutate();
+  }
   if (slave_mode == kResets) {
     update_event(!(control_ & kUrs));
     start_from(counts_down() && !centered() ? top_ : 0, at);

@@ -61,11 +61,11 @@ std::uint32_t Timer::read(Address address) {
     case kTimSr:
       return status_;
     case kTimCcmr1:
-      return modes_[0];
+      return waiting_modes_[0];
     case kTimCcmr2:
-      return modes_[1];
+      return waiting_modes_[1];
     case kTimCcer:
-      return outputs_;
+      return waiting_outputs_;
     case kTimCnt:
       return count(link_.clock.now);
     case kTimPsc:
@@ -96,6 +96,17 @@ bool Timer::write_compare(std::size_t channel, std::uint32_t value) {
   return true;
 }
 
+void Timer::commutate() {
+  modes_ = waiting_modes_;
+  outputs_ = waiting_outputs_;
+  for (int channel = 0; channel < kChannels; ++channel) {
+    const std::uint32_t how = mode(channel) >> 4 & 7;
+    if (how == 4 || how == 5) active_[static_cast<std::size_t>(channel)] = how == 5;
+  }
+  refresh_pins();
+  link_.watch_changed();
+}
+
 bool Timer::write(Address address, std::uint32_t value) {
   update();
   const bool modelled = write_register(address - base_, value & 0xFFFF);
@@ -118,7 +129,7 @@ bool Timer::write_register(Address offset, std::uint32_t value) {
       return true;
     case kTimCr2:
       control2_ = value;
-      return (value & kCcpc) == 0;
+      return true;
     case kTimSmcr:
       held_ = before;
       slave_ = value;
@@ -145,23 +156,18 @@ bool Timer::write_register(Address offset, std::uint32_t value) {
           captured_or_compared(channel);
       }
       status_ |= value & (kComEvent | kTriggerEvent | kBreakEvent);
+      if (value & kComEvent && control2_ & kCcpc) commutate();
       if (value & kBreakEvent) dead_time_ &= ~kMoe;
       refresh_pins();
       return true;
     case kTimCcmr1:
     case kTimCcmr2:
-      modes_[offset == kTimCcmr2] = value;
-      for (int channel = 0; channel < kChannels; ++channel) {
-        const std::uint32_t how = mode(channel) >> 4 & 7;
-        if (how == 4 || how == 5) active_[static_cast<std::size_t>(channel)] = how == 5;
-      }
-      refresh_pins();
-      link_.watch_changed();
+      waiting_modes_[offset == kTimCcmr2] = value;
+      if (!(control2_ & kCcpc)) commutate();
       return true;
     case kTimCcer:
-      outputs_ = value;
-      refresh_pins();
-      link_.watch_changed();
+      waiting_outputs_ = value;
+      if (!(control2_ & kCcpc)) commutate();
       return true;
     case kTimCnt:
       start_from(value, now);

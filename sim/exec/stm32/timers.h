@@ -1,14 +1,13 @@
 // TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and starting one another.
 //
-//   up, down       a period = (PSC + 1) * (ARR + 1) cycles     duty (PWM mode 1, up) = min(CCR / (ARR + 1),
-//   1) centre-aligned                       2 * ARR                                                  CCR /
-//   ARR
+//   up, down         a period = (PSC + 1) * (ARR + 1) cycles    duty = min(CCR / (ARR + 1), 1), PWM mode 1
+//   centre-aligned              (PSC + 1) * 2 * ARR                    CCR / ARR
 //
 // timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp what channels and signals
 // do. PWM is a duty, other outputs are edges. An edge is captured with the count at its time, without filter
 // or synchroniser. Dead time makes no difference to a duty. A CCR, ARR or PSC that is preloaded counts from
 // the next update on. Refused, as not modelled: external trigger inputs (ETR), gating by another timer, DMA
-// bursts, the break input, and preloaded control bits (CCPC).
+// bursts, and the break input.
 #pragma once
 
 #include <array>
@@ -21,7 +20,8 @@ namespace robosim::exec::stm32 {
 struct TimerRegisters {
   std::uint32_t control_ = 0, control2_ = 0, slave_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0,
                 dead_time_ = 0;
-  std::array<std::uint32_t, 2> modes_{};
+  std::array<std::uint32_t, 2> modes_{}, waiting_modes_{};
+  std::uint32_t waiting_outputs_ = 0;
   std::uint32_t waiting_prescaler_ = 0, waiting_top_ = 0xFFFF, repetition_ = 0;
   std::array<std::uint32_t, 4> waiting_compare_{};
   // As they count
@@ -67,6 +67,8 @@ class Timer final : public Peripheral, TimerRegisters {
   bool write_compare(std::size_t channel, std::uint32_t value);
   bool modes_are_modelled() const;
   bool slave_is_modelled() const;
+  /// Modes and outputs as they were written count: at once, or at a commutation (14.3.15).
+  void commutate();
   void refresh_lines();
   void refresh_pins();
 

@@ -302,6 +302,13 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
+TEST_F(Stm32ChipTest, KnowsHowMuchFlashItHas) {
+  EXPECT_EQ(output(std::string(kRegisters) +
+                   "void setup() { Serial.begin(115200); Serial.print(load_half(0x1FFFF7E0)); }\n"
+                   "void loop() {}\n"),
+            "64");
+}
+
 TEST_F(Stm32ChipTest, AProgramMayWriteCodeIntoFlashAndRunIt) {
   EXPECT_EQ(
       output("#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\n"

@@ -189,6 +189,24 @@ TEST_F(TimersTest, TimerOneHasComplementsRepetitionsAndFourInterrupts) {
   EXPECT_TRUE(takes(kIrqTim1Capture));
 }
 
+TEST_F(TimersTest, PreloadedOutputsChangeAtACommutation) {
+  alternate(0, 8);
+  enable(kIrqTim1Trigger);
+  store(kTim1 + kTimArr, 99);
+  store(kTim1 + kTimCcr1, 25);
+  store(kTim1 + kTimCcmr1, kPwmMode1);
+  store(kTim1 + kTimBdtr, kMoe);
+  store(kTim1 + kTimCr1, kCen);
+  store(kTim1 + kTimCr2, 1);
+  store(kTim1 + kTimCcer, 1);
+  EXPECT_EQ(load(kTim1 + kTimCcer), 1u);
+  EXPECT_FALSE(board_.drive(kPa8).pwm);
+  store(kTim1 + kTimDier, 1u << 5);
+  store(kTim1 + kTimEgr, 1u << 5);
+  EXPECT_TRUE(board_.drive(kPa8).pwm);
+  EXPECT_TRUE(takes(kIrqTim1Trigger));
+}
+
 TEST_F(TimersTest, UpdatesFillAWaveByDma) {
   const Address channel2 = kDma1 + 8 + 20, table = kRam + 0x40;
   for (Address i = 0; i < 4; ++i) *bus_.ram().at(table + i, 1) = static_cast<std::uint8_t>(10 * (i + 1));
