@@ -33,9 +33,16 @@ constexpr int adc_channel(const AdcSpec& adc, int selection) {
              : (selection & 7) + (selection & 0x20 ? 8 : 0);
 }
 
-/// The reference that ADMUX selects, in volts: table 24-3.
+/// The bits REFS of ADMUX: table 24-3.
+constexpr int adc_reference(const AdcSpec& adc, uint8_t multiplexer) {
+  return (multiplexer >> 6) + (multiplexer & adc.reference_bit ? 4 : 0);
+}
+
+/// The reference that they select, in volts.
 constexpr double adc_reference_volts(const AdcSpec& adc, uint8_t multiplexer, double supply_volts) {
-  return adc.references[multiplexer >> 6] != 0.0 ? adc.references[multiplexer >> 6] : supply_volts;
+  return adc.references[adc_reference(adc, multiplexer)] != 0.0
+             ? adc.references[adc_reference(adc, multiplexer)]
+             : supply_volts;
 }
 
 /// The code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).

@@ -19,8 +19,9 @@ namespace robosim {
 namespace avr {
 
 /// By TCCRnB: tables 15-9, 16-5, 18-9. 0 = it stands, or counts an external clock.
+/// Of an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (data sheet 2586Q, table 12-5).
 constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
-  return timer.prescalers[control_b & 7];
+  return !timer.top ? timer.prescalers[control_b & 7] : (control_b & 0xF) ? 1 << ((control_b & 0xF) - 1) : 0;
 }
 
 /// How a timer counts.
@@ -33,9 +34,11 @@ struct Counting {
   Top top = Top::fixed;
   uint16_t fixed_top = 0xFF;       ///< where `top` is fixed
   bool frequency_correct = false;  ///< of dual slope: OCRnx is taken over at BOTTOM, not at TOP
+  bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, always where OCR is TOP
 };
 
-/// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal.
+/// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal. Of an ATtiny85's
+/// timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match with OCR1C, 3 PWM up to OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
@@ -63,6 +66,11 @@ constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t c
                                     {Kind::normal, false, Top::fixed, 0xFFFF},
                                     {Kind::pwm, false, Top::capture, 0xFFFF},
                                     {Kind::pwm, false, Top::compare_a, 0xFFFF}};
+  constexpr Counting kWithTop[4] = {{Kind::normal, false, Top::fixed, 0xFF},
+                                    {Kind::normal, false, Top::fixed, 0xFF},
+                                    {Kind::clear_on_match, false, Top::capture, 0xFF},
+                                    {Kind::pwm, false, Top::capture, 0xFF, false, true}};
+  if (timer.top) return kWithTop[control_a & 3];
   return timer.bits == 16 ? kOfWord[(control_a & 3) | (control_b >> 1 & 0xC)]
                           : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];
 }
@@ -110,8 +118,10 @@ inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top,
     return drive;
   }
   const int64_t value = compare < top ? compare : top;
-  const double high = how.dual_slope ? (top > 0 ? static_cast<double>(value) / static_cast<double>(top) : 0.0)
-                                     : static_cast<double>(value + 1) / static_cast<double>(top + 1);
+  const bool longer = !how.short_pulse || value == top;
+  const double high = how.dual_slope
+                          ? (top > 0 ? static_cast<double>(value) / static_cast<double>(top) : 0.0)
+                          : static_cast<double>(value + (longer ? 1 : 0)) / static_cast<double>(top + 1);
   drive.pwm = true;
   drive.duty = com == 3 ? 1.0 - high : high;
   return drive;

@@ -4,6 +4,7 @@
 #include "hal/board/atmega2560.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/atmega32u4.h"
+#include "hal/board/attiny85.h"
 #include "hal/board/stm32f103c8.h"
 
 namespace robosim {
@@ -89,6 +90,13 @@ constexpr PinEntry kLeonardoEntries[] = {
     {"A7", "PD7", -1},  {"A8", "PB4", -1},  {"A9", "PB5", -1},  {"A10", "PB6", -1}, {"A11", "PD6", -1},
     {"D30", "PD5", -1}};
 constexpr auto kLeonardoPins = pins_of(kAtmega32u4, kLeonardoEntries);
+
+// variants/gemma/pins_arduino.h: A0 to A3 are 5, 2, 4 and 3 once more. 5 is the reset, unless a fuse says
+// otherwise.
+constexpr PinEntry kTinyEntries[] = {
+    {"D0", "PB0", -1}, {"D1", "PB1", -1}, {"D2", "PB2", 0},  {"D3", "PB3", -1}, {"D4", "PB4", -1},
+    {"D5", "PB5", -1}, {"A0", "PB5", -1}, {"A1", "PB2", -1}, {"A2", "PB4", -1}, {"A3", "PB3", -1}};
+constexpr auto kTinyPins = pins_of(kAttiny85, kTinyEntries);
 
 // The STM32F103C8 has Arduino's pins 0 to 19 where they can do what an Uno's do: 0 and 1 are USART1, PWM is
 // on 3, 5, 6, 9, 10 and 11, A0 to A5 are analog, and no two of 0 to 8 share an interrupt line. Then what is
@@ -217,6 +225,32 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* mac
   return board;
 }
 
+// Boards with an ATtiny85. Without boot loader or with one of their own, avrdude cannot write to them by a
+// serial port. The chip is in its reset below 2.7 V where its fuse says so, as on the others.
+constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* macro, uint32_t clock_hz,
+                             double supply_volts, uint32_t flash_bytes) {
+  BoardSpec board = kUno;
+  board.name = name;
+  board.fqbn = fqbn;
+  board.macro = macro;
+  board.chip = &kAttiny85;
+  board.pins = kTinyPins.pins;
+  board.pin_count = kTinyPins.kSize;
+  board.analog_pin_0 = 6;
+  board.led_builtin = 1;
+  board.supply_volts = supply_volts;
+  board.clock_hz = clock_hz;
+  board.flash_bytes = flash_bytes;
+  board.ram_bytes = kAttiny85.ram_bytes;
+  board.eeprom_bytes = kAttiny85.eeprom_bytes;
+  board.regulator_drop_volts = 0.17;
+  board.host_model = &kUno;
+  board.variant = "gemma";
+  board.upload_protocol = nullptr;
+  board.upload_baud = 0;
+  return board;
+}
+
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
 // are the EEPROM's. What holds for its supply is taken from the Uno.
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
@@ -257,6 +291,10 @@ constexpr BoardSpec kBoards[] = {
     leonardo("leonardo", "arduino:avr:leonardo", "ARDUINO_AVR_LEONARDO", "leonardo", "Arduino Leonardo",
              0x8036),
     leonardo("micro", "arduino:avr:micro", "ARDUINO_AVR_MICRO", "micro", "Arduino Micro", 0x8037),
+    attiny85("digispark", "digistump:avr:digispark-tiny", "ARDUINO_AVR_DIGISPARK", 16500000, 5.0, 6012),
+    attiny85("gemma", "arduino:avr:gemma", "ARDUINO_AVR_GEMMA", 8000000, 3.3, 5310),
+    attiny85("attiny85", "ATTinyCore:avr:attinyx5:chip=85,clock=8internal", "ARDUINO_AVR_ATTINYX5", 8000000,
+             5.0, 8192),
     blue_pill("bluepill", 72000000),
     blue_pill("bluepill8", 8000000),
 };

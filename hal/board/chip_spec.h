@@ -45,10 +45,20 @@ struct TimerSpec {
   bool own_prescaler = false;  ///< it shares none with the others
   uint16_t reduction = 0;      ///< address of PRR
   int8_t reduction_bit = -1;   ///< that stops it there
+  // Where they are not told, the registers are an ATmega's:
+  uint16_t control_b = 0;    ///< address of TCCRnB; 0 = behind TCCRnA
+  uint16_t top = 0;          ///< address of OCR1C: of a timer 1 as an ATtiny85 has it, whose TCCRnA is TCCR1
+  const char* pins[2] = {};  ///< OCnA and OCnB, where ChipSpec::pins has another timer's
+  uint8_t overflow_vector = 0;       ///< 0 = behind those of the matches
+  uint8_t match_b_vector = 0;        ///< 0 = behind that of compare A
+  uint8_t flag_bits[3] = {0, 1, 2};  ///< of overflow, compare A and B, in registers that timers may share
 };
 
 /// TimerSpec::bits of a timer 4 as an ATmega32U4 has it, which is another kind.
 constexpr uint8_t kHighSpeedBits = 10;
+
+/// Whether timers share TIFR and TIMSK.
+constexpr bool shares_flags(const TimerSpec& timer) { return timer.flag_bits[0] != 0; }
 
 /// How many OCRnx it has.
 constexpr uint8_t channels(const TimerSpec& timer) { return timer.compare[2] ? 3 : 2; }
@@ -76,7 +86,8 @@ struct AdcSpec {
       {};                  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
   uint16_t reduction = 0;  ///< address of PRR
   int8_t reduction_bit = -1;        ///< that stops it there
-  double references[4] = {};        ///< by REFS1 and REFS0, in volts; 0 = the supply
+  double references[8] = {};        ///< by REFS2, REFS1 and REFS0, in volts; 0 = the supply
+  uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = there is none
   uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
   uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = there is none
   uint8_t control_b_bits = 0x47;    ///< all that ADCSRB keeps
@@ -107,6 +118,34 @@ struct ComparatorSpec {
   uint8_t vector = 0;
   const char* positive = "";  ///< pins: AIN0, AIN1
   const char* negative = "";
+};
+
+/// Where an AVR's registers are, in data memory, that belong to none of the others: an ATmega's, unless told.
+struct AvrRegisters {
+  uint16_t external_sense = 0x69;                ///< EICRA, with ISC0 in its lowest bits
+  uint16_t external_enables = 0x3D;              ///< EIMSK
+  uint16_t external_flags = 0x3C;                ///< EIFR
+  uint8_t external_bit = 0;                      ///< of INT0 in those two
+  uint16_t change_enables = 0x68;                ///< PCICR
+  uint16_t change_flags = 0x3B;                  ///< PCIFR
+  uint8_t change_bit = 0;                        ///< of the first group in those two
+  uint16_t change_masks = 0x6B;                  ///< PCMSK0, which the others follow
+  uint8_t pull_ups_off = 0x10;                   ///< PUD in MCUCR
+  uint16_t sleep = 0x53;                         ///< SMCR
+  uint8_t sleep_enable = 0x01;                   ///< SE there
+  uint8_t sleep_modes = 0x0E;                    ///< SM there
+  uint16_t clock_divisor = 0x61;                 ///< CLKPR
+  uint16_t watchdog = 0x60;                      ///< WDTCSR
+  uint16_t timers = 0x43;                        ///< GTCCR
+  uint8_t timers_kept = 0;                       ///< bits there that are a timer's
+  uint16_t pll = 0;                              ///< PLLCSR of a PLL that clocks a timer; 0 = none
+  uint16_t eeprom = 0x3F;                        ///< EECR, which EEDR, EEARL and EEARH follow
+  uint16_t adc_data = 0x78;                      ///< ADCL, which ADCH follows
+  uint16_t adc_control = 0x7A;                   ///< ADCSRA
+  uint16_t adc_control_b = 0x7B;                 ///< ADCSRB
+  uint16_t adc_multiplexer = 0x7C;               ///< ADMUX
+  uint16_t digital_off[3] = {0x7E, 0x7F, 0x7D};  ///< DIDR0 to DIDR2; all the same = a bit a pin of the port
+  uint16_t general[2] = {0x3E, 0x4A};            ///< GPIOR0, GPIOR1
 };
 
 /// A USB device controller; a serial line of its own to the computer, behind those of the UARTs.
@@ -142,6 +181,8 @@ struct ChipSpec {
   uint8_t change_count;     ///< groups of eight
   uint8_t watchdog_vector = 0;
   uint8_t eeprom_vector = 0;
+  bool small_core = false;           ///< an AVR without MUL, JMP and CALL
+  uint16_t start_up_cycles = 16384;  ///< of its oscillator, behind power-down; a crystal's unless told
 
   const ChipPin* pins;
   uint8_t pin_count;
@@ -156,6 +197,7 @@ struct ChipSpec {
   TwiSpec twi = {};
   ComparatorSpec comparator = {};
   UsbSpec usb = {};
+  AvrRegisters at = {};
 };
 
 constexpr uint32_t ram_end(const ChipSpec& chip) { return chip.ram_address + chip.ram_bytes; }

@@ -1,7 +1,6 @@
 #include "sim/avr/adc.h"
 
 #include "hal/board/avr_adc.h"
-#include "hal/board/avr_registers.h"
 
 namespace robosim::avr {
 namespace {
@@ -12,16 +11,17 @@ constexpr Cycle kAutoTriggerCycles = 3;
 
 }  // namespace
 
-Adc::Adc(Core& core) : core_(core) {
-  core.cpu.on_read<&Adc::read_control>(reg::kAdcsra, this);
-  core.cpu.on_write<&Adc::write_control>(reg::kAdcsra, this);
-  core.cpu.on_read<&Adc::read_plain>(reg::kAdcsrb, this);
-  core.cpu.on_write<&Adc::write_control_b>(reg::kAdcsrb, this);
-  core.cpu.on_read<&Adc::read_plain>(reg::kAdmux, this);
-  core.cpu.on_write<&Adc::write_multiplexer>(reg::kAdmux, this);
-  for (const Address address : {reg::kAdcsra, reg::kAdcsrb, reg::kAdmux}) core.cpu.is_steady(address);
-  core.cpu.on_read<&Adc::read_data>(reg::kAdcL, this);
-  core.cpu.on_read<&Adc::read_data>(reg::kAdcH, this);
+Adc::Adc(Core& core) : core_(core), at_(core.chip.at) {
+  core.cpu.on_read<&Adc::read_control>(at_.adc_control, this);
+  core.cpu.on_write<&Adc::write_control>(at_.adc_control, this);
+  core.cpu.on_read<&Adc::read_plain>(at_.adc_control_b, this);
+  core.cpu.on_write<&Adc::write_control_b>(at_.adc_control_b, this);
+  core.cpu.on_read<&Adc::read_plain>(at_.adc_multiplexer, this);
+  core.cpu.on_write<&Adc::write_multiplexer>(at_.adc_multiplexer, this);
+  for (const Address address : {at_.adc_control, at_.adc_control_b, at_.adc_multiplexer})
+    core.cpu.is_steady(address);
+  core.cpu.on_read<&Adc::read_data>(at_.adc_data, this);
+  core.cpu.on_read<&Adc::read_data>(static_cast<Address>(at_.adc_data + 1), this);
   core.interrupts.on_entry<&Adc::entered>(core.chip.adc.vector, this);
   core.triggers.on_trigger<&Adc::triggered>(this);
   sample_ = core.events.add<&Adc::sample>(this);
@@ -34,7 +34,7 @@ void Adc::reset(Cycle) {
   core_.triggers.await(Triggers::kNone);
 }
 
-Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.data[reg::kAdcsra])); }
+Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.data[at_.adc_control])); }
 
 Cycle Adc::edge_after(Cycle cycle) const {
   const Cycle first = state_.origin + clock() / 2;
@@ -42,18 +42,18 @@ Cycle Adc::edge_after(Cycle cycle) const {
 }
 
 int Adc::trigger() const {
-  const std::uint8_t control = core_.cpu.data[reg::kAdcsra];
+  const std::uint8_t control = core_.cpu.data[at_.adc_control];
   if (!(control & kAden) || !(control & kAdate)) return Triggers::kNone;
-  return core_.chip.adc.triggers[core_.cpu.data[reg::kAdcsrb] & kAdtsMask];
+  return core_.chip.adc.triggers[core_.cpu.data[at_.adc_control_b] & kAdtsMask];
 }
 
 void Adc::request() {
-  const std::uint8_t control = core_.at(reg::kAdcsra);
+  const std::uint8_t control = core_.at(at_.adc_control);
   core_.request(core_.chip.adc.vector, control & kAdif && control & kAdie);
 }
 
 void Adc::entered(int) {
-  core_.at(reg::kAdcsra) &= static_cast<std::uint8_t>(~kAdif);
+  core_.at(at_.adc_control) &= static_cast<std::uint8_t>(~kAdif);
   request();
 }
 
@@ -66,9 +66,9 @@ std::uint8_t Adc::read_plain(Address address) { return state_.runs ? core_.at(ad
 
 std::uint8_t Adc::read_data(Address address) {
   if (!state_.runs) return 0;
-  state_.locked = address == reg::kAdcL;
-  const std::uint16_t data = adc_data(core_.at(reg::kAdmux), state_.result);
-  return static_cast<std::uint8_t>(address == reg::kAdcL ? data : data >> 8);
+  state_.locked = address == at_.adc_data;
+  const std::uint16_t data = adc_data(core_.at(at_.adc_multiplexer), state_.result);
+  return static_cast<std::uint8_t>(address == at_.adc_data ? data : data >> 8);
 }
 
 void Adc::write_control(Address address, std::uint8_t value) {
@@ -94,7 +94,7 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const int before = trigger();
   const bool was_set =
-      before == Triggers::kNone ? (core_.at(reg::kAdcsra) & kAdif) != 0 : core_.triggers.await(before);
+      before == Triggers::kNone ? (core_.at(at_.adc_control) & kAdif) != 0 : core_.triggers.await(before);
   core_.at(address) = value & core_.chip.adc.control_b_bits;
   if (state_.converting && core_.now() < state_.start) select();
   const int now = trigger();
@@ -104,13 +104,14 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
 
 void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (!state_.runs) return;
-  core_.at(address) = value & (kReferenceAndAdjust | core_.chip.adc.multiplexer_bits);
+  core_.at(address) =
+      value & (kReferenceAndAdjust | core_.chip.adc.reference_bit | core_.chip.adc.multiplexer_bits);
   if (state_.converting && core_.now() < state_.start) select();
 }
 
 void Adc::select() {
-  state_.multiplexer = core_.at(reg::kAdmux);
-  state_.control_b = core_.at(reg::kAdcsrb);
+  state_.multiplexer = core_.at(at_.adc_multiplexer);
+  state_.control_b = core_.at(at_.adc_control_b);
 }
 
 void Adc::triggered(Cycle at) {
@@ -137,7 +138,7 @@ void Adc::sample(Cycle at) {
 void Adc::end(Cycle at) {
   state_.converting = false;
   if (!state_.locked) state_.result = state_.sampled;
-  std::uint8_t& control = core_.at(reg::kAdcsra);
+  std::uint8_t& control = core_.at(at_.adc_control);
   control |= kAdif;
   request();
   if (control & kAdate && trigger() == Triggers::kNone) start(at);
@@ -150,7 +151,7 @@ void Adc::abort() {
 }
 
 void Adc::falls_asleep(bool adc_clock_runs, Cycle at) {
-  const std::uint8_t control = core_.at(reg::kAdcsra);
+  const std::uint8_t control = core_.at(at_.adc_control);
   if (!adc_clock_runs || !state_.runs || state_.converting || !(control & kAden) || control & kAdate) return;
   start(edge_after(at));
 }

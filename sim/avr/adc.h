@@ -58,6 +58,7 @@ class Adc final : public Peripheral {
   Cycle edge_after(Cycle cycle) const;
 
   Core& core_;
+  const AvrRegisters& at_;
   Events::Id sample_ = 0, end_ = 0;
   State state_;
 };

@@ -12,6 +12,7 @@
 #include "sim/avr/self_programming.h"
 #include "sim/avr/spi.h"
 #include "sim/avr/timer.h"
+#include "sim/avr/timer_flags.h"
 #include "sim/avr/twi.h"
 #include "sim/avr/usart.h"
 #include "sim/avr/usb_device.h"
@@ -48,13 +49,21 @@ void Chip::make_peripherals() {
   add(std::make_unique<ExternalInterrupts>(core_, pins_));
   Prescalers& prescalers = add(std::make_unique<Prescalers>(core_));
   power_.supply(prescalers, Power::Clock::io, 0, -1);
+  SharedTimerFlags* shared = nullptr;
   for (int index = 0; index < core_.chip.timer_count; ++index) {
     const TimerSpec& spec = core_.chip.timers[index];
-    Peripheral& timer =
-        spec.bits == kHighSpeedBits
-            ? static_cast<Peripheral&>(add(std::make_unique<HighSpeedTimer>(core_, pins_, index)))
-            : static_cast<Peripheral&>(add(std::make_unique<Timer>(core_, pins_, prescalers, index)));
-    power_.supply(timer, Power::Clock::io, spec.reduction, spec.reduction_bit);
+    const auto supply = [&](Peripheral& timer) {
+      power_.supply(timer, Power::Clock::io, spec.reduction, spec.reduction_bit);
+    };
+    if (spec.bits == kHighSpeedBits) {
+      supply(add(std::make_unique<HighSpeedTimer>(core_, pins_, index)));
+      continue;
+    }
+    Timer& timer = add(std::make_unique<Timer>(core_, pins_, prescalers, index));
+    supply(timer);
+    if (!shares_flags(spec)) continue;
+    if (!shared) shared = &add(std::make_unique<SharedTimerFlags>(core_, spec.flags, spec.enables));
+    shared->add(timer);
   }
   for (int number = 0; number < core_.chip.uart_count; ++number) {
     const UartSpec& spec = core_.chip.uarts[number];

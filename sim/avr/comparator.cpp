@@ -1,7 +1,6 @@
 #include "sim/avr/comparator.h"
 
 #include "hal/board/avr_adc.h"
-#include "hal/board/avr_registers.h"
 
 namespace robosim::avr {
 namespace {
@@ -32,10 +31,11 @@ void Comparator::reset(Cycle) { state_ = {}; }
 double Comparator::volts_at(int pin) { return pin >= 0 && pins_.level(pin) ? core_.supply_volts : 0.0; }
 
 double Comparator::negative_volts(Cycle at) {
-  const std::uint8_t control_b = core_.at(reg::kAdcsrb);
-  if (!(control_b & kAcme) || core_.at(reg::kAdcsra) & kAdcEnabled) return volts_at(negative_);
+  const std::uint8_t control_b = core_.at(core_.chip.at.adc_control_b);
+  if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAdcEnabled) return volts_at(negative_);
   const AdcSpec& adc = core_.chip.adc;
-  const int channel = adc_channel(adc, adc_selection(adc, core_.at(reg::kAdmux) & kMuxMask, control_b));
+  const int channel =
+      adc_channel(adc, adc_selection(adc, core_.at(core_.chip.at.adc_multiplexer) & kMuxMask, control_b));
   return channel >= 0 ? core_.outside.volts(channel, at) : 0.0;
 }
 

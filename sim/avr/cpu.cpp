@@ -34,6 +34,28 @@ Op quick(const Instruction& i) {
   }
 }
 
+/// What an AVRe has not: MUL and its kin, JMP and CALL, program memory behind 64 KB.
+bool needs_large_core(Op op) {
+  switch (op) {
+    case Op::mul:
+    case Op::muls:
+    case Op::mulsu:
+    case Op::fmul:
+    case Op::fmuls:
+    case Op::fmulsu:
+    case Op::jmp:
+    case Op::call:
+    case Op::elpm_0:
+    case Op::elpm:
+    case Op::elpm_inc:
+    case Op::eijmp:
+    case Op::eicall:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == reg::kSpH; }
 
 }  // namespace
@@ -47,6 +69,9 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       hooks_(chip.ram_address) {
   flash_.resize(std::bit_ceil(flash_.size()), kErased);
   original_ = decode(flash_);
+  if (chip.small_core)
+    for (Instruction& instruction : original_)
+      if (needs_large_core(instruction.op)) instruction = {};
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
   for (std::size_t pc = 1; pc < code_.size(); ++pc) code_[pc].op = unmarked(static_cast<std::uint32_t>(pc));

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -130,6 +131,22 @@ class Cpu {
       (static_cast<Owner*>(self)->*Method)(at, value);
     };
     hook.write_self = owner;
+  }
+  /// The same for a register that has an owner already: `owner` is called behind it. Both keep the register
+  /// as the first has left it, but for bits of their own.
+  template <auto Method, typename Owner>
+  void also_on_write(Address address, Owner* owner) {
+    const Hook before = hooks_[address];
+    on_write<Method>(address, owner);
+    if (!before.write) return;
+    Hook& hook = hooks_[address];
+    shared_.push_back({before.write, before.write_self, hook.write, owner});
+    hook.write = [](void* self, Address at, std::uint8_t value) {
+      const Shared& both = *static_cast<Shared*>(self);
+      both.first(both.first_self, at, value);
+      both.second(both.second_self, at, value);
+    };
+    hook.write_self = &shared_.back();
   }
   /// void Owner::Method(Address, uint8_t value, uint8_t bit)
   template <auto Method, typename Owner>
@@ -255,6 +272,13 @@ class Cpu {
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address
+  struct Shared {
+    void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
+    void* first_self = nullptr;
+    void (*second)(void* self, Address address, std::uint8_t value) = nullptr;
+    void* second_self = nullptr;
+  };
+  std::deque<Shared> shared_;  ///< by who has two owners
   Cycle horizon_ = 0;
   Stop stop_ = Stop::reached;
 };

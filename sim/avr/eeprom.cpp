@@ -1,7 +1,5 @@
 #include "sim/avr/eeprom.h"
 
-#include "hal/board/avr_registers.h"
-
 namespace robosim::avr {
 namespace {
 
@@ -13,13 +11,13 @@ constexpr std::int64_t kEraseOrWrite_ns = 1'800'000;
 
 }  // namespace
 
-Eeprom::Eeprom(Core& core) : core_(core) {
-  core.cpu.on_read<&Eeprom::read_control>(reg::kEecr, this);
-  core.cpu.on_outlook<&Eeprom::outlook_of_control>(reg::kEecr, this);
-  core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
-  core.cpu.on_write_bit<&Eeprom::write_control_bit>(reg::kEecr, this);
-  core.cpu.on_write<&Eeprom::write_address>(reg::kEearL, this);
-  core.cpu.on_write<&Eeprom::write_address>(reg::kEearH, this);
+Eeprom::Eeprom(Core& core) : core_(core), control_(core.chip.at.eeprom) {
+  core.cpu.on_read<&Eeprom::read_control>(control_, this);
+  core.cpu.on_outlook<&Eeprom::outlook_of_control>(control_, this);
+  core.cpu.on_write<&Eeprom::write_control>(control_, this);
+  core.cpu.on_write_bit<&Eeprom::write_control_bit>(control_, this);
+  core.cpu.on_write<&Eeprom::write_address>(address_register(), this);
+  core.cpu.on_write<&Eeprom::write_address>(static_cast<Address>(address_register() + 1), this);
   core.on_clock_change<&Eeprom::clock_changed>(this);
   done_ = core.events.add<&Eeprom::done>(this);
   core.keep(state_);
@@ -28,16 +26,16 @@ Eeprom::Eeprom(Core& core) : core_(core) {
 void Eeprom::reset(Cycle) {
   state_.unlocked_until = 0;
   if (!state_.writing) return;
-  core_.at(reg::kEecr) = state_.mode;
+  core_.at(control_) = state_.mode;
   core_.schedule(done_, state_.done_at);
 }
 
 std::uint16_t Eeprom::address() const {
-  return static_cast<std::uint16_t>(core_.cpu.pair(reg::kEearL) & (core_.chip.eeprom_bytes - 1));
+  return static_cast<std::uint16_t>(core_.cpu.pair(address_register()) & (core_.chip.eeprom_bytes - 1));
 }
 
 void Eeprom::request() {
-  core_.request(core_.chip.eeprom_vector, core_.at(reg::kEecr) & kEerie && !state_.writing);
+  core_.request(core_.chip.eeprom_vector, core_.at(control_) & kEerie && !state_.writing);
 }
 
 std::uint8_t Eeprom::read_control(Address at) {
@@ -56,12 +54,12 @@ void Eeprom::write_control_bit(Address, std::uint8_t value, std::uint8_t bit) { 
 void Eeprom::control(std::uint8_t value, std::uint8_t written) {
   const Cycle now = core_.now();
   const bool unlocked = now <= state_.unlocked_until;
-  std::uint8_t& kept = core_.at(reg::kEecr);
+  std::uint8_t& kept = core_.at(control_);
   const std::uint8_t mode = (state_.writing ? kept : value) & kEepmMask;
   kept = static_cast<std::uint8_t>((value & kEerie) | mode);
   if (written & kEempe) state_.unlocked_until = value & kEempe ? now + kEempeWindow : 0;
   if (!state_.writing && value & written & kEere) {
-    core_.at(reg::kEedr) = core_.outside.eeprom()[address()];
+    core_.at(data_register()) = core_.outside.eeprom()[address()];
     core_.cpu.skip_to(now + kReadHalts);
   }
   if (!state_.writing && value & written & kEepe && unlocked) begin();
@@ -70,10 +68,10 @@ void Eeprom::control(std::uint8_t value, std::uint8_t written) {
 
 void Eeprom::begin() {
   const Cycle now = core_.now();
-  const std::uint8_t old = core_.outside.eeprom()[address()], data = core_.at(reg::kEedr);
+  const std::uint8_t old = core_.outside.eeprom()[address()], data = core_.at(data_register());
   std::uint8_t value = data;
   std::int64_t takes_ns = kEraseOrWrite_ns;
-  state_.mode = core_.at(reg::kEecr) & kEepmMask;
+  state_.mode = core_.at(control_) & kEepmMask;
   switch (state_.mode) {
     case kEraseAndWrite:
       takes_ns = kEepromWriteTime;
@@ -102,7 +100,7 @@ void Eeprom::done(Cycle) {
 void Eeprom::write_address(Address at, std::uint8_t value) {
   if (state_.writing) return;
   const int high = (core_.chip.eeprom_bytes - 1) >> 8;
-  core_.at(at) = at == reg::kEearL ? value : static_cast<std::uint8_t>(value & high);
+  core_.at(at) = at == address_register() ? value : static_cast<std::uint8_t>(value & high);
 }
 
 void Eeprom::clock_changed(std::int64_t hz_before) {

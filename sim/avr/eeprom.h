@@ -42,8 +42,11 @@ class Eeprom final : public Peripheral {
   void clock_changed(std::int64_t hz_before);
   void request();
   std::uint16_t address() const;
+  Address data_register() const { return static_cast<Address>(control_ + 1); }
+  Address address_register() const { return static_cast<Address>(control_ + 2); }
 
   Core& core_;
+  const Address control_;  ///< EECR
   Events::Id done_ = 0;
   State state_;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "hal/board/avr_registers.h"
-
 namespace robosim::avr {
 namespace {
 
@@ -11,11 +9,17 @@ constexpr Cycle kIntCycles = 2, kPcintCycles = 3;
 constexpr std::size_t kSensesPerRegister = 4;  // ISCn in EICRA, the others in EICRB
 
 constexpr std::uint8_t flag_bit(std::size_t number) { return static_cast<std::uint8_t>(1u << number); }
-constexpr std::uint8_t flag_bits(std::size_t count) { return static_cast<std::uint8_t>((1u << count) - 1); }
+constexpr std::uint8_t flag_bits(std::size_t count, unsigned from) {
+  return static_cast<std::uint8_t>(((1u << count) - 1) << from);
+}
+/// Of a register, those that `mask` has.
+constexpr std::uint8_t replaced(std::uint8_t kept, std::uint8_t value, std::uint8_t mask) {
+  return static_cast<std::uint8_t>((kept & ~mask) | (value & mask));
+}
 
 }  // namespace
 
-ExternalInterrupts::ExternalInterrupts(Core& core, Pins& pins) : core_(core), pins_(pins) {
+ExternalInterrupts::ExternalInterrupts(Core& core, Pins& pins) : core_(core), at_(core.chip.at), pins_(pins) {
   using Self = ExternalInterrupts;
   for (Group& group : groups_) group.pins.fill(-1);
   for (int pin = 0; pin < core.chip.pin_count; ++pin) {
@@ -31,21 +35,22 @@ ExternalInterrupts::ExternalInterrupts(Core& core, Pins& pins) : core_(core), pi
   }
   for (std::size_t number = 0; number < lines(); ++number) {
     if (number % kSensesPerRegister == 0)
-      core.cpu.on_write<&Self::write_sense>(static_cast<Address>(reg::kEicra + number / kSensesPerRegister),
-                                            this);
+      core.cpu.also_on_write<&Self::write_sense>(
+          static_cast<Address>(at_.external_sense + number / kSensesPerRegister), this);
     core.interrupts.on_entry<&Self::external_entered>(vector(number), this);
     core.triggers.offer<&Self::awaited>(vector(number), this);
   }
   for (std::size_t group = 0; group < groups(); ++group) {
-    core.cpu.on_write<&Self::write_change_mask>(static_cast<Address>(reg::kPcmsk0 + group), this);
+    core.cpu.on_write<&Self::write_change_mask>(static_cast<Address>(at_.change_masks + group), this);
     core.interrupts.on_entry<&Self::change_entered>(change_vector(group), this);
+    core.triggers.offer<&Self::change_awaited>(change_vector(group), this);
   }
-  core.cpu.on_write<&Self::write_enables>(reg::kEimsk, this);
-  core.cpu.on_write<&Self::write_flags>(reg::kEifr, this);
-  core.cpu.on_write_bit<&Self::write_flag_bit>(reg::kEifr, this);
-  core.cpu.on_write<&Self::write_change_enables>(reg::kPcicr, this);
-  core.cpu.on_write<&Self::write_change_flags>(reg::kPcifr, this);
-  core.cpu.on_write_bit<&Self::write_change_flag_bit>(reg::kPcifr, this);
+  core.cpu.on_write<&Self::write_enables>(at_.external_enables, this);
+  core.cpu.on_write<&Self::write_flags>(at_.external_flags, this);
+  core.cpu.on_write_bit<&Self::write_flag_bit>(at_.external_flags, this);
+  core.cpu.also_on_write<&Self::write_change_enables>(at_.change_enables, this);
+  core.cpu.also_on_write<&Self::write_change_flags>(at_.change_flags, this);
+  core.cpu.on_write_bit<&Self::write_change_flag_bit>(at_.change_flags, this);
   flags_ = core.events.add<&Self::set_flags>(this);
   core.keep(state_);
 }
@@ -53,13 +58,14 @@ ExternalInterrupts::ExternalInterrupts(Core& core, Pins& pins) : core_(core), pi
 void ExternalInterrupts::reset(Cycle) { state_ = {}; }
 
 ExternalInterrupts::Sense ExternalInterrupts::sense(std::size_t number) const {
-  const std::uint8_t control = core_.cpu.data[reg::kEicra + number / kSensesPerRegister];
+  const std::uint8_t control = core_.cpu.data[at_.external_sense + number / kSensesPerRegister];
   return static_cast<Sense>(control >> (2 * (number % kSensesPerRegister)) & 3);
 }
 
 void ExternalInterrupts::listen_or_not(std::size_t number) {
   LineState& line = state_.lines[number];
-  const bool listens = sense(number) != Sense::low_level || core_.at(reg::kEimsk) & flag_bit(number);
+  const bool listens =
+      sense(number) != Sense::low_level || core_.at(at_.external_enables) & external_bit(number);
   if (listens == line.listening || lines_[number].pin < 0) return;
   line.listening = listens;
   pins_.listen(lines_[number].listener, listens);
@@ -67,22 +73,23 @@ void ExternalInterrupts::listen_or_not(std::size_t number) {
 }
 
 void ExternalInterrupts::request(std::size_t number) {
-  const std::uint8_t bit = flag_bit(number);
+  const std::uint8_t bit = external_bit(number);
   const LineState& line = state_.lines[number];
   const bool by_level = sense(number) == Sense::low_level;
-  const bool wanted = by_level ? line.listening && !line.level : (core_.at(reg::kEifr) & bit) != 0;
-  core_.request(vector(number), wanted && core_.at(reg::kEimsk) & bit);
+  const bool wanted = by_level ? line.listening && !line.level : (core_.at(at_.external_flags) & bit) != 0;
+  core_.request(vector(number), wanted && core_.at(at_.external_enables) & bit);
 }
 
 void ExternalInterrupts::request_change(std::size_t group) {
-  core_.request(change_vector(group), core_.at(reg::kPcifr) & core_.at(reg::kPcicr) & flag_bit(group));
+  core_.request(change_vector(group),
+                core_.at(at_.change_flags) & core_.at(at_.change_enables) & change_bit(group));
 }
 
 void ExternalInterrupts::write_sense(Address address, std::uint8_t value) {
   core_.at(address) = value;
   for (std::size_t number = 0; number < lines(); ++number) {
     if (sense(number) == Sense::low_level) {
-      core_.at(reg::kEifr) &= static_cast<std::uint8_t>(~flag_bit(number));
+      core_.at(at_.external_flags) &= static_cast<std::uint8_t>(~external_bit(number));
       state_.lines[number].flag_at = kNoCycle;
     }
     listen_or_not(number);
@@ -92,7 +99,7 @@ void ExternalInterrupts::write_sense(Address address, std::uint8_t value) {
 }
 
 void ExternalInterrupts::write_enables(Address address, std::uint8_t value) {
-  core_.at(address) = value & flag_bits(lines());
+  core_.at(address) = replaced(core_.at(address), value, flag_bits(lines(), at_.external_bit));
   for (std::size_t number = 0; number < lines(); ++number) {
     listen_or_not(number);
     request(number);
@@ -109,12 +116,12 @@ void ExternalInterrupts::write_flag_bit(Address address, std::uint8_t value, std
 }
 
 void ExternalInterrupts::write_change_enables(Address address, std::uint8_t value) {
-  core_.at(address) = value & flag_bits(groups());
+  core_.at(address) = replaced(core_.at(address), value, flag_bits(groups(), at_.change_bit));
   for (std::size_t group = 0; group < groups(); ++group) request_change(group);
 }
 
 void ExternalInterrupts::write_change_mask(Address address, std::uint8_t value) {
-  const Group& group = groups_[static_cast<std::size_t>(address - reg::kPcmsk0)];
+  const Group& group = groups_[static_cast<std::size_t>(address - at_.change_masks)];
   const std::uint8_t changed = core_.at(address) ^ value;
   core_.at(address) = value;
   for (std::size_t bit = 0; bit < 8; ++bit)
@@ -167,35 +174,43 @@ void ExternalInterrupts::set_flags(Cycle at) {
     LineState& line = state_.lines[number];
     if (line.flag_at > at) continue;
     line.flag_at = kNoCycle;
-    std::uint8_t& flags = core_.at(reg::kEifr);
-    const bool rises = !(flags & flag_bit(number));
-    flags |= flag_bit(number);
+    std::uint8_t& flags = core_.at(at_.external_flags);
+    const bool rises = !(flags & external_bit(number));
+    flags |= external_bit(number);
     request(number);
     if (rises) core_.triggers.raised(vector(number), at);
   }
   for (std::size_t group = 0; group < groups(); ++group) {
     if (state_.change_flag_at[group] > at) continue;
     state_.change_flag_at[group] = kNoCycle;
-    core_.at(reg::kPcifr) |= flag_bit(group);
+    std::uint8_t& flags = core_.at(at_.change_flags);
+    const bool rises = !(flags & change_bit(group));
+    flags |= change_bit(group);
     request_change(group);
+    if (rises) core_.triggers.raised(change_vector(group), at);
   }
   schedule();
 }
 
 void ExternalInterrupts::external_entered(int vector) {
   const auto number = static_cast<std::size_t>(vector - core_.chip.external_vector);
-  core_.at(reg::kEifr) &= static_cast<std::uint8_t>(~flag_bit(number));
+  core_.at(at_.external_flags) &= static_cast<std::uint8_t>(~external_bit(number));
   request(number);
 }
 
 void ExternalInterrupts::change_entered(int vector) {
   const auto group = static_cast<std::size_t>(vector - core_.chip.change_vector);
-  core_.at(reg::kPcifr) &= static_cast<std::uint8_t>(~flag_bit(group));
+  core_.at(at_.change_flags) &= static_cast<std::uint8_t>(~change_bit(group));
   request_change(group);
 }
 
 bool ExternalInterrupts::awaited(int vector, bool) {
-  return core_.at(reg::kEifr) & flag_bit(static_cast<std::size_t>(vector - core_.chip.external_vector));
+  return core_.at(at_.external_flags) &
+         external_bit(static_cast<std::size_t>(vector - core_.chip.external_vector));
+}
+
+bool ExternalInterrupts::change_awaited(int vector, bool) {
+  return core_.at(at_.change_flags) & change_bit(static_cast<std::size_t>(vector - core_.chip.change_vector));
 }
 
 }  // namespace robosim::avr

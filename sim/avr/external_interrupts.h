@@ -66,6 +66,7 @@ class ExternalInterrupts final : public Peripheral {
   void external_entered(int vector);
   void change_entered(int vector);
   bool awaited(int vector, bool is);
+  bool change_awaited(int vector, bool is);
   void listen_or_not(std::size_t number);
   void request(std::size_t number);
   void request_change(std::size_t group);
@@ -76,7 +77,15 @@ class ExternalInterrupts final : public Peripheral {
   int vector(std::size_t number) const { return core_.chip.external_vector + static_cast<int>(number); }
   int change_vector(std::size_t group) const { return core_.chip.change_vector + static_cast<int>(group); }
 
+  std::uint8_t external_bit(std::size_t number) const {
+    return static_cast<std::uint8_t>(1u << (at_.external_bit + number));
+  }
+  std::uint8_t change_bit(std::size_t group) const {
+    return static_cast<std::uint8_t>(1u << (at_.change_bit + group));
+  }
+
   Core& core_;
+  const AvrRegisters& at_;
   Pins& pins_;
   std::array<Line, kMost> lines_{};
   std::array<Group, kMostGroups> groups_{};

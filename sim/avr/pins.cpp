@@ -8,7 +8,6 @@ namespace robosim::avr {
 namespace {
 
 constexpr Cycle kSynchroniserCycles = 2;
-constexpr std::uint8_t kPud = 0x10;
 
 constexpr std::uint8_t mask_of(int bit) { return static_cast<std::uint8_t>(1 << bit); }
 
@@ -30,12 +29,15 @@ Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
     core.cpu.on_write<&Pins::write_latch>(latch_register(port), this);
   }
   core.cpu.on_write<&Pins::write_control>(reg::kMcucr, this);
+  for (const std::uint16_t at : core.chip.at.digital_off)
+    core.cpu.on_write<&Pins::write_digital_off>(at, this);
   core.keep(state_);
 }
 
 void Pins::reset(Cycle) {
   state_.taken.fill({});
   state_.listening = 0;
+  state_.some_off = false;
   for (PortState& port : state_.ports) port = {};
   for (int pin = 0; pin < core_.chip.pin_count; ++pin) {
     if (core_.chip.pins[pin].port < 0) continue;
@@ -78,7 +80,7 @@ bool Pins::level(int pin) {
   return core_.outside.level(pin, latch && has_pull_ups(), core_.now());
 }
 
-bool Pins::has_pull_ups() const { return !(core_.cpu.data[reg::kMcucr] & kPud); }
+bool Pins::has_pull_ups() const { return !(core_.cpu.data[reg::kMcucr] & core_.chip.at.pull_ups_off); }
 
 void Pins::write_control(Address address, std::uint8_t value) {
   const bool before = has_pull_ups();
@@ -88,13 +90,22 @@ void Pins::write_control(Address address, std::uint8_t value) {
     if (core_.chip.pins[pin].port >= 0 && !is_output(pin)) tell_drive(pin);
 }
 
-// DIDR0 and DIDR1: 24.9.5, 23.3.2; DIDR2 has the analog inputs from 8 on, of a chip with so many.
+void Pins::write_digital_off(Address address, std::uint8_t value) {
+  core_.at(address) = value;
+  state_.some_off = false;
+  for (const std::uint16_t at : core_.chip.at.digital_off) state_.some_off |= core_.at(at) != 0;
+}
+
+// DIDR0 and DIDR1: 24.9.5, 23.3.2; DIDR2 has the analog inputs from 8 on, of a chip with so many. An
+// ATtiny85's DIDR0 has the bits of its port.
 bool Pins::is_read(int pin) const {
-  const int analog = core_.cpu.data[reg::kDidr0] | core_.cpu.data[reg::kDidr2] << 8,
-            comparator = core_.cpu.data[reg::kDidr1];
-  if (!(analog | comparator)) [[likely]]
+  if (!state_.some_off) [[likely]]
     return true;
+  const auto& data = core_.cpu.data;
+  const auto& [first, second, third] = core_.chip.at.digital_off;
   const ChipPin& place = core_.chip.pins[pin];
+  if (first == second) return !(data[first] >> place.bit & 1);
+  const int analog = data[first] | data[third] << 8, comparator = data[second];
   if (place.analog_channel >= 0 && analog >> place.analog_channel & 1) return false;
   return !(comparator & 1 && pin == named(core_.chip.comparator.positive)) &&
          !(comparator & 2 && pin == named(core_.chip.comparator.negative));

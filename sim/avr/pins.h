@@ -88,6 +88,7 @@ class Pins final : public Peripheral {
     std::array<Taken, kMostPins> taken{};
     std::array<bool, kMostPins> heard_level{};
     std::uint64_t listening = 0;  ///< a bit a listener
+    bool some_off = false;        ///< a bit of DIDRn is set
     int last_read = -1;
     Cycle last_read_at = 0;
   };
@@ -95,6 +96,7 @@ class Pins final : public Peripheral {
   std::uint8_t read_pins(Address address);
   Outlook outlook(Address address, std::uint8_t bits);
   void write_control(Address address, std::uint8_t value);
+  void write_digital_off(Address address, std::uint8_t value);
   bool has_pull_ups() const;
   bool is_read(int pin) const;
   void toggle(Address address, std::uint8_t value);

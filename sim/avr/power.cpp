@@ -5,14 +5,13 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kSleepEnable = 0x01, kSleepModeMask = 0x0E, kIdle = 0x00, kNoiseReduction = 0x02;
-constexpr std::uint8_t kStandby = 0x0C, kExtendedStandby = 0x0E;
+constexpr int kIdle = 0, kNoiseReduction = 1, kStandby = 6, kExtendedStandby = 7;  // SM
 constexpr std::uint8_t kClockChangeEnable = 0x80, kDivisorMask = 0x0F, kLargestDivisor = 8;
 constexpr std::uint8_t kResetFlags = 0x0F;
 constexpr Cycle kDivisorWindow = 4;
-constexpr Cycle kWakeCycles = 4, kCrystalStartUp = 16384, kStandbyStartUp = 6;
+constexpr Cycle kWakeCycles = 4, kStandbyStartUp = 6;
 
-constexpr Cycle start_up_of(int mode) {
+constexpr Cycle start_up_of(int mode, Cycle of_oscillator) {
   switch (mode) {
     case kIdle:
     case kNoiseReduction:
@@ -21,15 +20,15 @@ constexpr Cycle start_up_of(int mode) {
     case kExtendedStandby:
       return kStandbyStartUp;
     default:
-      return kCrystalStartUp;
+      return of_oscillator;
   }
 }
 
 }  // namespace
 
 Power::Power(Core& core) : core_(core) {
-  core.cpu.on_read<&Power::read_divisor>(reg::kClkpr, this);
-  core.cpu.on_write<&Power::write_divisor>(reg::kClkpr, this);
+  core.cpu.on_read<&Power::read_divisor>(core.chip.at.clock_divisor, this);
+  core.cpu.on_write<&Power::write_divisor>(core.chip.at.clock_divisor, this);
   core.cpu.on_write<&Power::write_reset_flags>(reg::kMcusr, this);
   core.keep(state_);
 }
@@ -94,16 +93,17 @@ void Power::update(Cycle at) {
 }
 
 bool Power::sleep(Cycle at) {
-  const std::uint8_t control = core_.at(reg::kSmcr);
-  if (!(control & kSleepEnable)) return false;
-  const int mode = control & kSleepModeMask;
+  const AvrRegisters& at_chip = core_.chip.at;
+  const std::uint8_t control = core_.at(at_chip.sleep);
+  if (!(control & at_chip.sleep_enable)) return false;
+  const int mode = (control & at_chip.sleep_modes) / (at_chip.sleep_modes & -at_chip.sleep_modes);
   const bool adc_runs = mode == kIdle || mode == kNoiseReduction;
   state_.asleep = true;
   state_.slept_from = at;
   for (const Supplied& supplied : supplied_) supplied.peripheral->falls_asleep(adc_runs, at);
   state_.io_runs = mode == kIdle;
   state_.adc_runs = adc_runs;
-  state_.start_up = start_up_of(mode);
+  state_.start_up = start_up_of(mode, core_.chip.start_up_cycles);
   update(at);
   return true;
 }

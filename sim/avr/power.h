@@ -5,7 +5,7 @@
 //   noise reduction  stands      stands      runs        none
 //   standby          stands      stands      stands      6 cycles, extended standby too
 //   the others       stands      stands      stands      the oscillator's (table 9-4: a crystal, 16384
-//   cycles)
+//   cycles; ChipSpec says which)
 //
 // A chip that wakes stands still for 4 cycles more, before the 4 of the interrupt (10.2). The registers of a
 // peripheral that its bit in PRR has stopped read 0 and keep what they have (10.11.3). CLKPR divides all

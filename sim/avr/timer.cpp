@@ -11,6 +11,7 @@ Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
       prescalers_(prescalers),
       spec_(core.chip.timers[index]),
       channels_(channels(spec_)),
+      control_b_(spec_.control_b ? spec_.control_b : static_cast<Address>(spec_.control + 1)),
       prescaler_(spec_.own_prescaler ? Prescalers::kOwn : Prescalers::kShared) {
   hook_registers();
   for (const std::uint8_t flag :
@@ -27,6 +28,8 @@ Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
     capture_listener_ = pins.add_listener<&Timer::captured>(pin, this);
     capture_pin_ = pin;
   }
+  for (std::size_t channel = 0; channel < std::size(spec_.pins); ++channel)
+    if (spec_.pins[channel]) output_pins_[channel] = pins.named(spec_.pins[channel]);
   core.on_clock_change<&Timer::clock_changed>(this);
   due_ = core.events.add<&Timer::due>(this);
   prescalers.add(*this);
@@ -37,6 +40,7 @@ void Timer::reset(Cycle at) {
   state_ = {};
   state_.at = at;
   core_.events.cancel(due_);
+  if (spec_.top) write_top(spec_.top, 0xFF);
   set_mode();
 }
 
@@ -62,6 +66,7 @@ bool Timer::awaited(int vector, bool awaited) {
 }
 
 void Timer::clock_changed(std::int64_t) {
+  if (spec_.top) set_mode();
   state_.drives_stale = true;
   settle();
 }
@@ -69,7 +74,7 @@ void Timer::clock_changed(std::int64_t) {
 void Timer::set_mode() {
   state_.counter.count(counting(spec_, control_a(), control_b()), is_wide() ? 0xFFFF : 0xFF, channels_);
   const auto divisor = static_cast<unsigned>(prescaler(spec_, control_b()));
-  state_.shift = divisor ? std::countr_zero(divisor) : -1;
+  state_.shift = divisor ? std::max(std::countr_zero(divisor) - pll_shift(), 0) : -1;
   if (!is_external()) state_.pulses = {};
   state_.drives_stale = true;
   listen();
@@ -131,11 +136,11 @@ int Timer::vector_of(std::uint8_t flag) const {
     case Counter::kMatchA:
       return spec_.vector;
     case Counter::kMatchB:
-      return spec_.vector + 1;
+      return spec_.match_b_vector ? spec_.match_b_vector : spec_.vector + 1;
     case Counter::kMatchC:
       return spec_.vector + 2;
     case Counter::kOverflow:
-      return spec_.vector + channels_;
+      return spec_.overflow_vector ? spec_.overflow_vector : spec_.vector + channels_;
     default:
       return spec_.vector - 1;
   }

@@ -54,6 +54,12 @@ class Timer final : public Peripheral {
 
   const Counter& counter() const { return state_.counter; }
 
+  // --- for those that share TIFR and TIMSK: bits as these have them
+  std::uint8_t flags_in_register();
+  void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
+  void enable_in_register(std::uint8_t flags);
+  Outlook outlook_of_flags(Address address, std::uint8_t bits);
+
  private:
   // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
   static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
@@ -70,6 +76,8 @@ class Timer final : public Peripheral {
   struct State {
     Counter counter;
     Cycle at = 0;  ///< all ticks up to this cycle are counted
+    std::uint8_t control_a = 0, control_b = 0,
+                 enables = 0;  ///< TCCRnA, TCCRnB and TIMSKn, as an ATmega has them
     std::uint8_t flags = 0, requested = 0, watched = 0;
     std::uint8_t temp = 0;  ///< the high byte between the two accesses
     bool runs = true;       ///< it has a clock: PRR, sleep
@@ -79,6 +87,7 @@ class Timer final : public Peripheral {
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
     bool wants_captures = false;
+    Cycle pll_locked_at = kNoCycle;
   };
   // registers
   void hook_registers();
@@ -90,7 +99,6 @@ class Timer final : public Peripheral {
   std::uint8_t read_flags(Address address);
   void write_flags(Address address, std::uint8_t value);
   void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
-  Outlook outlook_of_flags(Address address, std::uint8_t bits);
   std::uint8_t read_count(Address address);
   Outlook outlook_of_count(Address address, std::uint8_t bits);
   void write_count(Address address, std::uint8_t value);
@@ -99,6 +107,17 @@ class Timer final : public Peripheral {
   void write_capture(Address address, std::uint8_t value);
   std::uint8_t read_temp(Address) { return state_.runs ? state_.temp : std::uint8_t{0}; }
   void write_temp(Address address, std::uint8_t value);
+  std::uint8_t in_register(std::uint8_t flags) const;
+  std::uint8_t of_register(std::uint8_t flags) const;
+  // of an ATtiny85's timer 1: timer_pll.cpp
+  void hook_pll_registers();
+  void write_pll_control(Address address, std::uint8_t value);
+  void write_pll_general(Address address, std::uint8_t value);
+  void write_top(Address address, std::uint8_t value);
+  void write_pll(Address address, std::uint8_t value);
+  std::uint8_t read_pll(Address address);
+  void take_pll_control();
+  int pll_shift() const;
   std::uint16_t with_temp(std::uint8_t low) const;
   /// Data memory holds what was read or written last; returns the low byte.
   std::uint8_t show(Address address, std::uint16_t value);
@@ -109,12 +128,13 @@ class Timer final : public Peripheral {
   std::size_t channel_at(Address compare) const {
     return compare == spec_.compare[0] ? 0 : compare == spec_.compare[1] ? 1 : 2;
   }
-  std::uint8_t control_a() const { return core_.cpu.data[spec_.control]; }
-  std::uint8_t control_b() const { return core_.cpu.data[spec_.control + 1]; }
-  std::uint8_t enables() const { return core_.cpu.data[spec_.enables]; }
+  std::uint8_t control_a() const { return state_.control_a; }
+  std::uint8_t control_b() const { return state_.control_b; }
+  std::uint8_t enables() const { return state_.enables; }
 
   // counting
   void set_mode();
+  void set_enables(std::uint8_t enables);
   void count_ticks(Cycle to);
   Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
   bool ticks_come() const;  ///< from the prescaler, as things stand
@@ -156,6 +176,7 @@ class Timer final : public Peripheral {
   Prescalers& prescalers_;
   const TimerSpec& spec_;
   const std::uint8_t channels_;
+  const Address control_b_;
   const Prescalers::Which prescaler_;
   std::array<int, 3> output_pins_{-1, -1, -1};
   int pulse_listener_ = -1, capture_listener_ = -1, capture_pin_ = -1;

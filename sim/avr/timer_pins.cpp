@@ -46,8 +46,9 @@ bool Timer::changes_at_match(std::size_t channel) const {
 bool Timer::pwm_level(std::size_t channel) const {
   const Counter& counter = state_.counter;
   const std::uint16_t compare = counter.compare(channel), value = counter.value();
-  bool high = compare >= counter.top() || value < compare || (value == compare && !counter.counts_down());
-  if (counter.how().dual_slope && compare == 0) high = false;
+  bool high = compare >= counter.top() || value < compare ||
+              (value == compare && !counter.counts_down() && !counter.how().short_pulse);
+  if ((counter.how().dual_slope || counter.how().short_pulse) && compare == 0) high = false;
   return high != (connection(control_a(), static_cast<int>(channel)) == 3);
 }
 

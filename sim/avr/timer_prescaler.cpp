@@ -1,6 +1,5 @@
 #include "sim/avr/timer_prescaler.h"
 
-#include "hal/board/avr_registers.h"
 #include "sim/avr/timer.h"
 
 namespace robosim::avr {
@@ -12,7 +11,7 @@ constexpr std::array<std::uint8_t, 2> kToZero{0x01, 0x02};  // PSRSYNC, PSRASY
 }  // namespace
 
 Prescalers::Prescalers(Core& core) : core_(core) {
-  core.cpu.on_write<&Prescalers::write>(reg::kGtccr, this);
+  core.cpu.on_write<&Prescalers::write>(core.chip.at.timers, this);
   core.keep(state_);
 }
 
@@ -38,7 +37,9 @@ void Prescalers::write(Address address, std::uint8_t value) {
     if (to_zero || state_.held[i]) state_.began[i] = now;
     state_.held[i] = to_zero && holds;
   }
-  core_.at(address) = holds ? value & (kHold | kToZero[0] | kToZero[1]) : 0;
+  const std::uint8_t kept = core_.chip.at.timers_kept;
+  core_.at(address) =
+      static_cast<std::uint8_t>((holds ? value & (kHold | kToZero[0] | kToZero[1]) : 0) | (value & kept));
   for (Timer* const timer : timers_) timer->settle();
 }
 

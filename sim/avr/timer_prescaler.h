@@ -2,7 +2,7 @@
 // 17, 18.10, 18.11.9.
 //
 //   timers 0, 1   one that they share (PSRSYNC)
-//   timer 2       one of its own (PSRASY)
+//   timer 2       one of its own (PSRASY); of an ATtiny85, timer 1 (PSR1)
 //
 // They run freely from the reset on, whatever the timers do: a timer that divides by N ticks where its
 // prescaler's count is a multiple of N, so that its first tick comes 1 to N cycles after it was started. TSM

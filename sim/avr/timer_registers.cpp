@@ -13,21 +13,29 @@ constexpr Address high(std::uint16_t address) { return static_cast<Address>(addr
 void Timer::hook_registers() {
   Cpu& cpu = core_.cpu;
   const auto control = static_cast<Address>(spec_.control);
-  cpu.on_write<&Timer::write_control_a>(control, this);
-  cpu.on_write<&Timer::write_control_b>(high(control), this);
-  cpu.on_write<&Timer::write_enables>(spec_.enables, this);
-  cpu.on_read<&Timer::read_flags>(spec_.flags, this);
-  cpu.on_write<&Timer::write_flags>(spec_.flags, this);
-  cpu.on_write_bit<&Timer::write_flag>(spec_.flags, this);
-  cpu.on_outlook<&Timer::outlook_of_flags>(spec_.flags, this);
-  cpu.on_read<&Timer::read_count>(spec_.count, this);
-  if (!is_wide()) cpu.on_outlook<&Timer::outlook_of_count>(spec_.count, this);
-  cpu.on_write<&Timer::write_count>(spec_.count, this);
   const auto keeps = [&](Address plain) {
     cpu.on_read<&Timer::read_plain>(plain, this);
     cpu.is_steady(plain);
   };
-  for (const Address plain : {control, high(control), Address{spec_.enables}}) keeps(plain);
+  keeps(control);
+  if (spec_.top) {
+    hook_pll_registers();
+  } else {
+    cpu.on_write<&Timer::write_control_a>(control, this);
+    cpu.on_write<&Timer::write_control_b>(control_b_, this);
+    keeps(control_b_);
+  }
+  if (!shares_flags(spec_)) {
+    cpu.on_write<&Timer::write_enables>(spec_.enables, this);
+    keeps(spec_.enables);
+    cpu.on_read<&Timer::read_flags>(spec_.flags, this);
+    cpu.on_write<&Timer::write_flags>(spec_.flags, this);
+    cpu.on_write_bit<&Timer::write_flag>(spec_.flags, this);
+    cpu.on_outlook<&Timer::outlook_of_flags>(spec_.flags, this);
+  }
+  cpu.on_read<&Timer::read_count>(spec_.count, this);
+  if (!is_wide()) cpu.on_outlook<&Timer::outlook_of_count>(spec_.count, this);
+  cpu.on_write<&Timer::write_count>(spec_.count, this);
   for (const std::uint16_t compare : compares()) {
     cpu.on_write<&Timer::write_compare>(compare, this);
     keeps(compare);
@@ -47,7 +55,7 @@ void Timer::hook_registers() {
 void Timer::write_control_a(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
-  core_.at(address) = value;
+  core_.at(address) = state_.control_a = value;
   set_mode();
   settle();
 }
@@ -56,7 +64,7 @@ void Timer::write_control_b(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
   const std::uint8_t before = core_.at(address);
-  core_.at(address) = is_wide() ? value : static_cast<std::uint8_t>(value & ~kForceBits);
+  core_.at(address) = state_.control_b = is_wide() ? value : static_cast<std::uint8_t>(value & ~kForceBits);
   if (spec_.capture) {
     if (value & ~before & kCanceler) state_.canceler.begin(pins_.level(capture_pin_));
     if (value & (kCanceler | kRisingEdge)) want_captures();
@@ -77,8 +85,38 @@ void Timer::write_enables(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
   core_.at(address) = value & flags_there_are();
-  if (enables() & kCaptured) want_captures();
+  set_enables(core_.at(address));
+}
+
+void Timer::set_enables(std::uint8_t enables) {
+  state_.enables = enables;
+  if (enables & kCaptured) want_captures();
   settle();
+}
+
+std::uint8_t Timer::in_register(std::uint8_t flags) const {
+  unsigned bits = 0;
+  for (unsigned flag = 0; flag < std::size(spec_.flag_bits); ++flag)
+    bits |= (flags >> flag & 1u) << spec_.flag_bits[flag];
+  return static_cast<std::uint8_t>(bits);
+}
+
+std::uint8_t Timer::of_register(std::uint8_t bits) const {
+  unsigned flags = 0;
+  for (unsigned flag = 0; flag < std::size(spec_.flag_bits); ++flag)
+    flags |= (bits >> spec_.flag_bits[flag] & 1u) << flag;
+  return static_cast<std::uint8_t>(flags);
+}
+
+std::uint8_t Timer::flags_in_register() {
+  if (!state_.runs) return 0;
+  count_to(before_now());
+  return in_register(state_.flags);
+}
+
+void Timer::enable_in_register(std::uint8_t flags) {
+  count_to(core_.now());
+  if (state_.runs) set_enables(of_register(flags));
 }
 
 std::uint8_t Timer::read_flags(Address address) {

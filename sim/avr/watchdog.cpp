@@ -16,9 +16,9 @@ constexpr std::int64_t kShortestCycles = 2048, kWatchdogClock_hz = 128'000;
 
 }  // namespace
 
-Watchdog::Watchdog(Core& core) : core_(core) {
-  core.cpu.on_read<&Watchdog::read>(reg::kWdtcsr, this);
-  core.cpu.on_write<&Watchdog::write>(reg::kWdtcsr, this);
+Watchdog::Watchdog(Core& core) : core_(core), control_(core.chip.at.watchdog) {
+  core.cpu.on_read<&Watchdog::read>(control_, this);
+  core.cpu.on_write<&Watchdog::write>(control_, this);
   core.cpu.on_wdr = Cpu::call<&Watchdog::restart>(this);
   core.interrupts.on_entry<&Watchdog::entered>(core.chip.watchdog_vector, this);
   core.on_clock_change<&Watchdog::clock_changed>(this);
@@ -31,18 +31,18 @@ bool Watchdog::held() const { return core_.cpu.data[reg::kMcusr] & kWdrf; }
 void Watchdog::reset(Cycle at) {
   state_ = {};
   state_.origin = at;
-  if (held()) core_.at(reg::kWdtcsr) = kWde;
+  if (held()) core_.at(control_) = kWde;
   schedule();
 }
 
 Cycle Watchdog::period() const {
-  const std::uint8_t control = core_.cpu.data[reg::kWdtcsr];
+  const std::uint8_t control = core_.cpu.data[control_];
   const int power = std::min((control & kWdp3 ? 8 : 0) | (control & 7), kLongestWdp);
   return static_cast<Cycle>((kShortestCycles << power) * core_.clock_hz / kWatchdogClock_hz);
 }
 
 void Watchdog::schedule() {
-  const std::uint8_t control = core_.at(reg::kWdtcsr);
+  const std::uint8_t control = core_.at(control_);
   core_.reset_may_come = control & kWde;
   if (!(control & (kWde | kWdie))) return core_.events.cancel(timed_out_);
   const Cycle passed = core_.now() - state_.origin;
@@ -50,7 +50,7 @@ void Watchdog::schedule() {
 }
 
 void Watchdog::request() {
-  const std::uint8_t control = core_.at(reg::kWdtcsr);
+  const std::uint8_t control = core_.at(control_);
   core_.request(core_.chip.watchdog_vector, control & kWdif && control & kWdie);
 }
 
@@ -79,7 +79,7 @@ void Watchdog::restart() {
 }
 
 void Watchdog::timed_out(Cycle at) {
-  std::uint8_t& control = core_.at(reg::kWdtcsr);
+  std::uint8_t& control = core_.at(control_);
   const bool answered = control & kWdie && !(control & kWdif);
   if (control & kWde && !answered) return core_.reset(core_.reset_self, kWdrf);
   control |= kWdif;
@@ -88,7 +88,7 @@ void Watchdog::timed_out(Cycle at) {
 }
 
 void Watchdog::entered(int) {
-  std::uint8_t& control = core_.at(reg::kWdtcsr);
+  std::uint8_t& control = core_.at(control_);
   control &= static_cast<std::uint8_t>(~(control & kWde ? kWdif | kWdie : kWdif));
   request();
 }

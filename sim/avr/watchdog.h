@@ -44,6 +44,7 @@ class Watchdog final : public Peripheral {
   Cycle period() const;
 
   Core& core_;
+  const Address control_;  ///< WDTCSR
   Events::Id timed_out_ = 0;
   State state_;
 };

@@ -18,8 +18,8 @@ class Bench final : public avr::Surroundings {
  public:
   explicit Bench(const ChipSpec& spec, std::span<const std::uint8_t> flash)
       : chip(spec, flash, static_cast<avr::Address>(ram_end(spec) - 1), *this) {
-    chip.cpu().on_write<&Bench::report>(kReport, this);
-    chip.cpu().on_write<&Bench::end>(kEnd, this);
+    chip.cpu().on_write<&Bench::report>(spec.at.general[0], this);
+    chip.cpu().on_write<&Bench::end>(spec.at.general[1], this);
     eeprom_.fill(0xFF);
   }
 
@@ -45,8 +45,6 @@ class Bench final : public avr::Surroundings {
   avr::Chip chip;
 
  private:
-  static constexpr avr::Address kReport = 0x3E, kEnd = 0x4A;  // GPIOR0, GPIOR1
-
   void report(avr::Address, std::uint8_t byte) { reported.push_back(byte); }
   void end(avr::Address, std::uint8_t) {
     ended = true;

@@ -17,8 +17,6 @@ extern "C" {
 namespace robosim::conformance {
 namespace {
 
-constexpr avr_io_addr_t kReport = 0x3E, kEnd = 0x4A;  // GPIOR0, GPIOR1
-
 void on_report(avr_t*, avr_io_addr_t, std::uint8_t value, void* report) {
   static_cast<Report*>(report)->bytes.push_back(value);
 }
@@ -47,8 +45,9 @@ Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash
   avr->sleep = [](avr_t*, avr_cycle_count_t) {};
   std::memcpy(avr->flash, flash.data(), flash.size());
   avr->codeend = static_cast<avr_flashaddr_t>(flash.size());
-  avr_register_io_write(avr, kReport, on_report, &report);
-  avr_register_io_write(avr, kEnd, on_end, &report);
+  const AvrRegisters& at = chip_named(program.chips.front()).at;
+  avr_register_io_write(avr, at.general[0], on_report, &report);
+  avr_register_io_write(avr, at.general[1], on_end, &report);
   int state = cpu_Running;
   while (!report.ended && state != cpu_Done && state != cpu_Crashed && avr->cycle < program.cycles)
     state = avr_run(avr);

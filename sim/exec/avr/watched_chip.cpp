@@ -133,8 +133,8 @@ void WatchedChip::was_reset() {
   state_.last_bite = now;
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   chip_.core().at(reg::kMcusr) = 0;
-  chip_.cpu().store(reg::kWdtcsr, kWatchdogUnlocked);
-  chip_.cpu().store(reg::kWdtcsr, 0);
+  chip_.cpu().store(chip_.core().chip.at.watchdog, kWatchdogUnlocked);
+  chip_.cpu().store(chip_.core().chip.at.watchdog, 0);
   state_.own_stack = false;
   state_.handlers_of_stacks.clear();
   chip_.cpu().state.sp_watch = state_.lowest_sp;

@@ -1,7 +1,7 @@
 // Writing 1 to ADIF clears it, so reading and writing ADCSRA back does; 0 leaves it.
 // Source: DS40002061B, 24.9.2
 // Expect: 90 90 80
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // ADIF that was set before ADIE requests its interrupt when ADIE comes; entering it clears ADIF.
 // Source: DS40002061B, 24.9.2
 // Expect: 90 01 88
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 static volatile uint8_t served;

@@ -1,6 +1,7 @@
 // PRADC stops the converter: its registers read 0 and are not written.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 00 80 4e
+// Chips: atmega328p attiny85
 #include "report.h"
 
 int main(void) {

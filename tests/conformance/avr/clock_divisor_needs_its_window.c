@@ -1,7 +1,7 @@
 // CLKPS is written within 4 cycles of CLKPCE alone; CLKPCE reads 0 behind them, and with the write.
 // Source: DS40002061B, 9.12.2
 // Expect: 00 00 02 80 00
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 #define WRITE_BEHIND(nops, value)                                                               \

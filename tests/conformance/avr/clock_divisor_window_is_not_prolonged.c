@@ -1,7 +1,7 @@
 // CLKPCE that is written again does not make the four cycles more.
 // Source: DS40002061B, 9.12.2
 // Expect: 00
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 // STS takes 2 cycles.

@@ -1,7 +1,7 @@
 // While a byte is written EEAR cannot be changed, and nothing is read.
 // Source: DS40002061B, 8.6.1, 8.6.3
 // Expect: 05 33 77
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 int main(void) {

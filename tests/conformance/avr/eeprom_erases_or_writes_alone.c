@@ -2,7 +2,7 @@
 // Source: DS40002061B, 8.6.3, table 8-1
 // Expect: 22 20 f0 22 20 30 12 10 ff
 // Ends: 400000
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 static uint8_t byte(void) {

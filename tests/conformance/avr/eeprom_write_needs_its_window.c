@@ -1,7 +1,7 @@
 // EEPE counts within 4 cycles of EEMPE, which reads 0 behind them; without EEMPE it does nothing.
 // Source: DS40002061B, 8.6.3
 // Expect: 00 00 02 04 00
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 #define WRITE_BEHIND(nops)                                                                                      \

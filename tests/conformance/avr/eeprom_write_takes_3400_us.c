@@ -2,7 +2,7 @@
 // Source: DS40002061B, table 8-1
 // Expect: 02 00 5a
 // Ends: 300000
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
 // The processor is halted for 2 of them, IN takes 1.

@@ -1,7 +1,7 @@
 // What is written to TCNT0 is read as written in the next cycle, and as one more in each later one.
 // Source: DS40002061B, 15.5.3
 // Expect: 30 31 32 39
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "cycles.h"
 
 int main(void) {

@@ -1,6 +1,7 @@
 // PRTIM0 stops timer 0 where it is; its registers meanwhile read 0, and what is written to them is lost.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 12 00 05
+// Chips: atmega328p attiny85
 #include "cycles.h"
 
 int main(void) {

@@ -1,7 +1,7 @@
 // An instruction of two cycles reads TCNT0 in its second.
 // Source: DS40002061B, 15.5.3
 // Expect: 02
-// Chips: atmega328p atmega2560 atmega32u4
+// Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "cycles.h"
 
 int main(void) {

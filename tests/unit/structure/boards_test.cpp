@@ -20,8 +20,8 @@ bool is_about_a_chip(const std::string& file) {
 
 /// Names that only data may have.
 std::vector<std::string> names() {
-  std::vector<std::string> found{"kAtmega168",  "kAtmega2560",  "kAtmega328p",
-                                 "kAtmega32u4", "kStm32f103c8", "\"iom328p.h\""};
+  std::vector<std::string> found{"kAtmega168", "kAtmega2560",  "kAtmega328p",  "kAtmega32u4",
+                                 "kAttiny85",  "kStm32f103c8", "\"iom328p.h\""};
   const auto quote = [&](const char* name) {
     if (name) found.push_back('"' + std::string(name) + '"');
   };

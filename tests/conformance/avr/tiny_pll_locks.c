@@ -1,0 +1,17 @@
+// PLOCK reads 1 when the PLL that PLLE switches on has locked, within 100 us; it cannot be written.
+// Source: 2586Q, 12.3.9
+// Expect: 00 02 03 00
+// Chips: attiny85
+#include "report.h"
+
+int main(void) {
+  PLLCSR = _BV(PLOCK);
+  report(PLLCSR);
+  PLLCSR = _BV(PLLE);
+  report(PLLCSR);
+  __builtin_avr_delay_cycles(1600);
+  report(PLLCSR);
+  PLLCSR = 0;
+  report(PLLCSR);
+  end_program();
+}

@@ -1,0 +1,17 @@
+// In reset mode the watchdog resets the chip, tells so by WDRF, and runs on: WDRF holds WDE.
+// Source: 2586Q, 8.2.4, 8.5.1, 8.5.2
+// Expect: 01 09 08
+// Ends: 1000000
+// Chips: attiny85
+#include "report.h"
+
+int main(void) {
+  report(MCUSR);
+  if (MCUSR & _BV(WDRF)) {
+    report(WDTCR);
+    end_program();
+  }
+  WDTCR = _BV(WDE);
+  for (;;) {
+  }
+}
