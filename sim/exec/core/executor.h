@@ -34,8 +34,8 @@ struct Activity {
 };
 
 constexpr const char* kCannotBeSaved =
-    "only a run on the target avr can be saved: firmware for the host is a program of this machine, and for "
-    "stm32 a part of its state is in an emulator's hands";
+    "only a run on the target avr can be saved: firmware for the host is a program of this machine, and the "
+    "emulated STM32 has no way to copy its state yet";
 
 class Executor {
  public:

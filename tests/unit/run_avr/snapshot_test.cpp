@@ -237,6 +237,37 @@ TEST_F(AvrSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
   }
 }
 
+TEST_F(AvrSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
+  struct Run {
+    const char* script;
+    SimTime first, second;  ///< of snapshots
+    const char* verdict;
+  };
+  use("LeftPath", "uno3", "a");
+  for (const Run& run :
+       {Run{"at 300ms place 18,5,N\nat 500ms place 4,4,E", 200, 400, "The goal tour was reached"},
+        Run{"at 200ms fault left stuck\nat 200ms fault right stuck", 100, 2000, "The robot is stuck"}}) {
+    exec::AvrExecutor executor(*robot_.board, image_);
+    const run::Setup setup = this->setup({agent(executor, "tour", run.script)}, 5 * kSecond);
+    Simulation simulation(setup);
+    std::vector<Simulation::Snapshot> snapshots;
+    for (const SimTime t : {run.first, run.second}) {
+      simulation.run_until(t * kMillisecond);
+      snapshots.push_back(simulation.save());
+    }
+    simulation.run_until(setup.limit);
+    const std::string due = text_of(simulation.end().front());
+    EXPECT_THAT(due, HasSubstr(run.verdict));
+    for (const std::size_t i : {0u, 1u}) {
+      simulation.restore(snapshots[0]);
+      simulation.run_until((run.first + 50) * kMillisecond);
+      simulation.restore(snapshots[i]);
+      simulation.run_until(setup.limit);
+      EXPECT_EQ(text_of(simulation.end().front()), due) << "from snapshot " << i;
+    }
+  }
+}
+
 TEST_F(AvrSnapshots, AreNoOtherSimulations) {
   use("PidFollower", "uno5", "oval");
   exec::AvrExecutor first(*robot_.board, image_), second(*robot_.board, image_);
