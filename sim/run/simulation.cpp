@@ -46,7 +46,7 @@ struct Simulation::Inside final : Standstill {
 };
 
 struct Simulation::Snapshot::Saved {
-  const Inside* of;
+  const Inside* of = nullptr;
   Inside::Clock clock;
   world::World::State world;
   std::vector<Agent::Saved> agents;
@@ -136,7 +136,8 @@ std::vector<judge::Outcome> Simulation::end() {
 }
 
 Simulation::Snapshot Simulation::save() const {
-  auto saved = std::make_shared<Snapshot::Saved>(in_.get(), in_->clock, in_->world.save());
+  auto saved = std::make_shared<Snapshot::Saved>();
+  *saved = {in_.get(), in_->clock, in_->world.save(), {}};
   saved->agents.reserve(in_->agents.size());
   for (const auto& agent : in_->agents) saved->agents.push_back(agent->save());
   Snapshot snapshot;
