@@ -56,7 +56,10 @@ std::uint32_t Clocks::rtc_hz() const {
 
 std::uint32_t Clocks::hz() const {
   const std::uint32_t source = configuration_ & kSwMask;
-  return source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi;
+  // HPRE: 2 to 512, but not 32
+  const std::uint32_t bits = configuration_ >> 4 & 15;
+  const std::uint32_t ahb = bits < 8 ? 1 : bits < 12 ? 2u << (bits - 8) : 64u << (bits - 12);
+  return (source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi) / ahb;
 }
 
 Gate Clocks::gate(Address block) const {
@@ -101,8 +104,7 @@ std::uint32_t Clocks::read(Address address) {
 }
 
 bool Clocks::switch_clock() {
-  const std::uint32_t ahb = configuration_ >> 4 & 15, apb2 = configuration_ >> 11 & 7;
-  if (ahb != 0 || apb2 != 0 || (configuration_ & kSwMask) == 3) return false;
+  if ((configuration_ & kSwMask) == 3) return false;
   link_.clock.set_hz(hz());
   return true;
 }

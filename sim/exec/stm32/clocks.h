@@ -1,8 +1,7 @@
 // RCC: where the clock comes from, and which peripherals have one (RM0008 7).
 //
 // Modelled: HSI (8 MHz), HSE (an 8 MHz crystal, as on a Blue Pill, there after 2 ms: DS5319 table 22), the
-// PLL (locks within 200 us: table 27), AHB at SYSCLK, APB1 at up to 36 MHz, APB2 at AHB's frequency. Other
-// prescalers are refused, as not modelled.
+// PLL (locks within 200 us: table 27), and all prescalers.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
@@ -43,13 +42,18 @@ class Clocks final : public Peripheral, ClockRegisters {
 
   /// Of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
-  /// What the processor's frequency is divided by for APB1.
-  std::uint32_t apb1_divider() const {
-    const std::uint32_t bits = configuration_ >> 8 & 7;
-    return bits < 4 ? 1 : 2u << (bits - 4);
+  /// What the processor's frequency is divided by for the bus that begins at a peripheral's address.
+  std::uint32_t bus_divider(Address address) const {
+    return robosim::stm32::behind_apb2(address) ? divider(configuration_ >> 11)
+                                                : divider(configuration_ >> 8);
   }
-  /// What APB2's frequency is divided by for the ADC.
-  std::uint32_t adc_divider() const { return 2 * ((configuration_ >> 14 & 3) + 1); }
+  std::uint32_t apb1_divider() const { return divider(configuration_ >> 8); }
+  /// And for the timers of that bus: twice as fast as it, where it is divided (7.2, figure 8).
+  std::uint32_t timer_divider(Address address) const { return std::max(bus_divider(address) / 2, 1u); }
+  /// What the processor's frequency is divided by for the ADC.
+  std::uint32_t adc_divider() const {
+    return divider(configuration_ >> 11) * 2 * ((configuration_ >> 14 & 3) + 1);
+  }
   /// Of the RTC; 0 if it has none (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return backup_ & 1u << 16; }
@@ -57,6 +61,8 @@ class Clocks final : public Peripheral, ClockRegisters {
   std::uint32_t hz() const;
 
  private:
+  /// Of PPRE1 or PPRE2.
+  static std::uint32_t divider(std::uint32_t bits) { return (bits & 7) < 4 ? 1 : 2u << ((bits & 7) - 4); }
   bool pll_ready() const;
   std::uint32_t pll_hz() const;
   bool switch_clock();

@@ -54,7 +54,7 @@ unsigned Spi::dma_requests() const {
 }
 
 void Spi::shift(Cycle at) {
-  const Cycle bus = number_ == 1 ? 1 : clocks_.apb1_divider();
+  const Cycle bus = clocks_.bus_divider(base_);
   const Cycle bits = control_ & kDff ? 16 : 8;
   shifting_ = true;
   done_at_ = at + (bits * bus << ((control_ >> 3 & 7) + 1));

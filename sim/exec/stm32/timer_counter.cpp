@@ -33,9 +33,7 @@ void Timer::start_from(std::uint32_t count, Cycle at) {
   const std::int64_t top = top_, value = std::min<std::int64_t>(count, top);
   std::int64_t here = counts_down() && !centered() ? top - value : value;
   if (centered() && steps_down_ && value > 0 && value < top) here = 2 * top - value;
-  // The timers of APB1 run at twice its clock where that is divided (7.2, figure 8).
-  const std::uint32_t divider = advanced() ? 1 : std::max(clocks_.apb1_divider() / 2, 1u);
-  step_ = (Cycle{prescaler_} + 1) * divider;
+  step_ = (Cycle{prescaler_} + 1) * clocks_.timer_divider(base_);
   // Before the chip began, perhaps: only differences matter.
   origin_ = at - static_cast<Cycle>(here) * step_;
   done_ = here;
@@ -138,8 +136,7 @@ void Timer::overflow(Cycle at) {
   }
   update_event(true);
   if (one_pulse) return refresh_pins();
-  const Cycle divider = advanced() ? 1 : std::max(clocks_.apb1_divider() / 2, 1u);
-  step_ = (Cycle{prescaler_} + 1) * divider;
+  step_ = (Cycle{prescaler_} + 1) * clocks_.timer_divider(base_);
   if (here > 0) origin_ = at - static_cast<Cycle>(here) * step_;
 }
 

@@ -37,7 +37,7 @@ ChipPin Usart::pin_now() const { return usart_pin(spec_.number, link_.map, pin_)
 
 Cycle Usart::byte_cycles() const {
   const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
-  const std::uint32_t bus = behind_apb2(base()) ? 1 : clocks_.apb1_divider();
+  const std::uint32_t bus = clocks_.bus_divider(base());
   return Cycle{bits} * bus * (divider_ > 0 ? divider_ : 16);
 }
 

@@ -62,6 +62,16 @@ TEST_F(TimersTest, CountsUpDownAndBothWays) {
   }
 }
 
+TEST_F(TimersTest, RunAtTwiceTheirBusWhereThatIsDivided) {
+  store(kRccCfgr, 8u << 4 | 5u << 11 | 4u << 8);  // AHB / 2, APB2 / 4, APB1 / 2
+  EXPECT_EQ(bus_.link().clock.hz(), 4'000'000u);
+  store(kTim1 + kTimCr1, kCen);
+  store(kTim2 + kTimCr1, kCen);
+  pass(100);
+  EXPECT_EQ(load(kTim1 + kTimCnt), 50u);
+  EXPECT_EQ(load(kTim2 + kTimCnt), 100u);
+}
+
 TEST_F(TimersTest, ComparesInterruptAtTheirCounts) {
   enable(kIrqTim3);
   store(kTim3 + kTimArr, 999);
