@@ -10,10 +10,7 @@ constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostLandings = 24;
 // What things cost, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
-constexpr std::int64_t kMostCredit = 1'000'000, kLeastCredit = -20'000;
 constexpr Cycle kWorthwhile = 200;
-constexpr Cycle kFirstBan = 4'000'000;
-constexpr int kMostBans = 20;
 
 }  // namespace
 
@@ -27,8 +24,7 @@ void Idle::allow(bool allowed) {
 void Idle::moved_in_time() {
   recorded_ = nullptr;
   explore_at_ = std::min(explore_at_, core_.now() + explore_every_);
-  for (Head& head : heads_)
-    head.banned_until = std::min(head.banned_until, core_.now() + (kFirstBan << head.bans));
+  for (Head& head : heads_) head.credit.moved_in_time(core_.now());
 }
 
 void Idle::mark(Head& head, bool marked) {
@@ -98,8 +94,8 @@ void Idle::explored() {
       head = &heads_.back();
       head->pc = landing.pc;
     }
-    if (head->marked || core_.now() < head->banned_until) continue;
-    head->credit = 0;
+    if (head->marked || head->credit.is_banned(core_.now())) continue;
+    head->credit.begin_anew();
     mark(*head, true);
     found = true;
   }
@@ -108,12 +104,9 @@ void Idle::explored() {
 }
 
 void Idle::pay(Head& head, std::int64_t cycles) {
-  head.credit = std::min(head.credit + cycles, kMostCredit);
-  if (head.credit > kLeastCredit) return;
+  if (head.credit.pay(cycles, core_.now())) return;
   mark(head, false);
   head.is_known = false;
-  head.banned_until = core_.now() + (kFirstBan << head.bans);
-  head.bans = std::min(head.bans + 1, kMostBans);
 }
 
 void Idle::at_head(Cycle horizon) {

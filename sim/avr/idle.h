@@ -17,6 +17,7 @@
 
 #include "sim/avr/core.h"
 #include "sim/avr/path.h"
+#include "sim/base/loop_credit.h"
 
 namespace robosim::avr {
 
@@ -51,10 +52,8 @@ class Idle {
   struct Head {
     std::uint32_t pc = 0;
     bool marked = false;
-    bool is_known = false;    ///< `pass` was recorded
-    std::int64_t credit = 0;  ///< cycles it was worth, and what looking at it cost
-    Cycle banned_until = 0;
-    int bans = 0;
+    bool is_known = false;  ///< `pass` was recorded
+    LoopCredit credit;
     Path::Pass pass;
   };
   struct Landing {

@@ -26,6 +26,12 @@ class RoundCounter {
     add(period, rounds - 1);
     began_ += static_cast<Time>(rounds - 1) * period;
   }
+  /// Rounds of which none was longer than those before; the last one began at `at`.
+  void went_on(Time at, std::uint64_t rounds) {
+    count_ += rounds;
+    total_ += at - began_;
+    began_ = at;
+  }
 
   /// From one beginning to the next.
   std::uint64_t count() const { return count_; }

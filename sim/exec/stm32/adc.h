@@ -41,6 +41,10 @@ class Adc final : public Peripheral, AdcRegisters {
   Cycle next_event() const override {
     return converts_ == Group::none ? kNoCycle : std::min(sample_at_, done_at_);
   }
+  // Reading ADC_DR clears EOC.
+  Cycle same_until(Address address) const override {
+    return address == base_ + robosim::stm32::kAdcDr - robosim::stm32::kAdc1 ? 0 : next_event();
+  }
   void update() override;
   unsigned dma_requests() const override;
   Signals listens() const override;

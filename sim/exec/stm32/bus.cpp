@@ -295,6 +295,19 @@ void Bus::store_word(Address address, std::uint32_t value) {
   if (!modelled) refuse(address, true, value);
 }
 
+Cycle Bus::same_until(Address address) {
+  const bool is_bit = address >= kBitBand && address < kBitBandEnd;
+  const Address word = (is_bit ? kPeripherals + (address - kBitBand) / 32 : address) & ~3u;
+  if (const Block* const block = block_at(word)) {
+    if (!block->gate.has_clock()) return kNoCycle;
+    const int bit = static_cast<int>((address - kBitBand) / 4 % 32);
+    if (is_bit && Ports::owns_port(word) && word % kPortBytes == kIdr && bit < 16)
+      return ports_.input_same_until({Ports::port_of(word), bit});
+    return block->peripheral->same_until(word);
+  }
+  return SysTick::owns(word) ? systick_.same_until(word) : Nvic::owns(word) ? kNoCycle : 0;
+}
+
 bool Bus::load_bit(Address address, std::uint32_t& value) {
   if (address < kBitBand || address >= kBitBandEnd) return false;
   const Address byte = kPeripherals + (address - kBitBand) / 32;

@@ -44,6 +44,8 @@ class Bus : DmaBus {
   /// `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
+  /// Of load(), as Peripheral::same_until() has it.
+  Cycle same_until(Address address);
 
   /// When a peripheral next does something by itself; kNoCycle if none will.
   Cycle next_event() const { return next_event_; }

@@ -71,6 +71,13 @@ Gate Clocks::gate(Address block) const {
   return {&apb1_, &apb1_reset_, clock_bit(block)};
 }
 
+Cycle Clocks::same_until(Address) const {
+  Cycle until = kNoCycle;
+  for (const SimTime ready : {hse_ready_, pll_ready_, lse_ready_})
+    if (link_.clock.time() < ready) until = std::min(until, link_.clock.cycle_at(ready));
+  return until;
+}
+
 std::uint32_t Clocks::read(Address address) {
   switch (address) {
     case kRccCr: {

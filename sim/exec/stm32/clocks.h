@@ -37,6 +37,7 @@ class Clocks final : public Peripheral, ClockRegisters {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
+  Cycle same_until(Address address) const override;
   /// The chip is reset: RCC_CSR will tell why.
   void note(Reset cause);
 

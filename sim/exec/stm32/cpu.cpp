@@ -105,6 +105,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
       flash_(bus.flash().data()),
       ram_(bus.ram().data()),
       code_(kFlashBytes / 2 + 2) {
+  records(false);
   // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
@@ -249,8 +250,24 @@ void Cpu::mark(std::uint32_t pc, bool Mark::*flag, bool set) {
     marks_.back().pc = pc;
   }
   mark_at(pc)->*flag = set;
+  std::erase_if(marks_, [](const Mark& mark) {
+    return !mark.starts && !mark.loop && !mark.call && !mark.sets && !mark.watched && !mark.breaks &&
+           !mark.head;
+  });
   code_[(pc - kFlash) / 2].kind = Step::Kind::fetch;
 }
+
+std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
+  if (pc - kFlash >= kFlashBytes) return 0;
+  const Step& step = code_[(pc - kFlash) / 2];
+  const Mark* const mark = mark_at(pc);
+  const Step::Kind kind = mark ? mark->kind : step.kind;
+  const bool branches = kind >= Step::Kind::b && kind <= Step::Kind::ble;
+  const std::uint32_t target = kFlash + 2 * step.value;
+  return branches && target <= pc ? target : 0;
+}
+
+void Cpu::records(bool recording) { writable_ = recording ? 0 : kRamBytes - 3; }
 
 void Cpu::forget(Address page) {
   // Instructions before and behind it have constants there.
@@ -329,7 +346,11 @@ bool Cpu::halts_at(std::uint32_t pc) {
 }
 
 void Cpu::reached(const Mark& mark) {
-  if (mark.loop || (mark.starts && !rounds_.is_running())) rounds_.began(clock_.time_of(clock_.now));
+  if (idle_.is_recording() && (mark.sets || mark.watched)) idle_.interrupted();
+  if (mark.loop || (mark.starts && !rounds_.is_running())) {
+    rounds_.began(clock_.time_of(clock_.now));
+    idle_.round_began();
+  }
   if (mark.call && handlers_.empty()) {
     last_io_ = clock_.now;
     last_io_pc_ = pc_;
@@ -356,7 +377,9 @@ void Cpu::run_to(Cycle cycle) {
   if (asleep_ || fault_) return;
   stop_ = cycle;
   ends_ = falls_asleep_ = false;
+  idle_.runs_anew();
   run();
+  idle_.explore();
   if (fault_) return;
   if (returning_) return leave();
   asleep_ = falls_asleep_;

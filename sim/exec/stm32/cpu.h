@@ -19,6 +19,7 @@
 #include "sim/exec/stm32/cycles.h"
 #include "sim/exec/stm32/firmware.h"
 #include "sim/exec/stm32/flags.h"
+#include "sim/exec/stm32/idle.h"
 #include "sim/exec/stm32/step.h"
 
 struct uc_struct;
@@ -91,6 +92,10 @@ class Cpu {
   /// From now on libunicorn executes all that it can: a referee for tests.
   void use_referee();
 
+  /// Leaves out loops that wait.
+  Idle& idle() { return idle_; }
+  const Idle& idle() const { return idle_; }
+
   // --- for debuggers
   /// run_to() returns before the instruction at `pc` runs; within an IT block, behind the block.
   void set_breakpoint(std::uint32_t pc, bool set);
@@ -126,11 +131,13 @@ class Cpu {
   static constexpr std::uint32_t kPeripheralBytes = 0x24000, kBitBandBytes = 0x500000,
                                  kPrivateBytes = 0x100000;
 
+  friend class Idle;
   struct Hooks;
   /// What happens before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
-    bool starts = false, loop = false, call = false, sets = false, watched = false, breaks = false;
+    bool starts = false, loop = false, call = false, sets = false, watched = false, breaks = false,
+         head = false;
     Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
   };
   struct Handler {
@@ -187,6 +194,10 @@ class Cpu {
   std::uint16_t half(Address address) const;
   Mark* mark_at(std::uint32_t pc);
   void mark(std::uint32_t pc, bool Mark::*flag, bool set = true);
+  /// Where the branch at `pc` leads, if that is back; else 0.
+  std::uint32_t leads_back_to(std::uint32_t pc);
+  /// Each store to RAM shall be told to idle_, or no longer.
+  void records(bool recording);
   /// The page of flash that begins at `page` has changed.
   void forget(Address page);
   std::uint8_t* ram(Address address, unsigned bytes) const;
@@ -206,6 +217,8 @@ class Cpu {
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
   std::vector<Mark> marks_;
+  Idle idle_{*this};
+  std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write by itself
 
   std::array<std::uint32_t, 17> r_{};  ///< and one that is always 0; r_[15] is what an instruction reads
   Flags flags_;

@@ -29,14 +29,22 @@ std::optional<std::uint32_t> Cpu::load_elsewhere(Address address, unsigned bytes
     return value;
   }
   if (address % bytes != 0 || !has_registers(address)) return std::nullopt;
+  const Cycle until = idle_.is_recording() ? bus_.same_until(address) : 0;
   value = bus_.load(address, bytes);
   accessed();
+  if (idle_.is_recording()) idle_.looks(until);
   return value;
 }
 
 bool Cpu::store_elsewhere(Address address, unsigned bytes, std::uint32_t value) {
+  if (std::uint8_t* const to = ram(address, bytes)) {
+    idle_.stores(address, bytes);
+    std::memcpy(to, &value, bytes);
+    return true;
+  }
   if (address % bytes != 0 || (!has_registers(address) && !bus_.programs(address, bytes))) return false;
   if (bytes < 4) value &= (1u << (8 * bytes)) - 1;
+  idle_.interrupted();
   bus_.store(address, value, bytes);
   if (const auto page = bus_.take_changed_page()) forget(*page);
   accessed();
@@ -75,6 +83,7 @@ bool Cpu::store_two(const Step& step) {
   const std::uint32_t address = step.shift & 1 ? moved : r_[step.n];
   std::uint8_t* const to = address & 3 ? nullptr : ram(address, 8);
   if (!to) return false;
+  idle_.stores(address, 8);
   std::memcpy(to, &r_[step.d], 4);
   std::memcpy(to + 4, &r_[step.m], 4);
   if (step.shift & 2) r_[step.n] = moved;
@@ -99,6 +108,7 @@ bool Cpu::store_many(const Step& step) {
   const std::uint32_t base = r_[step.n], low = down ? base - bytes : base;
   std::uint8_t* to = low & 3 ? nullptr : ram(low, bytes);
   if (!to) return false;
+  idle_.stores(low, bytes);
   for (std::uint32_t registers = step.value; registers != 0; registers &= registers - 1, to += 4)
     std::memcpy(to, &r_[static_cast<unsigned>(std::countr_zero(registers))], 4);
   if (step.shift & 2) r_[step.n] = down ? low : base + bytes;

@@ -23,7 +23,7 @@ void Cpu::run() {
   Flags flags = flags_;
   std::int64_t left = 0, held = it_ != 0 || predicated_ != 0 || halting_ ? kHeld : 0;
   Cycle end = 0;
-  std::uint32_t target = 0;
+  std::uint32_t target = 0, writable = 0;
   bool in_block = false, left_out = false;
 
   if (!i) return jumped_nowhere(next_);
@@ -255,9 +255,10 @@ void Cpu::run() {
   STEP(wfi, 1) FALL_ASLEEP(false);
   STEP(wfe, 1) {
     if (!nvic_.take_event()) FALL_ASLEEP(true);
+    idle_.interrupted();
     NEXT;
   }
-  DO(sev, 1, nvic_.set_event());
+  DO(sev, 1, (nvic_.set_event(), idle_.interrupted()));
   STEP(svc, 1) {
     nvic_.pend(kSvcall);
     ADVANCE;
@@ -291,8 +292,7 @@ jump:
     there = target - kFlash < kFlashBytes ? code + (target - kFlash) / 2 : step_at(target);
     if (!there) [[unlikely]] {
       PUT;
-      flags_ = flags;
-      return jumped_nowhere(target);
+      goto lost;
     }
     left -= kRefill_cycles;
     NOTE_JUMP(i->pc);
@@ -309,8 +309,7 @@ leave_handler:
   returning_ = true;
   return;
 
-L_emulate:
-  left -= i->cycles;
+  STEP(emulate, i->cycles)
 emulated:
   PUT;
   flags_ = flags;
@@ -324,38 +323,35 @@ emulated:
     left -= kRefill_cycles;
     note_jump();
   }
-  i = step_at(after_);
-  if (!i) {
-    clock_.now = NOW;
-    return jumped_nowhere(after_);
-  }
+  target = after_;
+  i = step_at(target);
+  if (!i) goto lost;
   DISPATCH;
 
 L_fetch:
-  there = fetched(*i);
-  if (!there) goto nowhere;
-  i = there;
+  MAKE;
   GO_TO_STEP(in_block ? i->within : i->kind);
 
 L_mark : {
   if (held == 0 && halts_at(i->pc)) goto out;
-  const Mark& mark = *mark_at(i->pc);
-  const Cycle began = NOW;
+  const Mark mark = *mark_at(i->pc);
+  clock_.now = NOW;
+  if (mark.head && held == 0) {
+    flags_ = flags;
+    idle_.at_head(i->pc);
+    RESUME_TIME;
+  }
   PUT;
   clock_.now += i->cycles;
   reached(mark);
-  clock_.now = began;
+  clock_.now -= i->cycles;
   RESUME_TIME;
   GO_TO_STEP(in_block ? mark.within : mark.kind);
 }
 
 leave:
   if (held == 0) goto out;
-  if (i->kind == Step::Kind::fetch) {
-    there = fetched(*i);
-    if (!there) goto nowhere;
-    i = there;
-  }
+  if (i->kind == Step::Kind::fetch) MAKE;
   {
     const std::uint32_t it = it_;
     const std::uint32_t rest = it & 7 ? (it & 0xE0) | (it << 1 & 0x1F) : 0;
@@ -385,10 +381,12 @@ leave:
   }
 
 nowhere:
-  clock_.now = NOW;
   pc_ = last->pc;
+  target = i->pc;
+lost:
+  clock_.now = NOW;
   flags_ = flags;
-  return jumped_nowhere(i->pc);
+  return jumped_nowhere(target);
 
 out:
   clock_.now = NOW;

@@ -149,6 +149,7 @@ void Cpu::emulate() {
   if (about.divides && nvic_.traps_division() && about.divisor < kSp && reg(about.divisor) == 0)
     fail(Fault::Kind::division, pc_);
   after_ = next_;
+  idle_.interrupted();
   // Its condition holds, and no instruction that comes here cares for more of its IT block.
   const std::uint32_t it = std::exchange(it_, 0);
   std::uint32_t psr = status();

@@ -35,6 +35,14 @@
   STEP(name, count) if (!(done)) goto emulated; \
   NEXT
 
+// What has not been made yet.
+#define MAKE                  \
+  {                           \
+    there = fetched(*i);      \
+    if (!there) goto nowhere; \
+    i = there;                \
+  }
+
 #define NOW (end - static_cast<Cycle>(left))
 // What the rest of the processor may look at while an instruction runs; RESUME_TIME for what it may change.
 #define PUT         \
@@ -42,6 +50,7 @@
   pc_ = i->pc;      \
   next_ = i->next()
 #define RESUME_TIME                                            \
+  writable = writable_;                                        \
   left = static_cast<std::int64_t>(stop_ - clock_.now) - held; \
   end = clock_.now + static_cast<Cycle>(left)
 
@@ -115,7 +124,7 @@
 #define WRITE(bytes, address, source)                          \
   {                                                            \
     const std::uint32_t at = (address), value = (source);      \
-    if (at - kRam <= kRamBytes - (bytes)) [[likely]] {         \
+    if (at - kRam < writable) [[likely]] {                     \
       std::memcpy(ram + (at - kRam), &value, (bytes));         \
     } else {                                                   \
       PUT;                                                     \

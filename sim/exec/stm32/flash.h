@@ -18,6 +18,7 @@ class Flash final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
+  Cycle same_until(Address) const override { return kNoCycle; }
 
   static bool owns_memory(Address address) {
     return address - robosim::stm32::kFlash < robosim::stm32::kFlashBytes;

@@ -24,6 +24,10 @@ class Peripheral {
 
   /// When update() next has something to do; kNoCycle if it will not.
   virtual Cycle next_event() const { return kNoCycle; }
+  /// Until which cycle, exclusive, read() surely gives what it gives now, and changes nothing, so that nobody
+  /// misses reads that are left out: as long as nothing is written, no input comes, and update() has nothing
+  /// to do. The present cycle, or one before: that is not known.
+  virtual Cycle same_until(Address) const { return 0; }
   /// Brings it up to the present time.
   virtual void update() {}
 

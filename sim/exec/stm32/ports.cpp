@@ -93,6 +93,23 @@ bool Ports::read_input(ChipPin pin) {
   return link_.board.read_level(number, link_.clock.time());
 }
 
+Cycle Ports::input_same_until(ChipPin pin) const {
+  constexpr Cycle kRounding = 4;  // between the board's time and cycles
+  const Pin number = number_of(pin);
+  if (number == kNoPin || configuration(pin) == kAnalog) return kNoCycle;
+  const SimTime until = link_.board.same_until(number, link_.clock.time());
+  if (until == kNever) return kNoCycle;
+  const Cycle cycle = link_.clock.cycle_at(until);
+  return cycle > kRounding ? cycle - kRounding : 0;
+}
+
+Cycle Ports::same_until(Address address) const {
+  if (!owns_port(address) || address % kPortBytes != kIdr) return kNoCycle;
+  Cycle until = kNoCycle;
+  for (int bit = 0; bit < kBits; ++bit) until = std::min(until, input_same_until({port_of(address), bit}));
+  return until;
+}
+
 std::uint32_t Ports::read(Address address) {
   if (!owns_port(address)) {
     if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) return sources_[(address - kAfioExticr1) / 4];

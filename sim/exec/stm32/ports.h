@@ -28,8 +28,10 @@ class Ports final : public Peripheral {
   bool write(Address address, std::uint32_t value) override;
   /// A port, AFIO or EXTI.
   void reset(Address block) override;
+  Cycle same_until(Address address) const override;
   /// One bit of GPIOx_IDR.
   bool read_input(ChipPin pin);
+  Cycle input_same_until(ChipPin pin) const;
 
   /// As it is now; asks the robot.
   bool level(ChipPin pin) const;

@@ -5,9 +5,8 @@
 #include "sim/exec/stm32/loop.h"
 
 namespace robosim::exec {
-namespace {
 
-struct Image {
+struct Stm32Executor::Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
       : firmware(stm32::Firmware::read(file, spec)),
         debug(file),
@@ -18,16 +17,23 @@ struct Image {
   Rounds loop;
 };
 
-class RunningStm32 final : public RunningChip {
+class Stm32Executor::Running final : public RunningChip {
  public:
-  RunningStm32(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, SimTime t,
-               stm32::DebugPort* debugger)
-      : image_(image), machine_(image.firmware, image.loop, board, memory, t), debugger_(debugger) {
+  Running(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, SimTime t,
+          stm32::DebugPort* debugger, const stm32::Machine*& seen)
+      : image_(image),
+        machine_(image.firmware, image.loop, board, memory, t),
+        debugger_(debugger),
+        seen_(seen) {
+    seen_ = &machine_;
     if (debugger) machine_.set_debug_port(debugger);
   }
-  ~RunningStm32() override {
+  ~Running() override {
     if (debugger_) debugger_->unplug();
+    if (seen_ == &machine_) seen_ = nullptr;
   }
+
+  void run_waiting_loops() { machine_.cpu().idle().allow(false); }
 
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.cpu().fault().has_value(); }
@@ -53,12 +59,13 @@ class RunningStm32 final : public RunningChip {
 
   const Image& image_;
   stm32::Machine machine_;
-  stm32::DebugPort* debugger_;  ///< null = nobody debugs
+  stm32::DebugPort* debugger_;   ///< null = nobody debugs
+  const stm32::Machine*& seen_;  ///< by whom else wants to know that there is one
 };
 
-class Stm32Firmware final : public ChipFirmware {
+class Stm32Executor::Firmware final : public ChipFirmware {
  public:
-  Stm32Firmware(const std::filesystem::path& file, const BoardSpec& spec)
+  Firmware(const std::filesystem::path& file, const BoardSpec& spec)
       : image_(file, spec), flash_(image_.firmware.flash) {}
 
   const std::string& file() const override { return image_.firmware.file; }
@@ -74,8 +81,13 @@ class Stm32Firmware final : public ChipFirmware {
     debugger_ = std::make_unique<stm32::DebugPort>(server, image_.firmware, board);
   }
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
-    return std::make_unique<RunningStm32>(image_, board, flash_, t, debugger_.get());
+    auto running = std::make_unique<Running>(image_, board, flash_, t, debugger_.get(), machine);
+    if (runs_waiting_loops) running->run_waiting_loops();
+    return running;
   }
+
+  const stm32::Machine* machine = nullptr;  ///< null while the power is off
+  bool runs_waiting_loops = false;
 
  private:
   const Image image_;
@@ -83,9 +95,14 @@ class Stm32Firmware final : public ChipFirmware {
   std::unique_ptr<stm32::DebugPort> debugger_;
 };
 
-}  // namespace
-
 Stm32Executor::Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image)
-    : ChipExecutor(spec, std::make_unique<Stm32Firmware>(image, spec)) {}
+    : Stm32Executor(spec, new Firmware(image, spec)) {}
+
+Stm32Executor::Stm32Executor(const BoardSpec& spec, Firmware* firmware)
+    : ChipExecutor(spec, std::unique_ptr<ChipFirmware>(firmware)), firmware_(*firmware) {}
+
+void Stm32Executor::run_waiting_loops() { firmware_.runs_waiting_loops = true; }
+
+const stm32::Machine* Stm32Executor::machine() const { return firmware_.machine; }
 
 }  // namespace robosim::exec

@@ -66,6 +66,11 @@ bool SysTick::write(Address address, std::uint32_t value_written) {
   }
 }
 
+Cycle SysTick::same_until(Address address) const {
+  if (address == kStkCtrl) return counted_ ? 0 : runs() ? zero_at_ : kNoCycle;
+  return address == kStkVal && runs() ? 0 : kNoCycle;
+}
+
 Cycle SysTick::next_event() const { return runs() && control_ & kTickInt ? zero_at_ : kNoCycle; }
 
 void SysTick::update() {

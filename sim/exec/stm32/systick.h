@@ -18,6 +18,7 @@ class SysTick final : public Peripheral {
 
   /// When it next reaches 0; kNoCycle if it does not, or nobody hears of it.
   Cycle next_event() const override;
+  Cycle same_until(Address address) const override;
   /// Reaches 0 as often as it has by now.
   void update() override;
 

@@ -28,6 +28,10 @@ class Usart final : public Peripheral, UsartRegisters {
   /// Its TX pin, while it sends.
   bool drives(ChipPin pin, PinDrive& drive) const override;
   Cycle next_event() const override { return std::min(shifting_ ? sent_at_ : kNoCycle, idle_at_); }
+  // Reading USART_DR clears flags.
+  Cycle same_until(Address address) const override {
+    return address == base() + robosim::stm32::kUsartDr - robosim::stm32::kUsart1 ? 0 : next_event();
+  }
   unsigned dma_requests() const override;
   void update() override;
   void receive(std::uint8_t byte);

@@ -1,0 +1,37 @@
+// Whether it pays to look at a loop: what was saved by that, against what it has cost, in cycles of the
+// firmware. A loop that does not pay is left alone for a while, each time for twice as long.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace robosim {
+
+class LoopCredit {
+ public:
+  /// `cycles` were saved, or cost. Returns whether it still pays to look.
+  bool pay(std::int64_t cycles, std::uint64_t now) {
+    credit_ = std::min(credit_ + cycles, kMost);
+    if (credit_ > kLeast) return true;
+    banned_until_ = now + (kFirstBan << bans_);
+    bans_ = std::min(bans_ + 1, kMostBans);
+    return false;
+  }
+  bool is_banned(std::uint64_t now) const { return now < banned_until_; }
+  void begin_anew() { credit_ = 0; }
+  /// It is `now` though it was later already: no ban lasts longer than from its beginning on.
+  void moved_in_time(std::uint64_t now) {
+    banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
+  }
+
+ private:
+  static constexpr std::int64_t kMost = 1'000'000, kLeast = -20'000;
+  static constexpr std::uint64_t kFirstBan = 4'000'000;
+  static constexpr int kMostBans = 20;
+
+  std::int64_t credit_ = 0;
+  std::uint64_t banned_until_ = 0;
+  int bans_ = 0;
+};
+
+}  // namespace robosim

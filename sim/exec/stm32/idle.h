@@ -1,0 +1,99 @@
+// Loops that wait, left out: millis() asked again and again, flags and buttons that are polled. What
+// firmware, pins and time are afterwards is what they would have been; only the processor that simulates them
+// rests.
+//
+//   explores   now and then, among the last jumps: which lead back? Where they lead are heads
+//   records    one pass from a head: what it stores, and how long what it reads from peripherals stays as it
+//   is skips      if registers and RAM are as they were at the pass's beginning: as many passes as end before
+//              the next event, and before anything they read may change. One of them is run again, so that
+//              all is there that a pass leaves behind
+//
+// That is exact, since a pass that begins with the same registers, the same RAM and the same peripherals does
+// the same again. A head has a mark (Cpu), so that loops that are none cost nothing. One that is not worth
+// its while loses it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/loop_credit.h"
+#include "sim/exec/stm32/clock.h"
+
+namespace robosim::exec::stm32 {
+
+class Cpu;
+
+class Idle {
+ public:
+  explicit Idle(Cpu& cpu);
+
+  /// Off: every instruction runs.
+  void allow(bool allowed);
+  /// Cycles that no instruction has run for.
+  Cycle skipped() const { return skipped_; }
+
+  /// Now and then, while no instruction runs.
+  void explore();
+  /// The processor is at a head, and has not run the instruction there.
+  void at_head(std::uint32_t pc);
+
+  // --- while a pass is recorded
+  bool is_recording() const { return recorded_ != nullptr; }
+  /// RAM there is about to change.
+  void stores(std::uint32_t address, std::uint32_t bytes);
+  /// It reads from a peripheral what stays so until that cycle, exclusive; for now only: not known.
+  void looks(Cycle until);
+  /// A round of loop() begins.
+  void round_began();
+  /// It does something that cannot be left out.
+  void interrupted();
+  /// Something has come in between.
+  void runs_anew();
+
+ private:
+  static constexpr std::size_t kMostHeads = 16;
+
+  struct Head {
+    std::uint32_t pc = 0;
+    bool marked = false;
+    LoopCredit credit;
+    Cycle cycles = 0;  ///< of the last pass that was recorded
+  };
+  /// All that a pass may change, but for RAM, and what is only counted.
+  struct State {
+    std::array<std::uint32_t, 15> registers{};
+    std::array<std::uint32_t, 6> others{};
+    bool operator==(const State&) const = default;
+  };
+  struct Word {
+    std::uint32_t address = 0, value = 0;
+  };
+
+  Head* find(std::uint32_t pc);
+  void mark(Head& head, bool marked);
+  void pay(Head& head, std::int64_t cycles);
+  State state() const;
+  void begin(Head& head);
+  /// Returns whether the pass has led to where it began.
+  bool ends();
+  void skip(Cycle passes, Cycle cycles);
+
+  Cpu& cpu_;
+  bool allowed_ = true;
+  std::vector<Head> heads_;  ///< that do not move
+  Cycle explore_at_ = 0, explore_every_ = 0;
+  int tries_ = 0;  ///< passes that were recorded in vain since instructions began to run
+  Cycle skipped_ = 0;
+
+  Head* recorded_ = nullptr;  ///< whose pass is being recorded
+  State state_;
+  std::vector<Word> stored_;         ///< what was there before
+  std::vector<std::uint32_t> seen_;  ///< by word of RAM: the last pass that stored there
+  std::uint32_t number_ = 0;
+  Cycle began_ = 0, until_ = 0, round_at_ = 0;
+  int rounds_ = 0, others_ = 0, looks_ = 0;
+  std::uint32_t jumps_before_ = 0;
+};
+
+}  // namespace robosim::exec::stm32

@@ -1,0 +1,75 @@
+// Runs of a stock sketch on a chip whose state somebody notes after each tick.
+#pragma once
+
+#include <stdlib.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/build/sketch.h"
+#include "sim/grid/map.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+
+namespace robosim::run {
+
+struct StockRun {
+  const char* sketch;
+  const char* robot;
+  const char* map;
+  SimTime limit;
+};
+
+/// A number that is made of many.
+class Sum {
+ public:
+  void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 1099511628211u; }
+  std::uint64_t value() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 1469598103934665603u;
+};
+
+class NotedRun final : public Listener {
+ public:
+  /// `note` returns what the chip holds, in a number.
+  NotedRun(const StockRun& what, exec::Executor& executor, std::function<std::uint64_t()> note)
+      : note_(std::move(note)) {
+    const grid::Map map = grid::read_map(grid::find_map(what.map));
+    const robot::Description robot = robot::load_description(what.robot);
+    run::Setup setup;
+    setup.map = &map;
+    setup.agents = {{.robot = &robot, .executor = &executor, .listener = this}};
+    setup.limit = what.limit;
+    setup.samples_every = kTick;
+    trace_hash = simulate(setup).front().trace_hash;
+  }
+
+  /// The sketch, built for the robot's board.
+  static std::filesystem::path image_of(const StockRun& what, const std::string& target) {
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    build::Request request{std::filesystem::path(ROBOSIM_EXAMPLES) / what.sketch,
+                           *robot::load_description(what.robot).board};
+    request.target = target;
+    return build::build(request).image;
+  }
+
+  void sampled(const Sample&) override { ticks.push_back(note_()); }
+
+  std::vector<std::uint64_t> ticks;
+  std::string trace_hash;
+
+ private:
+  std::function<std::uint64_t()> note_;
+};
+
+inline void expect_same(const NotedRun& a, const NotedRun& b) {
+  EXPECT_EQ(a.trace_hash, b.trace_hash);
+  ASSERT_EQ(a.ticks.size(), b.ticks.size());
+  for (std::size_t tick = 0; tick < a.ticks.size(); ++tick)
+    ASSERT_EQ(a.ticks[tick], b.ticks[tick]) << "after " << tick << " ms";
+}
+
+}  // namespace robosim::run
