@@ -10,7 +10,7 @@ using namespace robosim::stm32;
 namespace {
 
 // RM0008 5.4
-constexpr std::uint32_t kLpDs = 1u << 0, kPdDs = 1u << 1, kClearFlags = 3u << 2, kWakeUpPin = 1u << 8;
+constexpr std::uint32_t kClearFlags = 3u << 2, kWakeUpPin = 1u << 8;
 // 18.4
 constexpr Address kCrh = 0x00, kCrl = 0x04, kPrlh = 0x08, kPrll = 0x0C, kDivh = 0x10, kDivl = 0x14,
                   kCnth = 0x18, kCntl = 0x1C, kAlrh = 0x20, kAlrl = 0x24;

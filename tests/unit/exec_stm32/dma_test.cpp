@@ -9,8 +9,8 @@ namespace {
 using namespace robosim::stm32;
 
 constexpr std::uint32_t kEn = 1u << 0, kTcie = 1u << 1, kHtie = 1u << 2, kOut = 1u << 4, kCirc = 1u << 5,
-                        kPinc = 1u << 6, kMinc = 1u << 7, kP16 = 1u << 8, kP32 = 2u << 8, kM16 = 1u << 10,
-                        kM32 = 2u << 10, kMemory = 1u << 14;
+                        kPinc = 1u << 6, kMinc = 1u << 7, kP16 = 1u << 8, kM16 = 1u << 10, kM32 = 2u << 10,
+                        kMemory = 1u << 14;
 constexpr Address kTable = kRam + 0x100;
 
 Irq irq_of_channel(int channel) { return static_cast<Irq>(kIrqDma1Channel1 + channel - 1); }

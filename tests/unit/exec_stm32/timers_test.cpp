@@ -32,7 +32,7 @@ class TimersTest : public BusFixture, protected PinWatcher {
     board_.connect(pin, *sources_.emplace_back(std::make_unique<Level>(level)));
     pass(in + 1);
   }
-  struct Level : PinSource {
+  struct Level final : PinSource {
     explicit Level(bool is_high) : high(is_high) {}
     double volts(SimTime) override { return high ? 3.3 : 0.0; }
     bool level(SimTime) override { return high; }
