@@ -109,7 +109,8 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
 
 TEST_F(CliCompare, SketchesOnPinsThatOnlyOneBoardHasDoTheSameOnItsTargets) {
   for (const auto& [sketch, robot] :
-       {std::array{"/MegaFollower", "mega5"}, std::array{"/LeonardoFollower", "leonardo5"}}) {
+       {std::array{"/MegaFollower", "mega5"}, std::array{"/LeonardoFollower", "leonardo5"},
+        std::array{"/TinyFollower", "digispark2"}}) {
     const Ended ended =
         robosim_command({"compare", std::string(ROBOSIM_TEST_SKETCHES) + sketch, "--map", "oval", "--robot",
                          robot, "--target", "host,avr", "--goal", "none", "--for", "3s"});

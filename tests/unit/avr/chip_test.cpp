@@ -1,6 +1,7 @@
 // A chip as a whole: snapshots, resets.
 #include <gtest/gtest.h>
 
+#include "hal/board/attiny85.h"
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
@@ -95,6 +96,18 @@ TEST_F(ChipTest, AResetDoesNotEndAWriteOfTheEeprom) {
 TEST_F(ChipTest, AnIdleOneHasNothingToDo) {
   run(1000);
   EXPECT_EQ(bench.chip.core().events.next(), kNoCycle);
+}
+
+TEST(AnAttiny85, HasNoMultiplierAndNoLongJumps) {
+  constexpr std::uint16_t kMul = 0x9C01, kJmp = 0x940C, kCall = 0x940E, kMovw = 0x0112;
+  const auto stop_at = [](std::uint16_t word) {
+    const std::uint8_t flash[] = {static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8), 0,
+                                  0};
+    Cpu cpu(kAttiny85, flash, static_cast<Address>(ram_end(kAttiny85) - 1));
+    return cpu.run(1);
+  };
+  for (const std::uint16_t word : {kMul, kJmp, kCall}) EXPECT_EQ(stop_at(word), Cpu::Stop::illegal);
+  EXPECT_EQ(stop_at(kMovw), Cpu::Stop::reached);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Boards with other chips in the emulator: sketches that use what only they have, or lack.
+#include <map>
+
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -171,6 +173,46 @@ void loop() {}
   for (const Pin pin : {3, 11}) EXPECT_EQ(board().drive(pin).duty, 52.0 / 256) << "timer 0, pin " << int{pin};
   for (const Pin pin : {5, 6, 9, 10, 13})
     EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
+}
+
+TEST_F(Boards, AnAttiny85HasPwmOnThreePinsOfTwoTimersAndNoSerial) {
+  board_name_ = "digispark";
+  start(R"(
+#include <EEPROM.h>
+volatile byte edges;
+ISR(PCINT0_vect) { ++edges; }
+void setup() {
+  const uint8_t pins[] = {0, 1, 4};
+  for (uint8_t pin : pins) analogWrite(pin, 51);
+  EEPROM.write(511, analogRead(A1) >> 2);
+  EEPROM.write(510, EEPROM.length() >> 2);
+  PCMSK = _BV(PCINT3);
+  GIMSK = _BV(PCIE);
+  unsigned long began = millis();
+  while (millis() - began < 20) {}
+  EEPROM.write(509, edges);
+}
+void loop() {}
+)");
+  struct : EepromWatcher {
+    void eeprom_written(std::uint16_t address, std::uint8_t, std::uint8_t value, SimTime) override {
+      written[address] = value;
+    }
+    std::map<int, int> written;
+  } watcher;
+  board().watch_eeprom(watcher);
+  FixedSource one(1.0);
+  Pulse pulse(15 * kMillisecond, 16 * kMillisecond);
+  board().connect(2, one);
+  board().connect(3, pulse);
+  run(14 * kMillisecond);
+  board().schedule_edge(3, true, 15 * kMillisecond);
+  board().schedule_edge(3, false, 16 * kMillisecond);
+  run(30 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_EQ(watcher.written, (std::map<int, int>{{509, 2}, {510, 512 / 4}, {511, 51}}));
+  for (const Pin pin : {0, 1}) EXPECT_EQ(board().drive(pin).duty, 52.0 / 256) << "timer 0, pin " << int{pin};
+  EXPECT_EQ(board().drive(4).duty, 51.0 / 256) << "timer 1";
 }
 
 }  // namespace

@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
              "exactly these pins"},
         Case{kBareRobot + part("name = \"x\"\ntype = \"voltage\"\npin = \"A0\"\n"), "either volts, or share"},
         Case{"base = \"uno9\"\n",
-             "no robot is called \"uno9\"; there are bluepill2, bluepill3, bluepill5, bluepony, leonardo5, "
-             "mega5, "
+             "no robot is called \"uno9\"; there are bluepill2, bluepill3, bluepill5, bluepony, digispark2, "
+             "leonardo5, mega5, "
              "nano8rc, "
              "pony, uno2, uno3 or uno5"},
         Case{"base = \"./none.toml\"\n", "there is no file ./none.toml"},
@@ -298,10 +298,12 @@ TEST_F(AnotherBoard, ThatLacksAPinIsRefusedWithThePinsPlace) {
 }
 
 TEST_F(AnotherBoard, ThatThereIsNoneOfIsRefusedWithThoseThereAre) {
-  EXPECT_THAT(refusal("uno5@due"),
-              HasSubstr("uno5@due: no board is called \"due\"; there are uno, nano, "
-                        "nano168, promini8, promini16, mega, leonardo, micro, bluepill or "
-                        "bluepill8"));
+  EXPECT_THAT(
+      refusal("uno5@due"),
+      HasSubstr(
+          "uno5@due: no board is called \"due\"; there are uno, nano, "
+          "nano168, promini8, promini16, mega, leonardo, micro, digispark, gemma, attiny85, bluepill or "
+          "bluepill8"));
 }
 
 TEST_F(AnotherBoard, WiresStayOnThePinsOfTheSameName) {
@@ -316,8 +318,8 @@ TEST_F(AnotherBoard, WiresStayOnThePinsOfTheSameName) {
 
 TEST(StockRobots, AllLoad) {
   EXPECT_THAT(stock_robots(),
-              ::testing::ElementsAre("bluepill2", "bluepill3", "bluepill5", "bluepony", "leonardo5", "mega5",
-                                     "nano8rc", "pony", "uno2", "uno3", "uno5"));
+              ::testing::ElementsAre("bluepill2", "bluepill3", "bluepill5", "bluepony", "digispark2",
+                                     "leonardo5", "mega5", "nano8rc", "pony", "uno2", "uno3", "uno5"));
   for (const std::string& name : stock_robots()) EXPECT_NO_THROW(load_description(name)) << name;
 }
 
