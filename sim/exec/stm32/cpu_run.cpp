@@ -252,7 +252,7 @@ void Cpu::run() {
     }
     NEXT;
   }
-  STEP(wfi, 1) FALL_ASLEEP(false);
+  STEP(wfi, 1) WAIT_FOR_INTERRUPT;
   STEP(wfe, 1) {
     if (!nvic_.take_event()) FALL_ASLEEP(true);
     idle_.interrupted();

@@ -210,6 +210,14 @@
     std::memcpy(&entry, from, (bytes));                              \
     JUMP(i->next() + 2 * entry);                                     \
   }
+// If what wakes it is there already, and is not taken, it does not sleep at all.
+#define WAIT_FOR_INTERRUPT                                                           \
+  {                                                                                  \
+    if (left > 0 && nvic_.wakes() && !nvic_.next(primask_ | faultmask_, basepri_)) { \
+      NEXT;                                                                          \
+    }                                                                                \
+    FALL_ASLEEP(false);                                                              \
+  }
 #define FALL_ASLEEP(by_event)      \
   {                                \
     falls_asleep_ = true;          \

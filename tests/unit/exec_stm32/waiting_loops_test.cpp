@@ -163,6 +163,7 @@ class RandomProgram : public Program {
         return branch(1, here() - 2);
       case 9:
         half(0xB672);  // cpsid i
+        if (below(2)) half(0xBF30);
         junk(1);
         return half(0xB662);  // cpsie i
       case 10:
