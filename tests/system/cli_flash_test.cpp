@@ -106,6 +106,14 @@ TEST_F(CliFlash, PutsNoOtherBoardInThePlaceOfTheRobots) {
   EXPECT_FALSE(std::filesystem::exists(words())) << "avrdude was started";
 }
 
+TEST_F(CliFlash, SaysThatABoardWithoutABootLoaderOfArduinosHasAProgrammerOfItsOwn) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  folder_.write("My/My.ino", "void setup() { analogWrite(4, 9); }\nvoid loop() {}\n");
+  const Ended ended = flash({"--port", "/dev/ttyACM0", "--robot", "digispark2", "--dry-run"});
+  EXPECT_EQ(ended.status, 2) << ended.out;
+  EXPECT_THAT(ended.err, HasSubstr(".hex: robosim flash cannot write to a digispark"));
+}
+
 TEST_F(CliFlash, ADryRunPrintsTheCommandAndTheHashOfTheTestedImage) {
   ROBOSIM_NEEDS_TARGET("avr");
   fake_avrdude(0);

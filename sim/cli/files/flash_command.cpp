@@ -157,6 +157,9 @@ int flash_command(const FlashArguments& arguments) {
     board = &board_of_image(arguments.robot);
     print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
   }
+  if (!board->upload_protocol)
+    throw InputError(fmt::format("{}: robosim flash cannot write to a {}, whose programmer has to",
+                                 file.string(), board->name));
   const std::vector<std::string> words = avrdude_words(arguments, *board, file);
   if (board->upload_by_touch)
     print(fmt::format("{} is opened with 1200 baud and closed first, which starts the boot loader\n",
