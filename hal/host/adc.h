@@ -33,6 +33,7 @@ class Adc {
   /// Ends the conversion that is due; restarts it when free running.
   void sync();
   bool pending() const { return (control_ & 0x18) == 0x18; }
+  bool may_interrupt() const { return control_ & 0x08 && (converting_ || control_ & 0x20); }
   SimTime next() const { return converting_ && control_ & 0x08 ? ready_ : kNever; }
   void acknowledge() { control_ &= ~0x10; }
 

@@ -10,9 +10,11 @@ namespace host {
 FirmwareState state;
 FirmwarePort* board;
 Host* executor;
-SimTime deadline;
+SimTime deadline, watched_deadline;
 
 namespace {
+
+constexpr size_t kFrames = 1024;  // bytes that block_begins() and those between may use
 
 void yield_to_executor(SimTime wake) {
   state.wake = wake;
@@ -24,8 +26,8 @@ void yield_to_executor(SimTime wake) {
 void refresh_deadline() {
   deadline = state.limit < tone_end() ? state.limit : tone_end();
   if (!interrupts_enabled()) return;
-  const SimTime due = pending_interrupts() ? state.now : next_interrupt(true);
-  if (due < deadline) deadline = due;
+  const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
+  if (next < deadline) deadline = next;
 }
 
 void reach_deadline() {
@@ -42,6 +44,40 @@ void reach_deadline() {
   }
   while (state.now >= state.limit) yield_to_executor(state.now);
   refresh_deadline();
+}
+
+namespace {
+
+// What calls leave behind on the stack must not look like something that firmware keeps there.
+__attribute__((noinline)) void wipe_stack() {
+  volatile uint8_t frame[kFrames];
+  for (volatile uint8_t& byte : frame) byte = 0;
+}
+
+__attribute__((noinline)) void hand_stack() {
+  executor->block_begins(static_cast<const uint8_t*>(__builtin_frame_address(0)));
+  __asm__ volatile("" ::: "memory");  // no tail call: the frame stays
+}
+
+// Puts the registers that its callers keep values in on the stack, into its own frame.
+__attribute__((noinline)) void hand_registers() {
+  __builtin_unwind_init();
+  hand_stack();
+  __asm__ volatile("" ::: "memory");
+}
+
+}  // namespace
+
+void block_at_deadline() {
+  if (state.watched && !in_handler()) {
+    wipe_stack();
+    hand_registers();
+    if (!state.watched) deadline = watched_deadline;
+    if (state.now < watched_deadline) return;
+  }
+  reach_deadline();
+  watched_deadline = deadline;
+  if (state.watched && !in_handler()) deadline = state.now;
 }
 
 void work(SimTime duration) {
@@ -121,11 +157,12 @@ void stop_for_ever(const char* how) {
 #endif
 extern "C" ROBOSIM_ALIGN_STACK void robosim_endless_loop() {
   robosim::host::state.place = __builtin_return_address(0);
+  robosim::host::state.endless = true;
   for (;;) robosim::host::idle_until(robosim::kNever);
 }
 
 extern "C" void __sanitizer_cov_trace_pc() {
   using namespace robosim::host;
   state.place = __builtin_return_address(0);
-  spend(cost::kBlock);
+  spend_in_block(cost::kBlock);
 }

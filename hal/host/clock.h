@@ -14,6 +14,8 @@ extern FirmwarePort* board;
 extern Host* executor;
 /// When something has to be done: the limit, or an interrupt that is due before it.
 extern SimTime deadline;
+/// The same, where blocks are watched and come to block_at_deadline() before it.
+extern SimTime watched_deadline;
 
 /// Serves what is due, yields at the limit, and sets the next deadline.
 void reach_deadline();
@@ -24,6 +26,13 @@ void refresh_deadline();
 inline void spend(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) reach_deadline();
+}
+
+void block_at_deadline();
+/// The same in a basic block of firmware, which may be watched.
+inline void spend_in_block(int count) {
+  state.now += cycles(count);
+  if (__builtin_expect(state.now >= deadline, 0)) block_at_deadline();
 }
 
 /// Work that interrupts prolong: `duration` of the processor's own time.

@@ -74,6 +74,13 @@ uint32_t pending_external() {
   return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
 }
 
+bool external_may_interrupt() {
+  if (external.mask & ((1u << kExternals) - 1)) return true;
+  for (int group = 0; group < kChip.change_count; ++group)
+    if (external.change_control >> group & 1 && external.change_mask[group]) return true;
+  return lines.enabled.any();
+}
+
 void acknowledge_external(int vector) {
   if (vector < kPinChange0) {
     external.flags &= static_cast<uint8_t>(~(1 << (vector - kExternal0)));

@@ -30,6 +30,11 @@ struct PinSet {
   uint32_t words[(kPins + 31) / 32] = {};
 
   bool has(Pin pin) const { return words[pin / 32] >> pin % 32 & 1; }
+  bool any() const {
+    for (const uint32_t word : words)
+      if (word) return true;
+    return false;
+  }
   void add(Pin pin) { words[pin / 32] |= 1u << pin % 32; }
   void remove(Pin pin) { words[pin / 32] &= ~(1u << pin % 32); }
   /// The lowest pin of both; kNoPin if there is none.
@@ -65,6 +70,8 @@ void external_edge(Pin pin, bool level);
 uint32_t pending_external();
 /// The handler of `vector` starts: edges clear their flag.
 void acknowledge_external(int vector);
+/// Whether one of them is enabled.
+bool external_may_interrupt();
 void reset_external();
 
 }  // namespace host

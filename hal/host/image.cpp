@@ -34,6 +34,13 @@ constexpr int adc_prescaler() {
   return bits;
 }
 
+const Clockwork kClockworks[] = {{&state, sizeof state},
+                                 {&deadline, sizeof deadline},
+                                 {&watched_deadline, sizeof watched_deadline},
+                                 {&timer0, sizeof timer0},
+                                 {&timer0_count, sizeof timer0_count},
+                                 {&handlers_run, sizeof handlers_run}};
+
 void run(FirmwarePort& its_board, Host& its_executor, SimTime now) {
   board = &its_board;
   executor = &its_executor;
@@ -71,8 +78,11 @@ void init() {
 
 __attribute__((weak)) void initVariant() {}
 
-const host::Image robosim_image = {host::kImageVersion, &host::state, host::run,      host::kShadow,
-                                   __ehdr_start,        _end,         host::kCounters};
+const host::Image robosim_image = {host::kImageVersion, &host::state,
+                                   host::run,           host::kShadow,
+                                   __ehdr_start,        _end,
+                                   host::kClockworks,   sizeof host::kClockworks / sizeof *host::kClockworks,
+                                   host::may_interrupt, host::kCounters};
 
 }  // extern "C"
 
@@ -82,7 +92,7 @@ int firmware_main() {
   setup();
   for (;;) {
     loop();
-    host::spend(host::cost::kLoop);
+    host::spend_in_block(host::cost::kLoop);
     if (serialEventRun) serialEventRun();
   }
 }

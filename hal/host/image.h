@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 6;
+constexpr uint32_t kImageVersion = 7;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -59,6 +59,9 @@ class Host {
  public:
   /// Firmware has reached its limit; returns when it may go on, with a later limit.
   virtual void yield() = 0;
+  /// While FirmwareState::watched: a basic block begins. All that its function and its callers keep lies on
+  /// the stack from `stack` on, and in the image's variables.
+  virtual void block_begins(const uint8_t* stack) = 0;
   /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
   /// Edges on `pin` shall arrive as input from `now` on; or no longer.
@@ -97,6 +100,7 @@ struct FirmwareState {
   size_t heap_bytes = 0;
   uint8_t* stack = nullptr;  ///< the fiber's
   size_t stack_bytes = 0;
+  bool watched = false;  ///< Host::block_begins() is wanted
   // The firmware's:
   SimTime now = 0;                   ///< its clock
   SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself
@@ -106,6 +110,7 @@ struct FirmwareState {
   Pin read_pin = kNoPin;             ///< of the last digital read outside interrupt handlers
   SimTime read_at = 0;               ///< when that was
   bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
+  bool endless = false;              ///< in a loop without any block
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };
 
@@ -120,6 +125,12 @@ class CounterSink {
   ~CounterSink() = default;
 };
 
+/// Variables of the core that go on by themselves, and that sketches see through calls alone.
+struct Clockwork {
+  const void* begin;
+  size_t bytes;
+};
+
 struct Image {
   uint32_t version;  ///< kImageVersion
   FirmwareState* state;
@@ -130,6 +141,11 @@ struct Image {
   uintptr_t shadow;
   const void* begin;
   const void* end;
+  const Clockwork* clockworks;
+  size_t clockwork_count;
+  /// Whether an interrupt is enabled, other than those of the core's clock and its Serial, that may come
+  /// though firmware calls nothing. To be called outside the fiber, as is the next.
+  bool (*may_interrupt)();
   /// Gives what has been counted since the start; may be called at any time outside the fiber. Null: the
   /// image was not built for coverage.
   void (*counters)(CounterSink& sink);

@@ -182,6 +182,12 @@ SimTime next_interrupt(bool with_timer0_overflow) {
   return earlier(next, earlier(timer1.due(), timer2.due()));
 }
 
+bool may_interrupt() {
+  if (!interrupts_enabled()) return false;
+  const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
+  return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();
+}
+
 bool serve_interrupt() {
   if (!interrupts_enabled()) return false;
   const uint32_t pending = pending_interrupts();

@@ -40,6 +40,9 @@ void sync_peripherals();
 uint32_t pending_interrupts();
 /// When the next enabled flag will be raised; with or without the overflow of Timer 0 that millis() counts.
 SimTime next_interrupt(bool with_timer0_overflow);
+/// Whether an interrupt is enabled that may come though firmware touches no register any more. Those of the
+/// core's clock and of its Serial do not count: they change nothing that a sketch could see without a call.
+bool may_interrupt();
 /// Runs the handler of the most urgent pending interrupt; false if there is none, or I is clear.
 bool serve_interrupt();
 

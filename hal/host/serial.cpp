@@ -64,8 +64,7 @@ void reset_uart() {
 }  // namespace host
 }  // namespace robosim
 
-static_assert(host::kUartReceived == 18, "the handler's name");
-extern "C" __attribute__((weak)) void __vector_18() {
+extern "C" void robosim_serial_receive() {
   host::spend(cost::kSerialReceiveHandler);
   const uint8_t byte = host::uart.take();
   const auto next = static_cast<uint8_t>((received.head + 1) % SERIAL_RX_BUFFER_SIZE);
@@ -73,6 +72,11 @@ extern "C" __attribute__((weak)) void __vector_18() {
   received.bytes[received.head] = byte;
   received.head = next;
 }
+
+static_assert(host::kUartReceived == 18, "the handler's name");
+extern "C" __attribute__((weak, alias("robosim_serial_receive"))) void __vector_18();
+
+bool robosim::host::serial_receives() { return __vector_18 == robosim_serial_receive; }
 
 void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   host::note_call("Serial.begin", kNoPin, 1, static_cast<int32_t>(baud));

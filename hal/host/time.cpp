@@ -24,7 +24,7 @@ unsigned long read_micros() {
   host::spend(cost::kMicros);
   host::timer0.sync();
   const uint16_t count = host::timer0.count();
-  uint64_t overflows = host::timer0_overflows;
+  uint64_t overflows = host::timer0_count.overflows;
   if (host::timer0.pending() & host::Timer::overflow && count < 255) ++overflows;
   return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
 }
@@ -44,7 +44,7 @@ __attribute__((weak)) void yield() { own_yield = false; }
 unsigned long millis() {
   host::note_call("millis", kNoPin, 0);
   host::spend(cost::kMillis);
-  return static_cast<unsigned long>(host::timer0_millis);
+  return static_cast<unsigned long>(host::timer0_count.millis);
 }
 
 unsigned long micros() {

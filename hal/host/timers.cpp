@@ -8,21 +8,19 @@ namespace robosim {
 namespace host {
 
 Timer timer0(0), timer1(1), timer2(2);
-uint64_t timer0_millis;
-uint64_t timer0_overflows;
+Timer0Count timer0_count;
 
 namespace {
 // As in the core's wiring.c: what an overflow takes, in whole milliseconds and 125ths of one. At 16 MHz that
 // is 1024 us = 1 ms + 3/125 ms.
 constexpr uint64_t kOverflow_us = 64 * 256 / (kClockHz / 1000000);
 constexpr uint64_t kMillis = kOverflow_us / 1000, kFraction = kOverflow_us % 1000 / 8, kWhole = 125;
-uint64_t timer0_fraction;
 
 void count_overflows(uint64_t overflows) {
-  timer0_overflows += overflows;
-  timer0_fraction += kFraction * overflows;
-  timer0_millis += kMillis * overflows + timer0_fraction / kWhole;
-  timer0_fraction %= kWhole;
+  timer0_count.overflows += overflows;
+  timer0_count.fraction += kFraction * overflows;
+  timer0_count.millis += kMillis * overflows + timer0_count.fraction / kWhole;
+  timer0_count.fraction %= kWhole;
 }
 }  // namespace
 
@@ -35,7 +33,7 @@ void reset_timers() {
   timer0 = Timer(0);
   timer1 = Timer(1);
   timer2 = Timer(2);
-  timer0_millis = timer0_overflows = timer0_fraction = 0;
+  timer0_count = {};
 }
 
 int64_t Timer::ticks() const {

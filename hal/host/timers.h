@@ -111,9 +111,13 @@ inline Timer& timer(int number) { return number == 0 ? timer0 : number == 1 ? ti
 /// Does in one go what the overflow handler of Timer 0 would have done since it ran last. For firmware that
 /// waits.
 void timer0_catch_up();
-/// What millis() returns, and the overflows that micros() counts.
-extern uint64_t timer0_millis;
-extern uint64_t timer0_overflows;
+/// What the overflow handler of Timer 0 counts.
+struct Timer0Count {
+  uint64_t millis;     ///< what millis() returns
+  uint64_t fraction;   ///< of the next one, in 125ths
+  uint64_t overflows;  ///< what micros() counts
+};
+extern Timer0Count timer0_count;
 /// At a reset.
 void reset_timers();
 

@@ -39,6 +39,8 @@ namespace host {
 
 SimTime tone_end() { return end; }
 
+bool sounds() { return sounding != kNoPin; }
+
 void sync_tone() {
   if (state.now >= end) stop();
 }

@@ -8,6 +8,8 @@ namespace host {
 
 /// When the tone that sounds ends; kNever if none does, or it has no end.
 SimTime tone_end();
+/// Whether one does.
+bool sounds();
 /// Ends it if its time has come.
 void sync_tone();
 

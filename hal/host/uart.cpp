@@ -88,6 +88,11 @@ uint32_t Uart::pending() const {
          static_cast<uint32_t>((raised & kTxc) != 0) << kUartSent;
 }
 
+bool Uart::may_interrupt() const {
+  const bool receives = control_ & kRxen && control_ & kRxcie;
+  return control_ & (kTxcie | kUdrie) || (receives && !serial_receives());
+}
+
 SimTime Uart::next() const {
   if (control_ & kUdrie) return sending() <= 1 ? state.now : sent_ - byte_time_;
   if (control_ & kTxcie && !sent_seen_) return sent_;

@@ -42,6 +42,8 @@ class Uart {
   /// Vectors 18..20 that are raised and enabled, one bit each.
   uint32_t pending() const;
   SimTime next() const;
+  /// Whether there may be one whose handler is not Serial's.
+  bool may_interrupt() const;
   void acknowledge_sent() { sent_seen_ = true; }
 
  private:
@@ -58,6 +60,8 @@ class Uart {
 };
 
 extern Uart uart;
+/// Whether Serial takes the bytes that arrive, and not an ISR of the sketch.
+bool serial_receives();
 /// At a reset: also empties the buffers of Serial.
 void reset_uart();
 

@@ -47,6 +47,11 @@ int Adc::trigger() const {
   return core_.chip.adc.triggers[core_.cpu.data[at_.adc_control_b] & kAdtsMask];
 }
 
+std::uint64_t Adc::may_interrupt() const {
+  const bool comes = state_.converting || trigger() != Triggers::kNone;
+  return Interrupts::bit(core_.chip.adc.vector, comes && core_.cpu.data[at_.adc_control] & kAdie);
+}
+
 void Adc::request() {
   const std::uint8_t control = core_.at(at_.adc_control);
   core_.request(core_.chip.adc.vector, control & kAdif && control & kAdie);

@@ -25,6 +25,7 @@ class Adc final : public Peripheral {
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
   void falls_asleep(bool adc_clock_runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   struct State {

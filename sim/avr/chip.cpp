@@ -129,6 +129,12 @@ void Chip::reset_later(std::uint8_t flags) {
 
 void Chip::do_due() { core_.events.run(core_.now()); }
 
+std::uint64_t Chip::may_interrupt() const {
+  std::uint64_t vectors = 0;
+  for (const auto& peripheral : peripherals_) vectors |= peripheral->may_interrupt();
+  return vectors;
+}
+
 Chip::Stop Chip::run_to(Cycle until) {
   Cpu& cpu = core_.cpu;
   idle_.interrupted();

@@ -42,6 +42,9 @@ class Chip {
   bool is_asleep() const { return power_.is_asleep(); }
   Cycle sleep_cycles() const { return power_.slept(cycle()); }
 
+  /// Interrupts that are enabled and may come though firmware touches no register any more; a bit a vector.
+  std::uint64_t may_interrupt() const;
+
   // --- from outside
   /// The level of a pin (by its index in ChipSpec::pins) that edges are wanted of has changed.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
@@ -56,6 +59,7 @@ class Chip {
   Cpu& cpu() { return core_.cpu; }
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
+  const Core& core() const { return core_; }
   /// Loops that wait are left out, without a difference that firmware or its surroundings could see.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }

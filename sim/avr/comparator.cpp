@@ -72,6 +72,11 @@ bool Comparator::awaited(int, bool is) {
   return core_.at(control_) & kAci;
 }
 
+std::uint64_t Comparator::may_interrupt() const {
+  const std::uint8_t control = core_.cpu.data[control_];
+  return Interrupts::bit(core_.chip.comparator.vector, !(control & kAcd) && control & kAcie);
+}
+
 void Comparator::request() {
   const std::uint8_t control = core_.at(control_);
   core_.request(core_.chip.comparator.vector, control & kAci && control & kAcie);

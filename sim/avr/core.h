@@ -40,6 +40,8 @@ class Peripheral {
     (void)adc_clock_runs;
     (void)at;
   }
+  /// Interrupts that are enabled and may come though firmware touches none of its registers; a bit a vector.
+  virtual std::uint64_t may_interrupt() const { return 0; }
 };
 
 struct Core {

@@ -198,8 +198,12 @@ void Cpu::enter(int vector) {
   state.last_pc = state.pc;
   push_pc(state.pc);
   state.sreg &= static_cast<std::uint8_t>(~kI);
-  state.pc = static_cast<std::uint32_t>(vector) * (chip_.flash_bytes > kFlashOfRelativeJumps ? 2 : 1);
+  state.pc = entry_of(vector);
   state.cycle += chip_.return_address_bytes == 3 ? 5 : 4;
+}
+
+std::uint32_t Cpu::entry_of(int vector) const {
+  return static_cast<std::uint32_t>(vector) * (chip_.flash_bytes > kFlashOfRelativeJumps ? 2 : 1);
 }
 
 void Cpu::leave_handler() {

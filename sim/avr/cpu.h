@@ -75,6 +75,8 @@ class Cpu {
   // --- interrupts
   /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
   void enter(int vector);
+  /// Where the processor goes on then, in words.
+  std::uint32_t entry_of(int vector) const;
   /// Whether an interrupt may be taken now: I is set, and not by the instruction that has just run, behind
   /// which one more runs (SEI, RETI, and what else sets I).
   bool interruptible() const { return state.sreg & kI && !state.held; }

@@ -34,6 +34,10 @@ std::uint16_t Eeprom::address() const {
   return static_cast<std::uint16_t>(core_.cpu.pair(address_register()) & (core_.chip.eeprom_bytes - 1));
 }
 
+std::uint64_t Eeprom::may_interrupt() const {
+  return Interrupts::bit(core_.chip.eeprom_vector, core_.cpu.data[control_] & kEerie);
+}
+
 void Eeprom::request() {
   core_.request(core_.chip.eeprom_vector, core_.at(control_) & kEerie && !state_.writing);
 }

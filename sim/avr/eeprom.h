@@ -22,6 +22,7 @@ class Eeprom final : public Peripheral {
   explicit Eeprom(Core& core);
 
   void reset(Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   struct State {

@@ -72,6 +72,17 @@ void ExternalInterrupts::listen_or_not(std::size_t number) {
   if (listens) line.level = pins_.heard_level(lines_[number].pin);
 }
 
+std::uint64_t ExternalInterrupts::may_interrupt() const {
+  const std::vector<std::uint8_t>& data = core_.cpu.data;
+  std::uint64_t vectors = 0;
+  for (std::size_t number = 0; number < lines(); ++number)
+    vectors |= Interrupts::bit(vector(number), data[at_.external_enables] & external_bit(number));
+  for (std::size_t group = 0; group < groups(); ++group)
+    vectors |= Interrupts::bit(change_vector(group), data[at_.change_enables] & change_bit(group) &&
+                                                         data[at_.change_masks + group] != 0);
+  return vectors;
+}
+
 void ExternalInterrupts::request(std::size_t number) {
   const std::uint8_t bit = external_bit(number);
   const LineState& line = state_.lines[number];

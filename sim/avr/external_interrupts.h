@@ -26,6 +26,7 @@ class ExternalInterrupts final : public Peripheral {
   ExternalInterrupts(Core& core, Pins& pins);
 
   void reset(Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   static constexpr std::size_t kMost = 8, kMostGroups = 4;

@@ -15,10 +15,12 @@ class Interrupts {
  public:
   static constexpr int kMost = 64;
 
-  void request(int vector, bool requested) {
-    const std::uint64_t bit = std::uint64_t{1} << vector;
-    state = requested ? state | bit : state & ~bit;
+  /// `vector`, if `wanted`, as a bit; 0 if not.
+  static constexpr std::uint64_t bit(int vector, bool wanted = true) {
+    return wanted ? std::uint64_t{1} << vector : 0;
   }
+
+  void request(int vector, bool requested) { state = requested ? state | bit(vector) : state & ~bit(vector); }
   bool is_requested(int vector) const { return state >> vector & 1; }
   bool any() const { return state != 0; }
   int first() const { return std::countr_zero(state); }

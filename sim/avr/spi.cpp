@@ -39,6 +39,10 @@ Cycle Spi::transfer() const {
   return 8 * (core_.cpu.data[status_] & kSpi2x ? divisor / 2 : divisor);
 }
 
+std::uint64_t Spi::may_interrupt() const {
+  return Interrupts::bit(core_.chip.spi.vector, state_.shifting && core_.cpu.data[control_] & kSpie);
+}
+
 void Spi::request() {
   core_.request(core_.chip.spi.vector, core_.at(status_) & kSpif && core_.at(control_) & kSpie);
 }

@@ -21,6 +21,7 @@ class Spi final : public Peripheral {
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   struct State {

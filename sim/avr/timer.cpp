@@ -172,6 +172,13 @@ std::uint8_t Timer::coming_by_edge() const {
   return hits;
 }
 
+std::uint64_t Timer::may_interrupt() const {
+  std::uint64_t vectors = 0;
+  for (unsigned flags = enables() & flags_there_are(); flags; flags &= flags - 1)
+    vectors |= Interrupts::bit(vector_of(static_cast<std::uint8_t>(flags & (0 - flags))));
+  return vectors;
+}
+
 void Timer::request(unsigned flags) {
   state_.requested |= static_cast<std::uint8_t>(flags);
   for (; flags; flags &= flags - 1)

@@ -46,6 +46,7 @@ class Timer final : public Peripheral {
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
   /// Up to the tick at `at`, and its flags.
   void count_to(Cycle at);

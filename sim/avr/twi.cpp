@@ -43,6 +43,11 @@ Cycle Twi::bit() const {
   return 16 + 2 * (static_cast<Cycle>(core_.cpu.data[rate_]) << 2 * (core_.cpu.data[status_] & kTwpsMask));
 }
 
+std::uint64_t Twi::may_interrupt() const {
+  const bool comes = state_.step != Step::none && core_.cpu.data[control_] & kTwie;
+  return Interrupts::bit(core_.chip.twi.vector, comes);
+}
+
 void Twi::request() {
   const std::uint8_t control = core_.at(control_);
   core_.request(core_.chip.twi.vector, control & kTwint && control & kTwie);

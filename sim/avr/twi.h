@@ -23,6 +23,7 @@ class Twi final : public Peripheral {
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   enum class Step : std::uint8_t { none, start, byte, stop, stop_and_start };

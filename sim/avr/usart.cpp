@@ -70,6 +70,13 @@ void Usart::tell() {
   core_.outside.listens(number_, now, core_.now());
 }
 
+std::uint64_t Usart::may_interrupt() const {
+  const std::uint8_t control = core_.cpu.data[control_];
+  return Interrupts::bit(spec_.vector, control & kRxen && control & kRxcie) |
+         Interrupts::bit(spec_.vector + 1, control & kUdrie) |
+         Interrupts::bit(spec_.vector + 2, control & kTxcie);
+}
+
 void Usart::request() {
   const std::uint8_t control = data(control_);
   core_.request(spec_.vector, state_.received_count > 0 && control & kRxcie);

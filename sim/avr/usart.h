@@ -26,6 +26,7 @@ class Usart final : public Peripheral {
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
   /// A frame has arrived as a whole, at `at`.
   void receive(std::uint16_t data, Cycle at);

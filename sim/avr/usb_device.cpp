@@ -88,6 +88,13 @@ std::uint8_t UsbDevice::endpoints_with_request() const {
   return static_cast<std::uint8_t>(bits);
 }
 
+std::uint64_t UsbDevice::may_interrupt() const {
+  const bool endpoints =
+      std::ranges::any_of(state_.endpoints, [](const Endpoint& e) { return e.enables != 0; });
+  return Interrupts::bit(core_.chip.usb.vector, core_.cpu.data[at(kUdien)] != 0) |
+         Interrupts::bit(core_.chip.usb.vector + 1, endpoints);
+}
+
 void UsbDevice::request() {
   core_.request(core_.chip.usb.vector, core_.at(at(kUdint)) & core_.at(at(kUdien)));
   core_.request(core_.chip.usb.vector + 1, endpoints_with_request() != 0);

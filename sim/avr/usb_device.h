@@ -36,6 +36,7 @@ class UsbDevice final : public Peripheral {
   explicit UsbDevice(Core& core);
 
   void reset(Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
   // --- for the host
   bool is_attached() const;

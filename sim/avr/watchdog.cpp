@@ -49,6 +49,10 @@ void Watchdog::schedule() {
   core_.schedule(timed_out_, state_.origin + (passed / period() + 1) * period());
 }
 
+std::uint64_t Watchdog::may_interrupt() const {
+  return Interrupts::bit(core_.chip.watchdog_vector, core_.cpu.data[control_] & kWdie);
+}
+
 void Watchdog::request() {
   const std::uint8_t control = core_.at(control_);
   core_.request(core_.chip.watchdog_vector, control & kWdif && control & kWdie);

@@ -25,6 +25,7 @@ class Watchdog final : public Peripheral {
   explicit Watchdog(Core& core);
 
   void reset(Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
   struct State {

@@ -35,6 +35,11 @@ Pin awaited_pin(const Evidence& e) {
 std::string waiting(const Evidence& e) {
   const exec::Activity& a = e.activity;
   if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
+  if (e.t - a.last_call >= kSilentAfter) {
+    const std::string place = place_of(a.where);
+    return fmt::format("; the sketch has called no Arduino function since {}{}{}", seconds(a.last_call),
+                       place.empty() ? "" : ", and was last", place);
+  }
   const Pin pin = awaited_pin(e);
   if (pin != kNoPin)
     return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",

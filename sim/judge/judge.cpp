@@ -72,7 +72,7 @@ std::optional<Verdict> Judge::look(const Situation& now) {
   const bool is_lost = lost(now);
   const bool is_stuck = stuck(now);
   if (is_lost) return Verdict::lost;
-  if (now.powered && now.t - now.last_call >= kSilentAfter)
+  if (now.powered && now.hangs && now.t - now.last_call >= kSilentAfter)
     return now.driven ? Verdict::hung : Verdict::ended;
   if (is_stuck) return Verdict::stuck;
   return std::nullopt;

@@ -207,6 +207,7 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                        body_.lifted(),
                        player_.powered(),
                        player_.powered() ? executor_.last_call() : end};
+  now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();
   return judge_.look(now);
 }
 

@@ -16,21 +16,6 @@ TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
                            HasSubstr("HIGH")));
 }
 
-TEST(Verdicts, ABusyWaitForAFlagGoesOnWhenTheInterruptSetsIt) {
-  const std::string robot = (sketch_folder("WaitsForFlag") / "robot.toml").string();
-  const wire::RunResult pressed = run({.sketch = "WaitsForFlag",
-                                       .robot = robot,
-                                       .goal = "none",
-                                       .script = "at 500ms press go",
-                                       .for_s = 1.0});
-  EXPECT_EQ(pressed.verdict, "reached") << pressed.why;
-  EXPECT_EQ(pressed.serial, "went on\r\n");
-  const wire::RunResult waits =
-      run({.sketch = "WaitsForFlag", .robot = robot, .goal = "none", .for_s = 60.0});
-  EXPECT_EQ(waits.verdict, "ended") << "without an interrupt it calls nothing for ever";
-  EXPECT_THAT(waits.why, HasSubstr("WaitsForFlag.ino:10"));
-}
-
 TEST(Verdicts, AnEmptyEndlessLoopHangsWithMotorsOnAndEndsWithMotorsOff) {
   const wire::RunResult hung = run({.sketch = "HangsDriving"});
   EXPECT_EQ(hung.verdict, "hung");

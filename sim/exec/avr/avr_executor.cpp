@@ -2,6 +2,7 @@
 
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
+#include "sim/exec/avr/hang.h"
 #include "sim/exec/avr/loop.h"
 
 namespace robosim::exec {
@@ -34,6 +35,7 @@ class AvrExecutor::Running final : public RunningChip {
   Resources resources() const override { return machine_.resources(); }
   bool is_asleep() const override { return machine_.chip().is_asleep(); }
   SimTime last_io() const override { return machine_.link().time_of(machine_.chip().last_io()); }
+  bool hangs() const override { return avr::hangs(machine_.chip(), image_.firmware); }
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine&) const override {

@@ -30,6 +30,7 @@ class WatchedChip final : robosim::avr::Visitor {
   WatchedChip(const Firmware& firmware, const BoardSpec& board, robosim::avr::Surroundings& outside);
 
   robosim::avr::Chip& chip() { return chip_; }
+  const robosim::avr::Chip& chip() const { return chip_; }
   const ChipSpec& spec() const { return spec_; }
   std::uint32_t clock_hz() const { return clock_hz_; }
   Cycle cycle() const { return chip_.cycle(); }

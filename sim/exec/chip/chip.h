@@ -28,6 +28,8 @@ class RunningChip {
   virtual bool is_asleep() const = 0;
   /// When it last accessed I/O outside handlers.
   virtual SimTime last_io() const = 0;
+  /// Whether it never will again. Takes some milliseconds.
+  virtual bool hangs() const = 0;
   /// But for its last_call. Costly, as are the next two.
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;

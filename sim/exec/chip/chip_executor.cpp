@@ -61,6 +61,14 @@ SimTime ChipExecutor::last_call() const {
   return !chip_ || chip_->is_asleep() ? state_.reached : clocked_.to_world(chip_->last_io());
 }
 
+bool ChipExecutor::hangs() {
+  if (!chip_ || state_.crash) return false;
+  const SimTime since = last_call();
+  if (!state_.silence.lasts_since(since)) state_.hangs = false;
+  if (state_.silence.is_time(since, state_.reached)) state_.hangs = chip_->hangs();
+  return state_.hangs;
+}
+
 std::optional<Resources> ChipExecutor::resources() const {
   if (!firmware_->fits_chip()) return std::nullopt;
   if (!chip_) return state_.before;

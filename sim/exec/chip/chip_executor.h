@@ -11,6 +11,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/chip/chip.h"
+#include "sim/exec/core/silence.h"
 
 namespace robosim::exec {
 
@@ -26,6 +27,7 @@ class ChipExecutor : public Executor {
   const std::optional<Crash>& crash() const override { return state_.crash; }
   Activity activity() override;
   SimTime last_call() const override;
+  bool hangs() override;
   int int_bits() const override { return firmware_->int_bits(); }
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
@@ -44,6 +46,8 @@ class ChipExecutor : public Executor {
     std::optional<Resources> before;  ///< what was measured before the last power-on
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< until when firmware has run
+    Silence silence;
+    bool hangs = false;  ///< as far as it has been looked at
   };
   struct Saved {
     State own;

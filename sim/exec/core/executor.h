@@ -61,6 +61,9 @@ class Executor {
   virtual Activity activity() = 0;
   /// When the firmware last called the API; cheap.
   virtual SimTime last_call() const = 0;
+  /// Whether firmware that is silent since then will be silent for ever. That is proved: it goes round, and
+  /// no interrupt that may come can change that. To be asked in each tick; the proof is tried now and then.
+  virtual bool hangs() { return false; }
 
   /// How wide the firmware's int is.
   virtual int int_bits() const { return 32; }

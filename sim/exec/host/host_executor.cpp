@@ -4,7 +4,6 @@
 #include <setjmp.h>
 #include <signal.h>
 #include <ucontext.h>
-#include <unwind.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,8 @@
 #include "sim/exec/host/fiber.h"
 #include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/image_file.h"
+#include "sim/exec/host/open_calls.h"
+#include "sim/exec/host/round_finder.h"
 #include "sim/exec/host/shadow.h"
 #include "sim/exec/host/undefined.h"
 
@@ -25,7 +26,7 @@ namespace {
 constexpr std::size_t kStackBytes = 256 * 1024;
 constexpr std::size_t kHeapBytes = 64 * 1024;
 constexpr std::size_t kNullPage = 4096;
-constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
+constexpr SimTime kWatch = 10 * kMillisecond;
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE};
 
 class Counters final : public host::CounterSink {
@@ -53,7 +54,8 @@ class HostExecutor::Instance final : public host::Host {
         heap_(kHeapBytes),
         stack_(kStackBytes),
         fiber_(stack_, &Instance::start, this),
-        shadow_(image_.entry().shadow, checked_memory()) {
+        shadow_(image_.entry().shadow, checked_memory()),
+        round_finder_(image_, {heap_.begin(), heap_.end()}) {
     state_.heap = reinterpret_cast<std::uint8_t*>(heap_.begin());
     state_.heap_bytes = heap_.size();
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
@@ -66,6 +68,19 @@ class HostExecutor::Instance final : public host::Host {
 
   void count(host::CounterSink& sink) const {
     if (image_.entry().counters) image_.entry().counters(sink);
+  }
+
+  /// Whether it shall be found out in the next tick if firmware goes round.
+  void watch(bool wanted) {
+    const bool watched = wanted && !image_.entry().may_interrupt();
+    if (watched && !state_.watched) round_finder_.begin();
+    state_.watched = watched;
+    // What counts how often blocks have run never comes round.
+    if (wanted && image_.entry().counters) goes_round_ = true;
+  }
+  void has_called() { goes_round_ = false; }
+  bool hangs() const {
+    return state_.stopped_by || ((goes_round_ || state_.endless) && !image_.entry().may_interrupt());
   }
 
   /// Runs the firmware to `t`; false if it has crashed.
@@ -85,14 +100,14 @@ class HostExecutor::Instance final : public host::Host {
 
   SourceLine place() const {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
-    add_stack(static_cast<const std::byte*>(suspended_at_), addresses);
+    calls_.add_stack(static_cast<const std::byte*>(suspended_at_), addresses);
     return image_.locate(addresses);
   }
 
   /// Of the call that is going on, asked from within it.
   SourceLine source() {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
-    add_callers(addresses);
+    calls_.add_callers(addresses);
     std::vector<const void*> key;
     for (const CodeAddress& address : addresses) key.push_back(address.pc);
     const auto [known, fresh] = sources_.try_emplace(std::move(key));
@@ -102,6 +117,12 @@ class HostExecutor::Instance final : public host::Host {
 
   // host::Host, called on the fiber.
   void yield() override { suspend(); }
+
+  void block_begins(const std::uint8_t* stack) override {
+    const auto* const begin = reinterpret_cast<const std::byte*>(stack);
+    goes_round_ = round_finder_.sees(state_.place, {begin, stack_.end()});
+    if (goes_round_) state_.watched = false;
+  }
 
   bool take_input(SimTime until, host::Input& input) override {
     BoardInput taken;
@@ -164,7 +185,7 @@ class HostExecutor::Instance final : public host::Host {
   /// A fault that the firmware has noticed itself, on the fiber.
   void report(const Undefined& fault, const void* where) {
     std::vector<CodeAddress> addresses = {{where, true}};
-    add_callers(addresses);
+    calls_.add_callers(addresses);
     addresses.push_back({state_.place, true});
     Crash crash{fault.reason, image_.locate(addresses)};
     crash.check = fault.check;
@@ -181,51 +202,6 @@ class HostExecutor::Instance final : public host::Host {
     fiber_.suspend();
   }
 
-  /// What is on the stack there, even where a sanitizer forbids it to others.
-  __attribute__((no_sanitize("address"))) static const void* word_at(const std::byte* address) {
-    const void* word = nullptr;
-    __builtin_memcpy(&word, address, sizeof word);
-    return word;
-  }
-
-  /// Return addresses on the stack, the innermost first. Old ones in unused slots may be among them.
-  void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const {
-    constexpr int kMostWords = 4096;
-    const auto misaligned = reinterpret_cast<std::uintptr_t>(from) % sizeof(void*);
-    from -= misaligned;
-    if (!stack_.contains(from)) return;
-    for (int i = 0; i < kMostWords && addresses.size() < kMostAddresses; ++i, from += sizeof(void*)) {
-      if (from + sizeof(void*) > stack_.end()) return;
-      const void* const word = word_at(from);
-      if (image_.has_code(word)) addresses.push_back({word, true});
-    }
-  }
-
-  struct Walk {
-    const LoadedImage& image;
-    std::vector<CodeAddress>& addresses;
-    bool inside = false, through = false;
-  };
-
-  static _Unwind_Reason_Code step(_Unwind_Context* frame, void* data) {
-    Walk& walk = *static_cast<Walk*>(data);
-    const auto* const pc = reinterpret_cast<const void*>(_Unwind_GetIP(frame));
-    const bool inside = walk.image.has_code(pc);
-    walk.through = walk.inside && !inside;
-    if (walk.through) return _URC_END_OF_STACK;
-    walk.inside = inside;
-    if (inside) walk.addresses.push_back({pc, true});
-    return walk.addresses.size() < kMostAddresses ? _URC_NO_REASON : _URC_END_OF_STACK;
-  }
-
-  /// The image's calls that are open, the innermost first: asked on the fiber, from within one of them. By
-  /// the unwind tables; where they do not lead through, also what looks like calls on the stack.
-  void add_callers(std::vector<CodeAddress>& addresses) const {
-    Walk walk{image_, addresses};
-    _Unwind_Backtrace(step, &walk);
-    if (!walk.through) add_stack(static_cast<const std::byte*>(__builtin_frame_address(0)), addresses);
-  }
-
   static void catch_faults();
   static void on_fault(int signal, siginfo_t* info, void* context);
 
@@ -233,7 +209,7 @@ class HostExecutor::Instance final : public host::Host {
     const HostFault& fault = fault_;
     std::vector<CodeAddress> addresses = {{fault.pc, false}};
     if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
-    add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
+    calls_.add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
     addresses.push_back({state_.place, true});
     owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};
   }
@@ -271,6 +247,9 @@ class HostExecutor::Instance final : public host::Host {
   Fiber fiber_;
   ShadowMemory shadow_;
   std::vector<host::GlobalRecord> globals_;
+  OpenCalls calls_{image_, stack_};
+  RoundFinder round_finder_;
+  bool goes_round_ = false;
   const void* suspended_at_ = nullptr;
   std::map<std::vector<const void*>, SourceLine> sources_;
   HostFault fault_;
@@ -335,9 +314,19 @@ void HostExecutor::power_off(SimTime t) {
 
 void HostExecutor::run_until(SimTime t) {
   if (!instance_ || crash_) return;
+  look_at_silence();
   if (instance_->run_until(t)) reached_ = t;
   board_.forget_edges(t);
 }
+
+void HostExecutor::look_at_silence() {
+  const SimTime since = last_call();
+  if (!silence_.lasts_since(since)) instance_->has_called();
+  if (silence_.is_time(since, reached_)) watch_until_ = reached_ + kWatch;
+  instance_->watch(reached_ < watch_until_ && !instance_->hangs());
+}
+
+bool HostExecutor::hangs() { return instance_ && !crash_ && instance_->hangs(); }
 
 std::vector<BundledFile> HostExecutor::counters() {
   Counters all(counters_);

@@ -12,6 +12,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
+#include "sim/exec/core/silence.h"
 
 namespace robosim::exec {
 
@@ -31,12 +32,15 @@ class HostExecutor final : public Executor {
   Activity activity() override;
   SourceLine source() override;
   SimTime last_call() const override;
+  bool hangs() override;
   std::vector<BundledFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
   class Instance;
+
+  void look_at_silence();
 
   BoardState board_;
   ClockedBoard clocked_{board_};
@@ -45,6 +49,8 @@ class HostExecutor final : public Executor {
   std::optional<Crash> crash_;
   std::vector<BundledFile> counters_;  ///< of the power cycles before
   SimTime reached_ = 0;                ///< until when firmware has run
+  Silence silence_;
+  SimTime watch_until_ = 0;
 };
 
 }  // namespace robosim::exec

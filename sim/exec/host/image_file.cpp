@@ -29,20 +29,26 @@ std::string without_parameters(const std::string& name) {
   return name;
 }
 
-struct CodeRange {
+struct Segments {
   std::uintptr_t base;
-  std::uintptr_t begin = UINTPTR_MAX;
+  std::uintptr_t begin = UINTPTR_MAX;  ///< of the code
   std::uintptr_t end = 0;
+  std::vector<MemoryRange> variables = {};
 };
 
-int find_code(dl_phdr_info* info, std::size_t, void* argument) {
-  auto& range = *static_cast<CodeRange*>(argument);
-  if (info->dlpi_addr != range.base) return 0;
+int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
+  auto& found = *static_cast<Segments*>(argument);
+  if (info->dlpi_addr != found.base) return 0;
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     const auto& segment = info->dlpi_phdr[i];
-    if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X)) continue;
-    range.begin = std::min(range.begin, range.base + segment.p_vaddr);
-    range.end = std::max(range.end, range.base + segment.p_vaddr + segment.p_memsz);
+    if (segment.p_type != PT_LOAD) continue;
+    const std::uintptr_t begin = found.base + segment.p_vaddr, end = begin + segment.p_memsz;
+    if (segment.p_flags & PF_W)
+      found.variables.push_back(
+          {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)});
+    if (!(segment.p_flags & PF_X)) continue;
+    found.begin = std::min(found.begin, begin);
+    found.end = std::max(found.end, end);
   }
   return 1;
 }
@@ -92,10 +98,11 @@ LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
   link_map* map = nullptr;
   dlinfo(handle_, RTLD_DI_LINKMAP, &map);
   base_ = map->l_addr;
-  CodeRange range{base_};
-  dl_iterate_phdr(find_code, &range);
-  code_begin_ = range.begin;
-  code_end_ = range.end;
+  Segments found{base_};
+  dl_iterate_phdr(find_segments, &found);
+  code_begin_ = found.begin;
+  code_end_ = found.end;
+  variables_ = std::move(found.variables);
 }
 
 LoadedImage::~LoadedImage() { dlclose(handle_); }

@@ -9,6 +9,7 @@
 #include "hal/host/image.h"
 #include "sim/base/descriptor.h"
 #include "sim/exec/core/executor.h"
+#include "sim/exec/host/shadow.h"
 
 namespace robosim::exec {
 
@@ -26,6 +27,8 @@ class LoadedImage {
   LoadedImage& operator=(const LoadedImage&) = delete;
 
   const host::Image& entry() const { return *entry_; }
+  /// Where its variables are.
+  const std::vector<MemoryRange>& variables() const { return variables_; }
   /// Whether `address` lies in the image's code.
   bool has_code(const void* address) const;
   /// The place of the first of `addresses` that lies in the user's code: the sketch or one of its libraries,
@@ -41,6 +44,7 @@ class LoadedImage {
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;
   std::uintptr_t code_begin_ = 0, code_end_ = 0;
+  std::vector<MemoryRange> variables_;
 };
 
 /// Whether debug information names this file for code that is not the user's.

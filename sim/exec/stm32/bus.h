@@ -65,6 +65,8 @@ class Bus : DmaBus {
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
+  /// A watchdog runs that no interrupt comes before.
+  bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
   const std::optional<Unmodelled>& unmodelled() const { return unmodelled_; }
   /// Of the last access.

@@ -131,7 +131,9 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
   for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
-  for (const char* name : {"millis", "HAL_GetTick"})
+  // What looks at memory alone, to see what a handler has left there.
+  for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
+                           "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
   reset();
   lowest_sp_ = reg(kSp);

@@ -118,6 +118,8 @@ class Cpu {
   std::uint32_t last_io_pc() const { return last_io_pc_; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return sleep_cycles_; }
+  /// Neither PRIMASK nor FAULTMASK holds interrupts back.
+  bool interruptible() const { return !(primask_ | faultmask_); }
   const RoundCounter<SimTime>& rounds() const { return rounds_; }
 
   /// Whom to call whenever the instruction at `pc` is about to run.

@@ -32,6 +32,7 @@ class Machine {
 
   Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
+  const Nvic& nvic() const { return bus_.link().nvic; }
   const Bus& bus() const { return bus_; }
   SimTime time_of(Cycle cycle) const { return bus_.link().clock.time_of(cycle); }
 

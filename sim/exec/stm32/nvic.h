@@ -41,6 +41,7 @@ class Nvic {
   void set_event() { event_ = true; }
   bool take_event() { return std::exchange(event_, false); }
 
+  bool is_enabled(robosim::stm32::Irq irq) const { return enabled_ & bit(kFirstIrq + irq); }
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
   /// The exception that preempts what runs, PRIMASK and BASEPRI aside; 0 = none.
   Exception wakes() const { return candidate(0); }

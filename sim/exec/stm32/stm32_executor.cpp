@@ -2,6 +2,7 @@
 
 #include "sim/exec/stm32/debug_port.h"
 #include "sim/exec/stm32/diagnosis.h"
+#include "sim/exec/stm32/hang.h"
 #include "sim/exec/stm32/loop.h"
 
 namespace robosim::exec {
@@ -41,6 +42,7 @@ class Stm32Executor::Running final : public RunningChip {
   Resources resources() const override { return machine_.resources(); }
   bool is_asleep() const override { return machine_.cpu().is_asleep(); }
   SimTime last_io() const override { return machine_.time_of(machine_.cpu().last_io()); }
+  bool hangs() const override { return stm32::hangs(machine_, image_.firmware); }
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine& before) const override {

@@ -16,7 +16,7 @@ using ::testing::StartsWith;
 class Explain : public ::testing::Test {
  protected:
   Explain() {
-    e.t = 12 * kSecond;
+    e.t = e.activity.last_call = 12 * kSecond;
     e.limit = 60 * kSecond;
     e.map = &map_;
     e.goal = &goal_;
@@ -77,6 +77,14 @@ TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
             "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the sketch "
             "keeps reading pin 4 (button \"start\") with digitalRead(4) in loop, My.ino:9, and finds it "
             "HIGH.");
+}
+
+TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
+  e.activity.last_call = 3 * kSecond;
+  e.activity.call = "delay(1)";
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch has called no Arduino function since 3.00 s."));
+  e.activity.where = {"loop", "My.ino", 9};
+  EXPECT_THAT(why(Verdict::timeout), EndsWith(" since 3.00 s, and was last in loop, My.ino:9."));
 }
 
 TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {

@@ -103,10 +103,19 @@ TEST(Judge, CountsPulsedMotorsAsDrivenAndParkedOnesNot) {
 TEST(Judge, TellsAHangFromAParkedSketchByItsMotors) {
   Driver hung;
   hung.now.driven = true;
+  hung.now.hangs = true;
   EXPECT_EQ(hung.run(10 * kSecond, [] {}), Verdict::hung);
   EXPECT_EQ(hung.now.t, 2 * kSecond);
   Driver ended;
+  ended.now.hangs = true;
   EXPECT_EQ(ended.run(10 * kSecond, [] {}), Verdict::ended);
+}
+
+TEST(Judge, WaitsForASilentSketchThatMayGoOn) {
+  Driver waits;
+  EXPECT_EQ(waits.run(600 * kSecond, [] {}), std::nullopt);
+  waits.now.hangs = true;
+  EXPECT_EQ(waits.run(kSecond, [] {}), Verdict::ended);
 }
 
 TEST(Judge, ForgivesSilenceWhileThePowerIsOff) {

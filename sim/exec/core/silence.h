@@ -1,0 +1,28 @@
+// Firmware that has called nothing for a while: when to look whether it ever will again. A look is costly.
+#pragma once
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::exec {
+
+class Silence {
+ public:
+  static constexpr SimTime kFirstLook = kSecond;
+
+  /// Whether to look now: 1, 2, 4, … s after the last call.
+  bool is_time(SimTime last_call, SimTime now) {
+    if (last_call != since_) {
+      since_ = last_call;
+      next_ = last_call + kFirstLook;
+    }
+    if (now < next_) return false;
+    next_ = now + (now - since_);
+    return true;
+  }
+  bool lasts_since(SimTime last_call) const { return last_call == since_; }
+
+ private:
+  SimTime since_ = -1, next_ = 0;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,28 @@
+// The calls of firmware that are open, the innermost first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/exec/host/fiber.h"
+#include "sim/exec/host/image_file.h"
+
+namespace robosim::exec {
+
+class OpenCalls {
+ public:
+  /// Both outlive this.
+  OpenCalls(const LoadedImage& image, const GuardedMemory& stack) : image_(image), stack_(stack) {}
+
+  /// Asked on the fiber, from within one of them. By the unwind tables; where they do not lead through, also
+  /// what looks like calls on the stack.
+  void add_callers(std::vector<CodeAddress>& addresses) const;
+  /// Return addresses on the stack from `from` on. Old ones in unused slots may be among them.
+  void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const;
+
+ private:
+  const LoadedImage& image_;
+  const GuardedMemory& stack_;
+};
+
+}  // namespace robosim::exec
