@@ -14,10 +14,14 @@ namespace {
 
 constexpr SimTime kRestAtStation = 500 * kMillisecond;
 constexpr SimTime kStandsStill = kSecond;
-constexpr double kRestSpeed = 1e-3;    // m/s: slower counts as at rest
-constexpr double kRestTurn = 0.01;     // rad/s
-constexpr double kCheckEvery = 4e-3;   // m: places are looked at when the body has moved this far
+constexpr double kRestSpeed = 1e-3;  // m/s: slower counts as at rest
+constexpr double kRestTurn = 0.01;   // rad/s
+constexpr double kCheckEvery =
+    4e-3;  // m: places are looked at when the body has moved this far, or has stopped
+constexpr double kDeparture = 0.01;    // m from where it was put: the first lap begins
 constexpr double kCheckTurn = 0.9998;  // or turned by acos of this (1.1 degrees)
+
+double square(Vec2 a) { return dot(a, a); }
 
 bool at_rest(const world::Body& body) {
   return std::abs(body.speed()) < kRestSpeed && std::abs(body.turn_rate()) < kRestTurn;
@@ -170,9 +174,16 @@ void Progress::update(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
 
   const Pose& pose = body.pose();
-  const Vec2 moved = pose.position - checked_at_;
-  if (dot(moved, moved) < kCheckEvery * kCheckEvery && dot(pose.heading, checked_heading_) > kCheckTurn)
-    return;
+  if (!origin_) origin_ = pose.position;
+  if (laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture) {
+    // Not where it comes home.
+    for (Lap* lap : {&forwards_, &backwards_})
+      if (2 * lap->next < loop_.size()) lap->began = t;
+  }
+  const double moved = square(pose.position - checked_at_);
+  const bool is_near = moved < kCheckEvery * kCheckEvery && dot(pose.heading, checked_heading_) > kCheckTurn;
+  const bool has_stopped = moved > 0.0 && at_rest(body);
+  if (is_near && !has_stopped) return;
   checked_at_ = pose.position;
   checked_heading_ = pose.heading;
   visit_places(body, events);

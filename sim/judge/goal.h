@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,8 @@ class Progress {
   const std::vector<Waypoint>& stations() const { return stations_; }
   /// Indices into stations() in the order in which they were first visited.
   const std::vector<int>& visited() const { return visited_; }
-  /// Duration of each complete lap, s.
+  /// Duration of each complete lap, s. The first begins where the body leaves the place where it was put, by
+  /// 1 cm: waiting and calibrating on the spot do not count.
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
@@ -97,6 +99,7 @@ class Progress {
   int goal_station_ = -1;
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
+  std::optional<Vec2> origin_;  ///< where the body was at first
   Vec2 checked_at_{1e9, 1e9};
   Vec2 checked_heading_;
   bool reached_ = false;

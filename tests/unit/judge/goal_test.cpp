@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/base/error.h"
 #include "sim/world/body.h"
 #include "sim/world/world.h"
@@ -103,6 +105,33 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
     for (const std::size_t i : {0u, 7u, 0u, 7u}) EXPECT_FALSE(cheat.visit(ring[i].first, ring[i].second));
   }
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
+}
+
+TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
+  Course c(kRing, "laps:1");
+  c.wait(5 * kSecond);
+  const Vec2 start = c.body.pose().position;
+  for (const double turned : {0.5, -0.5}) {  // it calibrates, turning to and fro
+    c.body.place({start + Vec2{0.008, 0.0}, {std::cos(turned), std::sin(turned)}});
+    c.wait(kSecond);
+  }
+  for (const auto& [x, y] :
+       std::vector<std::pair<int, int>>{{2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}, {1, 1}})
+    c.visit(x, y);
+  ASSERT_EQ(c.progress.laps_s().size(), 1u);
+  EXPECT_NEAR(c.progress.laps_s()[0], 0.071, 0.002) << "8 places, 10 ms at each but the last";
+}
+
+TEST(Goal, ARobotThatRestsWhereItJustCoversAStationHasVisitedIt) {
+  Course c(kFork, "station:2");
+  const Vec2 two = c.progress.stations()[1].centre;
+  const auto rest_short_of_it_by = [&](double distance) {
+    c.body.place({two - Vec2{distance, 0.0}, {1.0, 0.0}});
+    c.wait(100 * kMillisecond);
+    return c.progress.is_visited("2");
+  };
+  EXPECT_FALSE(rest_short_of_it_by(0.061));
+  EXPECT_TRUE(rest_short_of_it_by(0.059));
 }
 
 TEST(Goal, StationWantsRestThere) {
