@@ -13,7 +13,6 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr Address kBitBandEnd = 0x44000000;
-constexpr Address kAhb = 0x40018000;  ///< from here on AHB, below APB
 
 struct Range {
   Address begin, end;

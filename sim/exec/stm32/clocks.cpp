@@ -63,7 +63,6 @@ std::uint32_t Clocks::hz() const {
 }
 
 Gate Clocks::gate(Address block) const {
-  constexpr Address kAhb = 0x40018000;
   if (block == kDma1) return {&ahb_, nullptr, kDma1En};
   if (block == kCrc) return {&ahb_, nullptr, kCrcUnitEn};
   if (block >= kAhb || block == kExti || block == kIwdg || block == kRtc) return {};

@@ -8,6 +8,9 @@
 
 namespace robosim::exec::stm32 {
 
+/// From here on peripherals are on the AHB, below on the APBs (RM0008 3.3).
+constexpr robosim::stm32::Address kAhb = 0x40018000;
+
 /// What a reset resets: all but the flags that tell of it.
 struct ClockRegisters {
   std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
