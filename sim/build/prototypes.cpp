@@ -55,6 +55,12 @@ bool parse_marker(std::string_view line, int& number, std::string& file) {
   return true;
 }
 
+// Behind `using namespace std;` ctags takes `using` for a part of the function's type.
+std::string without_using(std::string type) {
+  constexpr std::string_view kUsing = "using ";
+  return type.starts_with(kUsing) ? type.substr(kUsing.size()) : type;
+}
+
 /// Text of a C++ source, told apart from comments and literals.
 class Scanner {
  public:
@@ -242,7 +248,7 @@ std::vector<Tag> parse_tags(const std::string& listing) {
       if (field == "kind") tag.kind = value;
       if (field == "line") tag.line = to_int(value);
       if (field == "signature") tag.signature = value;
-      if (field == "returntype") tag.type = value;
+      if (field == "returntype") tag.type = without_using(value);
       if (field == "class" || field == "struct" || field == "namespace" || field == "union")
         tag.scope = value;
     }

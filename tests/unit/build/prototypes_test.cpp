@@ -27,6 +27,11 @@ TEST_F(PrototypesTest, StandBeforeTheFirstFunction) {
             "void setup() {}\nint f(E e) { return e; }\n");
 }
 
+TEST_F(PrototypesTest, AreRightBehindAUsingDirective) {
+  EXPECT_THAT(with_prototypes("namespace motors {}\nusing namespace motors;\nvoid setup() {}\n"),
+              HasSubstr("using namespace motors;\n#line 3 \"X.ino\"\nvoid setup();\n#line 3"));
+}
+
 TEST_F(PrototypesTest, StandBeforeAVariableThatNamesAFunction) {
   EXPECT_THAT(with_prototypes("int x;\nTimer t(&tick);\nvoid tick() {}\n"),
               HasSubstr("int x;\n#line 3 \"X.ino\"\nvoid tick();\n#line 2 \"X.ino\"\nTimer t(&tick);\n"));
