@@ -7,12 +7,17 @@
 #include "sim/robot/parts/button.h"
 #include "sim/robot/parts/encoder.h"
 #include "sim/robot/parts/indicator.h"
+#include "sim/robot/parts/ir_distance.h"
+#include "sim/robot/parts/ir_switch.h"
 #include "sim/robot/parts/motor.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/servo.h"
 #include "sim/robot/parts/seven_segment.h"
 #include "sim/robot/parts/shift_register.h"
+#include "sim/robot/parts/ultrasonic.h"
 #include "sim/robot/parts/voltage.h"
+#include "sim/robot/parts/wheel_servo.h"
 
 namespace robosim::robot {
 namespace fs = std::filesystem;
@@ -60,6 +65,11 @@ const std::vector<PartType>& part_types() {
       {"shift-register", read_shift_register},
       {"seven-segment", read_seven_segment},
       {"radio", read_radio},
+      {"servo", read_servo},
+      {"wheel-servo", read_wheel_servo},
+      {"hc-sr04", read_ultrasonic},
+      {"ir-distance", read_ir_distance},
+      {"ir-switch", read_ir_switch},
   };
   return types;
 }
@@ -82,6 +92,9 @@ const std::vector<DriverChip>& driver_chips() {
       {"drv8835", 0.0, 0.305, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
       // One transistor a motor, with a diode: no reverse, no brake.
       {"transistor", 0.1, 0.1, {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
+      // What a wheel-servo has inside: the figures of its data sheet are those of the whole. Other motors
+      // have none.
+      {"servo", 0.0, 0.0, {{{open, open}, {open, open}}, {{open, open}, {open, open}}}},
   };
   return chips;
 }

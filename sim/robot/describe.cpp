@@ -33,6 +33,7 @@ Summary describe(const Description& robot) {
     PartSummary& about = summary.parts.emplace_back(PartSummary{part->name, part->type, {}});
     for (const Wire& wire : part->wires) about.pins.emplace_back(wire.role, wire.pin);
     for (const SensorPlace& sensor : part->sensors()) summary.sensors.push_back(sensor);
+    for (const Gauge& gauge : part->gauges()) summary.gauges.push_back(gauge);
   }
   return summary;
 }

@@ -27,6 +27,7 @@ struct Summary {
   Budget budget;
   std::vector<Vec2> outline;         ///< m; a circle as 24 corners
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
+  std::vector<Gauge> gauges;         ///< readings that are numbers with units
   std::vector<PartSummary> parts;
   std::vector<std::string> registers;  ///< names of the shift registers, in the order of their outputs
 };

@@ -9,6 +9,7 @@
 #include "sim/base/robot_name.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/part_reader.h"
+#include "sim/robot/parts/mount.h"
 #include "sim/robot/parts/shift_register.h"
 #include "sim/robot/robot.h"
 #include "sim/robot/robot_source.h"
@@ -205,6 +206,21 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   }
 }
 
+// What sits on a servo names one.
+void check_mounts(const Description& robot) {
+  std::vector<std::string> servos;
+  for (const auto& part : robot.parts)
+    if (part->type == "servo") servos.push_back(part->name);
+  for (const auto& part : robot.parts) {
+    const MountSpec* mount = part->mounted();
+    if (!mount || mount->servo.empty()) continue;
+    if (std::find(servos.begin(), servos.end(), mount->servo) == servos.end())
+      throw InputError(mount->servo_place,
+                       fmt::format("on is \"{}\", which is no servo of this robot; {}", mount->servo,
+                                   servos.empty() ? "it has none" : "allowed is " + one_of(servos)));
+  }
+}
+
 }  // namespace
 
 Description parse_description(std::string_view text, const fs::path& file, const BoardSpec* instead) {
@@ -241,6 +257,7 @@ Description parse_description(std::string_view text, const fs::path& file, const
   reader.finish();
   check_together(robot, driver_wires);
   check_chains(robot);
+  check_mounts(robot);
   return robot;
 }
 

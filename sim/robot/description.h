@@ -84,6 +84,14 @@ struct SensorPlace {
   Vec2 at;  ///< m, in the body's frame
 };
 
+/// A reading that is a number with a unit, for people and pages; others are levels, or on and off.
+struct Gauge {
+  std::string name;
+  const char* unit;  ///< "deg", "cm", "V", "A", "Hz"; "" of a bare number
+};
+
+struct MountSpec;
+
 /// One [[part]]: what its type's reader made of it. Immutable; shared by all robots of the description.
 class PartSpec {
  public:
@@ -97,6 +105,10 @@ class PartSpec {
   virtual std::unique_ptr<Part> make(PartContext&) const = 0;
   /// The floor sensors it brings.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
+  /// Those of its readings that are numbers.
+  virtual std::vector<Gauge> gauges() const { return {}; }
+  /// How it is mounted, if it may sit on a servo; else null.
+  virtual const MountSpec* mounted() const { return nullptr; }
   /// The wheel it sits on, if it is a motor: left or right; else -1.
   virtual int driven_wheel() const { return -1; }
 };

@@ -13,9 +13,10 @@
 namespace robosim::robot {
 
 class ButtonPart;
-class MotorPart;
 class RadioPart;
 class Sensor;
+class ServoPart;
+class WheelMotor;
 
 /// Something with a name that scripts can break: a sensor, a motor, …
 class Breakable {
@@ -40,8 +41,9 @@ struct Roster {
   std::vector<Breakable*> breakable;
   std::vector<ButtonPart*> buttons;
   std::vector<RadioPart*> radios;
-  std::vector<Part*> supplied;               ///< have the board's supply, and want power()
-  MotorPart* motor[2] = {nullptr, nullptr};  ///< by world::Side
+  std::vector<ServoPart*> servos;
+  std::vector<Part*> supplied;                ///< have the board's supply, and want power()
+  WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
 };
 
 class Part {
@@ -49,6 +51,8 @@ class Part {
   virtual ~Part() = default;
   /// Called once, when all parts exist.
   virtual void join(Roster&) = 0;
+  /// Called once, when all have joined: to find the part that it sits on.
+  virtual void meet(const Roster&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
   /// The board's supply is switched off or on again.

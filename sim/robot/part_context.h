@@ -2,6 +2,7 @@
 // description.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "hal/board/robot_port.h"
@@ -12,6 +13,7 @@
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
+#include "sim/world/world.h"
 
 namespace robosim::robot {
 
@@ -43,6 +45,8 @@ struct View {
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
   double battery = 1.0;  ///< its voltage, as a share of what this robot's has
+  const world::World* world = nullptr;
+  std::size_t body_number = 0;  ///< of `body` in it
 
   /// The pose at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }

@@ -150,6 +150,11 @@ Vec2 PartReader::point(const char* key, Vec2 fallback) {
   return value ? as_point(*value, key) : fallback;
 }
 
+double PartReader::angle(const char* key, double fallback, double least, double most) {
+  const ConfigValue* value = table_.find(key);
+  return value ? as_quantity(*value, key, Dimension::angle, least, most) : fallback;
+}
+
 Pin PartReader::pin(const char* key, PinUse use) {
   const ConfigValue& value = table_.require(key);
   wires_.push_back({key, as_pin(value, key, terminals_, use), value.place});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "sim/robot/description.h"
 
 namespace robosim::robot {
+
+constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
 /// What a wire needs of its pin.
 enum class PinUse {
@@ -54,6 +57,9 @@ class PartReader {
   /// another board in place of the file's own, it keeps its share of the supply.
   Number volts(const char* key, Number fallback = {}, double most = 1e3);
   Vec2 point(const char* key, Vec2 fallback);
+  /// rad; the bounds are inclusive.
+  double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,
+               double most = 2.0 * std::numbers::pi);
   /// The wire of that key, which is required.
   Pin pin(const char* key, PinUse use);
   /// The same, or kNoPin.

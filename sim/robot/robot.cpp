@@ -10,9 +10,9 @@
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
 #include "sim/robot/parts/button.h"
-#include "sim/robot/parts/motor.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/wheel_motor.h"
 #include "sim/world/world.h"
 
 namespace robosim::robot {
@@ -40,7 +40,7 @@ struct Robot::Inside {
       : description(d),
         body(world.body(body_number)),
         individual(seed, profile, number),
-        view{&world.floor(), &body, 0, 1.0},
+        view{&world.floor(), &body, 0, 1.0, &world, body_number},
         netlist(board, d.registers.size(), kept),
         context(d, board, netlist, view, individual, kept) {
     kept.add(view);
@@ -146,6 +146,7 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
     : in_(std::make_unique<Inside>(description, world, body, board, seed, profile, number)) {
   for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->context));
   for (const auto& part : in_->parts) part->join(in_->roster);
+  for (const auto& part : in_->parts) part->meet(in_->roster);
 }
 
 Robot::~Robot() = default;
@@ -164,7 +165,7 @@ void Robot::begin_tick(SimTime t) {
 
 void Robot::end_tick(SimTime t) {
   for (const Side side : {world::left, world::right}) {
-    MotorPart* motor = in_->roster.motor[side];
+    WheelMotor* motor = in_->roster.motor[side];
     if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in_->view.tick_start, t);
     world::WheelCommand& last = in_->state.command[side];
@@ -252,7 +253,7 @@ PartFault Robot::read_fault(const std::string& part, const std::string& kind,
 void Robot::fault(const PartFault& fault) {
   fault.part->fail(fault.fault);
   for (const Side side : {world::left, world::right})
-    if (const MotorPart* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
+    if (const WheelMotor* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
 }
 
 void Robot::check_press(const std::string& part) const { in_->button(part); }

@@ -100,6 +100,7 @@ wire::RobotInfo to_wire(const robot::Summary& robot) {
     info.outline_mm.push_back({millimetres(corner.x), millimetres(corner.y)});
   for (const robot::SensorPlace& s : robot.sensors)
     info.sensors.push_back({s.name, millimetres(s.at.x), millimetres(s.at.y)});
+  for (const robot::Gauge& gauge : robot.gauges) info.gauges.push_back({gauge.name, gauge.unit});
   for (const robot::PartSummary& part : robot.parts) {
     wire::RobotInfo::Part told{part.name, part.type, {}};
     for (const auto& [role, pin] : part.pins) {

@@ -125,6 +125,12 @@ bool LiveScene::is_level(const std::string& reading) const {
                      [&](const auto& s) { return s.name == reading; });
 }
 
+const std::string* LiveScene::unit_of(const std::string& reading) const {
+  for (const auto& gauge : robot_.gauges)
+    if (gauge.name == reading) return &gauge.unit;
+  return nullptr;
+}
+
 int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   if (!sample_) return row;
   const wire::Sample& s = *sample_;
@@ -154,12 +160,18 @@ int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   for (std::size_t i = 0; i < count && row - first < kMostReadingRows; ++i) {
     if (is_level(started_.readings[i])) item(started_.readings[i], s.readings[i], Ink::strong, "");
   }
-  // Buttons, LEDs and similar parts are on or off.
+  // Servos and the like are numbers; buttons, LEDs and similar parts are on or off.
   if (column > 0) ++row;
   column = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string& name = started_.readings[i];
     if (is_level(name)) continue;
+    if (const auto* unit = unit_of(name)) {
+      const std::string value = fmt::format("{:.4g} {}", s.readings[i], *unit);
+      begin_item(width_of(name) + 1 + width_of(value));
+      column = frame.put(frame.put(column, row, name) + 1, row, value, Ink::strong) + 2;
+      continue;
+    }
     const bool on = s.readings[i] >= 0.5;
     begin_item(width_of(name) + 2);
     frame.set(column, row,

@@ -36,8 +36,10 @@ class LiveScene {
   void move_window(Vec2 top_left);
   Vec2 to_world(double forward_m, double left_m) const;
   std::vector<Mark> marks() const;
-  /// Whether a reading is a line sensor's level; others are on or off.
+  /// Whether a reading is a line sensor's level; others are numbers, or on or off.
   bool is_level(const std::string& reading) const;
+  /// The unit of a reading that is a number; null of others.
+  const std::string* unit_of(const std::string& reading) const;
   /// Gives the row below.
   int draw_readings(Frame& frame, int row, Look look) const;
 

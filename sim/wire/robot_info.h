@@ -28,6 +28,11 @@ struct RobotInfo {
     double x_mm = 0.0;  ///< forward of the axle's centre
     double y_mm = 0.0;  ///< left of it
   };
+  /// A reading that is a number; others are levels, or on and off.
+  struct Gauge {
+    std::string name;
+    std::string unit;  ///< "cm"; "" of a bare number
+  };
   struct Part {
     std::string name;
     std::string type;  ///< "motor"
@@ -41,6 +46,7 @@ struct RobotInfo {
   Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
   std::vector<Sensor> sensors;
+  std::vector<Gauge> gauges;
   std::vector<Part> parts;
 };
 
@@ -65,6 +71,12 @@ void fields(V& v, Same<V, RobotInfo::Sensor>& s) {
 }
 
 template <class V>
+void fields(V& v, Same<V, RobotInfo::Gauge>& g) {
+  v("name", g.name, "as in `readings` of `started`");
+  v("unit", g.unit, "`\"deg\"`, `\"cm\"`, `\"V\"` …; empty of a bare number");
+}
+
+template <class V>
 void fields(V& v, Same<V, RobotInfo::Part>& p) {
   v("name", p.name, "as the robot's file has it");
   v("type", p.type, "`\"motor\"`");
@@ -82,6 +94,8 @@ void fields(V& v, Same<V, RobotInfo>& r) {
   v("budget", r.budget, "what firmware may take of the chip", {.presence = kOptional});
   v("outline", r.outline_mm, "corners, each `[forward, left]` of the axle's centre", {.unit = "mm"});
   v("sensors", r.sensors, "those that look at the floor");
+  v("gauges", r.gauges, "readings that are numbers with a unit; other readings are levels, or on and off",
+    {.presence = kOptional});
   v("parts", r.parts, "all, with their pins");
 }
 

@@ -68,6 +68,14 @@ class Walls {
   /// The same of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius` bound it.
   Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
+  // How far one sees from a point: to walls, discs and the map's edge. 0 from inside of one. Directions are
+  // unit vectors; `most` is what is told where nothing is nearer, m.
+  /// Along a ray.
+  double range_along(Vec2 from, Vec2 direction, double most) const;
+  /// To the nearest point of a beam: all directions that `half_beam`, the cosine and sine of half the beam's
+  /// angle, lets in on both sides of `direction`. Half the angle is less than 60 degrees.
+  double range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
+
   int add(Vec2 centre, double radius_m);
   /// Does nothing if there is no such obstacle.
   void remove(int id);

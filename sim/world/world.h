@@ -31,6 +31,11 @@ class World {
   /// Takes it away; does nothing if there is no such obstacle.
   void remove_obstacle(int number) { walls_.remove(number); }
 
+  // How far body number `from_body` sees from a point of the floor: to what would stop it, other bodies as
+  // the circles about their outlines. As Walls has it (walls.h).
+  double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
+  double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
+
   /// What changes during a run.
   struct State {
     std::vector<Body> bodies;

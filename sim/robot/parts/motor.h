@@ -4,6 +4,7 @@
 #include "sim/robot/part.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/motor_driver.h"
+#include "sim/robot/parts/wheel_motor.h"
 
 namespace robosim::robot {
 
@@ -22,54 +23,19 @@ class MotorSpec final : public PartSpec {
   int driven_wheel() const override { return wheel; }
 };
 
-/// The command of a tick is the time average of what the pins said during it.
-class MotorPart final : public Part, public PinWatcher, public Breakable {
+class MotorPart final : public WheelMotor, public PinWatcher {
  public:
   MotorPart(const MotorSpec&, PartContext&);
 
   void join(Roster&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
 
-  /// The command of the tick that ends at `t`.
-  world::WheelCommand take(SimTime tick_start, SimTime t) {
-    world::WheelCommand command = state_.now;
-    state_.steady = !state_.changed;
-    if (state_.changed) command = average(tick_start, t);
-    if (state_.broken) spoil(command);
-    return command;
-  }
-
-  /// Whether take() would give what it gave last.
-  bool steady() const { return state_.steady; }
-
-  /// Whether something blocks its wheel.
-  bool blocked() const { return state_.blocked; }
-
-  const std::string& name() const override { return spec_.name; }
-  std::span<const FaultKind> fault_kinds() const override;
-  void fail(const Fault&) override;
-
  private:
-  void update();
-  void account(SimTime t);
-  world::WheelCommand average(SimTime tick_start, SimTime t);
-  void spoil(world::WheelCommand&) const;
-
-  struct State {
-    world::WheelCommand now;  // since `since`
-    world::WheelCommand sum;  // times nanoseconds, before
-    SimTime since = 0;
-    bool steady = false;   // nothing has happened since the last take()
-    bool changed = false;  // since the tick began
-    bool broken = false;
-    double strength = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
-    bool dead = false;
-    bool blocked = false;
-  };
+  /// What the pins say.
+  world::WheelCommand told() const;
 
   const MotorSpec& spec_;
   PartContext& context_;
-  State state_;
 };
 
 }  // namespace robosim::robot

@@ -50,6 +50,21 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   EXPECT_THAT(text, HasSubstr("q end the run\n"));
 }
 
+TEST(LiveScene, ShowsGaugesAsNumbersWithTheirUnits) {
+  const auto map = grid::parse_map(line_of(10), "t.map");
+  wire::RobotInfo info = robot();
+  info.gauges = {{"pan", "deg"}, {"sonar", "cm"}};
+  LiveScene scene("t", map, info);
+  wire::Started begin = started();
+  begin.readings = {"pan", "LED", "sonar"};
+  scene.add(begin);
+  wire::Sample now = sample(450, 50);
+  now.readings = {132.5, 1.0, 20.71};
+  scene.add(now);
+  EXPECT_THAT(to_text(scene.draw(80, 24, "×1", kPlain), kPlain),
+              HasSubstr("pan 132.5 deg  ● LED  sonar 20.71 cm\n"));
+}
+
 TEST(LiveScene, WhatIsNoLineSensorIsOnOrOff) {
   const auto map = grid::parse_map(line_of(10), "t.map");
   LiveScene scene("t", map, robot());

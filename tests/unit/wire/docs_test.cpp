@@ -131,6 +131,7 @@ std::vector<Table> tables() {
           table<RobotInfo::Board>("robot.board"),
           table<RobotInfo::Budget>("robot.budget"),
           table<RobotInfo::Sensor>("robot.sensors"),
+          table<RobotInfo::Gauge>("robot.gauges"),
           table<RobotInfo::Part>("robot.parts"),
           table<Started>("started"),
           table<Started::Station>("started.stations"),

@@ -1,0 +1,40 @@
+// Where a sensor that looks along the floor sits, and where it looks to: fixed to the body, or on a servo's
+// horn.
+#pragma once
+
+#include <string>
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+/// The keys `at`, `facing` and `on`. On a servo, place and direction are told as they are in its middle: `at`
+/// forward and left of its axis, `facing` from its own.
+struct MountSpec {
+  Vec2 at;              ///< m
+  double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise
+  std::string servo;    ///< its name; "" = fixed to the body
+  Place servo_place;    ///< where the file says so
+};
+
+MountSpec read_mount(PartReader&);
+
+class Mount {
+ public:
+  Mount(const MountSpec& spec, const View& view);
+  /// Finds its servo.
+  void meet(const Roster&);
+
+  /// In the world, at `t`, a time inside the current tick.
+  Pose pose_at(SimTime t) const;
+
+ private:
+  const MountSpec& spec_;
+  const View& view_;
+  const Vec2 direction_;
+  const ServoPart* servo_ = nullptr;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,71 @@
+// type = "servo": turns its horn to an angle, as far as its speed allows: what a distance sensor can sit on.
+//
+//   target = range (pulse - shortest) / (longest - shortest), 0 to range; it gets there at `speed`
+//
+// Sources: pulses of 0.544 to 2.4 ms for 180 degrees are what Arduino's Servo library makes of write(0) and
+// write(180); 0.12 s for 60 degrees at 4.8 V and a dead band of 10 us are the SG90's (Tower Pro data sheet).
+// Longer pulses turn it to the left, seen from above (reversed = true: to the right). At power-on it is in
+// its middle. Without pulses it stays where it is.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/servo_signal.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_servo(PartReader&);
+
+class ServoSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  Vec2 at;              ///< m, its axis
+  double facing = 0.0;  ///< rad, of its middle: 0 ahead, counter-clockwise
+  Number shortest;      ///< s, the pulse for angle 0
+  Number longest;       ///< s, the pulse for `range`
+  Number range;         ///< rad
+  Number speed;         ///< rad/s
+  bool reversed = false;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "deg"}}; }
+};
+
+class ServoPart final : public Part, public PinWatcher, public Breakable {
+ public:
+  ServoPart(const ServoSpec&, PartContext&);
+
+  /// Where its axis is, and where its horn points to at `t`, in the body's frame.
+  Pose horn(SimTime t) const;
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  /// In degrees, as Servo.write() has them.
+  void read(std::vector<Reading>&) const override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  /// rad from its right (or, reversed, left) stop.
+  double angle(SimTime t) const;
+
+  struct State {
+    ServoSignal signal;
+    double from = 0.0;  // rad, its angle at `since`
+    SimTime since = 0;
+    double target = 0.0;  // rad
+    SimTime pulse = 0;    // the one that it turns by
+    bool stuck = false;
+  };
+
+  const ServoSpec& spec_;
+  PartContext& context_;
+  const double shortest_, longest_, range_;  // ns, ns, rad
+  const double speed_;                       // rad/ns
+  State state_;
+};
+
+}  // namespace robosim::robot

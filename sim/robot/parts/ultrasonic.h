@@ -1,0 +1,83 @@
+// type = "hc-sr04": tells a distance by the time that sound takes.
+//
+//   trig  __/‾‾\_________________________________   10 us or longer
+//   burst      ||||||||                             8 periods of 40 kHz
+//   echo  ______________/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\______  as long as sound is under way, there and back
+//              |  450 us |      2 d / v      |
+//
+// d is the way to the nearest point of a wall, an obstacle, the map's edge or another robot within the beam,
+// sent from where the robot is when the trigger ends; v = 343 m/s (air at 20 degrees). 38 ms where nothing is
+// within 4 m; nearer than 20 mm it tells 20 mm. A trigger that comes before the echo has fallen is not heard.
+// With one wire, `pins = { sig }`, trigger and echo share it. Sources: Elecfreaks' data sheet (10 us, 8
+// periods, 2 cm to 4 m, 15 degrees, 3 mm); 38 ms and the time before the echo rises, which it leaves out, as
+// measured by users of modules (they vary: 0.25 to 0.5 ms, clones 2.3 ms; 38 to 200 ms). Not modelled: echoes
+// that walls at an angle turn away, soft things, and other robots' sound.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/parts/mount.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_ultrasonic(PartReader&);
+
+class UltrasonicSpec final : public PartSpec {
+ public:
+  Pin trig = kNoPin;
+  Pin echo = kNoPin;  ///< with one wire, the same
+  MountSpec mount;
+  double beam = 0.0;  ///< rad, all of it
+  Number reach;       ///< m
+  Number noise;       ///< m, standard deviation
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "cm"}}; }
+  const MountSpec* mounted() const override { return &mount; }
+};
+
+class UltrasonicPart final : public Part, public PinSource, public PinWatcher, public Breakable {
+ public:
+  UltrasonicPart(const UltrasonicSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void meet(const Roster& roster) override { mount_.meet(roster); }
+  void begin_tick(SimTime) override;
+  /// What it told last, in cm; 0 before, and where nothing was near.
+  void read(std::vector<Reading>&) const override;
+
+  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
+  bool level(SimTime t) override { return t >= state_.rises && t < state_.falls; }
+  SimTime same_until(SimTime t) override {
+    return t < state_.rises ? state_.rises : t < state_.falls ? state_.falls : kNever;
+  }
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  void ping(SimTime t);
+  void announce(SimTime end);
+
+  struct State {
+    bool triggered = false;  // the trigger is high
+    SimTime since = 0;
+    SimTime rises = 0, falls = 0;  // the echo
+    int announced = 2;             // so many of the two edges have been scheduled
+    std::uint64_t pings = 0;
+    double shown = 0.0;  // cm
+    bool dead = false;
+  };
+
+  const UltrasonicSpec& spec_;
+  PartContext& context_;
+  Mount mount_;
+  const NoiseStream stream_;
+  const double reach_, noise_;
+  const Vec2 half_beam_;
+  const double supply_;
+  State state_;
+};
+
+}  // namespace robosim::robot

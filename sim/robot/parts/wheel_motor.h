@@ -1,0 +1,63 @@
+// What turns a wheel, however it is told to: a motor behind a driver, a servo that turns on and on.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/world/body.h"
+
+namespace robosim::robot {
+
+/// The command of a tick is the time average of what set() said during it.
+class WheelMotor : public Part, public Breakable {
+ public:
+  /// The command of the tick that ends at `t`.
+  world::WheelCommand take(SimTime tick_start, SimTime t) {
+    world::WheelCommand command = state_.now;
+    state_.steady = !state_.changed;
+    if (state_.changed) command = average(tick_start, t);
+    if (state_.broken) spoil(command);
+    return command;
+  }
+
+  /// Whether take() would give what it gave last.
+  bool steady() const { return state_.steady; }
+
+  /// Whether something blocks its wheel.
+  bool blocked() const { return state_.blocked; }
+
+  const std::string& name() const override { return name_; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ protected:
+  WheelMotor(const PartSpec& spec, PartContext& context);
+
+  /// Its command before the first tick.
+  void begin(const world::WheelCommand& command) { state_.now = command; }
+  /// Its command from `t` on.
+  void set(const world::WheelCommand& command, SimTime t);
+  const world::WheelCommand& now() const { return state_.now; }
+
+ private:
+  void account(SimTime t);
+  world::WheelCommand average(SimTime tick_start, SimTime t);
+  void spoil(world::WheelCommand&) const;
+
+  struct State {
+    world::WheelCommand now;  // since `since`
+    world::WheelCommand sum;  // times nanoseconds, before
+    SimTime since = 0;
+    bool steady = false;   // nothing has happened since the last take()
+    bool changed = false;  // since the tick began
+    bool broken = false;
+    double strength = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
+    bool dead = false;
+    bool blocked = false;
+  };
+
+  const std::string& name_;
+  const View& view_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,57 @@
+// type = "wheel-servo": a servo for continuous rotation, as a wheel's motor. The width of its pulses is its
+// speed.
+//
+//   over = pulse - stop, less the dead band;  drive = over / (full - dead band), at most 1;  brake = 1 -
+//   |drive|
+//
+// drive and brake are of the motor with the figures of [motors] (sim/world/body.h); `reversed` mounts it the
+// other way round. Seen from its shaft, pulses longer than `stop` turn it counter-clockwise: so the left
+// wheel goes forward, and the right one, which looks the other way, backward. 50 ms after the last pulse it
+// rolls out. Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side
+// since 2014, counter-clockwise above; full speed some 0.5 ms away. Parallax 900-00008: full speed 0.2 ms
+// away, without a dead band to speak of.
+#pragma once
+
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/servo_signal.h"
+#include "sim/robot/parts/wheel_motor.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_wheel_servo(PartReader&);
+
+class WheelServoSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  Side wheel = world::left;
+  bool reversed = false;
+  Number stop;       ///< s, the pulse for standing still
+  Number full;       ///< s longer or shorter for full speed
+  Number dead_band;  ///< s to each side of stop
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  int driven_wheel() const override { return wheel; }
+};
+
+class WheelServoPart final : public WheelMotor, public PinWatcher {
+ public:
+  WheelServoPart(const WheelServoSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+
+ private:
+  struct State {
+    ServoSignal signal;
+    SimTime last_pulse = kNever;  // kNever = it has rolled out
+  };
+
+  const WheelServoSpec& spec_;
+  PartContext& context_;
+  const double stop_, full_, dead_band_;  // ns
+  const double forward_;                  // 1 = longer pulses drive it forward, or -1
+  State state_;
+};
+
+}  // namespace robosim::robot

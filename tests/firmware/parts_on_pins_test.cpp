@@ -1,0 +1,116 @@
+// Sketches that use the parts of robots on plain pins, on every target.
+#include <robosim/testing.h>
+
+#include "tests/firmware/sketches.h"
+
+namespace {
+
+using namespace robosim::testing;
+
+class OnPins : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(On, OnPins, AllTargets(), Named());
+
+constexpr const char* kRoom = R"(+++
+name = "room"
++++
+########################
+#______________________#
+#______________________#
+#______________________#
+#______________________#
+#__S._________________##
+#______________________#
+#______________________#
+#______________________#
+#______________________#
+#______________________#
+########################
+)";
+
+// uno3 without its line sensors; a distance sensor turns on a servo in front.
+constexpr const char* kLooksAround = R"(
+base = "uno3"
+remove = ["left_sensor", "middle_sensor", "right_sensor", "start", "bumper", "buzzer", "LED", "LED2"]
+
+[[part]]
+name = "pan"
+type = "servo"
+pin = 11
+at = ["60 mm", "0 mm"]
+
+[[part]]
+name = "sonar"
+type = "hc-sr04"
+pins = { trig = 12, echo = 13 }
+at = ["15 mm", "0 mm"]
+on = "pan"
+)";
+
+TEST_P(OnPins, ARobotWithASonarOnAServoDrivesAboutARoomAndTouchesNothing) {
+  Simulation robot(
+      {.sketch = test_sketch("LooksAround"), .map = kRoom, .robot = kLooksAround, .target = GetParam()});
+  ASSERT_TRUE(robot.run_until(serial_matches("ahead 17[78]"), within(2_s)));
+  const Drive drive = robot.run_for(20_s);
+  EXPECT_THAT(drive, NeverCollides());
+  EXPECT_GT(drive.distance().mm, 2000);
+  EXPECT_THAT(drive, SerialMatches("left \\d+ right \\d+"));
+  EXPECT_NEAR(robot.reading("pan"), 90, 80) << "it is shown in degrees";
+}
+
+TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
+  Simulation robot(
+      {.sketch = test_sketch("LooksAround"), .map = kRoom, .robot = kLooksAround, .target = GetParam()});
+  ASSERT_TRUE(robot.run_until(serial_says("ahead"), within(2_s)));
+  EXPECT_NEAR(robot.reading("sonar"), 177.5, 1);
+  robot.act("obstacle 10,5 radius 60mm");
+  const Drive drive = robot.run_until(serial_says("left"), within(5_s));
+  ASSERT_TRUE(drive);
+  EXPECT_THAT(drive, NeverCollides());
+  const double before_it = 1050 - 60 - 75;  // where the sensor's front touches it
+  EXPECT_GT(robot.pose().x_mm, before_it - 250) << "it drives on to 25 cm";
+  EXPECT_LT(robot.pose().x_mm, before_it) << "and rolls out";
+}
+
+constexpr const char* kServoWheels = R"(
+base = "uno2"
+remove = ["left", "right", "buzzer", "LED", "LED2"]
+
+[chassis]
+wheel = "60 mm"
+mass = "300 g"
+
+[motors]
+voltage = "6 V"
+supply = "6 V"
+no_load = "130 rpm"
+no_load_current = "120 mA"
+stall_torque = "1.5 kg cm"
+stall_current = "800 mA"
+gear = 300
+rotor_inertia = "0.01 g cm2"
+
+[driver]
+chip = "servo"
+
+[[part]]
+name = "left_wheel"
+type = "wheel-servo"
+pin = 9
+
+[[part]]
+name = "right_wheel"
+type = "wheel-servo"
+pin = 10
+)";
+
+TEST_P(OnPins, ARobotOnServosFollowsALine) {
+  Simulation robot({.sketch = test_sketch("ServoWheels"),
+                    .map = "oval",
+                    .robot = kServoWheels,
+                    .target = GetParam(),
+                    .goal = "laps:1"});
+  EXPECT_THAT(robot.run_to_the_end(), Reaches("laps:1"));
+}
+
+}  // namespace
