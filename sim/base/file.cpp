@@ -5,12 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <vector>
 
-#include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 
 // Defined in tests that toolchain/cmake/robosim_functions.cmake makes: the prefix of an installed Robosim; ""
@@ -38,47 +38,67 @@ fs::path executable_folder() {
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+Descriptor open_to_read(const fs::path& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // a pipe would wait for a writer
   if (!file.is_open()) fail(path, "read", errno);
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "read", errno);
   if (S_ISDIR(info.st_mode)) fail(path, "read", EISDIR);
-  std::string content(static_cast<std::size_t>(info.st_size), '\0');
+  if (!S_ISREG(info.st_mode)) {
+    const char* what = S_ISFIFO(info.st_mode) ? "a pipe" : "a device";
+    throw InputError({path.string()}, std::string("cannot be read: it is ") + what + ", and must be a file");
+  }
+  return file;
+}
+
+std::string read_file(const fs::path& path, std::size_t most_bytes) {
+  const Descriptor file = open_to_read(path);
+  struct stat info {};
+  ::fstat(file.get(), &info);
+  std::string content;
+  content.resize(std::min(static_cast<std::size_t>(info.st_size), most_bytes) + 1);
   std::size_t got = 0;
   for (;;) {
-    if (got == content.size()) content.resize(got + (S_ISREG(info.st_mode) ? 1 : 65536));
+    if (got == content.size()) content.resize(got + 65536);
     const ssize_t n = ::read(file.get(), content.data() + got, content.size() - got);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail(path, "read", errno);
     if (n == 0) break;
     got += static_cast<std::size_t>(n);
+    if (got > most_bytes)
+      throw InputError({path.string()}, "is too large: at most " + std::to_string(most_bytes >> 10) +
+                                            " KiB of such a file are read");
   }
   content.resize(got);
   return content;
 }
 
-void write_file(const fs::path& path, std::string_view content) {
-  const fs::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
-  {
-    const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (!file.is_open()) fail(path, "written", errno);
-    while (!content.empty()) {
-      const ssize_t n = ::write(file.get(), content.data(), content.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) {
-        const int error = errno;
-        ::unlink(temporary.c_str());
-        fail(path, "written", error);
-      }
-      content.remove_prefix(static_cast<std::size_t>(n));
-    }
+namespace {
+
+void write_all(const Descriptor& file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t n = ::write(file.get(), content.data(), content.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw std::system_error(errno, std::generic_category());
+    content.remove_prefix(static_cast<std::size_t>(n));
   }
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view content) {
   std::error_code error;
-  fs::rename(temporary, path, error);
-  if (error) {
-    ::unlink(temporary.c_str());
-    fail(path, "written", error.value());
+  const fs::file_status there = fs::status(path, error);
+  const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
+  const fs::path target = in_place ? path : fs::path(path.string() + ".tmp" + std::to_string(::getpid()));
+  try {
+    const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open()) fail(path, "written", errno);
+    write_all(file, content);
+    if (!in_place) fs::rename(target, path);
+  } catch (const std::system_error& problem) {
+    if (!in_place) ::unlink(target.c_str());
+    fail(path, "written", problem.code().value());
   }
 }
 
@@ -92,8 +112,7 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string sha256_of_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) fail(path, "read", errno);
+  const Descriptor file = open_to_read(path);
   SHA2_CTX context;
   SHA256Init(&context);
   std::vector<std::uint8_t> chunk(256 * 1024);

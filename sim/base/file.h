@@ -1,17 +1,27 @@
 // Whole files: read, written, hashed; and where Robosim's own files are.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "sim/base/descriptor.h"
+
 namespace robosim {
 
-/// The whole content. Throws InputError if it cannot be read ("no such file", a folder, permissions).
-std::string read_file(const std::filesystem::path& path);
+/// Opens a file to be read. Throws InputError if it cannot be ("no such file", permissions), and for what is
+/// no file: a folder, or a device or a pipe, which may never end.
+Descriptor open_to_read(const std::filesystem::path& path);
 
-/// Writes beside the target and renames, so that a reader or an interrupt never sees half a file. Throws
-/// InputError.
+/// No file that is read as a whole is larger.
+inline constexpr std::size_t kMostFile_bytes = std::size_t{256} << 20;
+
+/// The whole content. Throws InputError as open_to_read() does, and if there is more than `most_bytes`.
+std::string read_file(const std::filesystem::path& path, std::size_t most_bytes = kMostFile_bytes);
+
+/// Writes beside the target and renames, so that a reader or an interrupt never sees half a file; a device
+/// such as /dev/stdout is written as it is. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// SHA-256 in lower-case hexadecimal.

@@ -1,6 +1,5 @@
 #include "sim/grid/map.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +9,6 @@
 #include <cstring>
 #include <system_error>
 
-#include "sim/base/descriptor.h"
 #include "sim/base/file.h"
 #include "sim/grid/map_parser.h"
 
@@ -23,14 +21,12 @@ constexpr std::size_t kChunk = 256 * 1024;  // stays in the second-level cache
 
 class MapFile {
  public:
-  explicit MapFile(const fs::path& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  explicit MapFile(const fs::path& path) : path_(path), file_(open_to_read(path)) {
     struct stat info {};
-    if (!file_.is_open() || ::fstat(file_.get(), &info) != 0) fail(errno);
-    if (S_ISDIR(info.st_mode)) fail(EISDIR);
-    size_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    if (::fstat(file_.get(), &info) != 0) fail(errno);
+    size_ = static_cast<std::size_t>(info.st_size);
   }
 
-  /// 0 = not known.
   std::size_t size() const { return size_; }
 
   /// Fills the buffer as far as the file reaches; less than all of it only at the file's end.

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <functional>
 
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
@@ -23,6 +26,40 @@ TEST(File, SaysWhichFileCannotBeReadAndWhy) {
     EXPECT_STREQ(e.what(), "/nonexistent/x: cannot be read: No such file or directory");
   }
   EXPECT_THROW(read_file("/"), InputError);
+}
+
+std::string error_of(const std::function<void()>& what) {
+  try {
+    what();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(File, ThatMayNeverEndOrNeverBeginIsNotRead) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe + ": cannot be read: it is a pipe, and must be a file");
+  EXPECT_EQ(error_of([&] { sha256_of_file("/dev/zero"); }),
+            "/dev/zero: cannot be read: it is a device, and must be a file");
+}
+
+TEST(File, IsReadUpToALimit) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "file").string();
+  write_file(file, std::string(2048, 'x'));
+  EXPECT_EQ(read_file(file, 2048).size(), 2048u);
+  EXPECT_EQ(error_of([&] { read_file(file, 2047); }),
+            file + ": is too large: at most 1 KiB of such a file are read");
+}
+
+TEST(File, ThatIsADeviceIsWrittenAndNotReplaced) {
+  write_file("/dev/null", "gone");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_EQ(error_of([] { write_file("/dev/full", "x"); }),
+            "/dev/full: cannot be written: No space left on device");
 }
 
 TEST(File, HashesBySha256) {  // FIPS 180-2, appendix B.1
