@@ -26,9 +26,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace robosim {
 namespace {
+
+constexpr std::size_t kMostToml_bytes = std::size_t{256} << 10;
+constexpr int kMostDepth = 16, kMostKeyParts = 8;
+constexpr std::size_t kMostKeys = 1000;  // of a table: they are looked for one by one
 
 struct Origin {
   const std::string& file;
@@ -44,6 +49,9 @@ ConfigValue convert(const toml::node& node, const Origin& origin);
 ConfigValue convert_table(const toml::table& table, const Origin& origin) {
   ConfigValue value;
   value.kind = ConfigValue::Kind::table;
+  if (table.size() > kMostKeys)
+    throw InputError(origin.at(table.source().begin),
+                     fmt::format("a table has {} keys; at most {} are allowed", table.size(), kMostKeys));
   struct Member {
     toml::source_position position;
     std::string key;
@@ -94,13 +102,38 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
 
 std::string bounds(double least, double most) { return fmt::format("from {:g} to {:g}", least, most); }
 
-// Where the first character beyond ASCII stands outside strings and comments, if any. No such character is
-// TOML; toml++ says so in a sentence that few understand.
-std::size_t find_stray_character(std::string_view text) {
+struct Fault {
+  std::size_t at;
+  std::string what;
+};
+
+/// How long a key is, and how deep the brackets are.
+class Nesting {
+ public:
+  /// Takes the next character outside strings and comments; says what is wrong with it, if anything.
+  std::string take(char c) {
+    if (c == '[' || c == '{') ++depth_;
+    if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+    if (depth_ > kMostDepth) return fmt::format("brackets are nested more than {} deep", kMostDepth);
+    if (c == '.' && ++dots_ >= kMostKeyParts)
+      return fmt::format("a key has more than {} parts", kMostKeyParts);
+    if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;
+    return "";
+  }
+
+ private:
+  int depth_ = 0, dots_ = 0;
+};
+
+// The first thing that toml++ would answer with a sentence that few understand (a character beyond ASCII
+// outside strings and comments is no TOML), or with more stack than there is.
+std::optional<Fault> find_fault(std::string_view text) {
   std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark is allowed
+  Nesting nesting;
   while (i < text.size()) {
     const char c = text[i];
-    if (static_cast<unsigned char>(c) >= 0x80) return i;
+    if (static_cast<unsigned char>(c) >= 0x80)
+      return Fault{i, "not valid TOML: outside quotes and comments only ASCII characters are allowed"};
     if (c == '#') {
       i = std::min(text.find('\n', i), text.size());
     } else if (c == '"' || c == '\'') {
@@ -113,20 +146,24 @@ std::size_t find_stray_character(std::string_view text) {
       i = std::min(i + (lines ? 3 : 1), text.size());
       for (int more = 0; lines && more < 2 && i < text.size() && text[i] == c; ++more) ++i;  // """a"""" is a"
     } else {
+      if (std::string wrong = nesting.take(c); !wrong.empty()) return Fault{i, std::move(wrong)};
       ++i;
     }
   }
-  return std::string_view::npos;
+  return std::nullopt;
 }
 
-void refuse_stray_character(std::string_view text, const std::string& file, int first_line) {
-  const std::size_t stray = find_stray_character(text);
-  if (stray == std::string_view::npos) return;
-  const std::string_view before = text.substr(0, stray);
+void refuse_faults(std::string_view text, const std::string& file, int first_line) {
+  if (text.size() > kMostToml_bytes)
+    throw InputError({file},
+                     fmt::format("is too large: at most {} KiB of TOML are read", kMostToml_bytes >> 10));
+  const std::optional<Fault> fault = find_fault(text);
+  if (!fault) return;
+  const std::string_view before = text.substr(0, fault->at);
   const auto line = std::count(before.begin(), before.end(), '\n');
   const std::size_t line_begin = before.rfind('\n') + 1;  // 0 on the first line
-  throw InputError({file, first_line + static_cast<int>(line), static_cast<int>(stray - line_begin) + 1},
-                   "not valid TOML: outside quotes and comments only ASCII characters are allowed");
+  throw InputError({file, first_line + static_cast<int>(line), static_cast<int>(fault->at - line_begin) + 1},
+                   fault->what);
 }
 
 }  // namespace
@@ -156,7 +193,7 @@ const char* to_string(ConfigValue::Kind kind) {
 }
 
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line) {
-  refuse_stray_character(text, file, first_line);
+  refuse_faults(text, file, first_line);
   const Origin origin{file, first_line - 1};
   const toml::parse_result result = toml::parse(text, file);
   if (!result) {

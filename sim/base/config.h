@@ -34,7 +34,8 @@ struct ConfigValue {
 /// What a kind is called in messages: "a string".
 const char* to_string(ConfigValue::Kind kind);
 
-/// Throws InputError. `first_line` is the line of the file on which `text` begins (front matter).
+/// Throws InputError, too for more than 256 KiB, 1000 keys in a table, 8 parts in a key (a.b.c has 3) or 16
+/// brackets in one another. `first_line` is the line of the file on which `text` begins (front matter).
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
 
 /// Reads one table key by key, and refuses keys that were not asked for.

@@ -65,6 +65,21 @@ TEST(Config, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
             "no error");
 }
 
+TEST(Config, RefusesWhatWouldTakeTooLongOrTooMuchStack) {
+  const auto error = [](const std::string& text) { return error_of([&] { parse_toml(text, "f.toml"); }); };
+  std::string deep = "\na", many, brackets = "a = ";
+  for (int i = 0; i < 30'000; ++i) deep += ".a";
+  for (int i = 0; i < 1001; ++i) many += "k" + std::to_string(i) + " = 1.5\n";
+  for (int i = 0; i < 100'000; ++i) brackets += '[';
+  EXPECT_EQ(error(deep + " = 1\n"), "f.toml:2:16: a key has more than 8 parts");
+  EXPECT_EQ(error("[" + deep.substr(1) + "]\n"), "f.toml:1:17: a key has more than 8 parts");
+  EXPECT_EQ(error("a.b.\"c.d\".e.f.g.h = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5]\n"), "no error");
+  EXPECT_EQ(error(brackets), "f.toml:1:21: brackets are nested more than 16 deep");
+  EXPECT_EQ(error("[many]\n" + many), "f.toml:1:1: a table has 1001 keys; at most 1000 are allowed");
+  EXPECT_EQ(error("a = \"" + std::string(1 << 18, 'x') + "\"\n"),
+            "f.toml: is too large: at most 256 KiB of TOML are read");
+}
+
 TEST(Config, PointsAtASyntaxError) {
   EXPECT_THAT(error_of([] { parse_toml("a = \nb = 1\n", "f.toml"); }), testing::HasSubstr("f.toml:1"));
   for (const char* header : {"[}", "[[=x]]", "[ , ]", "[\x0E]"})
