@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/scenario/script_line.h"
 
@@ -14,15 +15,24 @@ wire::ScriptActed acted(const char* verb, const Action& action) {
   return {verb, action.part, has_bytes ? action.text : ""};
 }
 
-/// Two of them about one thing: the later one counts, and the earlier one's end no more.
-bool replaces(const Action& later, const Action& earlier) {
+/// What an action is about, where a later one about the same makes the end of this one void; else empty.
+std::string subject_of(const Action& action) {
   using enum Action::Verb;
-  const auto both = [&](Action::Verb verb) { return later.verb == verb && earlier.verb == verb; };
-  if (both(power)) return true;
-  if (both(fault)) return later.part == earlier.part;
-  if (both(obstacle) || (later.verb == clear && earlier.verb == obstacle)) return later.text == earlier.text;
-  const auto is_move = [](Action::Verb verb) { return verb == lift || verb == lower || verb == place; };
-  return is_move(later.verb) && is_move(earlier.verb);
+  switch (action.verb) {
+    case power:
+      return "power";
+    case fault:
+      return "fault " + action.part;
+    case obstacle:
+    case clear:
+      return "obstacle " + action.text;
+    case lift:
+    case lower:
+    case place:
+      return "body";
+    default:
+      return "";
+  }
 }
 
 grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
@@ -49,14 +59,37 @@ void ScenarioPlayer::restore(const Saved& saved) {
   board_.restore(saved.board);
 }
 
+void ScenarioPlayer::check_limits(const std::vector<Step>& steps) {
+  std::size_t all = state_.timed.size() + state_.awaiting.size(), awaited = state_.awaiting.size();
+  std::set<std::pair<int, int>> cells = state_.obstacle_cells;
+  const auto refuse = [](const Step& step, std::size_t most, const char* what) {
+    throw InputError(step.place, fmt::format("this is one too many: a script has at most {} {}", most, what));
+  };
+  for (const Step& step : steps) {
+    if (++all > kMostSteps) refuse(step, kMostSteps, "lines");
+    if (step.trigger.kind != Trigger::Kind::at && ++awaited > kMostAwaited)
+      refuse(step, kMostAwaited, "lines that begin with after");
+    if (step.action.verb != Action::Verb::obstacle) continue;
+    const grid::CellAt cell = parse_cell(stage_.map, step.action.text);
+    if (cells.insert({cell.x, cell.y}).second && cells.size() > kMostObstacles)
+      refuse(step, kMostObstacles, "cells with obstacles");
+  }
+  state_.obstacle_cells = std::move(cells);
+}
+
 void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progress) {
   std::vector<std::optional<ReadFault>> faults;
   for (const Step& step : steps) faults.push_back(check(step, progress));
+  check_limits(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Trigger& trigger = steps[i].trigger;
+    const Trigger trigger = steps[i].trigger;
     if (trigger.kind == Trigger::Kind::serial)
       state_.longest_text = std::max(state_.longest_text, trigger.text.size());
-    state_.pending.push_back({std::move(steps[i]), std::move(faults[i])});
+    Pending pending{state_.steps++, std::move(steps[i]), std::move(faults[i])};
+    if (trigger.kind == Trigger::Kind::at)
+      state_.timed.emplace(std::pair(trigger.time, pending.number), std::move(pending));
+    else
+      state_.awaiting.push_back(std::move(pending));
   }
 }
 
@@ -105,17 +138,17 @@ void ScenarioPlayer::hear(std::uint8_t byte) {
   state_.heard += static_cast<char>(byte);
   if (state_.heard.size() > 4 * state_.longest_text)
     state_.heard.erase(0, state_.heard.size() - state_.longest_text);
-  for (Pending& pending : state_.pending)
+  for (Pending& pending : state_.awaiting)
     if (pending.step.trigger.kind == Trigger::Kind::serial &&
         state_.heard.ends_with(pending.step.trigger.text))
       pending.heard = true;
 }
 
-bool ScenarioPlayer::met(const Pending& pending, SimTime t, const judge::Progress& progress) const {
+bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress) const {
   const Trigger& trigger = pending.step.trigger;
   switch (trigger.kind) {
     case Trigger::Kind::at:
-      return t >= trigger.time;
+      return true;
     case Trigger::Kind::serial:
       return pending.heard;
     case Trigger::Kind::station:
@@ -128,32 +161,65 @@ bool ScenarioPlayer::met(const Pending& pending, SimTime t, const judge::Progres
   return false;
 }
 
-void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
-  for (std::size_t i = 0; i < state_.undo.size();) {
-    if (t < state_.undo[i].at) {
-      ++i;
-      continue;
-    }
-    const Undo undo = std::move(state_.undo[i]);
-    state_.undo.erase(state_.undo.begin() + static_cast<std::ptrdiff_t>(i));
+// What ends in one tick ends in the order in which it began.
+void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
+  std::map<std::uint64_t, Undo> over;
+  while (!state_.undo.empty() && state_.undo.begin()->first.first <= t) {
+    Undo& undo = state_.undo.begin()->second;
+    if (const std::string subject = subject_of(undo.action); !subject.empty()) state_.lasting.erase(subject);
+    over.emplace(undo.number, std::move(undo));
+    state_.undo.erase(state_.undo.begin());
+  }
+  for (const auto& [number, undo] : over)
     if (auto event = end(undo, t)) events.push_back(std::move(*event));
+}
+
+void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events) {
+  Action& action = pending.step.action;
+  const std::string subject = subject_of(action);
+  if (const auto before = state_.lasting.find(subject); before != state_.lasting.end()) {
+    state_.undo.erase(before->second);
+    state_.lasting.erase(before);
   }
-  for (std::size_t i = 0; i < state_.pending.size();) {
-    Pending& pending = state_.pending[i];
-    const Trigger& trigger = pending.step.trigger;
-    if (pending.due == kNever && met(pending, t, progress))
-      pending.due = trigger.kind == Trigger::Kind::at ? t : t + trigger.time;
-    if (t < pending.due) {
-      ++i;
-      continue;
+  events.push_back(perform(action, pending.fault, t));
+  if (!action.duration) return;
+  const std::pair due(t + *action.duration, state_.undos++);
+  if (!subject.empty()) state_.lasting[subject] = due;
+  state_.undo.emplace(due, Undo{due.second, std::move(action), std::move(pending.fault)});
+}
+
+// What is due in one tick happens in the order of the script.
+void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
+  if (!state_.undo.empty()) end_what_is_over(t, events);
+  if (state_.awaiting.empty() && (state_.timed.empty() || state_.timed.begin()->first.first > t)) return;
+  std::map<std::uint64_t, Pending> due;
+  while (!state_.timed.empty() && state_.timed.begin()->first.first <= t) {
+    Pending& pending = state_.timed.begin()->second;
+    due.emplace(pending.number, std::move(pending));
+    state_.timed.erase(state_.timed.begin());
+  }
+  const auto carry_out_before = [&](std::uint64_t number) {
+    while (!due.empty() && due.begin()->first < number) {
+      Pending next = std::move(due.begin()->second);
+      due.erase(due.begin());
+      carry_out(std::move(next), t, events);
     }
-    const Action action = pending.step.action;
-    const std::optional<ReadFault> fault = pending.fault;
-    state_.pending.erase(state_.pending.begin() + static_cast<std::ptrdiff_t>(i));
-    std::erase_if(state_.undo, [&](const Undo& undo) { return replaces(action, undo.action); });
-    events.push_back(perform(action, fault, t));
-    if (action.duration) state_.undo.push_back({t + *action.duration, action, fault});
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < state_.awaiting.size(); ++i) {
+    Pending& pending = state_.awaiting[i];
+    carry_out_before(pending.number);
+    if (!met(pending, progress)) {
+      if (kept != i) state_.awaiting[kept] = std::move(pending);
+      ++kept;
+    } else if (const SimTime wait = pending.step.trigger.time; wait > 0) {
+      state_.timed.emplace(std::pair(t + wait, pending.number), std::move(pending));
+    } else {
+      carry_out(std::move(pending), t, events);
+    }
   }
+  state_.awaiting.erase(state_.awaiting.begin() + static_cast<std::ptrdiff_t>(kept), state_.awaiting.end());
+  carry_out_before(std::numeric_limits<std::uint64_t>::max());
 }
 
 void ScenarioPlayer::put_obstacle(const Action& action) {
@@ -174,8 +240,10 @@ void ScenarioPlayer::clear_obstacle(const std::string& text) {
 }
 
 void ScenarioPlayer::note_repair(const std::string& part, SimTime t) {
-  for (judge::ScriptFault& fault : state_.faults)
-    if (fault.part == part && fault.ended == kNever) fault.ended = t;
+  const auto fault = state_.broken.find(part);
+  if (fault == state_.broken.end()) return;
+  state_.faults[fault->second].ended = t;
+  state_.broken.erase(fault);
 }
 
 void ScenarioPlayer::bring_about(const ReadFault& fault, SimTime t) {
@@ -203,6 +271,7 @@ wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const
   const bool whole =
       of_part ? of_part->fault.failure == robot::Failure::ok : repairs(std::get<BoardFault>(fault));
   if (whole) return wire::FaultEnded{action.part, action.arguments, true};
+  state_.broken[action.part] = state_.faults.size();
   state_.faults.push_back(
       {action.part, action.arguments, of_part ? std::optional(of_part->fault.failure) : std::nullopt, t});
   return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};

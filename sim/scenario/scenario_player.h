@@ -1,8 +1,12 @@
 // Plays a scenario: fires each step when it is due, and undoes what has a duration.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,9 +33,14 @@ struct Stage {
   std::uint32_t number;  ///< of the robot in its world
 };
 
+/// Limits of a script, so that each of its steps costs the same however many there are: all steps, those that
+/// wait for an event (each is looked at in each tick), and the cells that obstacles are put on.
+inline constexpr std::size_t kMostSteps = 100'000, kMostAwaited = 1000, kMostObstacles = 1000;
+
 class ScenarioPlayer {
  public:
-  /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist.
+  /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist, and
+  /// beyond the limits.
   ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress);
 
   /// Adds steps at the script's end; all or none. Throws as the constructor does.
@@ -50,16 +59,19 @@ class ScenarioPlayer {
   /// What a script's words ask for.
   using ReadFault = std::variant<BoardFault, robot::PartFault>;
   struct Pending {
+    std::uint64_t number;  ///< its place in the script
     Step step;
     std::optional<ReadFault> fault;  ///< of an action that is one
     bool heard = false;              ///< the serial text it waits for has come
-    SimTime due = kNever;            ///< when its event was met, and the wait after it
   };
   struct Undo {
-    SimTime at;
+    std::uint64_t number;  ///< counted in the order in which they began
     Action action;
     std::optional<ReadFault> fault;  ///< of an action that is one
   };
+  /// By when they are due, and by number.
+  template <class T>
+  using Due = std::map<std::pair<SimTime, std::uint64_t>, T>;
 
   struct Obstacle {
     grid::CellAt cell;
@@ -67,10 +79,16 @@ class ScenarioPlayer {
   };
   /// What changes during a run, but for what the script has changed elsewhere.
   struct State {
-    std::vector<Pending> pending;
-    std::vector<Undo> undo;
+    std::uint64_t steps = 0, undos = 0;  ///< so far
+    Due<Pending> timed;
+    std::vector<Pending> awaiting;  ///< an event, in the script's order
+    Due<Undo> undo;
+    /// Where in `undo` that is which a later action about the same thing makes void.
+    std::map<std::string, std::pair<SimTime, std::uint64_t>> lasting;
     std::vector<Obstacle> obstacles;
+    std::set<std::pair<int, int>> obstacle_cells;  ///< that the script names
     std::vector<judge::ScriptFault> faults;
+    std::map<std::string, std::size_t> broken;  ///< a part's fault that has not ended, in `faults`
     std::string heard;
     std::size_t longest_text = 0;
   };
@@ -82,7 +100,11 @@ class ScenarioPlayer {
   void restore(const Saved& saved);
 
  private:
-  bool met(const Pending& pending, SimTime t, const judge::Progress& progress) const;
+  void check_limits(const std::vector<Step>& steps);
+  void end_what_is_over(SimTime t, judge::Events& events);
+  /// Of a step that waits for an event: whether that has happened.
+  bool met(const Pending& pending, const judge::Progress& progress) const;
+  void carry_out(Pending pending, SimTime t, judge::Events& events);
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   wire::RunEvent::What switch_power(const Action& action, SimTime t);

@@ -150,6 +150,42 @@ TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
   EXPECT_THAT(seen.happenings, IsEmpty());
 }
 
+TEST_F(Scripts, DoWhatIsDueAtOneTimeInTheirOwnOrderWhateverItWaitedFor) {
+  play("after boot 1 cover S1\nat 5ms cover S2\nafter boot 1 wait 5ms cover S3\nat 4500us cover S4\n", 0.02);
+  EXPECT_THAT(seen.happenings,
+              ElementsAre("1 script_acted verb=cover part=S1", "6 script_acted verb=cover part=S2",
+                          "6 script_acted verb=cover part=S3", "6 script_acted verb=cover part=S4"));
+}
+
+TEST_F(Scripts, EndWhatIsOverAtOneTimeInTheOrderInWhichItBegan) {
+  play("at 1ms obstacle 1,0 for 8900us\nat 2ms obstacle 0,0 for 7500us\n", 0.02);
+  EXPECT_THAT(
+      seen.happenings,
+      ElementsAre("2 script_acted verb=obstacle argument=1,0", "3 script_acted verb=obstacle argument=0,0",
+                  "11 script_acted verb=clear argument=1,0", "11 script_acted verb=clear argument=0,0"));
+}
+
+std::string repeated(const std::string& line, std::size_t times) {
+  std::string text;
+  for (std::size_t i = 0; i < times; ++i) text += line;
+  return text;
+}
+
+TEST_F(Scripts, OfAHundredThousandEqualLinesTakeNoLongerForEachThanOfAFew) {
+  play(repeated("at 1ms cover S1 for 1ms\n", kMostSteps), 0.01);
+  EXPECT_EQ(seen.happenings.size(), kMostSteps);
+  seen.happenings.clear();
+  play(repeated("at 1ms fault S1 stuck 3 for 1ms\n", kMostSteps), 0.01);
+  EXPECT_EQ(seen.happenings.size(), kMostSteps + 1);
+}
+
+TEST_F(Scripts, BeyondTheirLimitsAreRefusedAtTheLineThatIsTooMuch) {
+  EXPECT_EQ(error_of(repeated("at 1s lift\n", kMostSteps + 1)),
+            "s.txt:100001: this is one too many: a script has at most 100000 lines");
+  EXPECT_EQ(error_of(repeated("after boot 2 lift\n", kMostAwaited + 1)),
+            "s.txt:1001: this is one too many: a script has at most 1000 lines that begin with after");
+}
+
 TEST_F(Scripts, ThatDoNothingChangeNothing) {
   const std::string plain = play("", 1.0).trace_hash;
   EXPECT_EQ(play("at 100ms fault S1 ok\nat 200ms lower\nat 300ms clear 0,0\n", 1.0).trace_hash, plain);
