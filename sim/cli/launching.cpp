@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "sim/base/file.h"
+#include "sim/cli/output.h"
 
 namespace robosim::cli {
+namespace {
+
+constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
+
+}  // namespace
 
 std::string scenario_text(const RunArguments& arguments) {
   std::string text;
-  if (!arguments.script.empty()) text = read_file(arguments.script);
+  if (!arguments.script.empty()) text = read_file(arguments.script, kMostScript_bytes);
   if (!text.empty() && text.back() != '\n') text += '\n';
   for (const std::string& send : arguments.send) text += fmt::format("at 1s send \"{}\"\n", send);
   return text;
@@ -26,11 +30,11 @@ launch::Launch launch_of(const RunArguments& arguments) {
 launch::Listener listener_of(tui::Progress& progress, Says says) {
   launch::Listener listener;
   if (says.choices)
-    listener.chosen = [](const std::string& sentence) { fmt::print(stderr, "robosim: {}\n", sentence); };
+    listener.chosen = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };
   listener.compiling = [&progress](const std::string& sketch) { progress.say("compiling " + sketch + " …"); };
   listener.compiled = [&progress, says](const build::Image& image) {
     progress.clear();
-    if (says.warnings && !image.messages.empty()) fmt::print(stderr, "{}", image.messages);
+    if (says.warnings && !image.messages.empty()) complain(image.messages);
   };
   return listener;
 }

@@ -43,7 +43,7 @@ struct Perform {
 };
 
 int fail(ExitStatus status, const char* prefix, const char* message) {
-  fmt::print(stderr, "{}{}\n", prefix, message);
+  complain(fmt::format("{}{}\n", prefix, message));
   return static_cast<int>(status);
 }
 
@@ -67,4 +67,7 @@ int perform(int count, char** words) {
 }  // namespace
 }  // namespace robosim::cli
 
-int main(int count, char** words) { return robosim::cli::perform(count, words); }
+int main(int count, char** words) {
+  robosim::cli::open_standard_streams();
+  return robosim::cli::perform(count, words);
+}

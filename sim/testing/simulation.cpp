@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "sim/base/error.h"
@@ -305,7 +306,7 @@ Simulation::~Simulation() {
     if (!is_rehearsal()) record_figures(log, result);
     if (::testing::Test::HasFailure() && !log.artifacts.empty()) {
       const std::string problem = keep(log, in_->stage, in_->run->script(), *in_->runner);
-      if (!problem.empty()) fmt::print(stderr, "robosim: {}\n", problem);
+      if (!problem.empty()) std::fputs(fmt::format("robosim: {}\n", problem).c_str(), stderr);
     }
   } catch (const std::exception& problem) {
     in_->runner.condemn();

@@ -14,6 +14,12 @@ namespace {
 constexpr std::int64_t kQuiet_us = 500'000;
 constexpr std::int64_t kEvery_us = 100'000;
 
+// A terminal that has gone is no reason to stop.
+void put_on_terminal(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace
 
 Progress::Progress(bool wanted)
@@ -23,8 +29,7 @@ Progress::~Progress() { clear(); }
 
 void Progress::say(const std::string& text) {
   if (!active_) return;
-  fmt::print(stderr, "\r\033[K{}", text);
-  std::fflush(stderr);
+  put_on_terminal("\r\033[K" + text);
   shown_ = true;
 }
 
@@ -48,8 +53,7 @@ void Progress::advance(std::int64_t t_us, double for_s) {
 
 void Progress::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  put_on_terminal("\r\033[K");
   shown_ = false;
 }
 

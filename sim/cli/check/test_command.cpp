@@ -48,7 +48,7 @@ int test_command(const TestArguments& arguments) {
   if (several) {
     print(class_report(results));
   } else {
-    if (results[0].problem) fmt::print(stderr, "{}\n", results[0].problem->text);
+    if (results[0].problem) complain(fmt::format("{}\n", results[0].problem->text));
     print(sketch_report(results[0]));
   }
   if (!arguments.junit.empty()) write_file(arguments.junit, junit_xml(results));

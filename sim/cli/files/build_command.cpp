@@ -141,7 +141,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
 ExitStatus check_size(const Built& built) {
   check_fits(built.image, built.board);
   const auto sentences = over_budget(built.image, built.robot);
-  for (const std::string& sentence : sentences) fmt::print(stderr, "robosim: {}\n", sentence);
+  for (const std::string& sentence : sentences) complain(fmt::format("robosim: {}\n", sentence));
   return sentences.empty() ? ExitStatus::ok : ExitStatus::failed;
 }
 

@@ -106,12 +106,12 @@ const BoardSpec& board_of_image(const std::string& robot) {
 ExitStatus judge(const Ending& ending, const FlashArguments& arguments) {
   if (ending.signal == SIGINT) return ExitStatus::interrupted;
   if (ending.ok()) return ExitStatus::ok;
-  fmt::print(stderr,
-             "robosim: avrdude failed ({}). Is the board at {}? May you write there (group dialout)? Does "
-             "another program hold it?{}\n",
-             ending.signal > 0 ? fmt::format("signal {}", ending.signal)
-                               : fmt::format("exit status {}", ending.status),
-             arguments.port, older_boot_loaders());
+  complain(fmt::format(
+      "robosim: avrdude failed ({}). Is the board at {}? May you write there (group dialout)? Does "
+      "another program hold it?{}\n",
+      ending.signal > 0 ? fmt::format("signal {}", ending.signal)
+                        : fmt::format("exit status {}", ending.status),
+      arguments.port, older_boot_loaders()));
   return ExitStatus::failed;
 }
 

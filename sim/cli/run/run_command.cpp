@@ -112,7 +112,7 @@ class Listeners {
     }
     if (std::holds_alternative<wire::DebuggerAwaited>(event)) {
       progress_.clear();
-      fmt::print(stderr, "robosim: waiting for a debugger; in another terminal type: {}\n", debugger_);
+      complain(fmt::format("robosim: waiting for a debugger; in another terminal type: {}\n", debugger_));
     }
     if (view_) view_->on_event(event);
   }
@@ -225,8 +225,10 @@ int run_command(const RunArguments& arguments) {
   if (counters) {
     // The same run counts once: what went into it, and what came out.
     const std::string text = counters->keep(run.wanted, run.image, run.request.script + json(std::nullopt));
-    if (!arguments.coverage.empty())
-      fmt::print(arguments.json ? stderr : stdout, "{}{}", text, counters->make_page());
+    if (!arguments.coverage.empty()) {
+      const std::string shown = text + counters->make_page();
+      arguments.json ? complain(shown) : print(shown);
+    }
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());

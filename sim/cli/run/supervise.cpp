@@ -8,13 +8,13 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <new>
 #include <stdexcept>
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
+#include "sim/cli/output.h"
 
 namespace robosim::cli {
 namespace {
@@ -54,12 +54,12 @@ int run_in_child(const std::string& name, const std::function<int(Progressed&)>&
   try {
     status = work(progressed);
   } catch (const InputError& error) {
-    fmt::print(stderr, "robosim: {}: {}\n", name, error.what());
+    complain(fmt::format("robosim: {}: {}\n", name, error.what()));
     status = static_cast<int>(ExitStatus::bad_input);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "robosim: {} threw an exception: {}\n", name, error.what());
+    complain(fmt::format("robosim: {} threw an exception: {}\n", name, error.what()));
   } catch (...) {
-    fmt::print(stderr, "robosim: {} threw something that is no std::exception\n", name);
+    complain(fmt::format("robosim: {} threw something that is no std::exception\n", name));
   }
   progressed.finish();
   return status;
@@ -87,7 +87,7 @@ int supervise(const std::string& name, const std::function<int(Progressed&)>& wo
           ? "before its first move"
           : fmt::format("after {} move{}, the last from {},{},{}", progressed.moves(),
                         progressed.moves() == 1 ? "" : "s", pose.cell.x, pose.cell.y, letter(pose.facing));
-  fmt::print(stderr, "robosim: {} {}, {}\n", name, cause_of_death(ending), where);
+  complain(fmt::format("robosim: {} {}, {}\n", name, cause_of_death(ending), where));
   return static_cast<int>(ExitStatus::failed);
 }
 

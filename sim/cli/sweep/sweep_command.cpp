@@ -142,14 +142,14 @@ int sweep_command(const SweepArguments& arguments) {
 
   const std::string report = sweep_report(arguments, plan, sweep.outcomes());
   if (arguments.json) {
-    fmt::print(stderr, "{}", report);
+    complain(report);
   } else {
     print(report);
   }
   if (!complete) {
-    fmt::print(stderr, "robosim: interrupted; {}\n",
-               arguments.csv.empty() ? "the table is of what was finished"
-                                     : "the same command with --resume goes on");
+    complain(fmt::format("robosim: interrupted; {}\n", arguments.csv.empty()
+                                                           ? "the table is of what was finished"
+                                                           : "the same command with --resume goes on"));
     if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
       ::raise(client::Interrupts::signal());
     return static_cast<int>(ExitStatus::interrupted);
