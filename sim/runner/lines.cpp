@@ -3,10 +3,31 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
+
+#include "sim/runner/relay.h"
 
 namespace robosim::runner {
+namespace {
+
+const Relay* way = nullptr;
+std::string unread;
+
+ssize_t read_some(char* to, std::size_t bytes) {
+  return way ? Relay::read_some(to, bytes) : ::read(STDIN_FILENO, to, bytes);
+}
+
+}  // namespace
+
+void go_through(const Relay& relay) {
+  way = &relay;
+  unread.clear();
+}
+
+std::string take_unread() { return std::exchange(unread, ""); }
 
 void write_line(const std::string& line) {
+  if (way) return way->tell(line);
   for (std::size_t done = 0; done < line.size();) {
     const ssize_t n = ::write(STDOUT_FILENO, line.data() + done, line.size() - done);
     if (n < 0 && errno == EINTR) continue;
@@ -16,7 +37,6 @@ void write_line(const std::string& line) {
 }
 
 std::optional<std::string> read_line(const std::atomic<bool>* interrupted) {
-  static std::string unread;
   for (std::size_t searched = 0;;) {
     const std::size_t end = unread.find('\n', searched);
     if (end != std::string::npos) {
@@ -27,7 +47,7 @@ std::optional<std::string> read_line(const std::atomic<bool>* interrupted) {
     searched = unread.size();
     if (interrupted && interrupted->load(std::memory_order_relaxed)) return std::nullopt;
     char chunk[4096];
-    const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
+    const ssize_t n = read_some(chunk, sizeof chunk);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) return std::nullopt;
     unread.append(chunk, static_cast<std::size_t>(n));

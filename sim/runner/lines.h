@@ -7,10 +7,16 @@
 
 namespace robosim::runner {
 
+class Relay;
+/// From now on lines go through this, in both directions. It must outlive the process's use of them.
+void go_through(const Relay& relay);
+
 /// Writes one line (with its line feed); ends the process if the client has gone.
 void write_line(const std::string& line);
 /// The next line of standard input, without its line feed; nothing at its end, or when a signal handler has
 /// set `interrupted`. A fork goes on reading where its parent was.
 std::optional<std::string> read_line(const std::atomic<bool>* interrupted = nullptr);
+/// What has been read, and is no line yet.
+std::string take_unread();
 
 }  // namespace robosim::runner

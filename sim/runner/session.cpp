@@ -9,6 +9,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <sstream>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/bundle.h"
@@ -16,10 +17,12 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/exec/gdb/server.h"
+#include "sim/exec/host/confinement.h"
 #include "sim/robot/description.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
+#include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/wire/protocol.h"
 
@@ -121,21 +124,68 @@ class Narrator final : public run::Listener {
   std::string line_;
 };
 
+/// What the run rests on.
+struct Inputs {
+  std::string map_sha256, robot_sha256, image_sha256;
+};
+
+Inputs inputs_of(const wire::RunRequest& request, const robot::Description& robot) {
+  return {sha256_of_file(request.map), robot.sha256, known_sha256(request.image)};
+}
+
 // The outcome, together with what it rests on.
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
-                          const robot::Description& robot) {
+                          const Inputs& inputs) {
   wire::RunResult result = to_wire(outcome);
   result.for_s = static_cast<double>(request.for_ns) * 1e-9;
   result.seed = request.seed;
   result.profile = request.profile;
-  result.map_sha256 = sha256_of_file(request.map);
-  result.robot_sha256 = robot.sha256;
-  result.image_sha256 = known_sha256(request.image);
+  result.map_sha256 = inputs.map_sha256;
+  result.robot_sha256 = inputs.robot_sha256;
+  result.image_sha256 = inputs.image_sha256;
   return result;
 }
 
+// Offsets in hexadecimal, with blanks between them.
+std::string text_of(const std::vector<std::uintptr_t>& offsets) {
+  std::string text;
+  for (const std::uintptr_t offset : offsets) text += fmt::format("{:x} ", offset);
+  return text;
+}
+
+// As text_of() has it; what is something else, and what is too much, is left out.
+std::vector<std::uintptr_t> offsets_in(const std::string& text) {
+  constexpr std::size_t kMost = 256;
+  std::vector<std::uintptr_t> offsets;
+  std::istringstream words(text);
+  for (std::uintptr_t offset = 0; offsets.size() < kMost && words >> std::hex >> offset;)
+    offsets.push_back(offset);
+  return offsets;
+}
+
+constexpr char kAskLines = 'l';
+constexpr char kAskToKeepCounters = 'c';
+
+// In the runner: what its confined run cannot do itself.
+std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
+  if (what == kAskLines) return exec::ask_addr2line(request.image, offsets_in(question));
+  if (what != kAskToKeepCounters || request.counters.empty()) return "";
+  try {
+    write_file(request.counters, question);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void keep_counters(const wire::RunRequest& request, const std::string& counters, const Relay* relay) {
+  if (!relay) return write_file(request.counters, counters);
+  if (const std::string fault = relay->ask(kAskToKeepCounters, counters); !fault.empty())
+    throw InputError(fault);
+}
+
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
-                            const wire::Id& id) {
+                            const wire::Id& id, const Relay* relay) {
   const grid::Map map = grid::read_map(request.map);
   const robot::Description robot = robot::load_description(request.robot);
   const std::unique_ptr<exec::Executor> executor = factory.make(*robot.board, request.image);
@@ -170,11 +220,18 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   RemoteController controller(id, request.script_file, interrupted,
                               [&](SimTime t) { narrator.flush_serial(t); });
   if (request.interactive) setup.controller = &controller;
+  const Inputs inputs = inputs_of(request, robot);
+  if (relay) {
+    factory.prepare_for_confinement(*executor, [relay](const auto&, const auto& offsets) {
+      return relay->ask(kAskLines, text_of(offsets));
+    });
+    if (exec::why_not_confined().empty()) relay->confine();
+  }
   const judge::Outcome outcome = run::simulate(setup).front();
   narrator.flush_serial(outcome.time);
-  if (!request.counters.empty()) write_file(request.counters, pack(executor->counters()));
+  if (!request.counters.empty()) keep_counters(request, pack(executor->counters()), relay);
   if (debugger) debugger->ended(static_cast<int>(judge::exit_status(outcome.verdict)));
-  return result_of(outcome, request, robot);
+  return result_of(outcome, request, inputs);
 }
 
 // The answer that `serve` gives, or what went wrong with it.
@@ -191,13 +248,36 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   }
 }
 
+// Firmware ended its process in a way that no handler could catch, or had no right to what it did.
+wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
+                                const std::string& check) {
+  judge::Outcome outcome;
+  outcome.verdict = judge::Verdict::crashed;
+  outcome.crash = exec::Crash{cause, {}};
+  outcome.crash->check = check;
+  outcome.why = "The sketch crashed: " + cause + ".";
+  if (!request.goal.empty()) outcome.goal = judge::parse_goal(request.goal);
+  return result_of(outcome, request, inputs_of(request, robot::load_description(request.robot)));
+}
+
 // In the fork.
-int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id) {
+int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
+                 pid_t runner, Relay* relay) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != runner) return 0;  // it had ended before that
+  if (relay) {
+    relay->enter();
+    go_through(*relay);
+  }
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
-  write_line(wire::to_line(id, *answer_of([&] { return run_request(factory, request, id); })));
+  const std::string answer =
+      wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, relay); }));
+  if (relay)
+    relay->answer(answer);
+  else
+    write_line(answer);
   return 0;
 }
 
@@ -209,23 +289,41 @@ std::string cause_of_death(const Ending& ending) {
   return fmt::format("it took its process down with exit status {}", ending.status);
 }
 
-// Firmware ended its process in a way that no handler could catch.
-wire::RunResult result_of_death(const wire::RunRequest& request, const Ending& ending) {
-  judge::Outcome outcome;
-  outcome.verdict = judge::Verdict::crashed;
-  outcome.crash = exec::Crash{cause_of_death(ending), {}};
-  outcome.why = "The sketch crashed: " + outcome.crash->reason + ".";
-  if (!request.goal.empty()) outcome.goal = judge::parse_goal(request.goal);
-  return result_of(outcome, request, robot::load_description(request.robot));
+bool was_refused(const Ending& ending) {
+  return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
+}
+
+std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
+                                               const wire::RunRequest& request, const wire::Id& id,
+                                               pid_t self) {
+  Relay relay;
+  Child child([&] { return run_in_child(factory, request, id, self, &relay); });
+  const Relay::Told told =
+      relay.serve([&](char what, const std::string& question) { return serve_ask(request, what, question); },
+                  request.interactive);
+  if (told.forged) {
+    child.send(SIGKILL);
+    return result_of_death(request, "it wrote to where its verdict goes", exec::kSandboxCheck);
+  }
+  const Ending ending = child.wait();
+  if (was_refused(ending))
+    return result_of_death(request, "the sandbox refuses a system call of its", exec::kSandboxCheck);
+  if (!ending.ok()) return result_of_death(request, cause_of_death(ending), "");
+  if (!told.answer)
+    return result_of_death(request, "it ended its process before the run was over", exec::kSandboxCheck);
+  write_line(*told.answer);
+  return std::nullopt;
 }
 
 // Nothing where the fork has answered.
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id) {
   known_sha256(request.image);
-  const Ending ending = Child([&] { return run_in_child(factory, request, id); }).wait();
+  const pid_t self = ::getpid();
+  if (factory.prepare_for_confinement) return serve_confined_run(factory, request, id, self);
+  const Ending ending = Child([&] { return run_in_child(factory, request, id, self, nullptr); }).wait();
   if (ending.ok()) return std::nullopt;
-  return result_of_death(request, ending);
+  return result_of_death(request, cause_of_death(ending), "");
 }
 
 void serve_line(const ExecutorFactory& factory, const std::string& line) {

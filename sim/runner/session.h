@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/exec/core/executor.h"
+#include "sim/exec/host/image_file.h"
 
 namespace robosim {
 struct BoardSpec;
@@ -18,6 +19,9 @@ namespace robosim::runner {
 struct ExecutorFactory {
   std::string target;  ///< "host"
   std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
+  /// Where firmware is code of this machine, and its process is to be confined: what the executor that make()
+  /// gave has to do before (HostExecutor::prepare_for_confinement). Else nothing.
+  std::function<void(exec::Executor&, exec::AddressLines)> prepare_for_confinement = nullptr;
 };
 
 /// Serves requests from standard input until it ends. Returns the process's exit status.

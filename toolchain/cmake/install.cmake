@@ -71,7 +71,7 @@ set(libelf "")
 if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps knows this machine's libraries only
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${ROBOSIM_PI_ARCHITECTURE})
-  set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), zlib1g")
+  set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), libseccomp2, zlib1g")
   set(libelf ", libelf1 | libelf1t64")
 endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)

@@ -4,6 +4,7 @@
 #include <setjmp.h>
 #include <signal.h>
 #include <ucontext.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/file.h"
 #include "sim/exec/host/bad_access.h"
+#include "sim/exec/host/confinement.h"
 #include "sim/exec/host/fiber.h"
 #include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/image_file.h"
@@ -27,7 +30,7 @@ constexpr std::size_t kStackBytes = 256 * 1024;
 constexpr std::size_t kHeapBytes = 64 * 1024;
 constexpr std::size_t kNullPage = 4096;
 constexpr SimTime kWatch = 10 * kMillisecond;
-constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE};
+constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGSYS};
 
 class Counters final : public host::CounterSink {
  public:
@@ -63,6 +66,8 @@ class HostExecutor::Instance final : public host::Host {
     state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
     catch_faults();
   }
+
+  static void catch_faults();
 
   const host::FirmwareState& state() const { return state_; }
 
@@ -202,20 +207,21 @@ class HostExecutor::Instance final : public host::Host {
     fiber_.suspend();
   }
 
-  static void catch_faults();
   static void on_fault(int signal, siginfo_t* info, void* context);
 
   void report_fault() {
     const HostFault& fault = fault_;
-    std::vector<CodeAddress> addresses = {{fault.pc, false}};
+    std::vector<CodeAddress> addresses = {{fault.pc, fault.signal == SIGSYS}};
     if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
     calls_.add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
     addresses.push_back({state_.place, true});
     owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};
+    if (fault.signal == SIGSYS) owner_.crash_->check = kSandboxCheck;
   }
 
   std::string reason(const HostFault& fault) const {
     const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
+    if (fault.signal == SIGSYS) return refusal(fault.call);
     if (fault.signal == SIGILL)
       return "an instruction that does not exist (a damaged stack or pointer to a function?)";
     if (fault.signal == SIGFPE) return "a division by zero, or one whose result does not fit";
@@ -278,6 +284,8 @@ void HostExecutor::Instance::catch_faults() {
 }
 
 void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context) {
+  const bool refused = signal == SIGSYS && is_confined();
+  if (refused && serve_loader(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
     // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.
@@ -289,19 +297,29 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
       siglongjmp(self->escape_, 1);
     }
   }
+  if (refused) ::_exit(kRefusedStatus);
   // Not the firmware's: the instruction runs again and meets whoever was responsible before.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }
 
-HostExecutor::HostExecutor(const BoardSpec& spec, std::filesystem::path image)
-    : board_(spec), image_(std::move(image)) {}
+HostExecutor::HostExecutor(const BoardSpec& spec, std::filesystem::path image) : board_(spec) {
+  image_.name = std::move(image);
+}
 
 HostExecutor::~HostExecutor() = default;
 
 void HostExecutor::power_on(SimTime t) {
   power_off(t);
+  if (!image_is_read_) image_.content = read_file(image_.name);
   instance_ = std::make_unique<Instance>(*this, t);
+}
+
+void HostExecutor::prepare_for_confinement(AddressLines lines) {
+  image_.content = read_file(image_.name);
+  image_.lines = std::move(lines);
+  image_is_read_ = true;
+  Instance::catch_faults();
 }
 
 void HostExecutor::power_off(SimTime t) {

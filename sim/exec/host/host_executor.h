@@ -13,6 +13,7 @@
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/silence.h"
+#include "sim/exec/host/image_file.h"
 
 namespace robosim::exec {
 
@@ -26,6 +27,9 @@ class HostExecutor final : public Executor {
   BoardProbe& probe() override { return board_; }
   /// Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
+  /// To be called before the process is confined (confinement.h): what needs files is done now, and what
+  /// needs programs by `lines`.
+  void prepare_for_confinement(AddressLines lines);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
   const std::optional<Crash>& crash() const override { return crash_; }
@@ -44,7 +48,8 @@ class HostExecutor final : public Executor {
 
   BoardState board_;
   ClockedBoard clocked_{board_};
-  std::filesystem::path image_;
+  ImageFile image_;
+  bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
   std::vector<BundledFile> counters_;  ///< of the power cycles before

@@ -11,6 +11,7 @@ HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context)
   fault.signal = signal;
   fault.code = info.si_code;
   fault.address = static_cast<const std::byte*>(info.si_addr);
+  if (signal == SIGSYS) fault.call = info.si_syscall;
 #if defined(__x86_64__)
   const auto& registers = context.uc_mcontext.gregs;
   fault.pc = reinterpret_cast<const std::byte*>(registers[REG_RIP]);

@@ -17,6 +17,7 @@ struct HostFault {
   const void* link = nullptr;  // where the innermost call returns to, if that is in a register
   bool known_write = false;
   bool known_read = false;
+  int call = -1;  // SIGSYS: the system call that was refused
 };
 
 HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context);

@@ -12,7 +12,7 @@
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
-#include "sim/base/file.h"
+#include "sim/exec/host/confinement.h"
 
 namespace robosim::exec {
 namespace {
@@ -70,20 +70,32 @@ bool is_own_file(const std::string& file) {
          file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
 }
 
-LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
-  const std::string content = read_file(file);
+std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets) {
+  std::vector<std::string> command = {"addr2line", "-f", "-C", "-i", "-e", image.string()};
+  for (const std::uintptr_t offset : offsets) command.push_back(fmt::format("{:#x}", offset));
+  return output_of(command);
+}
+
+LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
+  const auto no_memory = [&] { return std::runtime_error("no memory for a copy of " + file.name.string()); };
   // A copy without a name: the loader knows files by their identity, and gives one that it knows already
   // again.
   copy_ = Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC));
-  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(content.size())) != 0)
-    throw std::runtime_error("no memory for a copy of " + file.string());
-  for (std::size_t done = 0; done < content.size();) {
-    const ssize_t wrote = write(copy_.get(), content.data() + done, content.size() - done);
-    if (wrote <= 0) throw std::runtime_error("no memory for a copy of " + file.string());
+  if (is_confined() && copy_.is_open() && copy_.get() != kImageFd) {
+    const Descriptor first = std::move(copy_);
+    copy_ = Descriptor(dup3(first.get(), kImageFd, O_CLOEXEC));
+  }
+  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(file.content.size())) != 0)
+    throw no_memory();
+  for (std::size_t done = 0; done < file.content.size();) {
+    const ssize_t wrote = write(copy_.get(), file.content.data() + done, file.content.size() - done);
+    if (wrote <= 0) throw no_memory();
     done += static_cast<std::size_t>(wrote);
   }
-  // The descriptor stays open while the image is loaded, because the loader also knows files by this name.
-  const std::string name = fmt::format("/proc/self/fd/{}", copy_.get());
+  // The descriptor stays open while the image is loaded, because the loader also knows files by this name. In
+  // a confined process it opens nothing, but gets this descriptor, and closes it.
+  if (is_confined()) lseek(copy_.get(), 0, SEEK_SET);
+  const std::string name = is_confined() ? kImageName : fmt::format("/proc/self/fd/{}", copy_.get());
   handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
   const std::string error = handle_ ? "" : dlerror();
   if (handle_) entry_ = static_cast<const host::Image*>(dlsym(handle_, "robosim_image"));
@@ -91,8 +103,9 @@ LoadedImage::LoadedImage(const std::filesystem::path& file) : file_(file) {
     const bool other_version = entry_ != nullptr;
     if (handle_) dlclose(handle_);
     if (other_version)
-      throw InputError({file.string()}, "was built for another version of Robosim; build the sketch again");
-    throw InputError({file.string()},
+      throw InputError({file.name.string()},
+                       "was built for another version of Robosim; build the sketch again");
+    throw InputError({file.name.string()},
                      "is no firmware image for this machine" + (error.empty() ? "" : ": " + error));
   }
   link_map* map = nullptr;
@@ -113,9 +126,7 @@ bool LoadedImage::has_code(const void* address) const {
 }
 
 std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>& offsets) const {
-  std::vector<std::string> command = {"addr2line", "-f", "-C", "-i", "-e", file_.string()};
-  for (const std::uintptr_t offset : offsets) command.push_back(fmt::format("{:#x}", offset));
-  std::istringstream lines(output_of(command));
+  std::istringstream lines(file_.lines(file_.name, offsets));
   std::vector<SourceLine> frames;
   std::string function, place;
   while (std::getline(lines, function) && std::getline(lines, place)) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,23 @@ struct CodeAddress {
   bool is_return = false;  ///< a return address: its instruction ends just before it
 };
 
+/// The output of `addr2line -f -C -i` for these offsets in the image.
+using AddressLines = std::function<std::string(const std::filesystem::path& image,
+                                               const std::vector<std::uintptr_t>& offsets)>;
+/// By that program, of binutils; empty without it.
+std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
+
+struct ImageFile {
+  std::filesystem::path name;
+  std::string content;
+  AddressLines lines = ask_addr2line;
+};
+
 class LoadedImage {
  public:
-  /// Throws InputError if `file` is no image, or one for another version of Robosim.
-  explicit LoadedImage(const std::filesystem::path& file);
+  /// Throws InputError if `file` is no image, or one for another version of Robosim. In a confined process no
+  /// file is opened.
+  explicit LoadedImage(const ImageFile& file);
   ~LoadedImage();
   LoadedImage(const LoadedImage&) = delete;
   LoadedImage& operator=(const LoadedImage&) = delete;
@@ -32,13 +46,13 @@ class LoadedImage {
   /// Whether `address` lies in the image's code.
   bool has_code(const void* address) const;
   /// The place of the first of `addresses` that lies in the user's code: the sketch or one of its libraries,
-  /// not the core or hal. Starts addr2line (binutils); empty without it, or if there is no such address.
+  /// not the core or hal. Empty without addr2line, or if there is no such address.
   SourceLine locate(const std::vector<CodeAddress>& addresses) const;
 
  private:
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
-  std::filesystem::path file_;
+  const ImageFile& file_;
   Descriptor copy_;  ///< in memory, without a name
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;

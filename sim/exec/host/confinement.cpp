@@ -1,0 +1,288 @@
+#include "sim/exec/host/confinement.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/descriptor.h"
+#include "sim/exec/host/under_asan.h"
+
+namespace robosim::exec {
+namespace {
+
+// In the filter that is made once, what is another number in each process.
+constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
+
+constexpr rlim_t kConfinedImage = 64 << 20;
+
+CallKey key_of_process{};
+bool confined = false;
+
+/// Of one process, on memory that it has.
+constexpr const char* kHarmless[] = {
+    "brk",          "cacheflush",     "clock_getres", "clock_gettime", "clock_gettime64",
+    "close",        "exit",           "exit_group",   "futex",         "futex_time64",
+    "getcpu",       "getpid",         "getrandom",    "gettid",        "gettimeofday",
+    "madvise",      "memfd_create",   "mremap",       "munmap",        "restart_syscall",
+    "rt_sigreturn", "rt_sigprocmask", "sched_yield",  "sigaltstack",   "sigreturn",
+    "time",         "ftruncate",      "ftruncate64",  "membarrier"};
+
+class Filter {
+ public:
+  Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
+    if (!filter_) throw std::runtime_error("no filter of system calls");
+  }
+
+  /// Calls that this machine does not know are left out.
+  void add(std::uint32_t action, const char* name, const std::vector<scmp_arg_cmp>& arguments = {}) {
+    const int number = ::seccomp_syscall_resolve_name(name);
+    if (number == __NR_SCMP_ERROR || number < 0) return;
+    const int error = ::seccomp_rule_add_array(filter_.get(), action, number,
+                                               static_cast<unsigned>(arguments.size()), arguments.data());
+    if (error != 0) throw std::runtime_error(fmt::format("no rule for {}: {}", name, std::strerror(-error)));
+  }
+  void allow(const char* name, const std::vector<scmp_arg_cmp>& arguments = {}) {
+    add(SCMP_ACT_ALLOW, name, arguments);
+  }
+  std::vector<sock_filter> program() const {
+    const Descriptor file(::memfd_create("robosim-filter", MFD_CLOEXEC));
+    if (!file.is_open() || ::seccomp_export_bpf(filter_.get(), file.get()) != 0)
+      throw std::runtime_error("no filter of system calls");
+    const off_t bytes = ::lseek(file.get(), 0, SEEK_END);
+    std::vector<sock_filter> steps(static_cast<std::size_t>(bytes) / sizeof(sock_filter));
+    if (::pread(file.get(), steps.data(), static_cast<std::size_t>(bytes), 0) != bytes)
+      throw std::runtime_error("no filter of system calls");
+    return steps;
+  }
+
+ private:
+  struct End {
+    void operator()(void* filter) const { ::seccomp_release(filter); }
+  };
+  std::unique_ptr<void, End> filter_;
+};
+
+/// Argument `number`, an int, is `value`: the upper half of its register may be anything.
+scmp_arg_cmp is(unsigned number, std::uint32_t value) {
+  return {number, SCMP_CMP_MASKED_EQ, 0xFFFFFFFF, value};
+}
+scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
+  return {number, SCMP_CMP_MASKED_EQ, of, bits};
+}
+
+void add_memory(Filter& filter) {
+  for (const char* name : {"mmap", "mmap2"}) {
+    filter.allow(name, {has(2, 0, PROT_EXEC), has(3, MAP_ANONYMOUS, MAP_ANONYMOUS)});
+    filter.allow(name, {is(4, kImageFd)});
+  }
+  filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
+}
+
+void add_descriptors(Filter& filter) {
+  filter.allow("write", {is(0, kTellFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
+  for (const int fd : {kAnswersFd, kLinesFd})
+    filter.allow("read", {is(0, static_cast<std::uint32_t>(fd)), is(3, kKeyHere), is(4, kOtherKeyHere)});
+  for (const std::uint32_t fd : {0u, 1u, 2u}) {
+    for (const char* name : {"read", "write", "writev", "lseek", "_llseek"}) filter.allow(name, {is(0, fd)});
+    // What stdio asks before it prints.
+    for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
+      filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
+  }
+  // The image goes to memory, and from there to the loader.
+  for (const char* name : {"write", "read", "pread64", "fstat", "fstat64", "lseek", "_llseek"})
+    filter.allow(name, {is(0, kImageFd)});
+  filter.allow("newfstatat", {is(0, kImageFd), is(4, kKeyHere), is(5, kOtherKeyHere)});
+  filter.allow("statx", {is(0, kImageFd), is(5, kKeyHere)});
+  filter.allow("dup3", {is(1, kImageFd)});
+}
+
+void add_signals(Filter& filter) {
+  for (const char* name : {"kill", "tgkill", "tkill"}) filter.allow(name, {is(0, kProcessHere)});
+  filter.allow("rt_sigaction", {{1, SCMP_CMP_EQ, 0, 0}});  // a question
+  for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
+    filter.allow("rt_sigaction", {is(0, static_cast<std::uint32_t>(fault))});
+}
+
+void set_limit(int what, rlim_t most) {
+  rlimit limit{};
+  ::getrlimit(static_cast<__rlimit_resource_t>(what), &limit);
+  limit.rlim_max = std::min(limit.rlim_max, most);
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(static_cast<__rlimit_resource_t>(what), &limit);
+}
+
+/// To make it takes a millisecond: it is made once, and each process puts its own numbers in.
+const std::vector<sock_filter>& filter_for_all() {
+  static const std::vector<sock_filter> steps = [] {
+    Filter filter;
+    for (const char* name : kHarmless) filter.allow(name);
+    add_memory(filter);
+    add_descriptors(filter);
+    add_signals(filter);
+    return filter.program();
+  }();
+  return steps;
+}
+
+struct Loading {
+  std::uintptr_t arguments[5];
+  void* result;
+};
+
+#if defined(__x86_64__)
+constexpr bool kKnownMachine = true;
+Loading loading_of(ucontext_t& context) {
+  auto& r = context.uc_mcontext.gregs;
+  const auto at = [&](int i) { return static_cast<std::uintptr_t>(r[i]); };
+  return {{at(REG_RDI), at(REG_RSI), at(REG_RDX), at(REG_R10), at(REG_R8)}, &r[REG_RAX]};
+}
+#elif defined(__aarch64__)
+constexpr bool kKnownMachine = true;
+Loading loading_of(ucontext_t& context) {
+  auto& r = context.uc_mcontext.regs;
+  return {{r[0], r[1], r[2], r[3], r[4]}, &r[0]};
+}
+#elif defined(__arm__)
+constexpr bool kKnownMachine = true;
+Loading loading_of(ucontext_t& context) {
+  auto& c = context.uc_mcontext;
+  return {{c.arm_r0, c.arm_r1, c.arm_r2, c.arm_r3, c.arm_r4}, &c.arm_r0};
+}
+#else
+constexpr bool kKnownMachine = false;
+Loading loading_of(ucontext_t&) { return {}; }
+#endif
+
+struct Subject {
+  std::string_view what;
+  std::vector<std::string_view> beginnings;
+};
+
+/// What a call is about, by how its name begins; the first that fits.
+std::string_view subject_of(std::string_view call) {
+  static const std::vector<Subject> subjects = {
+      {"programs", {"exec"}},
+      {"processes and threads", {"clone", "fork", "vfork", "wait", "ptrace", "process_", "pidfd", "set_tid"}},
+      {"signals to others", {"kill", "tkill", "tgkill", "rt_sigqueue", "rt_tgsigqueue"}},
+      {"signals", {"rt_sig", "sig"}},
+      {"the network",
+       {"socket", "connect", "bind", "listen", "accept", "send", "recv", "getsockname", "getpeername",
+        "setsockopt", "getsockopt", "shutdown"}},
+      {"time outside of the simulation",
+       {"nanosleep", "clock_nanosleep", "pause", "poll", "ppoll", "select", "pselect", "_newselect", "epoll",
+        "alarm", "setitimer", "timer", "clock_set", "settimeofday"}},
+      {"memory", {"mmap", "mprotect", "shm", "mlock", "pkey"}},
+      {"descriptors",
+       {"read", "write", "pread", "pwrite", "vmsplice", "splice", "tee", "dup", "fcntl", "ioctl", "pipe"}},
+      {"files",
+       {"open",     "creat",  "stat",    "lstat",    "fstat",          "newfstat", "access",  "faccess",
+        "readlink", "unlink", "mkdir",   "rmdir",    "rename",         "link",     "symlink", "mknod",
+        "chmod",    "chown",  "fch",     "lchown",   "truncate",       "getdents", "chdir",   "getcwd",
+        "mount",    "umount", "inotify", "fanotify", "name_to_handle", "utime",    "chroot"}},
+  };
+  for (const Subject& subject : subjects)
+    for (const std::string_view beginning : subject.beginnings)
+      if (call.starts_with(beginning)) return subject.what;
+  return "the operating system";
+}
+
+}  // namespace
+
+std::string why_not_confined() {
+#ifdef ROBOSIM_ASAN
+  return "this Robosim is built with AddressSanitizer, which itself needs files and processes";
+#endif
+  const char* const wish = std::getenv("ROBOSIM_SANDBOX");
+  if (wish && std::string_view(wish) == "off") return "ROBOSIM_SANDBOX is off";
+  if (!kKnownMachine) return "on this kind of processor it is not written yet";
+  // Support means that the filter's address, which is none, is looked at.
+  if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) == 0 || errno != EFAULT)
+    return "the kernel has no filter of system calls (seccomp)";
+  return "";
+}
+
+void confine(const CallKey& key) {
+  set_limit(RLIMIT_DATA, kConfinedMemory);
+  set_limit(RLIMIT_CORE, 0);
+  set_limit(RLIMIT_FSIZE, kConfinedImage);
+  set_limit(RLIMIT_NOFILE, kImageFd + 2);
+  std::vector<sock_filter> steps = filter_for_all();
+  for (sock_filter& step : steps) {
+    if (BPF_CLASS(step.code) != BPF_JMP) continue;
+    if (step.k == kKeyHere) step.k = key[0];
+    if (step.k == kOtherKeyHere) step.k = key[1];
+    if (step.k == kProcessHere) step.k = static_cast<std::uint32_t>(::getpid());
+  }
+  key_of_process = key;
+  confined = true;
+  const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
+  // Nothing secret is in this process: no need for the slower branches that a filter brings by default.
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+      ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
+    throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));
+}
+
+void prepare_to_confine() {
+  if (why_not_confined().empty()) filter_for_all();
+}
+
+long keyed_read(int fd, void* data, std::size_t bytes) {
+  return ::syscall(SYS_read, fd, data, bytes, key_of_process[0], key_of_process[1]);
+}
+
+long keyed_write(int fd, const void* data, std::size_t bytes) {
+  return ::syscall(SYS_write, fd, data, bytes, key_of_process[0], key_of_process[1]);
+}
+
+bool is_confined() { return confined; }
+
+bool serve_loader(const siginfo_t& info, ucontext_t& context) {
+  const Loading asked = loading_of(context);
+  const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
+  long result = 0;
+  if (info.si_syscall == SYS_openat) {
+    if (std::strcmp(path, kImageName) != 0) return false;
+    result = kImageFd;
+#ifdef SYS_newfstatat
+  } else if (info.si_syscall == SYS_newfstatat) {
+    if (asked.arguments[0] != kImageFd || *path) return false;
+    result = ::syscall(SYS_newfstatat, kImageFd, "", asked.arguments[2], AT_EMPTY_PATH, key_of_process[0],
+                       key_of_process[1]);
+#endif
+  } else if (info.si_syscall == SYS_statx) {
+    if (asked.arguments[0] != kImageFd || *path) return false;
+    result = ::syscall(SYS_statx, kImageFd, "", AT_EMPTY_PATH, asked.arguments[3], asked.arguments[4],
+                       key_of_process[0]);
+  } else {
+    return false;
+  }
+  const long answer = result < 0 ? -errno : result;
+  std::memcpy(asked.result, &answer, sizeof answer);
+  return true;
+}
+
+std::string refusal(int call) {
+  const std::unique_ptr<char, decltype(&std::free)> known(
+      ::seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, call), &std::free);
+  const std::string name = known ? known.get() : fmt::format("number {}", call);
+  return fmt::format("the sandbox refuses its system call {} ({})", name, subject_of(name));
+}
+
+}  // namespace robosim::exec

@@ -1,0 +1,56 @@
+// What a process may still ask of the system once firmware for the host is in it: a filter of system calls
+// (seccomp, by libseccomp), and limits. docs/security.md says what that holds off, and what it does not.
+#pragma once
+
+#include <signal.h>
+#include <ucontext.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace robosim::exec {
+
+/// The descriptors of a confined process besides 0, 1 and 2, which are /dev/null.
+enum ConfinedDescriptor : int {
+  kTellFd = 3,     ///< written to
+  kAnswersFd = 4,  ///< read from
+  kLinesFd = 5,    ///< read from
+  kImageFd = 6     ///< of the image while it is being loaded
+};
+
+/// Only calls with these in registers that they do not use may use the first three: what a sketch does with
+/// the descriptor alone is refused.
+using CallKey = std::array<std::uint32_t, 2>;
+
+/// Empty where this build, on this kernel, can confine; else a clause: "the kernel has no seccomp filter".
+std::string why_not_confined();
+
+/// From here on, for ever: no new file, socket or process, no signal to others, no program; at most
+/// kConfinedMemory. What else it asks for raises SIGSYS. Throws std::runtime_error if that cannot be.
+void confine(const CallKey& key);
+/// What is the same for all processes: done once before they are forked, it saves each a millisecond.
+void prepare_to_confine();
+constexpr std::uint64_t kConfinedMemory = 512 << 20;  ///< bytes of variables, heap and stacks
+
+/// read() and write() with the key, in a confined process; in another one read() and write().
+long keyed_read(int fd, void* data, std::size_t bytes);
+long keyed_write(int fd, const void* data, std::size_t bytes);
+
+/// `check` of a crash that a refused call is.
+constexpr const char* kSandboxCheck = "sandbox";
+/// Exit status of a process that asked for something refused outside of the firmware's own time.
+constexpr int kRefusedStatus = 98;
+
+/// Whether confine() was called.
+bool is_confined();
+/// What the loader opens in a confined process: it gets kImageFd.
+constexpr const char* kImageName = "/robosim/firmware";
+/// In a handler of SIGSYS, while the image is being loaded: does what the loader needs of kImageFd. False if
+/// it was something else.
+bool serve_loader(const siginfo_t& info, ucontext_t& context);
+
+/// What it says of a call that was refused: "the sandbox refuses its system call openat (files)".
+std::string refusal(int call);
+
+}  // namespace robosim::exec

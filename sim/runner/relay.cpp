@@ -1,0 +1,177 @@
+#include "sim/runner/relay.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include "sim/exec/host/confinement.h"
+#include "sim/runner/lines.h"
+
+namespace robosim::runner {
+namespace {
+
+constexpr char kLine = 'L';
+constexpr char kAnswer = 'A';
+constexpr std::uint32_t kMostBytes = 256u << 20;
+constexpr std::size_t kChunk = 65536;
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+void fill_random(void* to, std::size_t bytes) {
+  if (::getrandom(to, bytes, 0) != static_cast<ssize_t>(bytes)) fail("getrandom");
+}
+
+void write_keyed(const char* data, std::size_t bytes) {
+  while (bytes > 0) {
+    const long n = exec::keyed_write(exec::kTellFd, data, bytes);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) ::_exit(0);  // the runner has gone
+    data += n;
+    bytes -= static_cast<std::size_t>(n);
+  }
+}
+
+void read_keyed(char* to, std::size_t bytes) {
+  while (bytes > 0) {
+    const long n = exec::keyed_read(exec::kAnswersFd, to, bytes);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) ::_exit(0);
+    to += n;
+    bytes -= static_cast<std::size_t>(n);
+  }
+}
+
+/// False if nobody reads any more.
+bool write_all(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(fd, text.data(), text.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+/// Further than its reader allows it the run shall not get ahead.
+void make_as_short(int pipe, int as) {
+  const int bytes = ::fcntl(as, F_GETPIPE_SZ);
+  if (bytes > 0) ::fcntl(pipe, F_SETPIPE_SZ, bytes);
+}
+
+}  // namespace
+
+Relay::Relay() {
+  fill_random(&token_, sizeof token_);
+  fill_random(key_, sizeof key_);
+  for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // whatever a register makes of its sign
+  make_as_short(told_.write.get(), STDOUT_FILENO);
+  exec::prepare_to_confine();
+}
+
+void Relay::enter() {
+  constexpr int kAside = 10;
+  const std::array<int, 3> ends = {told_.write.get(), answers_.read.get(), lines_.read.get()};
+  const std::array<int, 3> places = {exec::kTellFd, exec::kAnswersFd, exec::kLinesFd};
+  std::array<int, 3> aside{};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    aside[i] = ::fcntl(ends[i], F_DUPFD_CLOEXEC, kAside);
+    if (aside[i] < 0) fail("fcntl");
+  }
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0) fail("/dev/null");
+  for (int fd = 0; fd <= STDERR_FILENO; ++fd) ::dup2(nothing, fd);
+  for (const auto* pipe : {&told_, &answers_, &lines_})
+    for (const Descriptor* end : {&pipe->read, &pipe->write}) ::close(end->get());  // which nobody uses again
+  for (std::size_t i = 0; i < ends.size(); ++i) ::dup2(aside[i], places[i]);
+  ::close_range(exec::kImageFd, ~0u, 0);
+}
+
+void Relay::confine() const { exec::confine({key_[0], key_[1]}); }
+
+void Relay::send(char what, const std::string& text) const {
+  const Header header{token_, static_cast<std::uint32_t>(text.size()), what};
+  std::string all(reinterpret_cast<const char*>(&header), sizeof header);
+  all += text;
+  write_keyed(all.data(), all.size());
+}
+
+void Relay::tell(const std::string& line) const { send(kLine, line); }
+
+void Relay::answer(const std::string& line) const { send(kAnswer, line); }
+
+std::string Relay::ask(char what, const std::string& question) const {
+  send(what, question);
+  std::uint32_t bytes = 0;
+  read_keyed(reinterpret_cast<char*>(&bytes), sizeof bytes);
+  std::string answer(bytes, '\0');
+  read_keyed(answer.data(), bytes);
+  return answer;
+}
+
+long Relay::read_some(char* to, std::size_t bytes) { return exec::keyed_read(exec::kLinesFd, to, bytes); }
+
+Relay::Told Relay::serve(const Ask& ask, bool lines) {
+  told_.write.close();
+  answers_.read.close();
+  lines_.read.close();
+  Told told;
+  std::string unread, out;
+  std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
+  if (lines) write_all(lines_.write.get(), take_unread());
+  for (;;) {
+    if (lines) {
+      if (::poll(ready.data(), ready.size(), -1) < 0) continue;
+      if (ready[1].revents) {
+        char chunk[4096];
+        const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
+        if (n < 0 && errno == EINTR) continue;
+        if (n > 0) write_all(lines_.write.get(), {chunk, static_cast<std::size_t>(n)});
+        if (n <= 0) ready[1].fd = -1, lines_.write.close();
+      }
+      if (!ready[0].revents) continue;
+    }
+    const std::size_t had = unread.size();
+    unread.resize(had + kChunk);
+    const ssize_t n = ::read(told_.read.get(), unread.data() + had, kChunk);
+    const int error = errno;
+    unread.resize(had + static_cast<std::size_t>(n > 0 ? n : 0));
+    if (n < 0 && error == EINTR) continue;
+    if (n <= 0) {
+      told.forged |= !unread.empty();
+      return told;
+    }
+    out.clear();
+    std::size_t at = 0;
+    for (Header header{}; unread.size() - at >= sizeof header;) {
+      std::memcpy(&header, unread.data() + at, sizeof header);
+      if (header.token != token_ || header.bytes > kMostBytes || told.answer) {
+        told.forged = true;
+        return told;
+      }
+      if (unread.size() - at < sizeof header + header.bytes) break;
+      const std::string_view text(unread.data() + at + sizeof header, header.bytes);
+      at += sizeof header + header.bytes;
+      if (header.what == kLine) {
+        out += text;
+      } else if (header.what == kAnswer) {
+        told.answer = text;
+      } else {
+        const std::string said = ask(header.what, std::string(text));
+        const auto bytes = static_cast<std::uint32_t>(said.size());
+        write_all(answers_.write.get(), {reinterpret_cast<const char*>(&bytes), sizeof bytes});
+        write_all(answers_.write.get(), said);
+      }
+    }
+    unread.erase(0, at);
+    if (!out.empty()) write_line(out);
+  }
+}
+
+}  // namespace robosim::runner

@@ -1,0 +1,59 @@
+// Between a confined run and its runner. The run's process has firmware of this machine in it, which may
+// write what it likes to any descriptor: so it has none of the client's. It tells its runner, which has run
+// no firmware, and the runner tells the client. Each message carries a token, and the last one counts only if
+// the process then ends by itself.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sim/base/child.h"
+
+namespace robosim::runner {
+
+/// What the run asks of its runner, and the answer.
+using Ask = std::function<std::string(char what, const std::string& question)>;
+
+class Relay {
+ public:
+  /// Throws std::system_error.
+  Relay();
+
+  /// In the run's process: its descriptors are from now on those of exec::ConfinedDescriptor, and no others.
+  void enter();
+  /// Nothing new from the system for this process, ever (sim/exec/host/confinement.h), if that can be had.
+  void confine() const;
+  /// A line for the client, now.
+  void tell(const std::string& line) const;
+  /// The line that ends the run.
+  void answer(const std::string& line) const;
+  /// `what` is a small letter.
+  std::string ask(char what, const std::string& question) const;
+  /// The descriptor of lines from the client, to be read by read_some().
+  static long read_some(char* to, std::size_t bytes);
+
+  struct Told {
+    std::optional<std::string> answer;
+    bool forged = false;  ///< something else than the runner's code has written to it
+  };
+  /// In the runner: until the run has said its last, or something forged. `lines`: what the client writes
+  /// goes to the run.
+  Told serve(const Ask& ask, bool lines);
+
+ private:
+  struct Header {
+    std::uint64_t token;
+    std::uint32_t bytes;
+    char what;
+    char unused[3] = {};
+  };
+  void send(char what, const std::string& text) const;
+
+  Pipe told_, answers_, lines_;
+  std::uint64_t token_ = 0;
+  std::uint32_t key_[2] = {};
+};
+
+}  // namespace robosim::runner
