@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/base/write_claim.h"
 #include "sim/cli/check/check_session.h"
 #include "sim/cli/check/github.h"
 #include "sim/cli/check/junit.h"
@@ -34,6 +35,8 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
 }  // namespace
 
 int test_command(const TestArguments& arguments) {
+  std::optional<WriteClaim> claim;
+  if (!arguments.junit.empty()) claim.emplace(arguments.junit);
   std::vector<std::string> sketches = arguments.sketches;
   if (sketches.empty()) sketches.emplace_back();
   const bool several = sketches.size() > 1;

@@ -14,6 +14,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
+#include "sim/base/write_claim.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
@@ -158,8 +159,11 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, co
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  for (const std::string& file : arguments.record)
+  std::vector<WriteClaim> claims;
+  for (const std::string& file : arguments.record) {
     launch::name_flag("--record", [&] { record::check_record_ending(file); });
+    claims.emplace_back(file);
+  }
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");

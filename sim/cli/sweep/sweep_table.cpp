@@ -54,6 +54,7 @@ const std::vector<const char*>& columns() {
 
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
                                                "an option, or the version of Robosim,"};
+constexpr std::size_t kGroup = 8;  ///< digits, with a hyphen between two groups
 
 /// A field without line feeds: each row is one line.
 std::string field(std::string text) {
@@ -71,6 +72,23 @@ std::optional<Number> parse_number(const std::string& text) {
   return value;
 }
 
+/// Of a row without one.
+std::string seal_of(const std::vector<std::string>& fields) {
+  return sha256(fmt::format("{}", fmt::join(fields, "\n"))).substr(0, kGroup);
+}
+
+std::string& inputs_field(std::vector<std::string>& fields) { return fields[fields.size() - 2]; }
+
+/// False if there is one and it does not fit. Tables of former versions have none.
+bool take_seal(std::vector<std::string>& fields) {
+  std::string& inputs = inputs_field(fields);
+  if (inputs.size() == kParts.size() * (kGroup + 1) - 1) return true;
+  if (inputs.size() != (kParts.size() + 1) * (kGroup + 1) - 1) return false;
+  const std::string seal = inputs.substr(inputs.size() - kGroup);
+  inputs.resize(inputs.size() - kGroup - 1);
+  return seal == seal_of(fields);
+}
+
 /// Finds the run that a row is of.
 class Reader {
  public:
@@ -83,9 +101,13 @@ class Reader {
 
   SweepRow row(const std::string& line, int number_of_line) {
     line_ = number_of_line;
-    const auto fields = csv_fields(line);
+    auto fields = csv_fields(line);
     if (!fields || fields->size() != columns().size()) fail("this is no row of a sweep");
-    const auto& f = *fields;
+    auto& f = *fields;
+    if (!take_seal(f))
+      fail(
+          "this row is damaged: its checksum does not fit; remove the line, and --resume makes its run "
+          "again");
     const auto seed = parse_number<std::uint64_t>(f[kSeed]);
     const auto time = parse_number<double>(f[kTime]);
     if (!seed || !time || f[kVerdict].empty()) fail("this is no row of a sweep");
@@ -153,10 +175,12 @@ std::string sweep_row(const Combination& c, const wire::RunResult& r) {
     stack = std::to_string(r.resources->stack_bytes_max);
     if (r.resources->loops > 0) loop = fmt::format("{}", r.resources->loop_us_max);
   }
-  return fmt::format("{},{},{},{},{},{},{}{},{},{},{},{},{},{},{},{}\n", field(c.inputs.sketch),
-                     field(c.inputs.map), field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured,
-                     laps.size(), best, mean, r.metrics.stations.size(), stack, loop, r.trace_hash,
-                     c.fingerprint.text(), field(r.why));
+  const std::string begin =
+      fmt::format("{},{},{},{},{},{},{}{},{},{},{},{},{},{},{}", field(c.inputs.sketch), field(c.inputs.map),
+                  field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured, laps.size(), best,
+                  mean, r.metrics.stations.size(), stack, loop, r.trace_hash, c.fingerprint.text());
+  const std::string why = field(r.why);
+  return fmt::format("{}-{},{}\n", begin, seal_of(*csv_fields(begin + "," + why)), why);
 }
 
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
@@ -177,7 +201,7 @@ std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string
 }
 
 SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::vector<SweepOutcome>& outcomes)
-    : path_(std::move(file)), plan_(plan) {
+    : path_(std::move(file)), claim_(path_), plan_(plan) {
   std::error_code error;
   const bool there =
       fs::exists(path_, error) && fs::file_size(path_, error) > 0 && read_file(path_) != sweep_header();

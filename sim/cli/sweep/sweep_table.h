@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/write_claim.h"
 #include "sim/cli/sweep/sweep_plan.h"
 #include "sim/wire/messages.h"
 
@@ -32,7 +33,8 @@ std::string sweep_row(const Combination& combination, const wire::RunResult& res
 
 /// The rows of `text`, the content of a table: which run each is of, and its outcome. A last row without line
 /// feed was cut off and is left out. Throws InputError (with `file` and line) if a row is not of this plan,
-/// or what it came from has changed since.
+/// or what it came from has changed since, or it is damaged: since tables have them, the last of the groups
+/// of digits in `inputs` is a checksum of the rest of the row.
 struct SweepRow {
   std::size_t run = 0;
   SweepOutcome outcome;
@@ -45,7 +47,7 @@ class SweepTable {
  public:
   /// Begins a file. With `resume` an existing one is gone on with: its outcomes are put into `outcomes`,
   /// which has one for each run; a row that was cut off, and those with the verdict `error`, go. Without, an
-  /// existing one is refused. Throws InputError.
+  /// existing one is refused, and so is one that another sweep is writing. Throws InputError.
   SweepTable(std::filesystem::path file, bool resume, const SweepPlan& plan,
              std::vector<SweepOutcome>& outcomes);
 
@@ -62,6 +64,7 @@ class SweepTable {
   void open(const char* mode);
 
   std::filesystem::path path_;
+  WriteClaim claim_;
   const SweepPlan& plan_;
   std::unique_ptr<std::FILE, Close> file_;
   std::size_t next_ = 0;  ///< all rows so far are of runs before this one

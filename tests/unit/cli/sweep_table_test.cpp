@@ -58,11 +58,9 @@ TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
             "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,stack_bytes_max,loop_us_max,trace_hash,"
             "inputs,why"
             "\n");
-  EXPECT_EQ(
-      row(plan(), 5, "lost"),
-      "\"My, "
-      "Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,1:ab,00000001-00000002-00000003-00000004,"
-      "\"It said \"\"no\"\", and stopped.\"\n");
+  EXPECT_EQ(row(plan(), 5, "lost"),
+            "\"My, Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,1:ab,"
+            "00000001-00000002-00000003-00000004-c34cf12d,\"It said \"\"no\"\", and stopped.\"\n");
 }
 
 TEST(SweepTable, OnAChipARowHasItsResources) {
@@ -107,6 +105,51 @@ TEST(SweepTable, RefusesRowsThatItCannotGoOnWith) {
   other = p;
   other.first_seed = 2;
   EXPECT_THAT(refusal(sweep_header() + row(other, 3)), HasSubstr("seed 5) is not part of this sweep"));
+}
+
+TEST(SweepTable, AFlippedBitIsCalledDamageWhereverItIs) {
+  const SweepPlan p = plan();
+  const std::string before = sweep_header() + row(p, 0);
+  const std::string whole = row(p, 1);
+  for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
+    std::string flipped = whole;
+    flipped[i] = static_cast<char>(flipped[i] ^ 1);
+    try {
+      read_sweep_rows(before + flipped, "a.csv", p);
+      ADD_FAILURE() << "not noticed: " << flipped;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr("a.csv:3: this is no row of a sweep"),
+                                               HasSubstr("a.csv:3: this row is damaged: its checksum")))
+          << flipped;
+    }
+  }
+}
+
+TEST(SweepTable, RowsWithoutAChecksumAreOfAFormerVersionAndAreGoneOnWith) {
+  const SweepPlan p = plan();
+  std::string old = row(p, 3);
+  const std::size_t inputs = old.find("00000004-") + 8;
+  old.erase(inputs, 9);
+  EXPECT_EQ(read_sweep_rows(sweep_header() + old, "a.csv", p).size(), 1u);
+}
+
+TEST(SweepTable, ASecondSweepDoesNotWriteIntoTheFileOfTheFirst) {
+  const test::TemporaryFolder folder;
+  const SweepPlan p = plan();
+  std::vector<SweepOutcome> outcomes(p.runs());
+  const auto file = folder.path() / "a.csv";
+  {
+    const SweepTable first(file, false, p, outcomes);
+    for (const bool resume : {false, true}) {
+      try {
+        SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes);
+        ADD_FAILURE() << "two writers";
+      } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("a.csv: is being written already, by another robosim"));
+      }
+    }
+  }
+  EXPECT_NO_THROW(SweepTable(file, true, p, outcomes));
 }
 
 TEST(SweepTable, ARunThatFailedByOurFaultIsMadeAgainAndRowsEndInTheirOrder) {

@@ -1,0 +1,36 @@
+#include "sim/base/write_claim.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim {
+namespace fs = std::filesystem;
+
+WriteClaim::WriteClaim(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status there = fs::status(file, error);
+  if (fs::exists(there) && !fs::is_regular_file(there)) return;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  name_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string name = "robosim writes " + sha256(whole.string());
+  std::memcpy(address.sun_path + 1, name.data(), name.size());  // the 0 before it makes it abstract
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  // Where there are no sockets at all, files are written as before.
+  if (::bind(name_.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0 && errno == EADDRINUSE)
+    throw InputError({file.string()},
+                     "is being written already, by another robosim or for another option of this one; name "
+                     "another file, or wait until that has ended");
+}
+
+}  // namespace robosim

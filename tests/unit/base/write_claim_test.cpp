@@ -1,0 +1,58 @@
+#include "sim/base/write_claim.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "sim/base/child.h"
+#include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(WriteClaim, HoldsAgainstOtherProcessesAndOtherNamesOfTheFile) {
+  const test::TemporaryFolder folder;
+  const WriteClaim claim(folder.path() / "a.csv");
+  const auto is_refused = [&](const fs::path& name) {
+    return Child([&] {
+             try {
+               const WriteClaim second(name);
+               return 0;
+             } catch (const InputError&) {
+               return 7;
+             }
+           })
+               .wait()
+               .status == 7;
+  };
+  EXPECT_TRUE(is_refused(folder.path() / "a.csv"));
+  fs::create_directory(folder.path() / "b");
+  EXPECT_TRUE(is_refused(folder.path() / "b/../a.csv"));
+  fs::create_directory_symlink(folder.path(), folder.path() / "c");
+  EXPECT_TRUE(is_refused(folder.path() / "c/a.csv"));
+  EXPECT_FALSE(is_refused(folder.path() / "d.csv"));
+}
+
+TEST(WriteClaim, EndsWithItsProcessAndLeavesNothingBehind) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.csv";
+  Child([&] {
+    const WriteClaim claim(file);
+    ::raise(SIGKILL);
+    return 0;
+  }).wait();
+  EXPECT_NO_THROW(WriteClaim{file});
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(WriteClaim, IsNotNeededForADevice) {
+  const WriteClaim first("/dev/null");
+  EXPECT_NO_THROW(WriteClaim("/dev/null"));
+}
+
+}  // namespace
+}  // namespace robosim
