@@ -24,7 +24,7 @@ enum class ExitStatus : int {
   bad_input = 2,     ///< usage, bad file, sketch does not compile
   internal = 3,      ///< an internal error of Robosim
   timeout = 4,       ///< simulated time is up
-  tool_missing = 5,  ///< a tool is missing; how to install it is printed
+  tool_missing = 5,  ///< a tool is missing; how to install it is printed. Or the machine lacks something else
   interrupted = 130,
 };
 
@@ -42,7 +42,8 @@ class InputError : public std::runtime_error {
   std::string message_;
 };
 
-/// A program that Robosim needs is not there. The message names the Debian package that brings it.
+/// A program that Robosim needs is not there: the message names the Debian package that brings it. Or the
+/// machine lacks something else, such as room on a disk.
 class ToolMissing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -16,6 +16,9 @@ struct Utf8Character {
 /// Of a text that is not empty. Only what the Unicode standard calls well-formed is a character.
 Utf8Character first_character(std::string_view text);
 
+/// Whether all of it is.
+bool is_utf8(std::string_view text);
+
 /// The number of characters of UTF-8 text.
 std::size_t count_characters(std::string_view text);
 

@@ -292,6 +292,7 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   const std::string name = entry.result.stem().string() + product.ending;
   const auto since = fs::file_time_type::clock::now();
   const CommandResult result = run(product_command(target, product, entry.result, work.path() / name));
+  if (result.status != 0) check_machine(product.program.name, result.output);
   if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
   return cache.store(key, {}, work.path() / name, name, {}, since).result;
 }

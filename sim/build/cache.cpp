@@ -15,6 +15,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/utf8.h"
 #include "sim/build/sketch.h"
 
 namespace robosim::build {
@@ -91,6 +92,7 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
 }
 
 bool usable(const fs::path& folder) {
+  if (!is_utf8(folder.string())) return false;  // runners are told where images are, in JSON
   std::error_code error;
   fs::create_directories(folder, error);
   return ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
@@ -103,6 +105,31 @@ void remove_old(const fs::path& folder) {
     std::error_code one;
     if (fs::last_write_time(entry->path(), one) < limit && !one) fs::remove_all(entry->path(), one);
   }
+}
+
+/// Locked; not open where it is gone, the file system has no locks or, without waiting, others hold it.
+Descriptor hold(const fs::path& folder, int how) {
+  Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  while (held.is_open() && ::flock(held.get(), how) != 0)
+    if (errno != EINTR) held.close();
+  return held;
+}
+
+/// Folders of processes that have ended without removing them.
+void remove_unheld(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const Descriptor held = hold(entry->path(), LOCK_EX | LOCK_NB);
+    std::error_code one;
+    if (held.is_open()) fs::remove_all(entry->path(), one);
+  }
+}
+
+/// All below the cache's folder is the cache's: a folder goes where a file is due.
+const fs::path& make_way(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(fs::symlink_status(file, error))) fs::remove_all(file, error);
+  return file;
 }
 
 }  // namespace
@@ -175,7 +202,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, const fs::path&
   const std::string stored =
       fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 16), base.extension().string());
   const Entry entry{folder_ / "results" / stored, std::move(facts)};
-  fs::rename(result, entry.result);
+  fs::rename(result, make_way(entry.result));
 
   std::string text = fmt::format("{}\nresult {} {}\n", kHeader, hash, stored);
   for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));
@@ -191,25 +218,27 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, const fs::path&
     }
   }
   text += "end\n";
-  if (sound) write_file(folder_ / "entries" / hash_text(key), text);
+  if (sound) write_file(make_way(folder_ / "entries" / hash_text(key)), text);
   return entry;
-}
-
-fs::path Cache::work_folder() const {
-  remove_old(folder_ / "work");
-  remove_old(folder_ / "entries");
-  remove_old(folder_ / "results");
-  static std::atomic<int> count{0};
-  const fs::path path = folder_ / "work" / fmt::format("{}-{}", ::getpid(), count++);
-  fs::remove_all(path);
-  fs::create_directories(path);
-  return path;
 }
 
 CacheLock::CacheLock(const Cache& cache)
     : lock_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
   // Without a lock the work may be done twice, no more.
   while (lock_.is_open() && ::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+WorkFolder::WorkFolder(const Cache& cache) {
+  remove_unheld(cache.folder() / "work");
+  for (const char* folder : {"work", "entries", "results"}) remove_old(cache.folder() / folder);
+  static std::atomic<int> count{0};
+  for (;;) {
+    path_ = cache.folder() / "work" / fmt::format("{}-{}", ::getpid(), count++);
+    if (!fs::create_directory(path_)) continue;
+    held_ = hold(path_, LOCK_SH);
+    std::error_code error;
+    if (!held_.is_open() || fs::exists(path_, error)) return;  // else another process was quick to remove it
   }
 }
 

@@ -40,9 +40,6 @@ class Cache {
               const std::string& name, std::map<std::string, std::string> facts,
               std::filesystem::file_time_type since) const;
 
-  /// A new, empty folder for work, on the same file system.
-  std::filesystem::path work_folder() const;
-
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
@@ -59,10 +56,11 @@ class CacheLock {
   Descriptor lock_;
 };
 
-/// A folder that is removed with all that is in it.
+/// A new, empty folder for work, on the cache's file system. It is removed with all that is in it, by the
+/// next one if its process is killed.
 class WorkFolder {
  public:
-  explicit WorkFolder(const Cache& cache) : path_(cache.work_folder()) {}
+  explicit WorkFolder(const Cache& cache);
   ~WorkFolder();
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
@@ -70,6 +68,7 @@ class WorkFolder {
 
  private:
   std::filesystem::path path_;
+  Descriptor held_;
 };
 
 }  // namespace robosim::build

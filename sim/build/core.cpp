@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sim/base/file.h"
+#include "sim/build/messages.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -33,7 +34,9 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
 }
 
 void check(const CommandResult& result) {
-  if (result.status != 0) throw std::runtime_error("the core does not compile:\n" + result.output);
+  if (result.status == 0) return;
+  check_machine("the compiler", result.output);
+  throw std::runtime_error("the core does not compile:\n" + result.output);
 }
 
 // Only what is defined: an undefined symbol must still be found, or the link fail.

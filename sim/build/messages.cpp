@@ -2,14 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 
+#include "sim/base/machine_fault.h"
 #include "sim/elf/avr_addresses.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
 
 namespace {
+
+// std::regex takes stack for each character that it looks at: no line is longer than this, nor all of them.
+constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
+
+std::string cut(const std::string& output) {
+  std::string text;
+  for (std::size_t at = 0; at < output.size() && text.size() < kMostText;) {
+    const std::size_t end = std::min(output.find('\n', at), output.size());
+    text.append(output, at, std::min(end - at, kLongestLine));
+    if (end - at > kLongestLine) text += " …";
+    if (end < output.size()) text += '\n';
+    at = end + 1;
+  }
+  return text;
+}
 
 bool replace_all(std::string& text, const std::string& from, const std::string& to) {
   bool found = false;
@@ -48,7 +65,12 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
 
 }  // namespace
 
-std::string missing_header(const std::string& output, Place* place) {
+void check_machine(const std::string& tool, const std::string& output) {
+  if (const std::string fault = fault_of_machine(tool, output); !fault.empty()) throw ToolMissing(fault);
+}
+
+std::string missing_header(const std::string& whole, Place* place) {
+  const std::string output = cut(whole);
   static const std::regex pattern(
       R"(([^\n]*):(\d+):(\d+): fatal error: ([^\n]*): No such file or directory)");
   std::smatch match;
@@ -83,6 +105,7 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
 }
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {
+  output = cut(output);
   replace_all(output, sketch.string() + "/", "");
   for (const auto& [folder, name] : toolchain.core.readable) replace_all(output, folder.string() + "/", name);
   // The linker's lines: only those that name a place in a source are of use.
@@ -101,6 +124,7 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::st
 }
 
 void fail(const Target& target, const std::string& messages) {
+  check_machine("the compiler", messages);
   static const std::regex error(
       R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
   std::smatch match;
@@ -120,6 +144,8 @@ void fail(const Target& target, const std::string& messages) {
 
 void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,
                std::string output) {
+  check_machine("the linker", output);
+  output = cut(output);
   if (toolchain.target.chip) check_room(toolchain, sketch, output);
   for (const Object& object : objects)
     replace_all(output, object.path.string() + " (symbol from plugin)", object.name);

@@ -13,6 +13,10 @@
 
 namespace robosim::build {
 
+/// Throws ToolMissing if what a tool has written says that the machine lacks something: room on the disk,
+/// memory, an assembler.
+void check_machine(const std::string& tool, const std::string& output);
+
 /// The header that a failed compilation did not find; empty if it failed otherwise.
 std::string missing_header(const std::string& output, Place* place);
 
@@ -25,7 +29,7 @@ std::string missing_header(const std::string& output, Place* place);
 /// The compiler's messages with places as the user knows them.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);
 
-/// Throws CompileError for a failed compilation.
+/// Throws CompileError for a failed compilation, or ToolMissing where the machine is to blame.
 [[noreturn]] void fail(const Target& target, const std::string& messages);
 
 /// Throws CompileError for a failed link: an undefined or multiply defined function, a chip that is too

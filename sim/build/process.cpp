@@ -11,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "sim/base/child.h"
@@ -66,7 +67,7 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
   if (!command.input.empty()) {
     input = Descriptor(::open(command.input.c_str(), O_RDONLY | O_CLOEXEC));
     if (input.get() < 0)
-      throw std::runtime_error(command.input.string() + " cannot be read: " + std::strerror(errno));
+      throw std::system_error(errno, std::generic_category(), command.input.string() + " cannot be read");
     start.input = input.get();
   }
   start.output = start.errors = pipe.write.get();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/build/messages.h"
 #include "sim/build/process.h"
 #include "sim/build/source.h"
 #include "sim/build/toolchain.h"
@@ -322,6 +323,7 @@ std::string add_prototypes(const std::string& joined, const std::string& preproc
                    "--fields=KSTtzns", "--line-directives", "own.cpp"},
                   work,
                   {}});
+  if (ctags.status != 0) check_machine("arduino-ctags", ctags.output);
   if (ctags.status != 0) throw std::runtime_error("arduino-ctags failed: " + ctags.output);
   return insert_prototypes(joined, own, parse_tags(ctags.output));
 }

@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/cache.h"
 #include "sim/build/process.h"
 
 namespace robosim::build {
@@ -53,15 +54,14 @@ fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& 
   std::error_code error;
   if (fs::is_directory(folder, error)) return folder;
 
-  const fs::path fresh = folder.string() + ".tmp" + std::to_string(::getpid());
-  fs::remove_all(fresh);
+  const WorkFolder work{Cache(cache)};
+  const fs::path fresh = work.path() / "stage";
   fs::create_directories(fresh / "core");
   fs::create_directories(fresh / "avr");
   for (const char* name : kPortable) fs::create_symlink(core.sources / name, fresh / "core" / name);
   for (const char* name : registers) fs::create_symlink(core.avr_libc / name, fresh / "avr" / name);
   fs::create_symlink(hal, fresh / "hal");
-  fs::rename(fresh, folder, error);
-  if (error) fs::remove_all(fresh);  // another process was first
+  fs::rename(fresh, folder, error);  // fails if another process was first
   return folder;
 }
 

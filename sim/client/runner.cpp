@@ -5,6 +5,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/machine_fault.h"
+#include "sim/base/utf8.h"
 #include "sim/client/process.h"
 
 namespace robosim::client {
@@ -37,6 +39,11 @@ std::string program_of(const std::string& target) {
   return program.string();
 }
 
+// Messages are JSON, and JSON is UTF-8: another name would reach the runner as that of another file.
+void check_name(const std::string& file) {
+  if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
+}
+
 }  // namespace
 
 const std::vector<std::string>& available_targets() {
@@ -52,6 +59,7 @@ Runner::Runner(const Program& program) : name_(fs::path(program.path).filename()
   try {
     process_ = std::make_unique<Process>(program.path);
   } catch (const std::system_error& error) {
+    if (const std::string fault = fault_of_machine(error); !fault.empty()) throw ToolMissing(fault);
     throw wire::RunnerError(error.what());
   }
   const auto text = process_->read_line(kHelloPatience_ms);
@@ -113,6 +121,7 @@ std::optional<Answer> Runner::take(bool wait, const wire::OnEvent& on_event) {
 }
 
 wire::RobotInfo Runner::describe_robot(const std::string& robot) {
+  check_name(robot);
   process_->write(wire::to_line(++last_id_, wire::Request(wire::DescribeRobot{robot})));
   return *take<wire::RobotInfo>(true, {});
 }
@@ -123,6 +132,8 @@ wire::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent
 }
 
 void Runner::begin(const wire::RunRequest& request) {
+  for (const std::string* file : {&request.image, &request.map, &request.robot, &request.counters})
+    check_name(*file);
   process_->write(wire::to_line(++last_id_, wire::Request(request)));
 }
 

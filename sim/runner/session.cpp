@@ -16,6 +16,7 @@
 #include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/machine_fault.h"
 #include "sim/exec/gdb/server.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/robot/description.h"
@@ -244,6 +245,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const ToolMissing& error) {
     return wire::ErrorAnswer{"tool", error.what()};
   } catch (const std::exception& error) {
+    if (std::string fault = fault_of_machine(error); !fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
 }

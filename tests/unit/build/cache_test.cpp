@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+
+#include "sim/base/child.h"
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
@@ -83,6 +86,46 @@ TEST_F(CacheTest, AWorkFolderIsNewAndGoesAway) {
     EXPECT_NE(path, second.path());
   }
   EXPECT_FALSE(fs::exists(path));
+}
+
+TEST_F(CacheTest, TheWorkFolderOfAKilledProcessGoesWithTheNextOne) {
+  const WorkFolder mine(cache_);
+  const fs::path left = folder_ / "cache/work/left";
+  Child killed([&] {
+    const WorkFolder folder(cache_);
+    fs::create_directories(folder.path() / "deep");
+    fs::create_symlink(folder.path(), left);
+    ::raise(SIGKILL);
+    return 0;
+  });
+  killed.wait();
+  const fs::path its = fs::read_symlink(left);
+  fs::remove(left);
+  ASSERT_TRUE(fs::exists(its / "deep"));
+  const WorkFolder next(cache_);
+  EXPECT_FALSE(fs::exists(its));
+  EXPECT_TRUE(fs::exists(mine.path())) << "one that is in use stays";
+}
+
+TEST_F(CacheTest, AFolderInThePlaceOfAnEntryOrAResultGoes) {
+  const Entry stored = store({});
+  for (const auto& file : fs::directory_iterator(folder_ / "cache/entries")) {
+    const fs::path entry = file.path();
+    fs::remove(entry);
+    fs::create_directories(entry / "x");
+  }
+  fs::remove(stored.result);
+  fs::create_directories(stored.result / "x");
+  EXPECT_FALSE(cache_.find("key"));
+  store({});
+  EXPECT_TRUE(cache_.find("key"));
+}
+
+TEST_F(SketchTest, TheCacheIsNowhereThatARunnerCannotBeTold) {
+  ::unsetenv("XDG_CACHE_HOME");
+  ::setenv("HOME", (folder_ / "h\xFF").c_str(), 1);
+  ::setenv("TMPDIR", folder_.c_str(), 1);
+  EXPECT_THAT(cache_folder().string(), testing::StartsWith((folder_ / "robosim-").string()));
 }
 
 TEST_F(SketchTest, TheCacheIsWhereTheUserSays) {

@@ -1,0 +1,92 @@
+#include "sim/base/machine_fault.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+namespace robosim {
+namespace {
+
+std::string too_many_files() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  return "too many files are open: at most " + std::to_string(limit.rlim_cur) +
+         " are allowed here; allow more (ulimit -n 256)";
+}
+
+std::string no_temporary_files() {
+  const char* folder = std::getenv("TMPDIR");
+  return std::string("no temporary file can be made in ") + (folder ? folder : "/tmp") +
+         (folder ? "; set TMPDIR to a folder that is there, or unset it" : "");
+}
+
+constexpr const char* kNoMemory = "there is not enough memory";
+constexpr const char* kNoRoom = "there is no room left on the disk";
+constexpr const char* kNoProcesses = "no more processes can be started (ulimit -u)";
+
+/// Of a line that says what the sketch is blamed for, or quotes it.
+bool is_of_sketch(std::string_view line) {
+  return line.find("#error") != std::string_view::npos || line.find("#warning") != std::string_view::npos ||
+         line.find("static assertion") != std::string_view::npos ||
+         line.find(" | ") != std::string_view::npos;
+}
+
+bool has(std::string_view line, std::string_view text) { return line.find(text) != std::string_view::npos; }
+
+std::string fault_in(std::string_view line) {
+  if (has(line, "No space left on device") || has(line, "Disk quota exceeded")) return kNoRoom;
+  if (has(line, "Too many open files") || has(line, "out of file descriptors")) return too_many_files();
+  if (has(line, "Cannot create temporary file") || has(line, "cannot open temporary file"))
+    return no_temporary_files();
+  if (has(line, "virtual memory exhausted") || has(line, "memory exhausted") ||
+      has(line, "Cannot allocate memory") || has(line, "out of memory allocating") ||
+      has(line, "fatal error: Killed signal terminated program"))
+    return kNoMemory;
+  if (has(line, "Resource temporarily unavailable")) return kNoProcesses;
+  for (const char* program : {"as", "ld"})
+    for (const char* what : {"cannot execute '", "cannot find '"})
+      if (has(line, what + std::string(program) + "'"))
+        return std::string(program) + " is missing: sudo apt install binutils";
+  return "";
+}
+
+}  // namespace
+
+std::string fault_of_machine(const std::exception& thrown) {
+  if (dynamic_cast<const std::bad_alloc*>(&thrown)) return kNoMemory;
+  const auto* error = dynamic_cast<const std::system_error*>(&thrown);
+  if (!error) return "";
+  switch (error->code().value()) {
+    case EMFILE:
+      return too_many_files();
+    case ENFILE:
+      return "the machine has too many files open";
+    case ENOSPC:
+    case EDQUOT:
+      return kNoRoom;
+    case ENOMEM:
+      return kNoMemory;
+    case EAGAIN:
+      return kNoProcesses;
+    default:
+      return "";
+  }
+}
+
+std::string fault_of_machine(const std::string& tool, const std::string& output) {
+  std::string_view rest = output;
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (is_of_sketch(line)) continue;
+    if (const std::string fault = fault_in(line); !fault.empty()) return tool + " failed: " + fault;
+  }
+  return "";
+}
+
+}  // namespace robosim

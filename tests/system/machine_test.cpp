@@ -1,0 +1,95 @@
+// Whose fault it is: machines that lack something, streams that are closed, and files that are none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// `robosim WORDS` in a shell that does something before it, in a folder with the sketch S.
+class Machine : public ::testing::Test {
+ protected:
+  void SetUp() override { folder_.write("S/S.ino", "void setup() {}\nvoid loop() {}\n"); }
+
+  Ended after(const std::string& before, const std::string& words) const {
+    return robosim_command({"-c", before + " " + ROBOSIM_COMMAND + " " + words}, folder_.path(), nullptr,
+                           "/dev/null", "/bin/bash");
+  }
+  const std::string run_ = "run ./S --map oval --robot uno5 --goal none --for 10ms";
+  Folder folder_;
+};
+
+TEST_F(Machine, WithAStandardErrorThatIsClosedOrFullEndsWithTheSameStatus) {
+  EXPECT_EQ(after("", "run ./S --map oval --robot nosuch 2>&-").status, 2);
+  EXPECT_EQ(after("", "run ./S --map oval --robot nosuch 2>/dev/full").status, 2);
+  EXPECT_EQ(after("", run_ + " 2>&-").status, 0);
+  const Ended silent = after("", run_ + " >&-");
+  EXPECT_EQ(silent.status, 2);
+  EXPECT_THAT(silent.err, HasSubstr("the standard output cannot be written"));
+}
+
+TEST_F(Machine, WithTooFewFilesIsToldSo) {
+  const Ended ended = after("ulimit -n 6;", run_);
+  EXPECT_EQ(ended.status, 5);
+  EXPECT_EQ(ended.err,
+            "robosim: too many files are open: at most 6 are allowed here; allow more (ulimit -n 256)\n");
+}
+
+TEST_F(Machine, WithoutAnAssemblerIsToldSo) {
+  for (const char* tool :
+       {"arduino-ctags", "g++", "gcc", "nm", "objcopy", "x86_64-linux-gnu-g++", "x86_64-linux-gnu-gcc"}) {
+    const std::string path = "/usr/bin/" + std::string(tool);
+    if (std::filesystem::exists(path)) {
+      std::filesystem::create_directories(folder_ / "bin");
+      std::filesystem::create_symlink(path, folder_ / (std::string("bin/") + tool));
+    }
+  }
+  const Ended ended = after("PATH=$PWD/bin", run_);
+  EXPECT_EQ(ended.status, 5) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("failed: as is missing: sudo apt install binutils"));
+}
+
+TEST_F(Machine, WithoutAFolderForTemporaryFilesIsToldSo) {
+  const Ended ended = after("TMPDIR=/nonexistent", run_);
+  EXPECT_EQ(ended.status, 5) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("no temporary file can be made in /nonexistent; set TMPDIR"));
+}
+
+TEST_F(Machine, ReadsNoDeviceAndNoPipeWhateverItIsGivenFor) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const char* place : {"/dev/zero", "./pipe"}) {
+    const std::string file = place;
+    for (const std::string& words :
+         {"run ./S --map oval --robot " + file, "run ./S --robot uno5 --map " + file,
+          "run ./S --map oval --robot uno5 --script " + file, "test ./S --checks " + file}) {
+      const Ended ended = after("", words);
+      EXPECT_EQ(ended.status, 2) << words;
+      EXPECT_THAT(ended.err, HasSubstr(file + ": cannot be read: it is a ")) << words;
+    }
+    EXPECT_EQ(after("", "run " + file + " --map oval --robot uno5").status, 2);
+  }
+}
+
+TEST_F(Machine, SaysThatANameIsNotUtf8) {
+  const Ended ended = after("cp -r S $'r\\xff.toml';", "run ./S --map oval --robot $'./r\\xff.toml'");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, EndsWith("cannot be used: the name of a file must be UTF-8\n"));
+}
+
+TEST_F(Machine, RefusesASecondWriterOfARecording) {
+  const Ended ended = after("", run_ + " --record a.csv --record ./a.csv");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("a.csv: is being written already"));
+}
+
+}  // namespace
+}  // namespace robosim::test

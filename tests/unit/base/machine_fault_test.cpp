@@ -1,0 +1,48 @@
+#include "sim/base/machine_fault.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <new>
+#include <system_error>
+
+namespace robosim {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(MachineFault, IsWhatAMachineHasTooLittleOf) {
+  const auto fault = [](int error) {
+    return fault_of_machine(std::system_error(error, std::generic_category(), "no pipe"));
+  };
+  EXPECT_THAT(fault(EMFILE), HasSubstr("too many files are open: at most "));
+  EXPECT_EQ(fault(ENOSPC), "there is no room left on the disk");
+  EXPECT_EQ(fault(EAGAIN), "no more processes can be started (ulimit -u)");
+  EXPECT_EQ(fault_of_machine(std::bad_alloc()), "there is not enough memory");
+  EXPECT_EQ(fault(ENOENT), "");
+  EXPECT_EQ(fault_of_machine(std::runtime_error("x")), "");
+}
+
+TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
+  const auto fault = [](const char* output) { return fault_of_machine("the compiler", output); };
+  EXPECT_EQ(
+      fault("x\nx86_64-linux-gnu-gcc: fatal error: cannot execute 'as': execvp: No such file or directory\n"),
+      "the compiler failed: as is missing: sudo apt install binutils");
+  EXPECT_EQ(fault("collect2: fatal error: cannot find 'ld'\n"),
+            "the compiler failed: ld is missing: sudo apt install binutils");
+  EXPECT_EQ(fault("/usr/bin/ld.bfd: core.o: final close failed: No space left on device"),
+            "the compiler failed: there is no room left on the disk");
+  EXPECT_THAT(fault("cannot find -lgcc: Too many open files"), HasSubstr("too many files are open"));
+  EXPECT_THAT(fault("arduino-ctags: cannot open temporary file : No such file or directory"),
+              HasSubstr("no temporary file can be made in "));
+  EXPECT_EQ(fault("g++: fatal error: Killed signal terminated program cc1plus"),
+            "the compiler failed: there is not enough memory");
+  EXPECT_EQ(
+      fault("S.ino:1:2: error: #error No space left on device\n    1 | #error No space left on device\n"),
+      "");
+  EXPECT_EQ(fault("S.ino:1:2: error: expected ';' before '}' token\n"), "");
+}
+
+}  // namespace
+}  // namespace robosim
