@@ -12,7 +12,7 @@ if [[ $architecture != arm64 && $architecture != armhf ]]; then
 fi
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=${2:-$here/../build/$architecture-sysroot}
-[[ ! -e $folder/complete ]] || exit 0
+[[ ! $folder/complete -nt $here/packages.txt ]] || exit 0  # a package may have been added
 rm -rf "$folder"
 mkdir -p "$folder"/apt/{lists,archives}/partial
 folder=$(readlink -f "$folder")

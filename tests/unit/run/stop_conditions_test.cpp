@@ -106,6 +106,20 @@ TEST_F(StopConditionsTest, ATextIsHeardAcrossBytesAndFromTheByteThatCounts) {
             8 * kMillisecond);
 }
 
+TEST_F(StopConditionsTest, APatternTakesNoMoreTimeThanThereIsTextWhateverItIs) {
+  const std::string line = std::string(200, 'a') + "b\n";
+  EXPECT_EQ(drive({{.kind = Stop::Kind::line, .text = "^(a+)+$"}}, line, "", 300 * kMillisecond).met, -1);
+  EXPECT_EQ(drive({{.kind = Stop::Kind::line, .text = "^(a+)+b$"}}, line, "", 300 * kMillisecond).met, 0);
+  EXPECT_EQ(drive({{.kind = Stop::Kind::line, .text = "^\xFF\\d{2}$"}},
+                  "\xFF"
+                  "42\r\n")
+                .met,
+            0)
+      << "bytes";
+  EXPECT_THAT(drive({{.kind = Stop::Kind::line, .text = "(a)\\1"}}).refused,
+              HasSubstr("no regular expression of those that take no more time"));
+}
+
 TEST_F(StopConditionsTest, OfTwoThatAreMetInOneTickTheFirstCounts) {
   EXPECT_EQ(drive({{.kind = Stop::Kind::motors, .level = true}, {.kind = Stop::Kind::pin, .text = "D5"}}).met,
             0);
