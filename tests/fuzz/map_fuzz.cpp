@@ -1,8 +1,7 @@
 // Whatever bytes a map file holds: it is refused with a place, or it is a map that can be written, read back,
 // walked, made a graph and given geometry.
+#include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -14,18 +13,12 @@
 #include "sim/grid/picture.h"
 #include "sim/grid/stripes.h"
 #include "sim/grid/true_graph.h"
+#include "tests/fuzz/require.h"
 
 namespace {
 
 using namespace robosim;
 using namespace robosim::grid;
-
-// Not assert(): it must hold in every kind of build.
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 std::string outcome(std::string_view text, std::size_t piece) {
   try {
