@@ -3,12 +3,18 @@
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part_reader.h"
+#include "sim/robot/parts/bluetooth.h"
 #include "sim/robot/parts/bumper.h"
 #include "sim/robot/parts/button.h"
+#include "sim/robot/parts/buzzer.h"
+#include "sim/robot/parts/current_sensor.h"
 #include "sim/robot/parts/encoder.h"
 #include "sim/robot/parts/indicator.h"
 #include "sim/robot/parts/ir_distance.h"
+#include "sim/robot/parts/ir_receiver.h"
 #include "sim/robot/parts/ir_switch.h"
+#include "sim/robot/parts/keypad.h"
+#include "sim/robot/parts/lcd.h"
 #include "sim/robot/parts/motor.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
@@ -18,6 +24,7 @@
 #include "sim/robot/parts/ultrasonic.h"
 #include "sim/robot/parts/voltage.h"
 #include "sim/robot/parts/wheel_servo.h"
+#include "sim/robot/parts/ws2812.h"
 
 namespace robosim::robot {
 namespace fs = std::filesystem;
@@ -70,6 +77,12 @@ const std::vector<PartType>& part_types() {
       {"hc-sr04", read_ultrasonic},
       {"ir-distance", read_ir_distance},
       {"ir-switch", read_ir_switch},
+      {"bluetooth", read_bluetooth},
+      {"ir-receiver", read_ir_receiver},
+      {"keypad", read_keypad},
+      {"lcd", read_lcd},
+      {"ws2812", read_ws2812},
+      {"current-sensor", read_current_sensor},
   };
   return types;
 }

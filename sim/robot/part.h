@@ -13,7 +13,6 @@
 namespace robosim::robot {
 
 class ButtonPart;
-class RadioPart;
 class Sensor;
 class ServoPart;
 class WheelMotor;
@@ -30,6 +29,43 @@ class Breakable {
   ~Breakable() = default;
 };
 
+/// What a finger presses: a button, a keypad's key.
+class Pressable {
+ public:
+  virtual const std::string& name() const = 0;
+  /// Pressed or released from `t` on.
+  virtual void hold(bool down, SimTime t) = 0;
+  /// The button that then wants begin_tick until it has settled; null = none does.
+  virtual ButtonPart* bounces() { return nullptr; }
+
+ protected:
+  ~Pressable() = default;
+};
+
+/// What a script sends to by radio, light or Bluetooth.
+class Receiver {
+ public:
+  virtual const std::string& name() const = 0;
+  /// Throws InputError if it is nothing that this part can be sent.
+  virtual void check(const Message&) const = 0;
+  /// From `t` on, which is not before the current tick.
+  virtual void send(const Message&, SimTime t) = 0;
+
+ protected:
+  ~Receiver() = default;
+};
+
+/// What has a text to tell that people would see or hear.
+class Teller {
+ public:
+  virtual const std::string& name() const = 0;
+  /// What is new by `t`, the end of a tick; "" = nothing. Asked once a tick.
+  virtual std::string tell(SimTime t) = 0;
+
+ protected:
+  ~Teller() = default;
+};
+
 class Part;
 
 /// What the robot's parts offer; each part registers itself.
@@ -39,8 +75,9 @@ struct Roster {
   std::vector<Part*> edge_makers;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
-  std::vector<ButtonPart*> buttons;
-  std::vector<RadioPart*> radios;
+  std::vector<Pressable*> pressable;
+  std::vector<Receiver*> receivers;
+  std::vector<Teller*> tellers;
   std::vector<ServoPart*> servos;
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side

@@ -166,15 +166,16 @@ Pin PartReader::optional_pin(const char* key, PinUse use) {
   return value ? pin(key, use) : kNoPin;
 }
 
-std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most) {
-  const ConfigValue& value = table_.require("pins");
+std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most, const char* key, const char* role) {
+  const ConfigValue& value = table_.require(key);
   if (value.kind != ConfigValue::Kind::array || value.items.empty() || value.items.size() > most)
     throw InputError(value.place,
-                     fmt::format("pins must be a list of 1 to {} pins, such as [\"A0\", \"A1\"]", most));
+                     fmt::format("{} must be a list of 1 to {} pins, such as [\"A0\", \"A1\"]", key, most));
+  const std::string prefix = *role ? role : name_;
   std::vector<Pin> pins;
   for (const ConfigValue& item : value.items) {
-    pins.push_back(as_pin(item, "pins", terminals_, use));
-    wires_.push_back({name_ + std::to_string(pins.size()), pins.back(), item.place});
+    pins.push_back(as_pin(item, key, terminals_, use));
+    wires_.push_back({prefix + std::to_string(pins.size()), pins.back(), item.place});
   }
   return pins;
 }

@@ -64,8 +64,8 @@ class PartReader {
   Pin pin(const char* key, PinUse use);
   /// The same, or kNoPin.
   Pin optional_pin(const char* key, PinUse use);
-  /// Key `pins` as an array; the roles are the part's name followed by 1, 2, …
-  std::vector<Pin> pin_list(PinUse use, std::size_t most);
+  /// Key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
+  std::vector<Pin> pin_list(PinUse use, std::size_t most, const char* key = "pins", const char* role = "");
   /// Key `pins` as a table of roles, of which one of `groups` must be there exactly. The pins are in the
   /// group's order; `chosen` is its index.
   std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen,

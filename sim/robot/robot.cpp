@@ -10,7 +10,6 @@
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
 #include "sim/robot/parts/button.h"
-#include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
 #include "sim/robot/parts/wheel_motor.h"
 #include "sim/world/world.h"
@@ -47,8 +46,8 @@ struct Robot::Inside {
     kept.add(state);
   }
 
-  ButtonPart& button(const std::string& name) const;
-  RadioPart& radio(const std::string& name) const;
+  Pressable& pressable(const std::string& name) const;
+  Receiver& receiver(const std::string& name) const;
   void hold(const std::string& name, bool down, SimTime t);
   std::vector<Sensor*> covered_by(const std::string& name) const;
   Breakable& breakable(const std::string& name) const;
@@ -73,23 +72,25 @@ struct Robot::Inside {
   State state;
 };
 
-ButtonPart& Robot::Inside::button(const std::string& name) const {
-  if (ButtonPart* part = find_named(roster.buttons, name)) return *part;
+Pressable& Robot::Inside::pressable(const std::string& name) const {
+  if (Pressable* thing = find_named(roster.pressable, name)) return *thing;
   throw InputError(fmt::format("robot {} has no button {}; its buttons: {}", description.name, name,
-                               names_of(roster.buttons)));
+                               names_of(roster.pressable)));
 }
 
-RadioPart& Robot::Inside::radio(const std::string& name) const {
-  if (RadioPart* part = find_named(roster.radios, name)) return *part;
-  throw InputError(fmt::format("robot {} has no radio {}; its radios: {}", description.name, name,
-                               names_of(roster.radios)));
+Receiver& Robot::Inside::receiver(const std::string& name) const {
+  if (Receiver* part = find_named(roster.receivers, name)) return *part;
+  throw InputError(fmt::format("robot {} has no receiver {}; its receivers: {}", description.name, name,
+                               names_of(roster.receivers)));
 }
 
 void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
-  ButtonPart& part = button(name);
-  part.hold(down, t);
-  std::erase(state.bouncing, &part);
-  state.bouncing.push_back(&part);
+  Pressable& thing = pressable(name);
+  thing.hold(down, t);
+  ButtonPart* const button = thing.bounces();
+  if (!button) return;
+  std::erase(state.bouncing, button);
+  state.bouncing.push_back(button);
 }
 
 std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
@@ -215,8 +216,13 @@ void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t)
 
 void Robot::release(const std::string& part, SimTime t) { in_->hold(part, false, t); }
 
-void Robot::send(const std::string& part, const std::vector<bool>& bits, SimTime t) {
-  in_->radio(part).send(bits, t);
+void Robot::send(const std::string& part, const Message& message, SimTime t) {
+  in_->receiver(part).send(message, t);
+}
+
+void Robot::tell(SimTime t, std::vector<Told>& told) {
+  for (Teller* teller : in_->roster.tellers)
+    if (std::string text = teller->tell(t); !text.empty()) told.push_back({teller->name(), std::move(text)});
 }
 
 void Robot::power(bool on, SimTime t) {
@@ -256,9 +262,17 @@ void Robot::fault(const PartFault& fault) {
     if (const WheelMotor* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
 }
 
-void Robot::check_press(const std::string& part) const { in_->button(part); }
+void Robot::check_press(const std::string& part) const { in_->pressable(part); }
 
-void Robot::check_send(const std::string& part) const { in_->radio(part); }
+void Robot::check_send(const std::string& part, const Message& message) const {
+  in_->receiver(part).check(message);
+}
+
+void Robot::check_tells(const std::string& part) const {
+  if (!find_named(in_->roster.tellers, part))
+    throw InputError(fmt::format("robot {} has no part {} that tells anything; those that do: {}",
+                                 in_->description.name, part, names_of(in_->roster.tellers)));
+}
 
 void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
 

@@ -43,6 +43,18 @@ struct WiredPin {
   Pin pin = kNoPin;
 };
 
+/// What a script sends to a part: bits or a key's number to a remote control's receiver, text by Bluetooth.
+struct Message {
+  std::string text;
+  SimTime held = 0;  ///< for which a remote control's key is held
+};
+
+/// What a part has told: a line that came by Bluetooth, what a display shows.
+struct Told {
+  std::string part;
+  std::string text;
+};
+
 class Robot {
  public:
   /// `number` distinguishes robots in one world; all noise derives from (seed, number, part name). The
@@ -66,6 +78,8 @@ class Robot {
   /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here. (0,
   /// 0) without any.
   Vec2 sensor_midpoint() const;
+  /// What its parts have to tell at `t`, the end of a tick.
+  void tell(SimTime t, std::vector<Told>& told);
   /// Whether the last tick's commands drive a motor.
   bool driven() const;
 
@@ -86,8 +100,8 @@ class Robot {
   /// Holds a button down from `t` on, or lets go of it; `t` is not before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
-  /// A remote control sends these bits, at most 64, to a radio receiver; `t` as in press().
-  void send(const std::string& part, const std::vector<bool>& bits, SimTime t);
+  /// Something is sent to a receiver; `t` as in press().
+  void send(const std::string& part, const Message& message, SimTime t);
   /// A finger on a sensor, or on all of an array: it sees black.
   void cover(const std::string& part, bool covered);
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
@@ -103,7 +117,9 @@ class Robot {
 
   // Whether the calls above would be accepted: they throw the same InputError, and change nothing.
   void check_press(const std::string& part) const;
-  void check_send(const std::string& part) const;
+  void check_send(const std::string& part, const Message& message) const;
+  /// That there is a part of this name that may tell something.
+  void check_tells(const std::string& part) const;
   void check_cover(const std::string& part) const;
 
   /// Sensors first, then what else there is to see, each in the order of the robot file.

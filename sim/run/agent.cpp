@@ -111,6 +111,15 @@ std::vector<std::uint8_t> Agent::eeprom() const {
   return {memory.begin(), memory.end()};
 }
 
+void Agent::hear_parts(SimTime t) {
+  std::vector<robot::Told> told;
+  robot_.tell(t, told);
+  for (robot::Told& one : told) {
+    player_.hear(one);
+    state_.happened.push_back(wire::PartTold{std::move(one.part), std::move(one.text)});
+  }
+}
+
 void Agent::tell_events(SimTime t) {
   for (wire::RunEvent::What& what : state_.happened) {
     state_.events.push_back({t, number_, std::move(what)});
@@ -185,6 +194,7 @@ bool Agent::look(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
   observe(end);
+  hear_parts(end);
   if (!state_.happened.empty()) tell_events(end);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));
   const std::optional<judge::Verdict> verdict = verdict_at(end);

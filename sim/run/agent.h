@@ -110,6 +110,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   std::optional<judge::Verdict> verdict_at(SimTime end);
   void observe(SimTime end);
+  void hear_parts(SimTime t);
   void tell_events(SimTime t);
   Sample sample_at(SimTime t) const;
   judge::Metrics metrics() const;

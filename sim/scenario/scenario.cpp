@@ -35,35 +35,20 @@ Trigger parse_trigger(ScriptLine& line) {
     trigger.kind = event == "boot" ? Trigger::Kind::boot : Trigger::Kind::eeprom;
     trigger.count =
         line.whole(event == "boot" ? "the number of a start" : "the number of a write", 1, kMostEvents);
+  } else if (line.next_is_quoted()) {
+    trigger.kind = Trigger::Kind::told;
+    trigger.part = event;
+    trigger.text = line.take("the text to wait for").text;
   } else {
-    line.refuse(fmt::format("unknown event \"{}\"; known are serial, station, boot and eeprom", event));
+    line.refuse(fmt::format(
+        "unknown event \"{}\"; known are serial, station, boot, eeprom, and a part with a text in quotes",
+        event));
   }
   if (line.take_if("wait")) trigger.time = line.duration();
   return trigger;
 }
 
-// "3" is a byte, most significant bit first; "0b101" is these bits.
-std::vector<bool> parse_bits(const ScriptLine& line, const std::string& text) {
-  constexpr std::size_t kMostBits = 64;
-  std::vector<bool> bits;
-  if (text.rfind("0b", 0) == 0) {
-    const std::string digits = text.substr(2);
-    if (!digits.empty() && digits.size() <= kMostBits &&
-        digits.find_first_not_of("01") == std::string::npos) {
-      for (const char digit : digits) bits.push_back(digit == '1');
-      return bits;
-    }
-  } else if (!text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos &&
-             std::stoi(text) <= 255) {
-    for (int bit = 7; bit >= 0; --bit) bits.push_back((std::stoi(text) >> bit & 1) != 0);
-    return bits;
-  }
-  line.refuse(fmt::format(
-      "\"{}\" cannot be sent by radio: allowed are a byte, 0 to 255, and bits such as 0b101, at most {}",
-      text, kMostBits));
-}
-
-// send "TEXT", or send RADIO BITS.
+// send "TEXT", or send PART MESSAGE [for TIME].
 void parse_send(ScriptLine& line, Action& action) {
   const Word first = line.take("the text to send");
   if (first.quoted || !line.more()) {
@@ -72,7 +57,7 @@ void parse_send(ScriptLine& line, Action& action) {
   }
   action.part = first.text;
   action.text = line.take("what to send").text;
-  action.bits = parse_bits(line, action.text);
+  action.held = line.optional_duration().value_or(0);
 }
 
 // obstacle X,Y [radius LENGTH] [for TIME]

@@ -22,12 +22,14 @@ struct Trigger {
     at,       ///< simulated time `time`
     serial,   ///< the firmware has sent `text`
     station,  ///< the station called `text` has been visited
+    told,     ///< the part `part` has told a text that holds `text`
     boot,     ///< the chip has started for the `count`-th time; it does so first when the run begins
     eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
   };
   Kind kind = Kind::at;
   SimTime time = 0;  ///< at: when; else: so long after the event
   std::string text;
+  std::string part;
   std::uint64_t count = 0;
 };
 
@@ -45,11 +47,11 @@ constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
 struct Action {
   enum class Verb { press, release, send, place, lift, lower, cover, obstacle, clear, fault, power };
   Verb verb = Verb::press;
-  std::string part;  ///< press, release, cover, fault, send by radio; "off" or "on" for power
+  std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
-  std::string text;  ///< send: the bytes, or of a radio what was written; place: "X,Y,DIR"; obstacle, clear:
+  std::string text;  ///< send: the bytes, or what a part is sent; place: "X,Y,DIR"; obstacle, clear:
                      ///< "X,Y"
-  std::vector<bool> bits;           ///< send by radio
+  SimTime held = 0;  ///< send: for which a remote control's key is held
   double radius = kObstacleRadius;  ///< m, of an obstacle
   HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power

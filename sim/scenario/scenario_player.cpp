@@ -105,13 +105,15 @@ std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,
             fmt::format("there is no station {}; {}", step.trigger.text,
                         names.empty() ? "the map has none" : "the stations are " + one_of(names)));
     }
+    if (step.trigger.kind == Trigger::Kind::told) stage_.robot.check_tells(step.trigger.part);
     if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_eeprom();
     if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
       parse_cell(stage_.map, action.text);
     if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);
     if (action.verb == Action::Verb::press || action.verb == Action::Verb::release)
       stage_.robot.check_press(action.part);
-    if (action.verb == Action::Verb::send && !action.part.empty()) stage_.robot.check_send(action.part);
+    if (action.verb == Action::Verb::send && !action.part.empty())
+      stage_.robot.check_send(action.part, {action.text, action.held});
     if (action.verb == Action::Verb::cover) stage_.robot.check_cover(action.part);
     if (action.verb == Action::Verb::fault)
       return read_fault(action.part, action.arguments, action.duration.has_value());
@@ -144,12 +146,22 @@ void ScenarioPlayer::hear(std::uint8_t byte) {
       pending.heard = true;
 }
 
+void ScenarioPlayer::hear(const robot::Told& told) {
+  for (Pending& pending : state_.awaiting) {
+    const Trigger& trigger = pending.step.trigger;
+    if (trigger.kind == Trigger::Kind::told && trigger.part == told.part &&
+        told.text.find(trigger.text) != std::string::npos)
+      pending.heard = true;
+  }
+}
+
 bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress) const {
   const Trigger& trigger = pending.step.trigger;
   switch (trigger.kind) {
     case Trigger::Kind::at:
       return true;
     case Trigger::Kind::serial:
+    case Trigger::Kind::told:
       return pending.heard;
     case Trigger::Kind::station:
       return progress.is_visited(trigger.text);
@@ -298,7 +310,7 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
       if (action.part.empty()) {
         board_.send(action.text, t);
       } else {
-        stage_.robot.send(action.part, action.bits, t);
+        stage_.robot.send(action.part, {action.text, action.held}, t);
       }
       return acted("send", action);
     case Action::Verb::place: {

@@ -48,6 +48,8 @@ class ScenarioPlayer {
 
   /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
   void act(SimTime t, const judge::Progress& progress, judge::Events& events);
+  /// A part has told something that people would see or hear.
+  void hear(const robot::Told& told);
   /// The firmware has sent a byte.
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
@@ -62,7 +64,7 @@ class ScenarioPlayer {
     std::uint64_t number;  ///< its place in the script
     Step step;
     std::optional<ReadFault> fault;  ///< of an action that is one
-    bool heard = false;              ///< the serial text it waits for has come
+    bool heard = false;              ///< the text it waits for has come
   };
   struct Undo {
     std::uint64_t number;  ///< counted in the order in which they began

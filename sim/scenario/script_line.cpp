@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 namespace robosim::scenario {
 namespace {
 
@@ -119,15 +117,6 @@ void ScriptLine::end() const {
   place.column = words_[next_].column;
   throw InputError(place,
                    fmt::format("\"{}\" is too much; the line should end before it", words_[next_].text));
-}
-
-std::optional<std::uint64_t> parse_whole(std::string_view text) {
-  const int base = text.starts_with("0x") ? 16 : 10;
-  if (base == 16) text.remove_prefix(2);
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 }  // namespace robosim::scenario

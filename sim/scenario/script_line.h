@@ -10,6 +10,7 @@
 #include "hal/board/sim_time.h"
 #include "sim/base/error.h"
 #include "sim/base/units.h"
+#include "sim/base/whole.h"
 
 namespace robosim::scenario {
 
@@ -28,6 +29,8 @@ class ScriptLine {
   bool more() const { return next_ < words_.size(); }
   /// Whether the next word is this one, without quotes.
   bool next_is(std::string_view word) const;
+  /// Whether the next word stood in double quotes.
+  bool next_is_quoted() const { return more() && words_[next_].quoted; }
   /// The next word, which `what` describes if it is missing.
   const Word& take(const char* what);
   /// Takes the next word if it is this one.
@@ -48,8 +51,5 @@ class ScriptLine {
   std::size_t next_ = 0;
   Place place_;
 };
-
-/// The number that "12" or "0x0C" says.
-std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 }  // namespace robosim::scenario

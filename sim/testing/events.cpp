@@ -21,6 +21,9 @@ Event serial_says(const std::string& text) {
 Event serial_matches(const std::string& regex) {
   return Event({Kind::line, regex, true, {}, "the sketch says a line that matches /" + regex + "/"});
 }
+Event tells(const std::string& part, const std::string& text) {
+  return Event({Kind::note, part + ": \"" + text, true, {}, part + " tells " + in_quotes(text)});
+}
 Event visits(const std::string& station) {
   return Event({Kind::visited, station, true, {}, "the robot has visited station " + station});
 }

@@ -133,6 +133,8 @@ wire::Stop Simulation::Inside::stop_for(const Event::One& event) const {
       return wire::Stop::serial(event.text, read);
     case Kind::line:
       return wire::Stop::line(event.text, read);
+    case Kind::note:
+      return wire::Stop::note(event.text);
     case Kind::event:
       return wire::Stop::event(event.text);
     case Kind::visited:

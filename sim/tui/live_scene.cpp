@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kSerialRows = 3;
 constexpr int kMostReadingRows = 4;
+constexpr int kMostTold = 3;
 constexpr int kBar = 10;  // characters
 constexpr std::size_t kSerialKept = 4096;
 // A map is shown whole if a cell gets at least so many dots; else the window follows the robot at a larger
@@ -43,6 +44,7 @@ void LiveScene::add(const wire::Event& event) {
     if (serial_.size() > 2 * kSerialKept) serial_.erase(0, serial_.size() - kSerialKept);
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
     note_ = fmt::format("{:.2f} s  {}", static_cast<double>(note->t_ns) * 1e-9, note->text);
+    if (const auto* told = note->is<wire::PartTold>()) told_[told->part] = told->text;
     if (const auto* visit = note->is<wire::StationVisited>()) visited_.push_back(visit->station);
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
     started_ = *started;
@@ -181,11 +183,21 @@ int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   return column > 0 ? row + 1 : row;
 }
 
+int LiveScene::draw_told(Frame& frame, int row) const {
+  int left = kMostTold;
+  for (const auto& [part, text] : told_) {
+    if (left-- == 0) break;
+    frame.put(frame.put(0, row, part) + 1, row, text, Ink::strong);
+    ++row;
+  }
+  return row;
+}
+
 Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look) {
   Frame frame(columns, rows);
   // The panel is drawn on a frame of its own first: only then is known how high it is.
-  Frame panel(columns, 2 + 2 * kMostReadingRows + 1 + kSerialRows + 1);
-  int panel_rows = draw_readings(panel, 0, look);
+  Frame panel(columns, 2 + 2 * kMostReadingRows + kMostTold + 1 + kSerialRows + 1);
+  int panel_rows = draw_told(panel, draw_readings(panel, 0, look));
   if (result_) {
     const int column =
         panel.put(0, panel_rows, result_->verdict + ": ", result_->status == 0 ? Ink::good : Ink::bad);

@@ -1,6 +1,7 @@
 // What the live view shows, as a function of what has happened: it knows no terminal and no clock.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +41,8 @@ class LiveScene {
   bool is_level(const std::string& reading) const;
   /// The unit of a reading that is a number; null of others.
   const std::string* unit_of(const std::string& reading) const;
-  /// Gives the row below.
+  /// What displays show. Both give the row below.
+  int draw_told(Frame& frame, int row) const;
   int draw_readings(Frame& frame, int row, Look look) const;
 
   std::string title_;
@@ -52,7 +54,8 @@ class LiveScene {
   Trail trail_;
   Vec2 drawn_to_;  // end of the trail in floor_
   std::vector<std::string> visited_;
-  std::string serial_;  // the end of it
+  std::string serial_;                       // the end of it
+  std::map<std::string, std::string> told_;  // what displays show, by part
   std::string note_;
   std::optional<wire::RunResult> result_;
   bool follows_ = true;

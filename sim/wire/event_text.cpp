@@ -45,6 +45,7 @@ struct Text {
                        e.byte->address, e.byte->value);
   }
   std::string operator()(const PowerBack&) const { return "power on"; }
+  std::string operator()(const PartTold& e) const { return fmt::format("{}: \"{}\"", e.part, e.text); }
 };
 
 }  // namespace

@@ -54,14 +54,14 @@ struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
   std::string
       verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle, clear
-  std::string part;  ///< press, release, cover, and send to a radio; else empty
+  std::string part;  ///< press, release, cover, and send to a part; else empty
   std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
 };
 
 template <class V>
 void fields(V& v, Same<V, ScriptActed>& e) {
   v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
-  v("part", e.part, "`script_acted`: of press, release, cover, and send to a radio; else empty");
+  v("part", e.part, "`script_acted`: of press, release, cover, and send to a part; else empty");
   v("argument", e.text, "`script_acted`: of send, place, obstacle and clear; else empty");
 }
 
@@ -126,17 +126,31 @@ struct PowerBack {
 template <class V>
 void fields(V&, Same<V, PowerBack>&) {}
 
+/// A part has something to tell that people would see or hear: a display, a Bluetooth module.
+struct PartTold {
+  static constexpr const char* kKind = "part_told";
+  std::string part;
+  std::string text;  ///< a line that it received, or what it shows, its lines joined by "|"
+};
+
+template <class V>
+void fields(V& v, Same<V, PartTold>& e) {
+  v("part", e.part, "`part_told`: a display, a Bluetooth module …");
+  v("shows", e.text,
+    "`part_told`: what it shows, lines joined by `|`, or a line that the sketch has sent through it");
+}
+
 /// One of these, with its simulated time and the robot that it is about.
 struct RunEvent {
   using What = std::variant<StationVisited, LapDone, CollisionBegan, ScriptActed, FaultBegan, FaultEnded,
-                            PowerLost, PowerBack>;
+                            PowerLost, PowerBack, PartTold>;
   std::int64_t t_ns = 0;
   int agent = 0;  ///< number of the robot, from 0
   What what;
 };
 
 /// "station_visited", "lap_done", "collision_began", "script_acted", "fault_began", "fault_ended",
-/// "power_lost" or "power_back".
+/// "power_lost", "power_back" or "part_told".
 const char* kind_of(const RunEvent& event);
 /// The names that kind_of() gives.
 const std::vector<std::string>& event_kinds();

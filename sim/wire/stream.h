@@ -81,7 +81,8 @@ void fields(V& v, Same<V, Sample>& s) {
   v("left", s.left, "command of the left motor, -1..1");
   v("right", s.right, "command of the right motor, -1..1");
   v("readings", s.readings,
-    "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1");
+    "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1, "
+    "of gauges in their units");
   v("at", s.at_station,
     "of a run driven step by step: the station whose centre the body covers; absent if none",
     {.presence = when(!s.at_station.empty())});

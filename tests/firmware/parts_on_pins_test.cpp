@@ -72,6 +72,77 @@ TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
   EXPECT_LT(robot.pose().x_mm, before_it) << "and rolls out";
 }
 
+constexpr const char* kPanel = R"(
+base = "uno5"
+remove = ["S", "left", "right", "encoder_left", "encoder_right", "start", "bumper", "buzzer", "LED", "LED2"]
+
+[[part]]
+name = "pad"
+type = "keypad"
+rows = [6, 7, 8, 9]
+columns = [10, "A0", "A1"]
+
+[[part]]
+name = "lcd"
+type = "lcd"
+pins = { rs = 12, en = 11, d4 = 5, d5 = 4, d6 = 3, d7 = 2 }
+
+[[part]]
+name = "ir"
+type = "ir-receiver"
+pin = "A2"
+
+[[part]]
+name = "bt"
+type = "bluetooth"
+pins = { txd = 0, rxd = 1 }
+
+[[part]]
+name = "buzzer"
+type = "buzzer"
+pin = 13
+)";
+
+TEST_P(OnPins, KeypadRemoteAndPhoneChooseWhatTheDisplayShows) {
+  Simulation robot({.sketch = test_sketch("Panel"),
+                    .map = kRoom,
+                    .robot = kPanel,
+                    .target = GetParam(),
+                    .script = "after lcd \"Choose\" press pad.5 50ms\n"
+                              "after lcd \"key\" wait 100ms send ir 69 for 250ms\n"
+                              "after lcd \"remote\" wait 100ms send bt \"7\"\n"});
+  ASSERT_TRUE(robot.run_until(tells("lcd", "key 5"), within(2_s)));
+  EXPECT_NEAR(robot.reading("buzzer"), 1000, 10);
+  ASSERT_TRUE(robot.run_until(tells("lcd", "remote 69"), within(1_s)));
+  ASSERT_TRUE(robot.run_until(tells("lcd", "phone 7"), within(1_s)));
+  EXPECT_THAT(robot, SerialSays("phone 7"));
+}
+
+constexpr const char* kPhone = R"(
+base = "uno5"
+remove = ["encoder_left", "encoder_right"]
+
+[[part]]
+name = "bt"
+type = "bluetooth"
+pins = { txd = 2, rxd = 3 }
+)";
+
+// The library is the AVR core's.
+TEST(SoftwareSerialOnAvr, APhoneDrivesARobot) {
+  ROBOSIM_SKIP_WITHOUT("avr");
+  Simulation robot({.sketch = test_sketch("PhoneDrives"), .map = "oval", .robot = kPhone, .target = "avr"});
+  ASSERT_TRUE(robot.run_until(tells("bt", "ready"), within(500_ms)));
+  robot.act("send bt \"f\"");
+  ASSERT_TRUE(robot.run_until(tells("bt", "forward"), within(200_ms)));
+  EXPECT_THAT(robot.run_for(300_ms), NeverDrives(backwards()));
+  EXPECT_GT(robot.moment().speed.mm_per_s, 100);
+  robot.act("send bt \"x\"");
+  ASSERT_TRUE(robot.run_until(tells("bt", "what?"), within(200_ms)));
+  robot.act("send bt \"s\"");
+  ASSERT_TRUE(robot.run_until(tells("bt", "stop"), within(200_ms)));
+}
+
 constexpr const char* kServoWheels = R"(
 base = "uno2"
 remove = ["left", "right", "buzzer", "LED", "LED2"]

@@ -43,7 +43,7 @@ ButtonPart::ButtonPart(const ButtonSpec& spec, PartContext& context)
 
 void ButtonPart::join(Roster& roster) {
   context_.board.connect(spec_.pin, *this);
-  roster.buttons.push_back(this);
+  roster.pressable.push_back(this);
   roster.breakable.push_back(this);
 }
 

@@ -29,12 +29,12 @@ class ButtonSpec : public PartSpec {
 /// Reads a button's table, into its own spec or that of a part that contains a button.
 std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
 
-class ButtonPart : public Part, public PinSource, public Breakable {
+class ButtonPart : public Part, public PinSource, public Pressable, public Breakable {
  public:
   ButtonPart(const ButtonSpec&, PartContext&);
 
-  /// Pressed or released from `t` on. Wants begin_tick until it is settled().
-  virtual void hold(bool down, SimTime t);
+  void hold(bool down, SimTime t) override;
+  ButtonPart* bounces() override { return this; }
   bool settled() const { return state_.announced == state_.flips.size(); }
 
   void join(Roster&) override;

@@ -11,13 +11,6 @@ std::shared_ptr<const PartSpec> read_led(PartReader& reader) {
   return reader.finish(spec);
 }
 
-std::shared_ptr<const PartSpec> read_buzzer(PartReader& reader) {
-  auto spec = std::make_shared<IndicatorSpec>();
-  spec->pin = reader.pin("pin", PinUse::driven);
-  spec->needs_tone = reader.table().boolean("passive", true);
-  return reader.finish(spec);
-}
-
 std::unique_ptr<Part> IndicatorSpec::make(PartContext& context) const {
   return std::make_unique<IndicatorPart>(*this, context);
 }
@@ -25,12 +18,7 @@ std::unique_ptr<Part> IndicatorSpec::make(PartContext& context) const {
 void IndicatorPart::read(std::vector<Reading>& readings) const {
   const PinDrive& drive = context_.netlist.drive(spec_.pin);
   double value = 0.0;
-  if (spec_.needs_tone) {
-    const bool oscillates = drive.tone_hz || (drive.pwm && drive.duty > 0.0 && drive.duty < 1.0);
-    value = drive.mode == PinMode::output && oscillates ? 1.0 : 0.0;
-  } else if (drive.mode == PinMode::output) {
-    value = spec_.active_high ? high_share(drive) : 1.0 - high_share(drive);
-  }
+  if (drive.mode == PinMode::output) value = spec_.active_high ? high_share(drive) : 1.0 - high_share(drive);
   readings.push_back({spec_.name, value});
 }
 

@@ -1,4 +1,4 @@
-// type = "led" and "buzzer": what people see and hear. They affect nothing else.
+// type = "led": what people see. It affects nothing else.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -8,18 +8,16 @@
 namespace robosim::robot {
 
 std::shared_ptr<const PartSpec> read_led(PartReader&);
-std::shared_ptr<const PartSpec> read_buzzer(PartReader&);
 
 class IndicatorSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
   bool active_high = true;
-  bool needs_tone = false;  ///< a passive buzzer: silent on a constant level
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading is its brightness, or 1 while it sounds.
+/// Its reading is its brightness.
 class IndicatorPart final : public Part {
  public:
   IndicatorPart(const IndicatorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}

@@ -1,6 +1,11 @@
 #include "sim/robot/parts/radio.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "sim/base/error.h"
+#include "sim/base/whole.h"
 
 namespace robosim::robot {
 namespace {
@@ -11,6 +16,21 @@ constexpr FaultKind kRadioFaults[] = {
     {Failure::noisy, "this share of the bits arrives wrong, such as 0.1 or 10%", FaultKind::Argument::number,
      0.0, 1.0},
 };
+
+constexpr std::size_t kMostRadioBits = 64;  // of one message
+
+/// None if the text is no message.
+std::vector<bool> bits_of(const std::string& text) {
+  std::vector<bool> bits;
+  if (text.starts_with("0b")) {
+    const std::string digits = text.substr(2);
+    if (digits.size() > kMostRadioBits || digits.find_first_not_of("01") != std::string::npos) return {};
+    for (const char digit : digits) bits.push_back(digit == '1');
+  } else if (const auto byte = parse_whole(text); byte && *byte <= 255) {
+    for (int bit = 7; bit >= 0; --bit) bits.push_back((*byte >> bit & 1) != 0);
+  }
+  return bits;
+}
 
 }  // namespace
 
@@ -43,14 +63,21 @@ void RadioPart::join(Roster& roster) {
   for (const Line line : {data, clock, enable}) context_.board.connect(pin_of(line), outputs_[line]);
   roster.ticking.push_back(this);
   roster.breakable.push_back(this);
-  roster.radios.push_back(this);
+  roster.receivers.push_back(this);
 }
 
 Pin RadioPart::pin_of(Line line) const {
   return line == data ? spec_.data : line == clock ? spec_.clock : spec_.enable;
 }
 
-void RadioPart::send(const std::vector<bool>& bits, SimTime t) {
+void RadioPart::check(const Message& message) const {
+  if (bits_of(message.text).empty())
+    throw InputError(fmt::format(
+        "\"{}\" cannot be sent by radio: allowed are a byte, 0 to 255, and bits such as 0b101, at most {}",
+        message.text, kMostRadioBits));
+}
+
+void RadioPart::send(const Message& message, SimTime t) {
   if (state_.dead) return;
   if (state_.announced == state_.changes.size()) {
     state_.changes.clear();
@@ -59,7 +86,7 @@ void RadioPart::send(const std::vector<bool>& bits, SimTime t) {
   SimTime at = std::max(t, state_.free_at);
   state_.changes.push_back({at, enable, true});
   at += bit_ / 2;
-  for (const bool bit : bits) {
+  for (const bool bit : bits_of(message.text)) {
     const bool wrong = stream_.uniform(state_.bits_sent++) < state_.turned;
     state_.changes.push_back({at, data, bit != wrong});
     state_.changes.push_back({at + bit_ / 2, clock, true});

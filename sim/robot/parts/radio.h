@@ -19,8 +19,6 @@
 
 namespace robosim::robot {
 
-constexpr std::size_t kMostRadioBits = 64;  ///< of one message
-
 std::shared_ptr<const PartSpec> read_radio(PartReader&);
 
 class RadioSpec final : public PartSpec {
@@ -33,12 +31,13 @@ class RadioSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-class RadioPart final : public Part, public Breakable {
+class RadioPart final : public Part, public Receiver, public Breakable {
  public:
   RadioPart(const RadioSpec&, PartContext&);
 
-  /// The remote control sends these bits, from `t` on, which is not before the current tick.
-  void send(const std::vector<bool>& bits, SimTime t);
+  /// "3" is a byte, most significant bit first; "0b101" is these bits, at most 64.
+  void check(const Message&) const override;
+  void send(const Message&, SimTime) override;
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;

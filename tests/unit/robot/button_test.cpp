@@ -145,7 +145,19 @@ pin = 11
   PinDrive tone{PinMode::output};
   tone.tone_hz = 440;
   bench.board.set_drive(11, tone, 0);
-  EXPECT_EQ(value(2), 1.0);
+  EXPECT_EQ(value(2), 440.0);
+}
+
+TEST(Buzzer, HasThePitchAtWhichItsPinToggles) {
+  BenchRobot bench("[[part]]\nname = \"buzzer\"\ntype = \"buzzer\"\npin = 11\n");
+  for (int ms = 0; ms < 20; ++ms) {  // 1 kHz
+    bench.board.output(11, true, bench.now);
+    bench.board.output(11, false, bench.now + kTick / 2);
+    bench.tick();
+  }
+  EXPECT_NEAR(bench.robot.readings().at(0).value, 1000.0, 1e-9);
+  bench.ticks(60);
+  EXPECT_EQ(bench.robot.readings().at(0).value, 0.0);
 }
 
 TEST(Voltage, IsAShareOfTheBattery) {

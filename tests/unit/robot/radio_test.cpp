@@ -38,7 +38,7 @@ std::vector<std::vector<bool>> received(BenchRobot& bench, int ticks) {
 
 TEST(Radio, HandsOnTheBitsInTheirOrder) {
   BenchRobot bench(kRadio);
-  bench.robot.send("remote", {true, false, true}, 0);
+  bench.robot.send("remote", {"0b101"}, 0);
   EXPECT_THAT(received(bench, 10), ElementsAre(ElementsAre(true, false, true)));
 }
 
@@ -46,7 +46,7 @@ TEST(Radio, ClocksInTheMiddleOfEachBitWhileEnableIsHigh) {
   BenchRobot bench(kRadio);
   bench.board.edges_wanted = true;
   bench.tick();
-  bench.robot.send("remote", {true}, bench.now);
+  bench.robot.send("remote", {"0b1"}, bench.now);
   const SimTime t = bench.now;
   const auto level = [&](Pin pin, SimTime us) { return bench.board.read_level(pin, t + us * kMicrosecond); };
   EXPECT_TRUE(level(kEnable, 0));
@@ -62,34 +62,49 @@ TEST(Radio, ClocksInTheMiddleOfEachBitWhileEnableIsHigh) {
 
 TEST(Radio, MessagesThatOverlapFollowEachOther) {
   BenchRobot bench(kRadio);
-  bench.robot.send("remote", {true, true}, 0);
-  bench.robot.send("remote", {false}, 0);
+  bench.robot.send("remote", {"0b11"}, 0);
+  bench.robot.send("remote", {"0b0"}, 0);
   EXPECT_THAT(received(bench, 12), ElementsAre(ElementsAre(true, true), ElementsAre(false)));
-  bench.robot.send("remote", {true}, bench.now);
+  bench.robot.send("remote", {"0b1"}, bench.now);
   EXPECT_THAT(received(bench, 12), ElementsAre(ElementsAre(true)));
 }
 
 TEST(Radio, Faults) {
   BenchRobot bench(kRadio);
   bench.robot.fault("remote", "dead", {});
-  bench.robot.send("remote", {true}, 0);
+  bench.robot.send("remote", {"0b1"}, 0);
   EXPECT_THAT(received(bench, 5), IsEmpty());
   bench.robot.fault("remote", "noisy", {"100%"});
-  bench.robot.send("remote", {true, false}, bench.now);
+  bench.robot.send("remote", {"0b10"}, bench.now);
   EXPECT_THAT(received(bench, 5), ElementsAre(ElementsAre(false, true)));
   bench.robot.fault("remote", "ok", {});
-  bench.robot.send("remote", {true, false}, bench.now);
+  bench.robot.send("remote", {"0b10"}, bench.now);
   EXPECT_THAT(received(bench, 5), ElementsAre(ElementsAre(true, false)));
 }
 
 TEST(Radio, AnUnknownOneIsRefusedByName) {
   BenchRobot bench(kRadio);
-  EXPECT_NO_THROW(bench.robot.check_send("remote"));
+  EXPECT_NO_THROW(bench.robot.check_send("remote", {"3"}));
   try {
-    bench.robot.check_send("rodeo");
+    bench.robot.check_send("rodeo", {"3"});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("has no radio rodeo; its radios: remote"));
+    EXPECT_THAT(error.what(), HasSubstr("has no receiver rodeo; its receivers: remote"));
+  }
+}
+
+TEST(Radio, SendsBytesAndBitsAndRefusesAllElse) {
+  BenchRobot bench(kRadio);
+  EXPECT_NO_THROW(bench.robot.check_send("remote", {"255"}));
+  EXPECT_NO_THROW(bench.robot.check_send("remote", {"0b101"}));
+  for (const char* text : {"256", "-1", "3.5", "0b", "0b102", ""}) {
+    try {
+      bench.robot.check_send("remote", {text});
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(),
+                  HasSubstr("allowed are a byte, 0 to 255, and bits such as 0b101, at most 64"));
+    }
   }
 }
 

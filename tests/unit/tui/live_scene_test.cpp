@@ -65,6 +65,18 @@ TEST(LiveScene, ShowsGaugesAsNumbersWithTheirUnits) {
               HasSubstr("pan 132.5 deg  ● LED  sonar 20.71 cm\n"));
 }
 
+TEST(LiveScene, ShowsWhatDisplaysShow) {
+  const auto map = grid::parse_map(line_of(10), "t.map");
+  LiveScene scene("t", map, robot());
+  scene.add(started());
+  scene.add(sample(450, 50));
+  scene.add(wire::note_of({1'000'000'000, 0, wire::PartTold{"lcd", "Lap 1"}}));
+  scene.add(wire::note_of({2'000'000'000, 0, wire::PartTold{"lcd", "Lap 2|12.4 s"}}));
+  scene.add(wire::note_of({2'500'000'000, 0, wire::StationVisited{"dock"}}));
+  const std::string text = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
+  EXPECT_THAT(text, HasSubstr("\nlcd Lap 2|12.4 s\n2.50 s  station dock visited\n"));
+}
+
 TEST(LiveScene, WhatIsNoLineSensorIsOnOrOff) {
   const auto map = grid::parse_map(line_of(10), "t.map");
   LiveScene scene("t", map, robot());

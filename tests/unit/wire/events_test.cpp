@@ -20,12 +20,13 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(PowerLost{{{12, 0x5A}}}),
             "power off, while byte 12 of the EEPROM was being written: it holds 0x5A");
   EXPECT_EQ(text(PowerLost{}), "power off");
+  EXPECT_EQ(text(PartTold{"lcd", "Lap 2|12.4 s"}), "lcd: \"Lap 2|12.4 s\"");
   EXPECT_EQ(text(PowerBack{}), "power on");
 }
 
 TEST(RunEvents, AreOfAKindWhateverTheirTextSays) {
   EXPECT_STREQ(kind_of({0, 0, StationVisited{"collision"}}), "station_visited");
-  EXPECT_STREQ(kind_of({0, 0, PowerBack{}}), event_kinds().back().c_str());
+  EXPECT_STREQ(kind_of({0, 0, PartTold{}}), event_kinds().back().c_str());
 }
 
 }  // namespace

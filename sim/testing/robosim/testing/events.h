@@ -12,10 +12,10 @@ namespace robosim::testing {
 /// Things that may happen; a || b is whichever comes first. Looked at every millisecond.
 class Event {
  public:
-  enum class Kind { serial, line, event, visited, at, reading, pin, motors, rest, end };
+  enum class Kind { serial, line, note, event, visited, at, reading, pin, motors, rest, end };
   struct One {
     Kind kind;
-    std::string text;    ///< text, regular expression, kind of event, station, part, pin, or verdict
+    std::string text;    ///< text, regular expression, note, kind of event, station, part, pin, or verdict
     bool level = true;   ///< of reading, pin, motors
     Duration time{};     ///< of rest
     std::string clause;  ///< for messages: `the sketch says "Ready"`
@@ -41,6 +41,9 @@ Event serial_says(const std::string& text);
 /// A whole line that it has sent since then, without its end, matches this regular expression (ECMAScript's)
 /// somewhere.
 Event serial_matches(const std::string& regex);
+/// A display shows a text that begins so, its lines joined by "|"; a Bluetooth module has received such a
+/// line.
+Event tells(const std::string& part, const std::string& text);
 /// A station has been visited: the body has covered its centre, once at least since the start. By number or
 /// name.
 Event visits(const std::string& station);

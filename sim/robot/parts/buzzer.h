@@ -1,0 +1,47 @@
+// type = "buzzer": what people hear. An active one sounds while its pin is high; a passive one follows its
+// pin, and has a pitch: that of tone(), or of the last two times its pin rose, until it has not risen for 50
+// ms. It affects nothing else. PWM by a timer counts as 490 Hz, whatever the timer's frequency.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_buzzer(PartReader&);
+
+class BuzzerSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  bool passive = true;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override {
+    return passive ? std::vector<Gauge>{{name, "Hz"}} : std::vector<Gauge>{};
+  }
+};
+
+class BuzzerPart final : public Part, public PinWatcher {
+ public:
+  BuzzerPart(const BuzzerSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  /// Passive: Hz, 0 while it is silent. Active: 1 while it sounds.
+  void read(std::vector<Reading>&) const override;
+
+ private:
+  double pitch(SimTime t) const;
+
+  struct State {
+    bool high = false;
+    SimTime rose = 0, rose_before = 0;
+  };
+
+  const BuzzerSpec& spec_;
+  PartContext& context_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,64 @@
+#include "sim/robot/parts/current_sensor.h"
+
+#include <algorithm>
+
+namespace robosim::robot {
+namespace {
+
+constexpr FaultKind kCurrentSensorFaults[] = {
+    {Failure::ok, "works again"},
+    {Failure::dead, "it gives half the supply, as without a current"},
+};
+
+}  // namespace
+
+std::shared_ptr<const PartSpec> read_current_sensor(PartReader& reader) {
+  auto spec = std::make_shared<CurrentSensorSpec>();
+  spec->pin = reader.pin("pin", PinUse::analog);
+  spec->per_amp = reader.figure("per_amp", Dimension::voltage, {0.185, 0.0}, 0.001, 1.0);
+  spec->noise = reader.figure("noise", Dimension::voltage, {0.004, 0.0}, 0.0, 1.0);
+  return reader.finish(spec);
+}
+
+std::unique_ptr<Part> CurrentSensorSpec::make(PartContext& context) const {
+  return std::make_unique<CurrentSensorPart>(*this, context);
+}
+
+CurrentSensorPart::CurrentSensorPart(const CurrentSensorSpec& spec, PartContext& context)
+    : spec_(spec),
+      context_(context),
+      stream_(context.individual.noise(spec.name, "reading")),
+      per_amp_(context.individual.draw(spec.per_amp, spec.name, "per_amp")),
+      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
+      supply_(context.description.board->supply_volts) {
+  context.kept.add(state_);
+}
+
+void CurrentSensorPart::join(Roster& roster) {
+  context_.board.connect(spec_.pin, *this);
+  roster.ticking.push_back(this);
+  roster.breakable.push_back(this);
+}
+
+void CurrentSensorPart::begin_tick(SimTime) {
+  const world::Body& body = *context_.view.body;
+  const double volts = body.params().supply_volts * context_.view.battery;
+  state_.amps = volts > 0.0 ? (body.energy() - state_.energy) / (volts * 1e-9 * kTick) : 0.0;
+  state_.energy = body.energy();
+}
+
+double CurrentSensorPart::volts(SimTime) {
+  const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;
+  const double amps = state_.dead ? 0.0 : state_.amps;
+  return std::clamp(0.5 * supply_ + per_amp_ * amps + noise, 0.0, supply_);
+}
+
+void CurrentSensorPart::read(std::vector<Reading>& readings) const {
+  readings.push_back({spec_.name, state_.dead ? 0.0 : state_.amps});
+}
+
+std::span<const FaultKind> CurrentSensorPart::fault_kinds() const { return kCurrentSensorFaults; }
+
+void CurrentSensorPart::fail(const Fault& fault) { state_.dead = fault.failure == Failure::dead; }
+
+}  // namespace robosim::robot

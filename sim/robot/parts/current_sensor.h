@@ -1,0 +1,58 @@
+// type = "current-sensor": an ACS712 in the motors' supply: tells what the motors draw from the battery.
+//
+//   V = half the supply + `per_amp` i, at most the supply; i = mean of the last millisecond
+//
+// Source: Allegro's ACS712 data sheet: 185 mV for each ampere (5 A type), 100 (20 A), 66 (30 A) at 5 V, noise
+// of 21 mV peak to peak (5 A type), which is some 4 mV rms. What the board itself draws is not in it.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_current_sensor(PartReader&);
+
+class CurrentSensorSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  Number per_amp;  ///< V
+  Number noise;    ///< V, standard deviation
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "A"}}; }
+};
+
+class CurrentSensorPart final : public Part, public PinSource, public Breakable {
+ public:
+  CurrentSensorPart(const CurrentSensorSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+
+  double volts(SimTime) override;
+  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  struct State {
+    double energy = 0.0;  // J, the body's at the last tick
+    double amps = 0.0;
+    std::uint64_t samples = 0;
+    bool dead = false;
+  };
+
+  const CurrentSensorSpec& spec_;
+  PartContext& context_;
+  const NoiseStream stream_;
+  const double per_amp_, noise_, supply_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,63 @@
+// The controller of character displays, HD44780U (Hitachi data sheet ADE-207-272): what is written to it, and
+// what it shows. Whoever wires it to something, pins or a port expander, calls write() where E falls.
+//
+//   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
+//   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); what comes meanwhile
+//   is lost memory                80 characters: lines of 40, at 0x00 and 0x40
+//
+// Modelled: clear, home, entry mode with shift, display on and off, cursor and display shift, function set,
+// set address, data. Of a sketch's own characters (codes 0 to 7) the code is known, not the picture. Not
+// modelled: reading back, the cursor's looks, fonts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::robot {
+
+/// A value.
+class Hd44780 {
+ public:
+  /// E has fallen at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring has the upper four.
+  void write(bool is_data, std::uint8_t lines, SimTime t);
+
+  /// What a display of so many columns and rows shows, its lines joined by "|", without spaces at their ends;
+  /// "" while it is off.
+  std::string text(int columns, int rows) const;
+  /// Counts the changes of what text() may give, and when the last was.
+  SimTime changed_at() const { return changed_at_; }
+  /// Writes that came while it was busy.
+  int lost() const { return lost_; }
+
+ private:
+  void instruct(std::uint8_t code);
+  void put(std::uint8_t character);
+  void step(int by);
+
+  static constexpr int kLine = 40;
+
+  std::array<std::uint8_t, 2 * kLine> memory_ = blank();
+  int address_ = 0;    // place in memory_
+  int shift_ = 0;      // of the display, in columns
+  bool wide_ = true;   // 8 bits; so it is at power-on
+  bool half_ = false;  // the high half of a 4-bit transfer is in
+  std::uint8_t high_ = 0;
+  bool two_lines_ = false;
+  bool on_ = false;
+  bool increments_ = true, shifts_ = false;
+  bool in_pictures_ = false;  // data goes to the character generator
+  SimTime busy_until_ = 0;
+  SimTime changed_at_ = 0;
+  int lost_ = 0;
+
+  static constexpr std::array<std::uint8_t, 2 * kLine> blank() {
+    std::array<std::uint8_t, 2 * kLine> spaces{};
+    for (auto& c : spaces) c = ' ';
+    return spaces;
+  }
+};
+
+}  // namespace robosim::robot

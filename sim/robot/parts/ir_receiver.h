@@ -1,0 +1,62 @@
+// type = "ir-receiver": a demodulator for remote controls (TSOP38238, VS1838B), and the remote: `send ir
+// 0x45` in a script presses its key 0x45 (and `send ir 0x45 for 500ms` holds it).
+//
+// The NEC protocol, as the receiver's pin gives it: high at rest, low while there is light.
+//
+//   low 9 ms, high 4.5 ms, 32 bits, low 562.5 us; a bit: low 562.5 us, high 562.5 us (0) or 1687.5 us (1)
+//   held: after each 108 ms low 9 ms, high 2.25 ms, low 562.5 us
+//
+// The bits are address, its inverse, command, its inverse, each with its lowest bit first. Carrier, distance,
+// sunlight and the few 10 us by which a receiver stretches pulses are not modelled. Source: SB-Projects and
+// Vishay application note 80071, "Data Formats for IR Remote Control".
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/pulse_train.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_ir_receiver(PartReader&);
+
+class IrReceiverSpec final : public PartSpec {
+ public:
+  Pin pin = kNoPin;
+  std::uint8_t address = 0;  ///< of the remote
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+};
+
+class IrReceiverPart final : public Part, public PinSource, public Receiver, public Breakable {
+ public:
+  IrReceiverPart(const IrReceiverSpec&, PartContext&);
+
+  void check(const Message&) const override;
+  void send(const Message&, SimTime) override;
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+
+  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
+  bool level(SimTime t) override { return state_.line.level(t); }
+  SimTime same_until(SimTime t) override { return state_.line.same_until(t); }
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  struct State {
+    PulseTrain line{true};
+    bool dead = false;
+  };
+
+  const IrReceiverSpec& spec_;
+  PartContext& context_;
+  const double supply_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,77 @@
+// type = "keypad": a matrix of keys, each of which joins the wire of its row with that of its column: `press
+// keypad.5 100ms`.
+//
+// Nothing but keys is in it: a pin that is read has the level of whatever drives one of the wires that the
+// pressed keys join it to; else it is high by a pull-up of its own or of one of those; else it floats, and
+// reads low. So three keys on corners of a rectangle show a fourth, as in a matrix without diodes. Keys do
+// not bounce here.
+#pragma once
+
+#include <array>
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_keypad(PartReader&);
+
+class KeypadSpec final : public PartSpec {
+ public:
+  std::vector<Pin> rows, columns;
+  std::vector<std::string> keys;  ///< "123A", one a row, a character a column
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+};
+
+class KeypadPart final : public Part {
+ public:
+  KeypadPart(const KeypadSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void read(std::vector<Reading>&) const override;
+
+ private:
+  /// One key, as scripts name it: "keypad.5".
+  class Key final : public Pressable {
+   public:
+    Key(KeypadPart& keypad, std::string name, std::size_t number)
+        : keypad_(keypad), name_(std::move(name)), number_(number) {}
+    const std::string& name() const override { return name_; }
+    void hold(bool down, SimTime t) override { keypad_.hold(number_, down, t); }
+
+   private:
+    KeypadPart& keypad_;
+    const std::string name_;
+    const std::size_t number_;
+  };
+  /// One wire, rows first.
+  class Lead final : public PinSource {
+   public:
+    Lead(KeypadPart& keypad, std::size_t number) : keypad_(keypad), number_(number) {}
+    double volts(SimTime t) override { return level(t) ? keypad_.supply_ : 0.0; }
+    bool level(SimTime) override { return keypad_.level(number_); }
+
+   private:
+    KeypadPart& keypad_;
+    const std::size_t number_;
+  };
+
+  void hold(std::size_t key, bool down, SimTime t);
+  bool level(std::size_t lead) const;
+
+  struct State {
+    std::uint64_t down = 0;  // a bit for each key
+  };
+
+  const KeypadSpec& spec_;
+  PartContext& context_;
+  const double supply_;
+  std::vector<Pin> pins_;  ///< by lead
+  std::vector<std::unique_ptr<Key>> keys_;
+  std::vector<std::unique_ptr<Lead>> leads_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,55 @@
+// type = "lcd": a character display with an HD44780 (hd44780.h) on pins: 4 or 8 data lines, R/W to ground or
+// on a pin. When what it shows has stayed for 50 ms, it is told as an event, its lines joined by "|". E must
+// be high for 230 ns at least; a sketch that reads the busy flag (R/W high) finds it never busy. Contrast,
+// backlight, and the first 40 ms after power-on, in which a real one hears nothing, are not modelled.
+#pragma once
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/hd44780.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_lcd(PartReader&);
+
+class LcdSpec final : public PartSpec {
+ public:
+  Pin rs = kNoPin;
+  Pin enable = kNoPin;
+  Pin rw = kNoPin;        ///< kNoPin = to ground
+  std::vector<Pin> data;  ///< D4 to D7, or D0 to D7
+  int columns = 16;
+  int rows = 2;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+};
+
+class LcdPart final : public Part, public PinWatcher, public Teller {
+ public:
+  LcdPart(const LcdSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  const std::string& name() const override { return spec_.name; }
+  std::string tell(SimTime) override;
+  /// 1 while it shows something.
+  void read(std::vector<Reading>&) const override;
+
+ private:
+  bool high(Pin pin) const;
+
+  struct State {
+    Hd44780 controller;
+    bool enabled = false;
+    SimTime since = 0;     // enabled
+    SimTime told_at = -1;  // changed_at() of what has been told
+    std::string told;
+  };
+
+  const LcdSpec& spec_;
+  PartContext& context_;
+  State state_;
+};
+
+}  // namespace robosim::robot

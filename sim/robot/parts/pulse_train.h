@@ -1,0 +1,55 @@
+// A line that changes its level at known times: what remote controls and serial lines send.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hal/board/robot_port.h"
+
+namespace robosim::robot {
+
+/// A value: the changes that are to come, and the level before them.
+class PulseTrain {
+ public:
+  explicit PulseTrain(bool idle) : before_(idle) {}
+
+  /// The level changes at `at`, not before the last change.
+  void flip(SimTime at) { flips_.push_back(at); }
+  /// When the last change is; 0 if there is none.
+  SimTime end() const { return empty() ? 0 : flips_.back(); }
+  bool level(SimTime t) const { return before_ != (((passed(t) - first_) & 1) != 0); }
+  /// Until when, exclusive, the level is what it is at `t`.
+  SimTime same_until(SimTime t) const {
+    const std::size_t next = passed(t);
+    return next < flips_.size() ? flips_[next] : kNever;
+  }
+  bool empty() const { return first_ == flips_.size(); }
+  /// Schedules the edges of the tick that begins at `t` on `pin`, and forgets those before.
+  void begin_tick(RobotPort& board, Pin pin, SimTime t) {
+    before_ = level(t - 1);
+    first_ = passed(t - 1);
+    if (2 * first_ > flips_.size()) {
+      flips_.erase(flips_.begin(), flips_.begin() + static_cast<std::ptrdiff_t>(first_));
+      first_ = 0;
+    }
+    bool now = before_;
+    for (std::size_t i = first_; i < flips_.size() && flips_[i] < t + kTick; ++i) {
+      now = !now;
+      board.schedule_edge(pin, now, flips_[i]);
+    }
+  }
+
+ private:
+  /// How many of flips_ are at `t` or before; those before first_ are.
+  std::size_t passed(SimTime t) const {
+    const auto first = flips_.begin() + static_cast<std::ptrdiff_t>(first_);
+    return static_cast<std::size_t>(std::upper_bound(first, flips_.end(), t) - flips_.begin());
+  }
+
+  bool before_;  // flips_[first_]
+  std::size_t first_ = 0;
+  std::vector<SimTime> flips_;
+};
+
+}  // namespace robosim::robot
