@@ -10,6 +10,15 @@ namespace {
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
 
+// A robot that is so long in one place is told to be there.
+constexpr SimTime kInOnePlaceAfter = 5 * kSecond;
+
+std::string cell_of(const grid::Map& map, Vec2 p) {
+  const int column = static_cast<int>(std::floor(p.x / map.cell_m));
+  const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
+  return fmt::format("column {}, row {}", column, row);
+}
+
 std::string place_of(const exec::SourceLine& where) {
   if (where.file.empty()) return "";
   std::string text = where.function.empty() ? " at " : fmt::format(" in {}, ", where.function);
@@ -31,6 +40,12 @@ Pin awaited_pin(const Evidence& e) {
   return e.moved ? kNoPin : a.polled;
 }
 
+bool drives_in_one_place(const Evidence& e) {
+  constexpr SimTime kPause = kSecond;
+  return e.moved && e.t - e.judge->in_one_place_since() >= kInOnePlaceAfter &&
+         e.t - e.judge->last_driven() < kPause;
+}
+
 // "; the sketch waits …", for a run whose time is up.
 std::string waiting(const Evidence& e) {
   const exec::Activity& a = e.activity;
@@ -44,14 +59,28 @@ std::string waiting(const Evidence& e) {
   if (pin != kNoPin)
     return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",
                        pin_name(pin, e.wiring), pin, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
+  if (drives_in_one_place(e)) return "";
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
-std::string cell_of(const grid::Map& map, Vec2 p) {
-  const int column = static_cast<int>(std::floor(p.x / map.cell_m));
-  const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
-  return fmt::format("column {}, row {}", column, row);
+// "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw it in the half second before `t`.
+std::string left_line(const Evidence& e, SimTime t) {
+  constexpr SimTime kJustNow = kSecond / 2;
+  const auto& seen = e.judge->line_last_seen();
+  if (!e.moved || !seen || t - seen->at < kJustNow) return "";
+  return fmt::format("left the line at {} near {}", seconds(seen->at), cell_of(*e.map, seen->position));
+}
+
+// "; the robot left the line at …, and has stood near … since …": what became of it before its time was up.
+std::string whereabouts(const Evidence& e) {
+  std::string text = left_line(e, e.t);
+  const SimTime since = e.judge->in_one_place_since();
+  if (e.moved && e.t - since >= kInOnePlaceAfter)
+    text += fmt::format("{}{} {} since {}", text.empty() ? "" : ", and ",
+                        drives_in_one_place(e) ? "has been driving within 10 cm of" : "has stood near",
+                        cell_of(*e.map, e.judge->place()), seconds(since));
+  return text.empty() ? "" : "; the robot " + text;
 }
 
 // What to do about that which a check has found.
@@ -129,17 +158,24 @@ std::string sentence(const Evidence& e) {
                  ? fmt::format("{} of simulated time went by without a failure.", seconds(e.t))
                  : fmt::format("The goal {} was reached after {}: {}.", to_string(*e.goal), seconds(e.t),
                                done);
-    case Verdict::lost:
+    case Verdict::lost: {
+      const auto& seen = e.judge->line_last_seen();
+      if (!seen)
+        return fmt::format(
+            "The robot lost the line: its wheels have turned 1 m, and no sensor has seen a line ({}).", done);
       return fmt::format(
           "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near "
           "{}{} ({}).",
-          seconds(e.judge->line_last_seen()), cell_of(*e.map, e.judge->line_last_seen_at()),
-          after_fault(e, e.judge->line_last_seen()), done);
-    case Verdict::stuck:
+          seconds(seen->at), cell_of(*e.map, seen->position), after_fault(e, seen->at), done);
+    }
+    case Verdict::stuck: {
+      const std::string left = left_line(e, e.judge->stuck_since());
       return fmt::format(
-          "The robot is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
+          "The robot {}is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
           "degree{} ({}).",
+          left.empty() ? "" : left + ", and ",
           e.in_contact ? "; it pushes against a wall or the map's edge" : "", done);
+    }
     case Verdict::hung:
       if (!e.activity.stopped_by.empty())
         return fmt::format("The sketch stopped itself by {}{} while the motors were running ({}).",
@@ -153,14 +189,14 @@ std::string sentence(const Evidence& e) {
                            e.activity.stopped_by, place_of(e.activity.where), done);
       return fmt::format(
           "The sketch ended{}: for 2 s it called no Arduino function, with the motors off, before the goal: "
-          "{}.",
-          place_of(e.activity.where), done);
+          "{}{}.",
+          place_of(e.activity.where), done, whereabouts(e));
     case Verdict::crashed:
       return fmt::format("The sketch crashed: {}{}.", e.crash ? e.crash->reason : "for an unknown reason",
                          e.crash ? place_of(e.crash->where) : "");
     case Verdict::timeout:
-      return fmt::format("The {} of simulated time are up before the goal {}: {}{}.", seconds(e.limit),
-                         to_string(*e.goal), done, waiting(e));
+      return fmt::format("The {} of simulated time are up before the goal {}: {}{}{}.", seconds(e.limit),
+                         to_string(*e.goal), done, whereabouts(e), waiting(e));
     case Verdict::over_budget:
       return fmt::format("The sketch is over its budget: {} ({}).", e.exceeded, done);
     case Verdict::interrupted:

@@ -48,8 +48,7 @@ ExitStatus exit_status(Verdict verdict) {
 bool Judge::lost(const Situation& now) {
   if (now.lifted) travel_at_line_ = now.wheel_travel_m;
   if (now.sees_line) {
-    line_seen_at_ = now.t;
-    line_seen_position_ = now.pose->position;
+    line_seen_ = Seen{now.t, now.pose->position};
     travel_at_line_ = now.wheel_travel_m;
   }
   return senses_ && now.wheel_travel_m - travel_at_line_ >= kLostAfter;
@@ -64,6 +63,11 @@ bool Judge::stuck(const Situation& now) {
   if (moves || now.lifted || now.t - last_driven_ > kPulsePause) {
     anchor_ = *now.pose;
     anchored_at_ = now.t;
+  }
+  const Vec2 away = now.pose->position - place_;
+  if (dot(away, away) >= kSamePlace * kSamePlace) {
+    place_ = now.pose->position;
+    place_since_ = now.t;
   }
   return now.t - anchored_at_ >= kStuckAfter;
 }

@@ -13,7 +13,8 @@ constexpr double kLostAfter = 1.0;                     ///< m of wheel travel wi
 constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
 constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
-constexpr SimTime kSilentAfter = 2 * kSecond;          ///< without an API call
+constexpr double kSamePlace = 0.1;             ///< m around which a robot may turn and is in one place
+constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
 
 /// What the judge looks at, once a tick.
 struct Situation {
@@ -37,21 +38,31 @@ class Judge {
   /// well.
   std::optional<Verdict> look(const Situation& now);
 
-  /// When a sensor last saw the line, and where the robot was.
-  SimTime line_last_seen() const { return line_seen_at_; }
-  Vec2 line_last_seen_at() const { return line_seen_position_; }
+  /// When a sensor last saw the line, and where the robot was; nothing where none has seen one yet.
+  struct Seen {
+    SimTime at = 0;
+    Vec2 position;
+  };
+  const std::optional<Seen>& line_last_seen() const { return line_seen_; }
+  /// Since when it has moved less than kStuckMove and turned less than a degree, or has not been driven.
+  SimTime stuck_since() const { return anchored_at_; }
+  /// Since when the robot's axle has been within kSamePlace of which place, and when a motor was last driven.
+  SimTime in_one_place_since() const { return place_since_; }
+  Vec2 place() const { return place_; }
+  SimTime last_driven() const { return last_driven_; }
 
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
 
   bool senses_;
-  SimTime line_seen_at_ = 0;
-  Vec2 line_seen_position_;
+  std::optional<Seen> line_seen_;
   double travel_at_line_ = 0.0;
   SimTime last_driven_ = -kSecond;
   SimTime anchored_at_ = 0;
   Pose anchor_;
+  SimTime place_since_ = 0;
+  Vec2 place_;
 };
 
 }  // namespace robosim::judge

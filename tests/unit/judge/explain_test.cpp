@@ -34,16 +34,19 @@ class Explain : public ::testing::Test {
     e.verdict = verdict;
     return next_step(e).text;
   }
-  /// The robot sees the line until it is in the middle of cell 3,1 at 2 s.
-  void lose_the_line() {
-    Pose pose{map_.centre({3, 1}), {1.0, 0.0}};
+  /// The judge finds the robot in the middle of a cell.
+  void robot_is_at(SimTime t, grid::CellAt cell, bool sees_line, bool driven) {
+    Pose pose{map_.centre(cell), {1.0, 0.0}};
     Situation now;
     now.pose = &pose;
-    now.sees_line = true;
-    now.t = now.last_call = 2 * kSecond;
+    now.sees_line = sees_line;
+    now.driven = driven;
+    now.t = now.last_call = t;
     judge_.look(now);
     e.moved = true;
   }
+  /// The robot sees the line until it is in the middle of cell 3,1 at 2 s.
+  void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
 
   Evidence e;
 
@@ -90,7 +93,8 @@ TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
 TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
   e.activity.polled = 11;
   EXPECT_THAT(why(Verdict::timeout), HasSubstr("pin 11 (nothing is wired to it)"));
-  e.moved = true;  // a robot that drives does not wait for what it read last
+  robot_is_at(11 * kSecond, {4, 1}, true, true);
+  robot_is_at(12 * kSecond, {5, 1}, true, true);  // a robot that drives does not wait for what it read last
   e.activity.call = "delay(1)";
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(1)."));
 }
@@ -98,6 +102,49 @@ TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
 TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
   lose_the_line();
   EXPECT_THAT(why(Verdict::lost), HasSubstr("at 2.00 s near column 3, row 1 ("));
+}
+
+TEST_F(Explain, ARobotThatNeverSawALineLostNoneAtAPlace) {
+  e.moved = true;
+  EXPECT_THAT(
+      why(Verdict::lost),
+      StartsWith("The robot lost the line: its wheels have turned 1 m, and no sensor has seen a line"));
+}
+
+TEST_F(Explain, ARobotThatHadLeftTheLineWhenItGotStuckLeftTheLineFirst) {
+  lose_the_line();
+  robot_is_at(5 * kSecond, {6, 0}, false, true);
+  robot_is_at(9 * kSecond, {6, 0}, false, true);
+  e.t = 9 * kSecond;
+  e.in_contact = true;
+  EXPECT_EQ(
+      why(Verdict::stuck),
+      "The robot left the line at 2.00 s near column 3, row 1, and is stuck: for 3 s its motors were "
+      "driven, but it neither moved 1 mm nor turned 1 degree; it pushes against a wall or the map's edge "
+      "(0 of 3 stations visited).");
+}
+
+TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
+  e.activity.call = "analogRead(0)";
+  lose_the_line();
+  robot_is_at(4 * kSecond, {5, 3}, false, true);
+  robot_is_at(12 * kSecond, {5, 3}, false, true);
+  EXPECT_EQ(
+      why(Verdict::timeout),
+      "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the robot left "
+      "the line at 2.00 s near column 3, row 1, and has been driving within 10 cm of column 5, row 3 since "
+      "4.00 s.");
+}
+
+TEST_F(Explain, ARobotThatStandsAfterItsDriveIsSaidToWithWhatItsSketchWaitsFor) {
+  e.activity.call = "digitalRead(4)";
+  e.activity.pin = 4;
+  robot_is_at(2 * kSecond, {3, 1}, true, true);
+  robot_is_at(11900 * kMillisecond, {3, 1}, true, false);
+  EXPECT_THAT(why(Verdict::timeout),
+              HasSubstr("visited; the robot has stood near column 3, row 1 since 2.00 s; the sketch keeps "
+                        "reading pin 4"));
+  EXPECT_THAT(why(Verdict::ended), EndsWith("; the robot has stood near column 3, row 1 since 2.00 s."));
 }
 
 TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {

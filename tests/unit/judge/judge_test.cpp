@@ -48,7 +48,8 @@ TEST(Judge, CallsItLostAfterOneMetreOfWheelTravelWithoutALine) {
                   }),
             Verdict::lost);
   EXPECT_NEAR(d.now.wheel_travel_m, 2.0, 0.0015);
-  EXPECT_EQ(d.judge.line_last_seen(), kSecond);
+  ASSERT_TRUE(d.judge.line_last_seen());
+  EXPECT_EQ(d.judge.line_last_seen()->at, kSecond);
 }
 
 TEST(Judge, NeverCallsARobotWithoutLineSensorsLost) {
@@ -86,6 +87,24 @@ TEST(Judge, SeesTurningOnTheSpotAndMovingAsNotStuck) {
                     d.pose.position.x += 1e-6;
                   }),
             std::nullopt);
+}
+
+TEST(Judge, KnowsSinceWhenARobotThatTurnsOnTheSpotIsInOnePlace) {
+  Driver d;
+  d.now.driven = true;
+  const Vec2 headings[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+  d.run(2 * kSecond, [&] {
+    d.call();
+    d.pose.position.x += 0.0002;
+  });
+  EXPECT_GT(d.judge.in_one_place_since(), 1500 * kMillisecond);
+  const SimTime before = d.judge.in_one_place_since();
+  d.run(60 * kSecond, [&] {
+    d.call();
+    d.pose.heading = headings[d.now.t / kSecond % 4];
+  });
+  EXPECT_EQ(d.judge.in_one_place_since(), before);
+  EXPECT_EQ(d.judge.last_driven(), d.now.t);
 }
 
 TEST(Judge, CountsPulsedMotorsAsDrivenAndParkedOnesNot) {
