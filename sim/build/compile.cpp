@@ -118,8 +118,11 @@ Core::Names places_of(const Unit& unit) {
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
       places.emplace_back(folder, "libraries/" + folder.filename().string());
-  places.emplace_back(unit.folder, unit.place);
+  // Compilers work in the unit's folder: readers put its name before that of a file, so it is left out there.
+  const bool core = unit.kind == Unit::Kind::core;
+  places.emplace_back(unit.folder, core ? unit.place : ".");
   if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
+  if (unit.kind == Unit::Kind::library) places.emplace_back(unit.folder.string() + "/", unit.place + "/");
   return places;
 }
 

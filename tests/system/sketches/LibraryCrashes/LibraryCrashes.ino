@@ -1,0 +1,6 @@
+// The fault is in the library that lies beside it.
+#include <Fragile.h>
+
+void setup() { fragile(nullptr); }
+
+void loop() {}

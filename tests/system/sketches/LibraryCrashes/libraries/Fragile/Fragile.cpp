@@ -1,0 +1,3 @@
+#include <Fragile.h>
+
+void fragile(int* value) { *value = 1; }

@@ -1,0 +1,2 @@
+#pragma once
+void fragile(int* value);
