@@ -49,10 +49,11 @@ struct Outcome {
   Metrics metrics;
   std::optional<exec::Crash> crash;
   std::optional<exec::Resources> resources;  ///< of a chip
-  std::vector<wire::RunEvent> events;        ///< the last few
-  std::string serial;                        ///< all that the firmware sent, up to kSerialKept bytes
-  Pose end;                                  ///< where the robot is
-  std::uint64_t eeprom_writes = 0;           ///< bytes that the firmware wrote to its EEPROM
+  wire::Usage usage;
+  std::vector<wire::RunEvent> events;  ///< the last few
+  std::string serial;                  ///< all that the firmware sent, up to kSerialKept bytes
+  Pose end;                            ///< where the robot is
+  std::uint64_t eeprom_writes = 0;     ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hal/board/board_spec.h"
+#include "sim/judge/usage.h"
 #include "sim/robot/describe.h"
 
 namespace robosim::run {
@@ -283,6 +284,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.resources = executor_.resources();
+  outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());
   outcome.serial = state_.serial;
   outcome.end = body_.pose();

@@ -79,6 +79,7 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   result.metrics = outcome.metrics;
   result.crash = outcome.crash;
   result.resources = outcome.resources;
+  result.usage = outcome.usage;
   for (const wire::RunEvent& event : outcome.events)
     result.events.push_back({seconds(event.t_ns), wire::text_of(event)});
   result.serial = outcome.serial;

@@ -123,6 +123,22 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
+// "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if all was used.
+std::string usage_text(const wire::Usage& usage) {
+  std::string text;
+  const auto listed = [&](const char* label, const auto& things, auto told) {
+    if (things.empty()) return;
+    text += fmt::format("{}{}: ", text.empty() ? "" : " · ", label);
+    for (std::size_t i = 0; i < things.size(); ++i) text += (i > 0 ? ", " : "") + told(things[i]);
+  };
+  listed("nothing is wired to", usage.unwired,
+         [](const wire::Usage::Loose& loose) { return fmt::format("{} ({})", loose.pin, loose.how); });
+  listed("never used", usage.unused, [](const std::string& name) { return name; });
+  listed("never changed", usage.steady,
+         [](const wire::Usage::Steady& steady) { return fmt::format("{} ({})", steady.part, steady.reads); });
+  return text;
+}
+
 void write_figures(Writer& out, const Report& report) {
   const wire::RunResult& r = report.result;
   const wire::Metrics& m = r.metrics;
@@ -159,6 +175,7 @@ void write_figures(Writer& out, const Report& report) {
     out.labelled("processor   ", fmt::format("{}interrupts {:.1f} % · awake {:.1f} %", loop,
                                              100.0 * used.interrupt_share, 100.0 * used.cpu_load));
   }
+  if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
                                              r.time_s / std::max(*report.wall_s, 1e-9)));

@@ -107,6 +107,40 @@ void fields(V& v, Same<V, Metrics>& m) {
   v("junctions", m.junctions, "how many different ones were visited");
 }
 
+/// What of the robot's wiring the firmware used, and did not.
+struct Usage {
+  struct Loose {
+    std::string pin;  ///< "D7"
+    std::string how;  ///< "driven" or "read"
+  };
+  struct Steady {
+    std::string part;   ///< of an array: the element
+    std::string reads;  ///< "HIGH", "LOW" or "4.3 V"
+  };
+  std::vector<Loose> unwired;       ///< pins that were used, with nothing wired to them
+  std::vector<std::string> unused;  ///< parts that were never driven, read or awaited
+  std::vector<Steady> steady;       ///< buttons and sensors that were read and never changed
+};
+
+template <class V>
+void fields(V& v, Same<V, Usage::Loose>& l) {
+  v("pin", l.pin, "`\"D7\"`");
+  v("how", l.how, "`\"driven\"` or `\"read\"`");
+}
+
+template <class V>
+void fields(V& v, Same<V, Usage::Steady>& s) {
+  v("part", s.part, "its name; of an array, the element's");
+  v("reads", s.reads, "`\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`");
+}
+
+template <class V>
+void fields(V& v, Same<V, Usage>& u) {
+  v("unwired", u.unwired, "pins that the sketch used, though nothing is wired to them");
+  v("unused", u.unused, "names of parts and sensors that it neither drove nor read");
+  v("steady", u.steady, "buttons and sensors that it read, and that gave the same throughout");
+}
+
 /// Where the robot is: the axle's centre, x east and y north of the map's bottom-left corner.
 struct Pose {
   double x_mm = 0.0;
@@ -137,7 +171,8 @@ struct RunResult {
   Metrics metrics;
   std::optional<Crash> crash;
   std::optional<Resources> resources;  ///< on a chip
-  std::vector<Entry> events;           ///< the last ones
+  Usage usage;
+  std::vector<Entry> events;  ///< the last ones
   std::string serial;
   Pose end;                         ///< where the robot is
   std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
@@ -170,6 +205,7 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("metrics", r.metrics, "figures of the run");
   v("crash", r.crash, "absent unless the firmware crashed");
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");
+  v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
   v("events", r.events, "the last ones, at most 8");
   v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
   v("end", r.end, "where the robot is", {.presence = kOptional});

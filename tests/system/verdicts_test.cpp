@@ -50,6 +50,13 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
   }
 }
 
+TEST(Verdicts, ACrashInALibraryIsToldByTheLibrarysNameAndFile) {
+  const wire::RunResult r = run({.sketch = "LibraryCrashes"});
+  ASSERT_TRUE(r.crash) << r.why;
+  EXPECT_EQ(r.crash->where.file, "libraries/Fragile/Fragile.cpp");
+  EXPECT_EQ(r.crash->where.line, 3);
+}
+
 TEST(Verdicts, ASmallHeapOverrunHarmsNobodyElse) {
   const wire::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
   run({.sketch = "OverrunsHeapALittle", .goal = "none", .for_s = 1.0});
@@ -70,6 +77,21 @@ TEST(Verdicts, ARobotThatIsNeverDrivenIsToldWhichPinsStayedLowAndWhatItWaitsFor)
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_THAT(r.next, AllOf(HasSubstr("never moved"), HasSubstr("motor pins 5, 7, 8, 6, 9 and 10 stayed LOW"),
                             HasSubstr("pin 4"), HasSubstr("press start")));
+}
+
+void names_wrong_pins(const char* target) {
+  const wire::RunResult r =
+      run({.sketch = "WrongPins", .robot = "uno2", .goal = "none", .for_s = 1.0, .target = target});
+  std::vector<std::string> unwired;
+  for (const auto& pin : r.usage.unwired) unwired.push_back(pin.pin + " " + pin.how);
+  EXPECT_THAT(unwired, testing::ElementsAre("D2 read", "D3 driven", "A3 read"));
+  EXPECT_THAT(r.usage.unused, testing::IsSupersetOf({"left", "right"}));
+}
+
+TEST(Verdicts, PinsToWhichNothingIsWiredAreNamed) { names_wrong_pins("host"); }
+TEST(Verdicts, PinsToWhichNothingIsWiredAreNamedOnAnAvr) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  names_wrong_pins("avr");
 }
 
 TEST(Verdicts, PressingTheButtonGetsItGoing) {

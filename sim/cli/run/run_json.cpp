@@ -14,7 +14,9 @@ Json object_of(const RunInputs& in, const wire::RunResult& r, const std::optiona
   const auto take = [&](const char* key) {
     if (result.contains(key)) json[key] = std::move(result[key]);
   };
-  for (const char* key : {"verdict", "why", "time_s"}) take(key);
+  for (const char* key : {"verdict", "why"}) take(key);
+  if (!r.next.empty()) take("next");
+  take("time_s");
   json["inputs"] = {{"robosim", in.robosim},
                     {"goal", r.goal},
                     {"for_s", r.for_s},
@@ -33,7 +35,7 @@ Json object_of(const RunInputs& in, const wire::RunResult& r, const std::optiona
   take("metrics");
   take("crash");
   if (finding) json["finding"] = wire::to_json(*finding);
-  for (const char* key : {"resources", "serial", "trace_hash"}) take(key);
+  for (const char* key : {"resources", "usage", "serial", "trace_hash"}) take(key);
   if (wall_s) json["host"] = {{"wall_s", *wall_s}};
   return json;
 }

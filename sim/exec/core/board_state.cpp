@@ -14,6 +14,7 @@ void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
   PinState& state = state_.pins[pin];
   if (state.drive == drive) return;
   state.drive = drive;
+  state.use.pulled_up |= drive.mode == PinMode::input_pullup;
   if (state.wants_edges && drive.mode == PinMode::output) state.last_level = level_on(pin, t);
   for (PinWatcher* watcher : wires_[pin].watchers) watcher->pin_changed(pin, drive, t);
 }
@@ -26,9 +27,24 @@ bool BoardState::level_on(Pin pin, SimTime t) {
   return state.drive.mode == PinMode::input_pullup;
 }
 
+// A read of a port reads its pins at the same time: who has read one alone is known when time has gone on.
+void BoardState::note_read(Pin pin, bool level, SimTime t) {
+  PinUse& use = state_.pins[pin].use;
+  use.read = true;
+  (level ? use.was_high : use.was_low) = true;
+  if (t == state_.read_last_at) {
+    if (pin != state_.read_last) state_.read_last = kNoPin;
+    return;
+  }
+  if (state_.read_last != kNoPin) state_.pins[state_.read_last].use.read_alone = true;
+  state_.read_last = pin;
+  state_.read_last_at = t;
+}
+
 bool BoardState::read_level(Pin pin, SimTime t) {
   if (pin >= spec_.pin_count) return false;
   const bool level = level_on(pin, t);
+  note_read(pin, level, t);
   if (input_watcher_) input_watcher_->level_seen(pin, level, t);
   return level;
 }
@@ -44,6 +60,10 @@ double BoardState::read_volts(Pin pin, SimTime t) {
   if (pin >= spec_.pin_count) return 0.0;
   PinSource* const source = drive(pin).mode == PinMode::output ? nullptr : wires_[pin].source;
   const double volts = source ? source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
+  PinUse& use = state_.pins[pin].use;
+  use.lowest_volts = use.measured ? std::min(use.lowest_volts, volts) : volts;
+  use.highest_volts = use.measured ? std::max(use.highest_volts, volts) : volts;
+  use.measured = true;
   if (input_watcher_) input_watcher_->volts_seen(pin, volts, t);
   return volts;
 }
@@ -100,6 +120,7 @@ bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
   if (pin >= spec_.pin_count || state_.pins[pin].wants_edges == wanted) return false;
   PinState& state = state_.pins[pin];
   state.wants_edges = wanted;
+  state.use.awaited |= wanted;
   state_.wanted_pins += wanted ? 1 : -1;
   const bool level = wanted && read_level(pin, now);
   if (wanted) {

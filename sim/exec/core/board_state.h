@@ -50,7 +50,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   // --- BoardProbe
   std::span<std::uint8_t> memory() override { return state_.eeprom; }
-  bool level(Pin pin, SimTime t) override { return read_level(pin, t); }
+  bool level(Pin pin, SimTime t) override { return pin < spec_.pin_count && level_on(pin, t); }
+  const PinUse& use(Pin pin) const override { return state_of(pin).use; }
 
   // --- for executors
   /// A reset: all pins become inputs, nobody wants edges, the receiver is off; what was on its way is lost.
@@ -74,6 +75,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   struct PinState {
     PinDrive drive;
+    PinUse use;
     bool wants_edges = false;
     bool last_level = false;  ///< while edges are wanted: after the last one that is known
   };
@@ -91,6 +93,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     SimTime byte_time = 0;          ///< 0 = the receiver is off
     SimTime last_arrival = 0;
     SimTime next_input = kNever;
+    Pin read_last = kNoPin;  ///< kNoPin, too, where several were read at that time
+    SimTime read_last_at = -1;
   };
   const State& save() const { return state_; }
   /// Tells no watcher.
@@ -103,6 +107,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     std::vector<PinWatcher*> watchers;
   };
 
+  void note_read(Pin pin, bool level, SimTime t);
   const Byte* next_byte() const;
   SimTime arrival(const Byte& byte) const;
   std::size_t next_edge() const;

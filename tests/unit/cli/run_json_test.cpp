@@ -20,6 +20,7 @@ wire::RunResult result() {
   r.seed = 18446744073709551615u;
   r.profile = "typical";
   r.metrics = {13.25, {10.5, 9.25}, 4.5, 17.0, 0.125, 2, 33.5, {"1", "dock"}, 6};
+  r.usage = {{{"D2", "read"}}, {"buzzer"}, {{"start", "HIGH"}}};
   r.serial = "Ready\n";
   r.trace_hash = "1:ab";
   r.map_sha256 = "m";
@@ -69,6 +70,23 @@ TEST(RunJson, HasTheKeysOfTheSchemaInItsOrder) {
     ],
     "junctions": 6
   },
+  "usage": {
+    "unwired": [
+      {
+        "pin": "D2",
+        "how": "read"
+      }
+    ],
+    "unused": [
+      "buzzer"
+    ],
+    "steady": [
+      {
+        "part": "start",
+        "reads": "HIGH"
+      }
+    ]
+  },
   "serial": "Ready\n",
   "trace_hash": "1:ab"
 }
@@ -81,11 +99,19 @@ TEST(RunJson, ACrashStandsBetweenMetricsAndSerial) {
   const auto json = nlohmann::ordered_json::parse(run_json(inputs(), r, std::nullopt));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_THAT(keys, ElementsAre("schema", "verdict", "why", "time_s", "inputs", "metrics", "crash", "serial",
-                                "trace_hash"));
+  EXPECT_THAT(keys, ElementsAre("schema", "verdict", "why", "time_s", "inputs", "metrics", "crash", "usage",
+                                "serial", "trace_hash"));
   EXPECT_EQ(json["crash"],
             nlohmann::ordered_json::parse(
                 R"({"reason": "division by zero", "function": "loop", "file": "A.ino", "line": 7})"));
+}
+
+TEST(RunJson, WhatToTryNextFollowsTheReasonWhereThereIsSomething) {
+  wire::RunResult r = result();
+  r.next = "watch it";
+  const auto json = nlohmann::ordered_json::parse(run_json(inputs(), r, std::nullopt));
+  EXPECT_EQ(std::next(json.begin(), 3).key(), "next");
+  EXPECT_EQ(json["next"], "watch it");
 }
 
 TEST(RunJson, WallTimeIsThereOnlyWhenAskedFor) {
