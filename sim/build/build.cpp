@@ -15,6 +15,7 @@
 #include "sim/build/prototypes.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
+#include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -39,7 +40,7 @@ class Build {
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
-    const CommandResult link = run(link_command(toolchain_, objects, image, work_.path(), places()));
+    const auto link = run_walled({link_command(toolchain_, objects, image, work_.path(), places())})[0];
     if (link.status != 0) fail_link(toolchain_, sketch_, objects_, link.output);
     const std::vector<fs::path>& linked = toolchain_.core.linked;
     inputs_.files.insert(inputs_.files.end(), linked.begin(), linked.end());
@@ -70,10 +71,18 @@ class Build {
         if (object.archive == "libraries/" + library.name) members.push_back(object.path);
       if (members.empty()) continue;
       linked.push_back(work_.path() / fmt::format("library{}.a", linked.size()));
-      const CommandResult result = run(archive_command(toolchain_, members, linked.back()));
+      const CommandResult result = run_walled({archive_command(toolchain_, members, linked.back())})[0];
       if (result.status != 0) fail(toolchain_.target, text(result));
     }
     return linked;
+  }
+
+  std::vector<CommandResult> run_walled(std::vector<Command> commands) const {
+    std::vector<fs::path> read = read_by_all(toolchain_, {sketch_.folder, cache_.folder()});
+    for (const Library& library : libraries_) read.push_back(library.folder);
+    const Walls walls(read, work_.path());
+    for (Command& command : commands) command.walls = &walls;
+    return run(commands);
   }
 
   std::string text(const CommandResult& result) const {
@@ -155,7 +164,7 @@ class Build {
     const fs::path preprocessed = work_.path() / "preprocessed.cpp";
     for (;;) {
       unit.includes = include_folders(unit);
-      const CommandResult result = run(preprocess_command(toolchain_, unit, preprocessed));
+      const CommandResult result = run_walled({preprocess_command(toolchain_, unit, preprocessed)})[0];
       if (result.status == 0) break;
       if (!add_library_for(result)) fail(toolchain_.target, text(result));
     }
@@ -187,7 +196,7 @@ class Build {
       started.push_back(unit);
     }
     const auto since = fs::file_time_type::clock::now();
-    std::vector<CommandResult> results = run(commands);
+    std::vector<CommandResult> results = run_walled(commands);
     assemble(started, objects, results);
 
     std::vector<Unit> again;
@@ -225,7 +234,7 @@ class Build {
       compiled.push_back(i);
       commands.push_back(assemble_command(toolchain_, objects[i]));
     }
-    const std::vector<CommandResult> assembled = run(commands);
+    const std::vector<CommandResult> assembled = run_walled(commands);
     for (std::size_t i = 0; i < compiled.size(); ++i) {
       results[compiled[i]].status = assembled[i].status;
       results[compiled[i]].output += assembled[i].output;

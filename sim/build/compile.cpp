@@ -275,6 +275,14 @@ Command product_command(const Target& target, const Product& product, const fs::
   return {std::move(words), file.parent_path(), {}};
 }
 
+std::vector<fs::path> read_by_all(const Toolchain& toolchain, std::vector<fs::path> read) {
+  const Core& core = toolchain.core;
+  read.insert(read.end(), {core.root, toolchain.facts.include_folder, data_folder() / "hal"});
+  for (const auto* more : {&core.sources, &core.includes, &core.system_includes, &core.linked})
+    read.insert(read.end(), more->begin(), more->end());
+  return read;
+}
+
 std::string recipe(const Toolchain& toolchain) {
   const Target& target = toolchain.target;
   std::string text = fmt::format("robosim {} {} {} {}\n", ROBOSIM_VERSION, toolchain.compiler.identity,

@@ -61,6 +61,10 @@ Command link_command(const Toolchain& toolchain, const std::vector<std::filesyst
 Command product_command(const Target& target, const Product& product, const std::filesystem::path& image,
                         const std::filesystem::path& file);
 
+/// `read`, and the files and folders that compilers read of each sketch.
+std::vector<std::filesystem::path> read_by_all(const Toolchain& toolchain,
+                                               std::vector<std::filesystem::path> read);
+
 /// Everything above that shapes a result, as text: part of every cache key.
 std::string recipe(const Toolchain& toolchain);
 

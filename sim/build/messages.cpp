@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "sim/base/machine_fault.h"
+#include "sim/build/walls.h"
 #include "sim/elf/avr_addresses.h"
 
 namespace robosim::build {
@@ -123,7 +124,33 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::st
   return output;
 }
 
+// What the walls around a compiler made of it.
+void fail_at_walls(const std::string& messages) {
+  const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
+  if (says("CPU time limit exceeded"))
+    throw CompileError(fmt::format(
+        "the compiler was stopped after {} s of processor time: the sketch makes it work without end",
+        kCompileSeconds));
+  if (says("out of memory allocating") || says("virtual memory exhausted") || says("memory exhausted"))
+    throw CompileError(
+        fmt::format("the compiler took more than {} MB of memory, and may not", kCompileBytes >> 20));
+  constexpr const char* kNotSeen =
+      " is no file of the sketch, its libraries or the core, or may not be read: compilers see nothing else "
+      "of "
+      "this machine";
+  std::smatch match;
+  static const std::regex by_assembler(
+      R"(Error: (?:file not found: |can't open )([^\n:]*?)(?: for reading)?(?:\n|:|$))");
+  if (std::regex_search(messages, match, by_assembler))
+    throw CompileError("asm() names a file: " + match[1].str() + kNotSeen);
+  static const std::regex by_compiler(
+      R"((?:^|\n)([^\n: ][^\n:]*):(\d+):(\d+): (?:fatal error|error): ([^\n]*): Permission denied)");
+  if (std::regex_search(messages, match, by_compiler))
+    throw CompileError({match[1], std::stoi(match[2]), std::stoi(match[3])}, match[4].str() + kNotSeen);
+}
+
 void fail(const Target& target, const std::string& messages) {
+  fail_at_walls(messages);
   check_machine("the compiler", messages);
   static const std::regex error(
       R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "sim/base/child.h"
+#include "sim/build/walls.h"
 
 extern char** environ;
 
@@ -50,6 +51,31 @@ std::vector<std::string> clean_environment() {
   return kept;
 }
 
+std::vector<char*> null_ended(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+/// As Child does it for a ChildStart, within walls. After the fork only what a signal handler may do.
+Child start_within(const Walls& walls, const ChildStart& start) {
+  constexpr int kCannotStart = 127;
+  std::vector<std::string> settings = *start.environment;
+  settings.push_back("TMPDIR=" + walls.scratch().string());
+  settings.emplace_back("CCACHE_DISABLE=1");  // where the compiler is ccache: its own folder is not seen
+  const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
+  return Child([&] {
+    const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool ready = ::dup2(input, STDIN_FILENO) == STDIN_FILENO &&
+                       ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
+                       ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO &&
+                       ::chdir(start.folder.c_str()) == 0 && walls.enter();
+    if (ready) ::execve(words[0], words.data(), environment.data());
+    return kCannotStart;
+  });
+}
+
 struct Running {
   std::size_t index;
   Descriptor output;
@@ -71,7 +97,7 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
     start.input = input.get();
   }
   start.output = start.errors = pipe.write.get();
-  return {index, std::move(pipe.read), Child(start)};
+  return {index, std::move(pipe.read), command.walls ? start_within(*command.walls, start) : Child(start)};
 }
 
 /// False at the end of the output.

@@ -7,10 +7,13 @@
 
 namespace robosim::build {
 
+class Walls;
+
 struct Command {
   std::vector<std::string> words;  ///< program, by its absolute path, and arguments
   std::filesystem::path folder;    ///< working folder
   std::filesystem::path input;     ///< standard input; empty = none
+  const Walls* walls = nullptr;    ///< what it may see; nothing = what we may
 };
 
 struct CommandResult {

@@ -1,0 +1,71 @@
+// What a source names is not what its compiler gets: the sketch need not be the user's own.
+#include "sim/build/walls.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/build/process.h"
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class WallsTest : public SketchTest {
+ protected:
+  void SetUp() override {
+    if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+    write("secret/secret.txt", "const int secret = 1;\n");
+  }
+  std::string in_a_shell(const std::string& script) const {
+    std::filesystem::create_directories(folder_ / "seen");
+    std::filesystem::create_directories(folder_ / "scratch");
+    write("seen/seen.txt", "seen\n");
+    const Walls walls({folder_ / "seen"}, folder_ / "scratch");
+    return run(Command{{"/bin/sh", "-c", script}, folder_ / "scratch", {}, &walls}).output;
+  }
+};
+
+TEST_F(WallsTest, ShowWhatTheyShallAndLetTheScratchFolderBeWritten) {
+  EXPECT_EQ(in_a_shell("cat ../seen/seen.txt && echo new >file && cat file && echo $TMPDIR"),
+            "seen\nnew\n" + (folder_ / "scratch").string() + "\n");
+}
+
+TEST_F(WallsTest, HideAllElseAndLetNothingElseBeWritten) {
+  for (const char* script :
+       {"cat /etc/passwd", "cat ../secret/secret.txt", "ls ../secret", "echo >../seen/seen.txt",
+        "rm ../seen/seen.txt", "ln -s /etc/passwd link && cat link"})
+    EXPECT_THAT(in_a_shell(script), HasSubstr("ermission denied")) << script;
+}
+
+TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
+  EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n1048576\n");
+}
+
+TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {
+  write("Reader/Reader.ino", "#include \"/etc/passwd\"\nvoid setup() {}\nvoid loop() {}\n");
+  EXPECT_EQ(error_of("Reader"),
+            "Reader.ino:1:10: /etc/passwd is no file of the sketch, its libraries or the core, or may not be "
+            "read: compilers see nothing else of this machine");
+}
+
+TEST_F(WallsTest, HoldForLinksInTheSketchToo) {
+  write("Linked/Linked.ino", "#include \"link.h\"\nvoid setup() {}\nvoid loop() {}\n");
+  std::filesystem::create_symlink(folder_ / "secret/secret.txt", folder_ / "Linked/link.h");
+  EXPECT_THAT(error_of("Linked"), StartsWith("Linked.ino:1:10: link.h is no file of the sketch"));
+}
+
+TEST_F(WallsTest, HoldForTheAssembler) {
+  for (const char* word : {".incbin", ".include"}) {
+    write("Taker/Taker.ino",
+          std::string("void setup() {}\nasm(\"") + word + " \\\"/etc/passwd\\\"\");\nvoid loop() {}\n");
+    EXPECT_THAT(error_of("Taker"),
+                AllOf(StartsWith("asm() names a file: /etc/passwd is no file of the sketch")))
+        << word;
+  }
+}
+
+}  // namespace
+}  // namespace robosim::build
