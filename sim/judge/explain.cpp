@@ -75,10 +75,12 @@ std::string left_line(const Evidence& e, SimTime t) {
 // "; the robot left the line at …, and has stood near … since …": what became of it before its time was up.
 std::string whereabouts(const Evidence& e) {
   std::string text = left_line(e, e.t);
-  const SimTime since = e.judge->in_one_place_since();
+  const bool drives = drives_in_one_place(e);
+  const SimTime came = e.judge->in_one_place_since();
+  const SimTime since = drives ? came : std::max(came, e.judge->last_driven());
   if (e.moved && e.t - since >= kInOnePlaceAfter)
     text += fmt::format("{}{} {} since {}", text.empty() ? "" : ", and ",
-                        drives_in_one_place(e) ? "has been driving within 10 cm of" : "has stood near",
+                        drives ? "has been driving within 10 cm of" : "has stood near",
                         cell_of(*e.map, e.judge->place()), seconds(since));
   return text.empty() ? "" : "; the robot " + text;
 }

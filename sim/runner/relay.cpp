@@ -122,7 +122,7 @@ Relay::Told Relay::serve(const Ask& ask, bool lines) {
   answers_.read.close();
   lines_.read.close();
   Told told;
-  std::string unread, out;
+  std::string taken, out;
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
   if (lines) write_all(lines_.write.get(), take_unread());
   for (;;) {
@@ -137,26 +137,26 @@ Relay::Told Relay::serve(const Ask& ask, bool lines) {
       }
       if (!ready[0].revents) continue;
     }
-    const std::size_t had = unread.size();
-    unread.resize(had + kChunk);
-    const ssize_t n = ::read(told_.read.get(), unread.data() + had, kChunk);
+    const std::size_t had = taken.size();
+    taken.resize(had + kChunk);
+    const ssize_t n = ::read(told_.read.get(), taken.data() + had, kChunk);
     const int error = errno;
-    unread.resize(had + static_cast<std::size_t>(n > 0 ? n : 0));
+    taken.resize(had + static_cast<std::size_t>(n > 0 ? n : 0));
     if (n < 0 && error == EINTR) continue;
     if (n <= 0) {
-      told.forged |= !unread.empty();
+      told.forged |= !taken.empty();
       return told;
     }
     out.clear();
     std::size_t at = 0;
-    for (Header header{}; unread.size() - at >= sizeof header;) {
-      std::memcpy(&header, unread.data() + at, sizeof header);
+    for (Header header{}; taken.size() - at >= sizeof header;) {
+      std::memcpy(&header, taken.data() + at, sizeof header);
       if (header.token != token_ || header.bytes > kMostBytes || told.answer) {
         told.forged = true;
         return told;
       }
-      if (unread.size() - at < sizeof header + header.bytes) break;
-      const std::string_view text(unread.data() + at + sizeof header, header.bytes);
+      if (taken.size() - at < sizeof header + header.bytes) break;
+      const std::string_view text(taken.data() + at + sizeof header, header.bytes);
       at += sizeof header + header.bytes;
       if (header.what == kLine) {
         out += text;
@@ -169,7 +169,7 @@ Relay::Told Relay::serve(const Ask& ask, bool lines) {
         write_all(answers_.write.get(), said);
       }
     }
-    unread.erase(0, at);
+    taken.erase(0, at);
     if (!out.empty()) write_line(out);
   }
 }
