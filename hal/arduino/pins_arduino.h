@@ -100,14 +100,16 @@ static const uint8_t SCL = PIN_WIRE_SCL;
    : (p) == 11 ? TIMER2A     \
                : NOT_ON_TIMER)
 
-#ifdef __cplusplus
 // A port's PIN, DDR and PORT registers lie one after the other: PINB is 0x23, PINC 0x26, PIND 0x29.
-#define portInputRegister(port) (robosim_hal::RegisterPointer(0x23 + 3 * ((port)-2)))
-#define portModeRegister(port) (robosim_hal::RegisterPointer(0x24 + 3 * ((port)-2)))
-#define portOutputRegister(port) (robosim_hal::RegisterPointer(0x25 + 3 * ((port)-2)))
+#define portInputRegister(port) (&_SFR_MEM8(0x23 + 3 * ((port)-2)))
+#define portModeRegister(port) (&_SFR_MEM8(0x24 + 3 * ((port)-2)))
+#define portOutputRegister(port) (&_SFR_MEM8(0x25 + 3 * ((port)-2)))
+#if defined(__cplusplus) && !defined(ROBOSIM_REGISTER_MEMORY)
 #define digitalPinToPCICR(p) ((p) <= 21 ? &PCICR : robosim_hal::RegisterPointer())
-#define digitalPinToPCMSK(p) ((p) <= 7 ? &PCMSK2 : (p) <= 13 ? &PCMSK0 : &PCMSK1)
+#else
+#define digitalPinToPCICR(p) ((p) <= 21 ? &PCICR : (volatile uint8_t*)0)
 #endif
+#define digitalPinToPCMSK(p) ((p) <= 7 ? &PCMSK2 : (p) <= 13 ? &PCMSK0 : &PCMSK1)
 #define digitalPinToPCICRbit(p) ((p) <= 7 ? 2 : ((p) <= 13 ? 0 : 1))
 #define digitalPinToPCMSKbit(p) ((p) <= 7 ? (p) : ((p) <= 13 ? (p)-8 : (p)-14))
 

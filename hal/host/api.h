@@ -4,6 +4,7 @@
 
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
+#include "hal/host/register_memory.h"
 
 namespace robosim {
 namespace host {
@@ -11,6 +12,7 @@ namespace host {
 /// Inlined, so that the return address is that of the API function: a place in the sketch.
 __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
                                                      int32_t first = 0, int32_t second = 0) {
+  if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
   state.place = __builtin_return_address(0);
   if (in_handler()) return;
   state.last_call = state.now;

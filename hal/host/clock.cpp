@@ -1,6 +1,7 @@
 #include "hal/host/clock.h"
 
 #include "hal/host/interrupts.h"
+#include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
 #include "hal/host/tone.h"
 
@@ -11,6 +12,7 @@ FirmwareState state;
 FirmwarePort* board;
 Host* executor;
 SimTime deadline, watched_deadline;
+void (*unsettled)();
 
 namespace {
 
@@ -24,6 +26,7 @@ void yield_to_executor(SimTime wake) {
 }  // namespace
 
 void refresh_deadline() {
+  settle_registers();
   deadline = state.limit < tone_end() ? state.limit : tone_end();
   if (!interrupts_enabled()) return;
   const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
@@ -31,6 +34,7 @@ void refresh_deadline() {
 }
 
 void reach_deadline() {
+  settle_registers();
   // A low level raises its interrupt again and again: then the firmware's own code still gets a block in
   // between.
   for (int served = 0; served < kVectors;) {
@@ -69,6 +73,11 @@ __attribute__((noinline)) void hand_registers() {
 }  // namespace
 
 void block_at_deadline() {
+  if (unsettled) {
+    unsettled();
+    watched_deadline = deadline;
+    if (!state.watched && state.now < deadline) return;
+  }
   if (state.watched && !in_handler()) {
     wipe_stack();
     hand_registers();
@@ -91,6 +100,7 @@ void work(SimTime duration) {
 }
 
 void idle_until(SimTime time) {
+  settle_registers();
   while (state.now < time) {
     SimTime next = time < tone_end() ? time : tone_end();
     if (interrupts_enabled()) {

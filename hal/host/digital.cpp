@@ -178,4 +178,16 @@ uint8_t shiftIn(uint8_t data_pin, uint8_t clock_pin, uint8_t order) {
   return value;
 }
 
+void robosim_send_pulses(uint8_t pin, const uint8_t* bytes, size_t count, int zero, int one, int period) {
+  host::note_call("show", pin, 0);
+  if (!host::is_digital(pin)) return;
+  for (size_t bit = 0; bit < 8 * count; ++bit) {
+    const int high = bytes[bit / 8] >> (7 - bit % 8) & 1 ? one : zero;
+    set_level(pin, true);
+    host::spend(high);
+    set_level(pin, false);
+    host::spend(period - high);
+  }
+}
+
 }  // extern "C"

@@ -3,6 +3,7 @@
 #include "hal/host/adc.h"
 #include "hal/host/clock.h"
 #include "hal/host/external.h"
+#include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
 #include "hal/host/tone.h"
 #include "hal/host/uart.h"
@@ -205,6 +206,7 @@ bool serve_interrupt() {
   if (vector != kTimer0Overflow) state.now += cycles(cost::kInterrupt);
   refresh_deadline();
   handler();
+  settle_registers();
   --depth;
   status_register |= 0x80;
   return true;

@@ -1,6 +1,7 @@
 #include "hal/host/registers.h"
 
 #include "hal/board/avr_registers.h"
+#include "hal/host/access.h"
 #include "hal/host/adc.h"
 #include "hal/host/api.h"
 #include "hal/host/external.h"
@@ -12,7 +13,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-// Registers that only keep what is written: SPI, TWI, watchdog, clock and power settings, GPIOR.
+// Registers that only keep what is written: watchdog, clock and power settings, GPIOR.
 uint8_t plain[256];
 
 // Of ports, timers and UARTs the chip says where they are.
@@ -277,6 +278,34 @@ void write(uint8_t address, uint8_t value) {
 }
 
 }  // namespace
+
+// `place` first: what is due may end the run.
+void begin_access(robosim_register address, int bytes, const void* place) {
+  settle_registers();
+  if (address != reg::kSreg) note_call(name_of(address), kNoPin, -1);
+  state.place = place;
+  spend(bytes * cost::kRegister);
+  sync_peripherals();
+}
+
+uint16_t register_value(robosim_register address, int bytes) {
+  if (bytes == 1) return read(address);
+  if (is_word(address)) return read_word(address);
+  return static_cast<uint16_t>(read(address) | read(static_cast<uint8_t>(address + 1)) << 8);
+}
+
+void set_register(robosim_register address, int bytes, uint16_t value) {
+  if (bytes == 1) {
+    write(address, static_cast<uint8_t>(value));
+  } else if (is_word(address)) {
+    write_word(address, value);
+  } else {
+    write(address, static_cast<uint8_t>(value));
+    write(static_cast<uint8_t>(address + 1), static_cast<uint8_t>(value >> 8));
+  }
+  refresh_deadline();
+}
+
 }  // namespace host
 }  // namespace robosim
 
@@ -285,42 +314,28 @@ namespace host = robosim::host;
 extern "C" {
 
 uint8_t robosim_read8(robosim_register address) {
-  if (address != host::reg::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
-  host::spend(host::cost::kRegister);
-  host::sync_peripherals();
+  host::begin_access(address, 1, __builtin_return_address(0));
   return host::read(address);
 }
 
 void robosim_write8(robosim_register address, uint8_t value) {
-  if (address != host::reg::kSreg) host::note_call(host::name_of(address), robosim::kNoPin, -1);
-  host::spend(host::cost::kRegister);
-  host::sync_peripherals();
+  host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
 }
 
 uint16_t robosim_read16(robosim_register address) {
-  host::note_call(host::name_of(address), robosim::kNoPin, -1);
-  host::spend(2 * host::cost::kRegister);
-  host::sync_peripherals();
-  if (host::is_word(address)) return host::read_word(address);
-  return static_cast<uint16_t>(host::read(address) | host::read(static_cast<uint8_t>(address + 1)) << 8);
+  host::begin_access(address, 2, __builtin_return_address(0));
+  return host::register_value(address, 2);
 }
 
 void robosim_write16(robosim_register address, uint16_t value) {
-  host::note_call(host::name_of(address), robosim::kNoPin, -1);
-  host::spend(2 * host::cost::kRegister);
-  host::sync_peripherals();
-  if (host::is_word(address)) {
-    host::write_word(address, value);
-  } else {
-    host::write(address, static_cast<uint8_t>(value));
-    host::write(static_cast<uint8_t>(address + 1), static_cast<uint8_t>(value >> 8));
-  }
-  host::refresh_deadline();
+  host::begin_access(address, 2, __builtin_return_address(0));
+  host::set_register(address, 2, value);
 }
 
 void robosim_enable_interrupts() {
+  host::settle_registers();
   host::status_register |= 0x80;
   host::state.now += host::cycles(1);
   host::refresh_deadline();  // what is pending is served after the next block, as after the chip's next
@@ -328,6 +343,7 @@ void robosim_enable_interrupts() {
 }
 
 void robosim_disable_interrupts() {
+  host::settle_registers();
   host::status_register &= 0x7F;
   host::spend(1);
   host::refresh_deadline();
@@ -335,6 +351,7 @@ void robosim_disable_interrupts() {
 
 void robosim_sleep() {
   constexpr uint8_t kSleepEnable = 1;
+  host::settle_registers();
   const uint8_t control = host::plain[host::reg::kSmcr];
   if (!(control & kSleepEnable)) return;
   host::note_call("sleep_cpu", robosim::kNoPin, 0);

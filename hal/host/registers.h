@@ -6,6 +6,7 @@
 // the only one there is.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -21,12 +22,19 @@ void robosim_write8(robosim_register address, uint8_t value);
 uint16_t robosim_read16(robosim_register address);
 void robosim_write16(robosim_register address, uint16_t value);
 
+/// Where registers are memory (register_memory.h): the chip's data space, byte by byte.
+#define ROBOSIM_REGISTER_BYTES 256
+extern uint8_t robosim_register_memory[ROBOSIM_REGISTER_BYTES];
+
 /// sei() and cli(): the I flag of SREG.
 void robosim_enable_interrupts(void);
 void robosim_disable_interrupts(void);
 
 /// Spends that many CPU cycles in a busy loop (_delay_us and the like). Interrupts are served meanwhile.
 void robosim_spend_cycles(uint64_t cycles);
+/// Sends bytes, the highest bit first, as pulses of a digital pin, as a loop in assembler does: a bit takes
+/// `period` CPU cycles, and is high for `one` or `zero` of them. Interrupts should be off.
+void robosim_send_pulses(uint8_t pin, const uint8_t* bytes, size_t count, int zero, int one, int period);
 /// The instruction SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
 void robosim_sleep(void);
 /// The instruction WDR.

@@ -1,6 +1,7 @@
 // Time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
 #include <Arduino.h>
 
+#include "hal/board/board_spec.h"
 #include "hal/host/api.h"
 #include "hal/host/ports.h"
 #include "hal/host/registers.h"
@@ -81,6 +82,9 @@ void delay(unsigned long ms) {
 
 void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
+  // An AVR's core counts turns of four cycles in 16 bits: at 16 MHz, what is longer than 16383 us wraps.
+  constexpr unsigned kTurns = kCyclesPerMicro / 4;
+  if (strcmp(host::board->spec().chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
   host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <memory>
 #include <system_error>
 
 #include "sim/base/bundle.h"
@@ -10,17 +12,30 @@
 #include "sim/build/compile.h"
 #include "sim/build/core.h"
 #include "sim/build/elf_facts.h"
+#include "sim/build/finished.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
 #include "sim/build/prototypes.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
+#include "sim/build/units.h"
 #include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// The program does not compile with its registers as they are, but may with these.
+struct TryAgain {
+  Registers with;
+  std::exception_ptr otherwise = nullptr;  ///< the error to report if they do not help; null = theirs
+};
+
+// What assembly of a program holds that keeps a register's address (hal/host/registers.h), and a compiler's
+// message about one that does more with a register than its class can (hal/arduino/avr/io.h).
+constexpr const char* kRegisterMemory = "robosim_register_memory";
+constexpr const char* kRegisterClass = "robosim_hal::Register";
 
 /// One build: what has been found and made so far.
 class Build {
@@ -34,14 +49,17 @@ class Build {
     const Object core = core_object(toolchain_, cache_, work_.path());
     inputs_.files = core.inputs;
     compile_all();
+    if (keeps_addresses_) throw TryAgain{Registers::memory};
     std::vector<fs::path> objects = linked_objects();
     for (const Object& object : objects_)
       inputs_.files.insert(inputs_.files.end(), object.inputs.begin(), object.inputs.end());
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
-    const auto link = run_walled({link_command(toolchain_, objects, image, work_.path(), places())})[0];
-    if (link.status != 0) fail_link(toolchain_, sketch_, objects_, link.output);
+    const auto link =
+        run_walled({link_command(toolchain_, objects, image, work_.path(),
+                                 names_of_folders(sketch_, libraries_, toolchain_, work_.path()))})[0];
+    if (link.status != 0) fail_or_try_as_avr([&] { fail_link(toolchain_, sketch_, objects_, link.output); });
     const std::vector<fs::path>& linked = toolchain_.core.linked;
     inputs_.files.insert(inputs_.files.end(), linked.begin(), linked.end());
     inputs_.folders = finder_.listed();
@@ -89,12 +107,39 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
+  /// Whether the first error is in one.
+  bool is_about_library(const std::string& messages) const {
+    const std::string file = first_error(messages).file;
+    return std::any_of(libraries_.begin(), libraries_.end(), [&](const Library& library) {
+      return file.rfind(library.folder.string() + "/", 0) == 0;
+    });
+  }
+
+  /// `fail` throws. A library may have more for an AVR: declarations, too, that the sketch misses.
+  template <typename Fail>
+  void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
+    if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
+      fail();
+    try {
+      fail();
+    } catch (const InputError&) {
+      throw TryAgain{Registers::as_avr, about_library ? nullptr : std::current_exception()};
+    }
+  }
+
+  /// Does not return: other registers may help a program that keeps the address of one, and a library.
+  void fail_or_try_again(const std::string& messages) const {
+    const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
+    if (objects && messages.find(kRegisterClass) != std::string::npos) throw TryAgain{Registers::memory};
+    fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages));
+  }
+
   void compile_all() {
     std::vector<Unit> units;
     if (!sketch_.inos.empty()) units.push_back(ino_unit());
     for (const auto* sources : {&sketch_.sources, &sketch_.assembler})
       for (const std::string& source : *sources) {
-        Unit unit = sketch_unit();
+        Unit unit = sketch_unit(sketch_);
         unit.source = source;
         units.push_back(unit);
       }
@@ -102,71 +147,34 @@ class Build {
     for (;;) {
       for (; libraries_taken < libraries_.size(); ++libraries_taken) {
         const Library& library = libraries_[libraries_taken];
-        for (const std::string& source : library.sources) units.push_back(library_unit(library, source));
+        for (const std::string& source : library.sources)
+          units.push_back(library_unit(toolchain_, library, source));
         if (!toolchain_.target.chip) continue;
-        for (const std::string& source : library.assembler) units.push_back(library_unit(library, source));
+        for (const std::string& source : library.assembler)
+          units.push_back(library_unit(toolchain_, library, source));
       }
       if (units.empty()) return;
       units = compile(units);
     }
   }
 
-  Core::Names places() const {
-    Core::Names names = {{work_.path(), "."}, {toolchain_.core.root, toolchain_.core.place}};
-    for (const Library& library : libraries_) names.emplace_back(library.folder, "libraries/" + library.name);
-    names.emplace_back(sketch_.folder, ".");
-    return names;
-  }
-
-  Unit sketch_unit() const {
-    Unit unit;
-    unit.folder = sketch_.folder;
-    unit.place = ".";
-    unit.includes = {sketch_.folder};
-    return unit;
-  }
-
-  Unit library_unit(const Library& library, const std::string& source) const {
-    Unit unit;
-    unit.kind = Unit::Kind::library;
-    unit.folder = library.folder;
-    unit.place = "libraries/" + library.name;
-    unit.archived = library.archive && toolchain_.target.chip;
-    unit.source = (library.folder / source).string();
-    return unit;
-  }
-
-  std::string name_of(const Unit& unit) const {
-    if (!unit.input.empty()) return sketch_.inos[0];
-    if (unit.kind == Unit::Kind::sketch) return unit.source;
-    return unit.place + unit.source.substr(unit.folder.string().size());
-  }
-
   Object object_of(const Unit& unit, const fs::path& path, std::vector<fs::path> inputs) const {
-    return {name_of(unit), path, std::move(inputs), unit.archived ? unit.place : ""};
-  }
-
-  std::vector<fs::path> include_folders(const Unit& unit) const {
-    std::vector<fs::path> folders;
-    if (unit.kind == Unit::Kind::sketch) folders.push_back(unit.folder);
-    for (const Library& library : libraries_)
-      folders.insert(folders.end(), library.includes.begin(), library.includes.end());
-    return folders;
+    return {name_of(sketch_, unit), path, std::move(inputs), unit.archived ? unit.place : ""};
   }
 
   // The .ino files, joined and with prototypes. Preprocessing finds the libraries they include, one at a
   // time.
   Unit ino_unit() {
     const std::string joined = join_inos(sketch_);
-    Unit unit = sketch_unit();
+    Unit unit = sketch_unit(sketch_);
     unit.input = work_.path() / "joined.cpp";
     write_file(unit.input, joined);
     const fs::path preprocessed = work_.path() / "preprocessed.cpp";
     for (;;) {
-      unit.includes = include_folders(unit);
+      unit.includes = include_folders(unit, libraries_);
       const CommandResult result = run_walled({preprocess_command(toolchain_, unit, preprocessed)})[0];
       if (result.status == 0) break;
-      if (!add_library_for(result)) fail(toolchain_.target, text(result));
+      if (!add_library_for(result)) fail_or_try_again(text(result));
     }
     write_file(unit.input, add_prototypes(joined, read_file(preprocessed), sketch_.inos, work_.path()));
     return unit;
@@ -180,11 +188,12 @@ class Build {
     std::vector<std::size_t> slots;
     std::vector<Unit> started;
     for (Unit& unit : units) {
-      unit.includes = include_folders(unit);
+      unit.includes = include_folders(unit, libraries_);
       const std::string key = unit_key(unit);
       const auto entry = is_kept(unit) ? cache_.find(key) : std::nullopt;
       if (entry) {
         add_message(entry->facts.at("messages"));
+        keeps_addresses_ |= entry->facts.at("keeps_addresses") == "yes";
         objects_.push_back(object_of(unit, entry->result, split_paths(entry->facts.at("inputs"))));
         continue;
       }
@@ -197,7 +206,7 @@ class Build {
     }
     const auto since = fs::file_time_type::clock::now();
     std::vector<CommandResult> results = run_walled(commands);
-    assemble(started, objects, results);
+    const std::vector<bool> keeps_address = assemble(started, objects, results);
 
     std::vector<Unit> again;
     std::string errors;
@@ -206,7 +215,8 @@ class Build {
       const std::string messages = text(results[i]);
       if (results[i].status == 0) {
         add_message(messages);
-        objects_[slots[i]] = keep(started[i], keys[i], objects[i], messages, since);
+        objects_[slots[i]] = keep(started[i], keys[i], objects[i], messages, keeps_address[i], since);
+        if (keeps_address[i]) keeps_addresses_ = true;
         continue;
       }
       unused.push_back(slots[i]);
@@ -215,22 +225,27 @@ class Build {
       else
         errors += messages + '\n';
     }
-    if (!errors.empty()) fail(toolchain_.target, errors.substr(0, errors.size() - 1));
+    if (!errors.empty()) fail_or_try_again(errors.substr(0, errors.size() - 1));
     std::for_each(unused.rbegin(), unused.rend(), [&](std::size_t slot) {
       objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(slot));
     });
     return again;
   }
 
-  /// The second half of a compilation, for those that have succeeded so far.
-  void assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
-                std::vector<CommandResult>& results) const {
+  /// The second half of a compilation, for those that have succeeded so far; gives which of them keep the
+  /// address of a register that has none.
+  std::vector<bool> assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
+                             std::vector<CommandResult>& results) const {
+    std::vector<bool> keeps_address(objects.size());
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (results[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
       const fs::path assembly = objects[i].string() + ".s";
-      write_file(assembly, with_places_of_asm(call_in_endless_loops(read_file(assembly))));
+      const std::string compiled_to = read_file(assembly);
+      keeps_address[i] = toolchain_.registers == Registers::objects &&
+                         compiled_to.find(kRegisterMemory) != std::string::npos;
+      write_file(assembly, with_places_of_asm(call_in_endless_loops(compiled_to)));
       compiled.push_back(i);
       commands.push_back(assemble_command(toolchain_, objects[i]));
     }
@@ -239,24 +254,28 @@ class Build {
       results[compiled[i]].status = assembled[i].status;
       results[compiled[i]].output += assembled[i].output;
     }
+    return keeps_address;
   }
 
   /// Whether its object goes into the cache: not that of the joined .ino files, nor one with notes beside it.
   bool is_kept(const Unit& unit) const { return unit.input.empty() && !is_counted(toolchain_, unit); }
 
   std::string unit_key(const Unit& unit) const {
-    return fmt::format("unit\n{}\n{}\n{}\n{}", recipe(toolchain_), unit.folder.string(), unit.source,
-                       join_paths(unit.includes));
+    return fmt::format("unit\n{}\n{} {}\n{}\n{}", recipe(toolchain_), static_cast<int>(toolchain_.registers),
+                       unit.folder.string(), unit.source, join_paths(unit.includes));
   }
 
   Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
-              fs::file_time_type since) {
+              bool keeps_address, fs::file_time_type since) {
     std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
     if (is_counted(toolchain_, unit))
       notes_.push_back({notes_name(unit), read_file(object.string() + ".gcno")});
     if (!is_kept(unit)) return object_of(unit, object, std::move(inputs));
     const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
-                                     {{"inputs", join_paths(inputs)}, {"messages", messages}}, since);
+                                     {{"inputs", join_paths(inputs)},
+                                      {"messages", messages},
+                                      {"keeps_addresses", keeps_address ? "yes" : "no"}},
+                                     since);
     return object_of(unit, entry.result, std::move(inputs));
   }
 
@@ -289,52 +308,25 @@ class Build {
   std::vector<BundledFile> notes_;
   Inputs inputs_;
   std::string messages_;
+  bool keeps_addresses_ = false;
   int count_ = 0;
 };
 
-/// A product of an image, from the cache or made anew: the image's content is all that it depends on.
-fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
-  const std::string key =
-      fmt::format("product\n{}{}\n{}", product.program.name, product.ending, entry.facts.at("image_sha256"));
-  if (const auto known = cache.find(key)) return known->result;
-  const WorkFolder work(cache);
-  const std::string name = entry.result.stem().string() + product.ending;
-  const auto since = fs::file_time_type::clock::now();
-  const CommandResult result = run(product_command(target, product, entry.result, work.path() / name));
-  if (result.status != 0) check_machine(product.program.name, result.output);
-  if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
-  return cache.store(key, {}, work.path() / name, name, {}, since).result;
-}
-
-std::string notes_key(const Entry& entry) { return "notes\n" + entry.facts.at("image_sha256"); }
-
-Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
-               bool from_cache) {
-  Image image;
-  image.name = sketch.name;
-  image.image = entry.result;
-  for (const Product& product : target.products)
-    image.products.push_back(product_of(target, product, entry, cache));
-  image.sketch_sha256 = entry.facts.at("sketch_sha256");
-  image.image_sha256 = entry.facts.at("image_sha256");
-  image.compiler = entry.facts.at("compiler");
-  for (const fs::path& library : split_paths(entry.facts.at("libraries")))
-    image.libraries.push_back(library.string());
-  image.messages = entry.facts.at("messages");
-  image.text_bytes = std::stoull(entry.facts.at("text_bytes"));
-  image.data_bytes = std::stoull(entry.facts.at("data_bytes"));
-  image.from_cache = from_cache;
-  if (const auto notes = cache.find(notes_key(entry))) image.notes = notes->result;
-  return image;
-}
-
-std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
-                      const std::vector<fs::path>& folders) {
-  std::string key = fmt::format("image\n{}{}\n", recipe(toolchain), sketch.folder.string());
-  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
-    key += fmt::format("{}\n", fmt::join(*names, "\n"));
-  for (const std::string& name : sketch.assembler) key += fmt::format("{}\n", name);
-  return key + join_paths(folders);
+/// Gives the build and its image: with the first kind of registers that suits the program.
+std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
+                                   const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
+  std::exception_ptr otherwise;
+  for (;;) try {
+      auto build = std::make_unique<Build>(sketch, toolchain, cache, finder, core);
+      image = build->image();
+      return build;
+    } catch (const TryAgain& better) {
+      toolchain.registers = better.with;
+      otherwise = better.otherwise;
+    } catch (const InputError&) {
+      if (otherwise) std::rethrow_exception(otherwise);
+      throw;
+    }
 }
 
 }  // namespace
@@ -366,30 +358,30 @@ Image build(const Request& request) try {
   const auto since = fs::file_time_type::clock::now();
   toolchain.facts = ask(toolchain.compiler, cache.folder());
   const std::string sketch_sha256 = content_sha256(sketch);
-  const LibraryFinder finder(folders);
-  Build build(sketch, toolchain, cache, finder, genuine);
-  const fs::path made = build.image();
+  const LibraryFinder finder(folders, toolchain.core.stand_ins);
+  fs::path made;
+  const auto build = build_image(sketch, toolchain, cache, finder, genuine, made);
 
-  Inputs inputs = build.inputs();
+  Inputs inputs = build->inputs();
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);
   const std::string bytes = read_file(made);
   const ElfSize size = elf_size(ElfFile(bytes, made.string()));
   std::string libraries;
-  for (const Library& library : build.libraries()) libraries += library.name + '\n';
+  for (const Library& library : build->libraries()) libraries += library.name + '\n';
   const std::uint64_t text_bytes = size.text + (target.chip ? size.initialised : 0);
   const Entry entry = cache.store(key, inputs, made, sketch.name + target.image_ending,
                                   {{"sketch_sha256", sketch_sha256},
                                    {"image_sha256", sha256(bytes)},
                                    {"compiler", toolchain.facts.name},
                                    {"libraries", libraries},
-                                   {"messages", build.messages()},
+                                   {"messages", build->messages()},
                                    {"text_bytes", std::to_string(text_bytes)},
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
   if (request.coverage) {
     const WorkFolder work(cache);
-    write_file(work.path() / "notes", pack(build.notes()));
+    write_file(work.path() / "notes", pack(build->notes()));
     cache.store(notes_key(entry), {}, work.path() / "notes", sketch.name + ".notes", {}, since);
   }
   return image_of(target, sketch, entry, cache, false);

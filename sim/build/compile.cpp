@@ -130,7 +130,8 @@ void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, con
   const Sanitizer& sanitizer = toolchain.target.sanitizer;
   if (unit.kind != Unit::Kind::core) {
     append(words, sanitizer.undefined);
-    append(words, sanitizer.addresses);
+    // gcc watches memory for one purpose at a time.
+    if (toolchain.registers == Registers::objects) append(words, sanitizer.addresses);
   } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
     append(words, sanitizer.definitions);
   } else {
@@ -155,6 +156,8 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   if (written_in == Language::cxx) append(words, target.cxx_code);
   if (written_in == Language::c) append(words, target.c_code);
   append(words, core ? target.core : target.own);
+  if (!core && toolchain.registers != Registers::objects) append(words, target.memory);
+  if (!core && toolchain.registers == Registers::as_avr) append(words, target.as_avr);
   if (toolchain.sanitize) add_checks(words, toolchain, unit);
   if (toolchain.coverage) add_counting(words, toolchain, unit);
   append(words, warning_flags(toolchain, unit));
@@ -287,8 +290,8 @@ std::string recipe(const Toolchain& toolchain) {
   const Target& target = toolchain.target;
   std::string text = fmt::format("robosim {} {} {} {}\n", ROBOSIM_VERSION, toolchain.compiler.identity,
                                  toolchain.core.root.string(), static_cast<int>(toolchain.warnings));
-  for (const auto& words :
-       {target.code, target.cxx_code, target.c_code, target.own, target.link, definitions(toolchain)})
+  for (const auto& words : {target.code, target.cxx_code, target.c_code, target.own, target.memory,
+                            target.as_avr, target.link, definitions(toolchain)})
     text += fmt::format("{}\n", fmt::join(words, " "));
   for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
     if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
@@ -299,7 +302,7 @@ std::string recipe(const Toolchain& toolchain) {
   if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
-  text += fmt::format("assembly 1 {}{}", target.own_level, target.core_level);
+  text += fmt::format("assembly 2 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;
 }

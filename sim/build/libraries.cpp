@@ -69,7 +69,8 @@ std::string property(const fs::path& folder, const std::string& key) {
 Library read_library(const fs::path& folder) {
   Library library;
   library.name = property(folder, "name");
-  if (library.name.empty()) library.name = folder.filename().string();
+  library.named = !library.name.empty();
+  if (!library.named) library.name = folder.filename().string();
   library.archive = property(folder, "dot_a_linkage") == "true";
   library.folder = folder;
   if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
@@ -89,12 +90,21 @@ Library read_library(const fs::path& folder) {
   return library;
 }
 
+constexpr int kUnlike = 2;
+
 // How well a library's name fits a header: 0 best.
 int rank(const Library& library, const std::string& header) {
   const std::string wanted = fs::path(header).stem().string();
   const std::string folder = library.folder.filename().string();
   if (folder == wanted) return 0;
-  return folder.rfind(wanted, 0) == 0 ? 1 : 2;
+  return folder.rfind(wanted, 0) == 0 ? 1 : kUnlike;
+}
+
+std::vector<Library> libraries_in(const fs::path& folder) {
+  std::vector<Library> found;
+  for (const fs::path& child : children(folder))
+    if (is_folder(child) && is_library(child)) found.push_back(read_library(child));
+  return found;
 }
 
 }  // namespace
@@ -125,20 +135,25 @@ std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<
   return folders;
 }
 
-LibraryFinder::LibraryFinder(std::vector<fs::path> folders) : folders_(std::move(folders)) {
-  for (const fs::path& folder : folders_) {
-    std::vector<Library> found;
-    if (is_library(folder)) {
-      found.push_back(read_library(folder));
-    } else {
-      for (const fs::path& child : children(folder))
-        if (is_folder(child) && is_library(child)) found.push_back(read_library(child));
-    }
-    libraries_.push_back(std::move(found));
-  }
+LibraryFinder::LibraryFinder(std::vector<fs::path> folders, const fs::path& stand_ins)
+    : folders_(std::move(folders)) {
+  for (const fs::path& folder : folders_)
+    libraries_.push_back(is_library(folder) ? std::vector<Library>{read_library(folder)}
+                                            : libraries_in(folder));
+  if (!stand_ins.empty()) stand_ins_ = libraries_in(stand_ins);
 }
 
 const Library* LibraryFinder::find(const std::string& header) const {
+  const Library* const found = installed(header);
+  for (const Library& library : stand_ins_) {
+    if (!is_file(library.includes[0] / header)) continue;
+    const bool same = found && (found->named ? found->name == library.name : rank(*found, header) < kUnlike);
+    if (!found || same) return &library;
+  }
+  return found;
+}
+
+const Library* LibraryFinder::installed(const std::string& header) const {
   for (const std::vector<Library>& group : libraries_) {
     const Library* best = nullptr;
     for (const Library& library : group)

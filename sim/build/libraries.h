@@ -10,7 +10,8 @@ namespace robosim::build {
 /// A library in one of Arduino's two layouts: with `src/` (library.properties names it; sources at any
 /// depth), or flat (sources in its root and in `utility/`).
 struct Library {
-  std::string name;  ///< as library.properties says, else its folder's name
+  std::string name;    ///< as library.properties says, else its folder's name
+  bool named = false;  ///< library.properties says it
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
@@ -29,11 +30,15 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Where libraries are looked for, in this order. A folder may hold libraries, or be one.
 class LibraryFinder {
  public:
-  explicit LibraryFinder(std::vector<std::filesystem::path> folders);
+  /// `stand_ins`: a folder of libraries that are taken instead of others of their names, and where there is
+  /// none; or empty.
+  explicit LibraryFinder(std::vector<std::filesystem::path> folders,
+                         const std::filesystem::path& stand_ins = {});
 
   /// The library that has `header` in its include folder. Within one folder of libraries a library of the
   /// header's own name wins, then one whose name begins with it ("Servo-master"), then the first by name.
-  /// Null if there is none.
+  /// A stand-in is taken instead of it if library.properties calls both the same, or it has none and its
+  /// folder has the header's name. Null if there is none.
   const Library* find(const std::string& header) const;
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -41,7 +46,10 @@ class LibraryFinder {
   std::vector<std::filesystem::path> listed() const;
 
  private:
+  const Library* installed(const std::string& header) const;
+
   std::vector<std::filesystem::path> folders_;
+  std::vector<Library> stand_ins_;
   std::vector<std::vector<Library>> libraries_;  ///< for each of `folders_`
 };
 

@@ -83,12 +83,6 @@ std::string missing_header(const std::string& whole, Place* place) {
 void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
                           const Place& place, const std::string& header) {
   const bool chip = toolchain.target.chip;
-  const LibraryFinder chip_finder({core.libraries});
-  const Library* library = chip_finder.find(header);
-  if (library && !chip)
-    throw InputError(place, fmt::format("{} belongs to the library {}, which drives the chip's own hardware: "
-                                        "it is for the target avr",
-                                        header, library->name));
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
     throw InputError(place, fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is "
                                         "for the target avr",
@@ -149,13 +143,31 @@ void fail_at_walls(const std::string& messages) {
     throw CompileError({match[1], std::stoi(match[2]), std::stoi(match[3])}, match[4].str() + kNotSeen);
 }
 
+namespace {
+
+/// Groups 2, 3 and 5 are file, line and column; 6 is where the message begins.
+bool find_error(const std::string& messages, std::smatch& match) {
+  static const std::regex error(
+      R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
+  return std::regex_search(messages, match, error);
+}
+
+Place place_of(const std::smatch& match) {
+  return {match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
+}
+
+}  // namespace
+
+Place first_error(const std::string& messages) {
+  std::smatch match;
+  return find_error(messages, match) ? place_of(match) : Place();
+}
+
 void fail(const Target& target, const std::string& messages) {
   fail_at_walls(messages);
   check_machine("the compiler", messages);
-  static const std::regex error(
-      R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
   std::smatch match;
-  if (!std::regex_search(messages, match, error)) {
+  if (!find_error(messages, match)) {
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!target.chip && std::regex_search(messages, match, assembler))
       throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
@@ -165,8 +177,7 @@ void fail(const Target& target, const std::string& messages) {
       throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());
     throw CompileError(messages);
   }
-  const Place place{match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
-  throw CompileError(place, messages.substr(static_cast<std::size_t>(match.position(6))));
+  throw CompileError(place_of(match), messages.substr(static_cast<std::size_t>(match.position(6))));
 }
 
 void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,

@@ -29,6 +29,9 @@ std::string missing_header(const std::string& output, Place* place);
 /// The compiler's messages with places as the user knows them.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);
 
+/// Where the first error is; without a file if no message names one.
+Place first_error(const std::string& messages);
+
 /// Throws CompileError for a failed compilation, or ToolMissing where the machine is to blame.
 [[noreturn]] void fail(const Target& target, const std::string& messages);
 

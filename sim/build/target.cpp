@@ -59,6 +59,10 @@ const Target kHost = {
     // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
     // its table says.
     .own_level = "-O1",
+    // Each access to memory that others may see is a call, which hal/host/register_memory.cpp answers.
+    .memory = {"-DROBOSIM_REGISTER_MEMORY", "-fsanitize=thread", "--param=tsan-distinguish-volatile=1",
+               "--param=tsan-instrument-func-entry-exit=0"},
+    .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
         {// gcc defines what << does with negative numbers and with bits that fall out at the top: only the
          // distance is checked. What is never set shows: gcc fills it with bytes FE.
@@ -110,6 +114,8 @@ const Target kAvr = {
     .c_code = {"-std=gnu11"},
     .own = {},
     .own_level = "-Os",
+    .memory = {},
+    .as_avr = {},
     // Link-time optimisation of avr-gcc 5.4 does not survive code with checks. That is larger than the chip
     // by far: the executor gives an image whose handlers are there (hal/avr/undefined.c) a chip with 64 KB of
     // flash and RAM up to where its stack begins.
@@ -152,6 +158,10 @@ const Target kStm32 = {
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
     .own = {},
     .own_level = "-Os",
+    .memory = {},
+    .as_avr = {},
+    .sanitizer = {},
+    .coverage = {},
     .core = {},
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_STM32", "-DSTM32F103xB"},

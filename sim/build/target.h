@@ -54,6 +54,10 @@ struct Target {
   std::vector<std::string> c_code;
   std::vector<std::string> own;
   const char* own_level;
+  /// What is added to `own` where registers are memory (toolchain.h), and where it is an AVR's besides; empty
+  /// = the chip's registers are the target's own.
+  std::vector<std::string> memory;
+  std::vector<std::string> as_avr;
   Sanitizer sanitizer;
   Counting coverage;
   std::vector<std::string> core;

@@ -170,7 +170,12 @@ GenuineCore find_core() {
 
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const fs::path& cache) {
-  if (!target.chip) return hal_core(target.hal, board, genuine, cache);
+  if (!target.chip) {
+    Core core = hal_core(target.hal, board, genuine, cache);
+    core.libraries = {genuine.libraries};
+    core.stand_ins = core.root / "hal/libraries";
+    return core;
+  }
   check_chip(target, board);
   return target.hal ? stm32_core(board, genuine, cache) : genuine_core(board, genuine);
 }

@@ -49,11 +49,19 @@ struct Core {
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it
+  std::filesystem::path stand_ins;               ///< folder of libraries that replace others, or empty
   std::vector<std::filesystem::path> linked;     ///< files that the linker adds by itself
   std::vector<std::string> machine;              ///< words that name the chip
   std::vector<std::string> link;                 ///< words for the linker
   Names places;                                  ///< folders in debug information; the last that fits wins
   Names readable;                                ///< how messages begin, and what users read instead
+};
+
+/// What a register is to the sketch and its libraries, on a target that has none of its own.
+enum class Registers {
+  objects,  ///< of classes (hal/arduino/avr/io.h): what each access does is compiled in
+  memory,   ///< bytes with addresses, for libraries that keep those: accesses to memory are watched
+  as_avr,   ///< the same, for libraries that say they are for an AVR only: the compiler claims to be one
 };
 
 /// What all compilations of one build share.
@@ -66,6 +74,7 @@ struct Toolchain {
   Warnings warnings = Warnings::standard;
   bool sanitize = false;
   bool coverage = false;
+  Registers registers = Registers::objects;
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

@@ -2,8 +2,10 @@
 //
 // Names, addresses and bits come from avr-libc's own header, as iom328p.h, which is staged beside this
 // header. What is ours is what an access does: it asks the simulated chip (hal/host). A register is therefore
-// not memory. It can be read, assigned and changed by every operator, but its address is no `uint8_t*`; see
-// RegisterPointer.
+// an object, which can be read, assigned and changed by every operator. Where a program wants more, its
+// address as a `volatile uint8_t*` or a register in a .c file, all of it is compiled again with
+// ROBOSIM_REGISTER_MEMORY: then registers are memory, and accesses to memory are watched
+// (hal/host/register_memory.h).
 #pragma once
 #define _AVR_IO_H_
 
@@ -14,7 +16,7 @@
 #define _BV(bit) (1 << (bit))
 #define _VECTOR(number) __vector_##number
 
-#ifdef __cplusplus
+#if defined(__cplusplus) && !defined(ROBOSIM_REGISTER_MEMORY)
 
 namespace robosim_hal {
 
@@ -70,15 +72,16 @@ class Register8 {
   robosim_register address_;
 };
 
-/// What `&PORTB` and portOutputRegister() give. `*p |= mask` works. A `volatile uint8_t*` cannot be made from
-/// it, because no one would notice a write through that: such code is refused by the compiler and is for the
-/// target avr.
+/// What `&PORTB` and portOutputRegister() give. `*p |= mask` works. A program that makes a `volatile
+/// uint8_t*` of it names robosim_register_memory, and is compiled again.
 class RegisterPointer {
  public:
   constexpr RegisterPointer() : address_(0) {}
   explicit constexpr RegisterPointer(robosim_register address) : address_(address) {}
   constexpr Register8 operator*() const { return Register8(address_); }
   explicit constexpr operator bool() const { return address_ != 0; }
+  operator volatile uint8_t*() const { return robosim_register_memory + address_; }
+  explicit operator uint8_t*() const { return robosim_register_memory + address_; }
 
  private:
   robosim_register address_;
@@ -140,10 +143,15 @@ class Register16 {
 #define _SFR_MEM8(address) (robosim_hal::Register8(address))
 #define _SFR_MEM16(address) (robosim_hal::Register16(address))
 
-#else  // C has no operators of our own.
+#else  // C has no operators of our own: its registers are memory.
 
-#define _SFR_MEM8(address) robosim_registers_need_a_cpp_file
-#define _SFR_MEM16(address) robosim_registers_need_a_cpp_file
+#define ROBOSIM_REGISTER(type, address) (*(volatile type*)(robosim_register_memory + (address)))
+#define _SFR_MEM8(address) ROBOSIM_REGISTER(uint8_t, address)
+#define _SFR_MEM16(address) ROBOSIM_REGISTER(uint16_t, address)
+#define _SFR_MEM_ADDR(sfr) ((uintptr_t) & (sfr) - (uintptr_t)robosim_register_memory)
+#define _SFR_IO_ADDR(sfr) (_SFR_MEM_ADDR(sfr) - 0x20)
+#define _SFR_ADDR(sfr) _SFR_MEM_ADDR(sfr)
+#define _SFR_IO_REG_P(sfr) (_SFR_MEM_ADDR(sfr) < 0x60)
 
 #endif
 

@@ -24,6 +24,7 @@ typedef int32_t prog_int32_t;
 typedef uint32_t prog_uint32_t;
 typedef int64_t prog_int64_t;
 typedef uint64_t prog_uint64_t;
+typedef uintptr_t uint_farptr_t;
 
 #ifdef __cplusplus
 namespace robosim_hal {
@@ -106,3 +107,20 @@ inline uint16_t program_word(uintptr_t address) { return program_memory<uint16_t
 #define vprintf_P vprintf
 #define vsnprintf_P vsnprintf
 #define vsprintf_P vsprintf
+
+// The same for far addresses, which are numbers.
+#define memcmp_PF(a, far_b, size) memcmp(a, (const void*)(far_b), size)
+#define memcpy_PF(to, far_from, size) memcpy(to, (const void*)(far_from), size)
+#define strlen_PF(far_text) strlen((const char*)(far_text))
+#define strnlen_PF(far_text, size) strnlen((const char*)(far_text), size)
+#define strcasecmp_PF(a, far_b) strcasecmp(a, (const char*)(far_b))
+#define strcmp_PF(a, far_b) strcmp(a, (const char*)(far_b))
+#define strcat_PF(a, far_b) strcat(a, (const char*)(far_b))
+#define strcpy_PF(a, far_b) strcpy(a, (const char*)(far_b))
+#define strstr_PF(a, far_b) strstr(a, (const char*)(far_b))
+#define strncasecmp_PF(a, far_b, size) strncasecmp(a, (const char*)(far_b), size)
+#define strncmp_PF(a, far_b, size) strncmp(a, (const char*)(far_b), size)
+#define strncat_PF(a, far_b, size) strncat(a, (const char*)(far_b), size)
+#define strncpy_PF(a, far_b, size) strncpy(a, (const char*)(far_b), size)
+#define strlcat_PF(a, far_b, size) strlcat(a, (const char*)(far_b), size)
+#define strlcpy_PF(a, far_b, size) strlcpy(a, (const char*)(far_b), size)

@@ -6,7 +6,8 @@
 // A bit is a 1 if it is high for 0.55 us or longer; 24 of them, green, red, blue, the highest first, are a
 // LED's, and the rest goes on to the next (WorldSemi data sheet WS2812; newer ones take 280 us for a reset,
 // which they get where a sketch waits as its library does). It is told as an event, RRGGBB a LED, when it has
-// changed and stayed for 50 ms. Pulses so short are a chip's: firmware on the target host cannot make them.
+// changed and stayed for 50 ms. Loops that
+// make pulses so short are a chip's: on the target host the library's stand-in makes them.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -57,12 +57,6 @@ TEST_F(SketchTest, AMissingHeaderIsNamedWithWhereItWasLookedFor) {
   EXPECT_THROW(build({folder_ / "Needy", *find_board("uno")}), MissingLibrary) << "one may be elsewhere";
 }
 
-TEST_F(SketchTest, ALibraryForTheChipIsToldApartFromAMissingOne) {
-  write("Wired/Wired.ino", "#include <Wire.h>\n" + kEmptySketch);
-  EXPECT_THAT(error_of("Wired"),
-              StartsWith("Wired.ino:1:10: Wire.h belongs to the library Wire, which drives the"));
-}
-
 TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   write("Boot/Boot.ino", "#include <avr/boot.h>\n" + kEmptySketch);
   EXPECT_THAT(error_of("Boot"), StartsWith("Boot.ino:1:10: avr/boot.h belongs to avr-libc"));
@@ -72,9 +66,6 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
   EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
                                       HasSubstr(" `wdr'"), EndsWith("): it is for the target avr")));
-  write("Boot/Boot.cpp", "#include <avr/io.h>\n");
-  write("Boot/port.c", "#include <avr/io.h>\nvoid f(void) { PORTB = 1; }\n");
-  EXPECT_THAT(error_of("Boot"), HasSubstr("'robosim_registers_need_a_cpp_file' undeclared"));
 }
 
 TEST_F(SketchTest, ASketchWithoutLoopIsToldSo) {

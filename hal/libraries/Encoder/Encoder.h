@@ -1,0 +1,81 @@
+// Quadrature encoders: four counts a period, up while the second pin leads.
+//
+// Pins that interrupt are followed by their interrupts; of the others read() looks at the level, as the
+// genuine library does it.
+#pragma once
+
+#include <Arduino.h>
+
+class Encoder {
+ public:
+  Encoder(uint8_t pin1, uint8_t pin2) : pin1_(pin1), pin2_(pin2) {
+    pinMode(pin1, INPUT_PULLUP);
+    pinMode(pin2, INPUT_PULLUP);
+    delayMicroseconds(2000);  // as the genuine one waits for filters
+    levels_ = levels();
+    const bool first = follow(pin1), second = follow(pin2);
+    followed_ = first && second;
+  }
+
+  int32_t read() {
+    const uint8_t interrupts = SREG;
+    cli();
+    if (!followed_) update();
+    const int32_t count = count_;
+    SREG = interrupts;
+    return count;
+  }
+  int32_t readAndReset() {
+    const int32_t count = read();
+    write(0);
+    return count;
+  }
+  void write(int32_t count) {
+    const uint8_t interrupts = SREG;
+    cli();
+    count_ = count;
+    SREG = interrupts;
+  }
+
+ private:
+  static const int kHandlers = 8;
+
+  static uint8_t level(uint8_t pin) {
+    const uint8_t port = digitalPinToPort(pin);
+    if (port == NOT_A_PORT) return digitalRead(pin);
+    return *portInputRegister(port) & digitalPinToBitMask(pin) ? 1 : 0;
+  }
+  uint8_t levels() const { return static_cast<uint8_t>(level(pin1_) | level(pin2_) << 1); }
+
+  void update() {
+    // By the levels before (bits 0 and 1) and now (bits 2 and 3). Where both have changed, one edge was
+    // missed: two counts, in the direction that the second pin tells.
+    static const int8_t counts[16] = {0, 1, -1, 2, -1, 0, -2, 1, 1, -2, 0, -1, 2, -1, 1, 0};
+    const uint8_t now = levels();
+    count_ += counts[levels_ | now << 2];
+    levels_ = now;
+  }
+
+  static Encoder*& at(int number) {
+    static Encoder* encoders[kHandlers];
+    return encoders[number];
+  }
+  template <int number>
+  static void handle() {
+    at(number)->update();
+  }
+  bool follow(uint8_t pin) {
+    static void (*const handlers[kHandlers])() = {handle<0>, handle<1>, handle<2>, handle<3>,
+                                                  handle<4>, handle<5>, handle<6>, handle<7>};
+    const int number = digitalPinToInterrupt(pin);
+    if (number < 0 || number >= kHandlers) return false;
+    at(number) = this;
+    attachInterrupt(static_cast<uint8_t>(number), handlers[number], CHANGE);
+    return true;
+  }
+
+  uint8_t pin1_, pin2_;
+  uint8_t levels_;
+  bool followed_;
+  volatile int32_t count_ = 0;
+};
