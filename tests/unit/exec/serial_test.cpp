@@ -85,7 +85,7 @@ TEST_F(SerialTest, WithInterruptsOffOnlyTheReceiversTwoBytesStay) {
   start(R"(void setup() {
   Serial.begin(115200);
   noInterrupts();
-  delayMicroseconds(20000);
+  delayMicroseconds(16000);
   interrupts();
   delay(1);
   Serial.println(Serial.available());
