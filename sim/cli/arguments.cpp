@@ -18,8 +18,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",   "sweep", "compare", "play", "classic", "build",
-                                         "flash", "map",   "robot",   "test", "new"};
+const std::vector<std::string> kCommands{"run",   "replay", "sweep", "compare", "play", "classic",
+                                         "build", "flash",  "map",   "robot",   "test", "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -50,7 +50,9 @@ Command parse_run(const Words& words) {
   options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
-  options.texts("--record", run.record, "FILE", "samples every 10 ms as .csv, pins as .vcd; may be repeated");
+  options.texts("--record", run.record, "FILE",
+                "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
+  options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg");
   options.text("--coverage", run.coverage, "DIR",
                "which lines of the sketch ran, over all runs with this DIR (host only)");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
@@ -70,6 +72,19 @@ Command parse_run(const Words& words) {
     throw InputError("--view and --json both want the standard output; give one of them");
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
   return run;
+}
+
+Command parse_replay(const Words& words) {
+  ReplayArguments replay;
+  std::string speed;
+  Options options("replay", "Plays a recorded run in the terminal.");
+  options.positional("FILE", replay.file, "what run --record has written: .html or .rec");
+  options.text("--speed", speed, "N", "default: 1, real time; 0: as fast as possible");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (replay.file.empty())
+    throw InputError("robosim replay needs a recording, as in robosim replay run.html");
+  if (!speed.empty()) replay.speed = view_speed(speed);
+  return replay;
 }
 
 Command parse_build(const Words& words) {
@@ -266,6 +281,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
+  if (first == "replay") return parse_replay(rest);
   if (first == "sweep") return parse_sweep(rest);
   if (first == "compare") return parse_compare(rest);
   if (first == "play") return parse_play(rest);

@@ -17,11 +17,18 @@ struct RunArguments : launch::Launch {
   std::string script;               ///< a file
   std::vector<std::string> send;    ///< texts as a scenario writes them, between its double quotes
   std::vector<std::string> record;  ///< files
+  std::vector<std::string> plot;    ///< files
   std::string coverage;             ///< a folder; empty = nothing is counted
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;
   bool timing = false;
+};
+
+/// `robosim replay`
+struct ReplayArguments {
+  std::string file;
+  double speed = 1.0;  ///< as of RunArguments
 };
 
 /// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
@@ -139,9 +146,9 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, SweepArguments, CompareArguments, PlayArguments, ClassicArguments,
-                             BuildArguments, FlashArguments, MapArguments, GenerateArguments, RobotArguments,
-                             TestArguments, NewArguments, PrintText>;
+using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
+                             ClassicArguments, BuildArguments, FlashArguments, MapArguments,
+                             GenerateArguments, RobotArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -8,6 +8,7 @@ inline constexpr const char* kExamples =
 
   robosim run PidFollower --map oval        a sketch of ours on a map of ours
   robosim run PidFollower --view            watch it drive
+  robosim run PidFollower --record run.html a page that replays it: open it in a browser
   robosim run my/Sketch --map my.map        your own sketch, on your own map
   robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
   robosim play                              choose a map, watch it scanned, send the robot to stations
@@ -19,6 +20,7 @@ robosim --help lists the commands, robosim run --help the options.
 inline constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
+  replay FILE                 play what run --record run.html has written, in the terminal
   sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?
   compare [SKETCH]            the first thing that host, AVR and STM32 do differently
   play [MAP]                  watch and steer the robot on a map, step by step, in the terminal

@@ -17,6 +17,7 @@
 #include "sim/cli/output.h"
 #include "sim/cli/run/classic_command.h"
 #include "sim/cli/run/play_command.h"
+#include "sim/cli/run/replay_command.h"
 #include "sim/cli/run/run_command.h"
 #include "sim/cli/sweep/sweep_command.h"
 #include "sim/client/interrupts.h"
@@ -26,6 +27,7 @@ namespace {
 
 struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
+  int operator()(const ReplayArguments& arguments) const { return replay_command(arguments); }
   int operator()(const SweepArguments& arguments) const { return sweep_command(arguments); }
   int operator()(const CompareArguments& arguments) const { return compare_command(arguments); }
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }

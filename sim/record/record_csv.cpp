@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "sim/base/csv.h"
-#include "sim/base/error.h"
 #include "sim/base/file.h"
 
 namespace robosim::record {
-void CsvRecord::add(const wire::Event& event) {
+void CsvRecorder::add(const wire::Event& event) {
   if (const auto* started = std::get_if<wire::Started>(&event)) {
     text_ = "t_us,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right";
     for (const std::string& name : started->readings) text_ += "," + csv_field(name);
@@ -24,17 +22,6 @@ void CsvRecord::add(const wire::Event& event) {
   }
 }
 
-void CsvRecord::save() const { write_file(path_, text_); }
-
-const std::vector<std::string>& record_endings() {
-  static const std::vector<std::string> endings{".csv", ".vcd"};
-  return endings;
-}
-
-void check_record_ending(const std::filesystem::path& path) {
-  const auto& known = record_endings();
-  if (std::find(known.begin(), known.end(), path.extension().string()) != known.end()) return;
-  throw InputError(path.string() + ": the file's ending chooses the format, and it must be " + one_of(known));
-}
+void CsvRecorder::finish(const wire::RunResult&) { write_file(path_, text_); }
 
 }  // namespace robosim::record

@@ -6,13 +6,12 @@
 #include <iterator>
 
 #include "sim/base/file.h"
+#include "sim/record/pin_level.h"
 
 namespace robosim::record {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
-constexpr double kFloating = 2;
-constexpr double kPulsing = 3;
 
 // Printable characters, the shortest first.
 std::string identifier(std::size_t number) {
@@ -27,8 +26,14 @@ std::string identifier(std::size_t number) {
 
 }  // namespace
 
-VcdRecord::VcdRecord(std::filesystem::path path, const BoardSpec& board)
-    : path_(std::move(path)), board_(board.name) {
+void VcdRecorder::ask(wire::RunRequest& request) const {
+  Recorder::ask(request);
+  request.pins = request.io = true;
+}
+
+void VcdRecorder::begin(const RecordedRun& run) {
+  const BoardSpec& board = *find_board(run.robot_info.board.name.c_str());
+  board_ = board.name;
   using Kind = Signal::Kind;
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     const PinSpec& spec = board.pins[pin];
@@ -47,16 +52,16 @@ VcdRecord::VcdRecord(std::filesystem::path path, const BoardSpec& board)
   }
 }
 
-std::uint32_t VcdRecord::declare(std::string name, Signal::Kind kind) {
+std::uint32_t VcdRecorder::declare(std::string name, Signal::Kind kind) {
   signals_.push_back({std::move(name), kind, identifier(signals_.size())});
   return static_cast<std::uint32_t>(signals_.size() - 1);
 }
 
-void VcdRecord::change(std::int64_t t_ns, std::uint32_t signal, double value) {
+void VcdRecorder::change(std::int64_t t_ns, std::uint32_t signal, double value) {
   if (signal != kNone) changes_.push_back({t_ns, signal, value});
 }
 
-void VcdRecord::add_byte(const wire::SerialByte& byte) {
+void VcdRecorder::add_byte(const wire::SerialByte& byte) {
   const auto& signals = byte.sent ? sent_ : received_;
   bool& flipped = flipped_[byte.sent ? 0 : 1];
   flipped = !flipped;
@@ -64,18 +69,14 @@ void VcdRecord::add_byte(const wire::SerialByte& byte) {
   change(byte.t_ns, signals[1], flipped);
 }
 
-void VcdRecord::add(const wire::Event& event) {
+void VcdRecorder::add(const wire::Event& event) {
   const auto signals_of = [&](const std::string& pin) {
     const auto found = pins_.find(pin);
     return found == pins_.end() ? PinSignals{kNone, kNone, kNone, kNone} : found->second;
   };
   if (const auto* drive = std::get_if<wire::PinChange>(&event)) {
     const PinSignals signals = signals_of(drive->pin);
-    const bool pulsing = drive->tone_hz > 0 || (drive->pwm && drive->duty > 0.0 && drive->duty < 1.0);
-    const double level = drive->mode == "output"         ? pulsing ? kPulsing : drive->duty >= 0.5
-                         : drive->mode == "input_pullup" ? 1
-                                                         : kFloating;
-    change(drive->t_ns, signals.level, level);
+    change(drive->t_ns, signals.level, static_cast<int>(level_of(*drive)));
     change(drive->t_ns, signals.duty, drive->duty);
     change(drive->t_ns, signals.tone, drive->tone_hz);
   } else if (const auto* level = std::get_if<wire::LevelSeen>(&event)) {
@@ -89,7 +90,7 @@ void VcdRecord::add(const wire::Event& event) {
   }
 }
 
-void VcdRecord::write(std::string& out, const Signal& signal, double value) {
+void VcdRecorder::write(std::string& out, const Signal& signal, double value) {
   auto to = std::back_inserter(out);
   const int whole = static_cast<int>(value);
   switch (signal.kind) {
@@ -105,7 +106,7 @@ void VcdRecord::write(std::string& out, const Signal& signal, double value) {
   }
 }
 
-std::string VcdRecord::text() const {
+std::string VcdRecorder::text() const {
   std::string out =
       fmt::format("$version Robosim $end\n$timescale 1 ns $end\n$scope module {} $end\n", board_);
   constexpr const char* kTypes[] = {"wire 1", "real 64", "reg 8"};
@@ -117,7 +118,8 @@ std::string VcdRecord::text() const {
 
   std::vector<double> values(signals_.size(), 0.0);
   for (const auto& [name, signals] : pins_)
-    if (signals.level != kNone) values[signals.level] = kFloating;  // a reset leaves inputs
+    if (signals.level != kNone)
+      values[signals.level] = static_cast<int>(PinLevel::floating);  // a reset leaves inputs
   for (std::size_t i = 0; i < signals_.size(); ++i) write(out, signals_[i], values[i]);
   out += "$end\n";
 
@@ -135,6 +137,6 @@ std::string VcdRecord::text() const {
   return out;
 }
 
-void VcdRecord::save() const { write_file(path_, text()); }
+void VcdRecorder::finish(const wire::RunResult&) { write_file(path_, text()); }
 
 }  // namespace robosim::record

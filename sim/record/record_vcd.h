@@ -2,33 +2,30 @@
 // 1364-2005, chapter 18). The signals are listed in docs/recordings.md.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/wire/messages.h"
+#include "sim/record/recorder.h"
 
 namespace robosim::record {
 
-/// Gathers changes in memory; nothing is written before save().
-class VcdRecord {
+/// Gathers changes in memory; nothing is written before the end.
+class VcdRecorder final : public Recorder {
  public:
-  VcdRecord(std::filesystem::path path, const BoardSpec& board);
+  explicit VcdRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  void ask(wire::RunRequest& request) const override;
+  void begin(const RecordedRun& run) override;
   /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
-  void add(const wire::Event& event);
+  void add(const wire::Event& event) override;
+  void finish(const wire::RunResult&) override;
   /// The whole file: every signal declared, then the changes in the order of time.
   std::string text() const;
-  /// Whole or not at all. Throws InputError.
-  void save() const;
 
  private:
   struct Change {
     std::int64_t t_ns;
     std::uint32_t signal;
-    double value;  ///< of a wire: 0, 1, kFloating or kPulsing
+    double value;  ///< of a wire: a PinLevel
   };
   struct Signal {
     enum class Kind { wire, real, byte };

@@ -29,6 +29,8 @@ Summary describe(const Description& robot) {
   summary.registers = robot.registers;
   summary.budget = robot.budget;
   summary.outline = outline_of(robot.chassis);
+  summary.track = robot.chassis.track.value;
+  summary.wheel = robot.chassis.wheel.value;
   for (const auto& part : robot.parts) {
     PartSummary& about = summary.parts.emplace_back(PartSummary{part->name, part->type, {}});
     for (const Wire& wire : part->wires) about.pins.emplace_back(wire.role, wire.pin);

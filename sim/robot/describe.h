@@ -26,6 +26,8 @@ struct Summary {
   const BoardSpec* board = nullptr;
   Budget budget;
   std::vector<Vec2> outline;         ///< m; a circle as 24 corners
+  double track = 0.0;                ///< m, between the wheels' contact points
+  double wheel = 0.0;                ///< m, a wheel's diameter
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
   std::vector<Gauge> gauges;         ///< readings that are numbers with units
   std::vector<PartSummary> parts;

@@ -81,7 +81,8 @@ struct Wire {
 /// A sensor that looks at the floor, for people and pages.
 struct SensorPlace {
   std::string name;
-  Vec2 at;  ///< m, in the body's frame
+  Vec2 at;                 ///< m, in the body's frame
+  double footprint = 0.0;  ///< m: side of the square of floor that it sees
 };
 
 /// A reading that is a number with a unit, for people and pages; others are levels, or on and off.

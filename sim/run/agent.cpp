@@ -154,6 +154,7 @@ void Agent::observe(SimTime end) {
 Sample Agent::sample_at(SimTime t) const {
   Sample sample{
       t, body_.pose(), body_.speed(), state_.cross_track, robot_.left_command(), robot_.right_command(), {}};
+  sample.wheels = {body_.tread_speed(world::left), body_.tread_speed(world::right)};
   for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
   if (setup_.controller) {
     for (const judge::Waypoint& station : progress_.stations())

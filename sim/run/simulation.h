@@ -11,6 +11,7 @@
 // threads or what is listened to.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -49,7 +50,8 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
-  std::string at_station;  ///< whose centre the body covers; told to a controller only, "" = none
+  std::string at_station;          ///< whose centre the body covers; told to a controller only, "" = none
+  std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also when it slips
 };
 
 /// Listens to one agent. Hearing more never changes what happens.

@@ -36,7 +36,8 @@ wire::Sample to_wire(const run::Sample& s) {
           s.left,
           s.right,
           s.readings,
-          s.at_station};
+          s.at_station,
+          {millimetres(s.wheels[0]), millimetres(s.wheels[1])}};
 }
 
 wire::Paused to_wire(const run::State& state, const run::Sample& sample) {
@@ -99,8 +100,10 @@ wire::RobotInfo to_wire(const robot::Summary& robot) {
   info.budget = {robot.budget.flash_bytes, robot.budget.ram_bytes};
   for (const Vec2 corner : robot.outline)
     info.outline_mm.push_back({millimetres(corner.x), millimetres(corner.y)});
+  info.track_mm = millimetres(robot.track);
+  info.wheel_mm = millimetres(robot.wheel);
   for (const robot::SensorPlace& s : robot.sensors)
-    info.sensors.push_back({s.name, millimetres(s.at.x), millimetres(s.at.y)});
+    info.sensors.push_back({s.name, millimetres(s.at.x), millimetres(s.at.y), millimetres(s.footprint)});
   for (const robot::Gauge& gauge : robot.gauges) info.gauges.push_back({gauge.name, gauge.unit});
   for (const robot::PartSummary& part : robot.parts) {
     wire::RobotInfo::Part told{part.name, part.type, {}};

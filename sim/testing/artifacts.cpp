@@ -7,12 +7,10 @@
 #include <filesystem>
 #include <map>
 
-#include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
-#include "sim/record/record_csv.h"
-#include "sim/record/record_vcd.h"
+#include "sim/record/recorder.h"
 #include "sim/testing/rehearsal.h"
 
 namespace robosim::testing {
@@ -84,17 +82,14 @@ std::string keep(const RunLog& log, const Stage& stage, const std::string& scrip
     wire::RunRequest request = stage.request;
     request.script = script;
     request.for_ns = until_ns;
-    request.pins = request.io = true;
     request.counters.clear();
-    const BoardSpec* board = find_board(stage.robot.board.name.c_str());
-    record::CsvRecord table(folder / "run.csv");
-    record::VcdRecord waves(folder / "run.vcd", *board);
-    const wire::RunResult again = runner.run(request, [&](const wire::Event& event) {
-      table.add(event);
-      waves.add(event);
-    });
-    table.save();
-    waves.save();
+    record::Recorders recorders({folder / "run.csv", folder / "run.vcd", folder / kPage});
+    recorders.ask(request);
+    recorders.begin({runner.hello().version, log.sketch_name, log.map_name, log.robot_name, log.trial.target,
+                     stage.robot, request});
+    const wire::RunResult again =
+        runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
+    recorders.finish(again);
     if (!log.result || again.trace_hash == log.result->trace_hash) return "";
     return "the recordings in " + folder.string() +
            " are of another run than the test's: a fault of Robosim's own";

@@ -8,6 +8,9 @@
 
 namespace robosim::testing {
 
+/// The file in it that a browser opens.
+inline constexpr const char* kPage = "run.html";
+
 /// The folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts; "" if that is
 /// "none", and in rehearsals. Nothing is made yet.
 std::string artifact_folder();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "sim/testing/artifacts.h"
 #include "sim/testing/run_log.h"
 
 namespace robosim::testing {
@@ -122,7 +123,8 @@ std::string Drive::epilogue(Duration until) const {
     text += fmt::format("\n  the run ended at {} as {}: {}", seconds(log_->legs.back().end_ns),
                         log_->result->verdict, log_->result->why);
   text += fmt::format("\n  replay: {} --for {}ms", log_->replay, end_.count() / 1'000'000);
-  if (!log_->artifacts.empty()) text += fmt::format("\n  kept:   {}", log_->artifacts);
+  if (!log_->artifacts.empty())
+    text += fmt::format("\n  kept:   {}; open its {} in a browser", log_->artifacts, kPage);
   return text;
 }
 

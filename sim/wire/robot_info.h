@@ -25,8 +25,9 @@ struct RobotInfo {
   };
   struct Sensor {
     std::string name;
-    double x_mm = 0.0;  ///< forward of the axle's centre
-    double y_mm = 0.0;  ///< left of it
+    double x_mm = 0.0;          ///< forward of the axle's centre
+    double y_mm = 0.0;          ///< left of it
+    double footprint_mm = 0.0;  ///< side of the square of floor that it sees; 0 = not known
   };
   /// A reading that is a number; others are levels, or on and off.
   struct Gauge {
@@ -45,6 +46,8 @@ struct RobotInfo {
   Board board;
   Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
+  double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = not known
+  double wheel_mm = 0.0;                          ///< diameter; 0 = not known
   std::vector<Sensor> sensors;
   std::vector<Gauge> gauges;
   std::vector<Part> parts;
@@ -68,6 +71,8 @@ void fields(V& v, Same<V, RobotInfo::Sensor>& s) {
   v("name", s.name, "as in `readings` of `started`");
   v("x", s.x_mm, "forward of the axle's centre", {.unit = "mm"});
   v("y", s.y_mm, "left of it", {.unit = "mm"});
+  v("footprint", s.footprint_mm, "side of the square of floor that it sees",
+    {.unit = "mm", .presence = kOptional});
 }
 
 template <class V>
@@ -93,6 +98,9 @@ void fields(V& v, Same<V, RobotInfo>& r) {
   v("board", r.board, "the board that it carries");
   v("budget", r.budget, "what firmware may take of the chip", {.presence = kOptional});
   v("outline", r.outline_mm, "corners, each `[forward, left]` of the axle's centre", {.unit = "mm"});
+  v("track", r.track_mm, "between the wheels' contact points, which are left and right of the axle's centre",
+    {.unit = "mm", .presence = kOptional});
+  v("wheel", r.wheel_mm, "a wheel's diameter", {.unit = "mm", .presence = kOptional});
   v("sensors", r.sensors, "those that look at the floor");
   v("gauges", r.gauges, "readings that are numbers with a unit; other readings are levels, or on and off",
     {.presence = kOptional});

@@ -2,6 +2,7 @@
 // coordinates have x east and y north, with the origin at the map's bottom-left corner.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -63,10 +64,11 @@ struct Sample {
   double yaw_rad = 0.0;
   double speed_mm_s = 0.0;
   double cross_track_mm = 0.0;
-  double left = 0.0;             ///< command of the left motor, -1..1
-  double right = 0.0;            ///< command of the right motor, -1..1
-  std::vector<double> readings;  ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
-  std::string at_station;        ///< of a driven run: whose centre the body covers; "" = none
+  double left = 0.0;                    ///< command of the left motor, -1..1
+  double right = 0.0;                   ///< command of the right motor, -1..1
+  std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
+  std::string at_station;               ///< of a driven run: whose centre the body covers; "" = none
+  std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also when it slips
 };
 
 template <class V>
@@ -80,6 +82,8 @@ void fields(V& v, Same<V, Sample>& s) {
     {.unit = "mm"});
   v("left", s.left, "command of the left motor, -1..1");
   v("right", s.right, "command of the right motor, -1..1");
+  v("wheels", s.wheels_mm_s, "speeds of the left and the right wheel's tread, slipping or not",
+    {.unit = "mm/s", .presence = kOptional});
   v("readings", s.readings,
     "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1, "
     "of gauges in their units");

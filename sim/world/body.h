@@ -105,6 +105,7 @@ class Body {
   double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
   /// rad/s; holds for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
   double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
+  double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, also when it slips
   /// Whether the wheel's speed and the ground's differ.
   bool slips() const { return slips_; }
   double distance() const { return distance_; }  ///< m travelled by the axle's centre, always growing

@@ -26,8 +26,7 @@
 #include "sim/client/runner.h"
 #include "sim/launch/launch.h"
 #include "sim/launch/names.h"
-#include "sim/record/record_csv.h"
-#include "sim/record/record_vcd.h"
+#include "sim/record/recorder.h"
 #include "sim/tui/live_view.h"
 #include "sim/tui/progress.h"
 #include "sim/tui/report.h"
@@ -49,7 +48,6 @@ double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
 /// How often samples are needed, as a multiple of 1 ms; 0 = not at all.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
-  if (!arguments.record.empty()) return record::kRecordEvery_ns;
   if (arguments.view) return tui::kViewEvery_ns;
   if (arguments.json && !progress) return 0;
   constexpr std::int64_t kTick = 1'000'000;
@@ -83,29 +81,28 @@ std::unique_ptr<grid::Map> map_to_draw(const fs::path& path) {
   return std::make_unique<grid::Map>(grid::read_map(path));
 }
 
-bool is_vcd(const std::string& file) { return fs::path(file).extension() == ".vcd"; }
+record::Recorders recorders_of(const RunArguments& arguments) {
+  std::vector<std::string> files = arguments.plot;
+  launch::name_flag("--plot", [&] {
+    for (const std::string& file : files) record::check_is_picture(file);
+  });
+  files.insert(files.end(), arguments.record.begin(), arguments.record.end());
+  record::Recorders recorders;
+  launch::name_flag("--record", [&] { recorders = record::Recorders(files); });
+  return recorders;
+}
 
 /// Everything that listens to a run's events.
 class Listeners {
  public:
-  Listeners(const RunArguments& arguments, const BoardSpec& board, tui::Progress& progress)
-      : progress_(progress) {
-    for (const std::string& file : arguments.record) {
-      if (is_vcd(file)) {
-        waves_.emplace_back(file, board);
-      } else {
-        tables_.emplace_back(file);
-      }
-    }
-    for_s_ = static_cast<double>(arguments.request.for_ns) * 1e-9;
-  }
+  Listeners(record::Recorders& recorders, std::int64_t for_ns, tui::Progress& progress)
+      : recorders_(recorders), progress_(progress), for_s_(static_cast<double>(for_ns) * 1e-9) {}
 
   void watch(tui::LiveView* view) { view_ = view; }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
 
   void on_event(const wire::Event& event) {
-    for (record::CsvRecord& table : tables_) table.add(event);
-    for (record::VcdRecord& wave : waves_) wave.add(event);
+    recorders_.add(event);
     if (const auto* started = std::get_if<wire::Started>(&event)) started_ = *started;
     if (const auto* sample = std::get_if<wire::Sample>(&event)) {
       trail_.add(*sample);
@@ -118,22 +115,17 @@ class Listeners {
     if (view_) view_->on_event(event);
   }
 
-  void save() const {
-    for (const record::CsvRecord& table : tables_) table.save();
-    for (const record::VcdRecord& wave : waves_) wave.save();
-  }
   const wire::Started& started() const { return started_; }
   const tui::Trail& trail() const { return trail_; }
 
  private:
+  record::Recorders& recorders_;
   tui::Progress& progress_;
-  std::vector<record::CsvRecord> tables_;
-  std::vector<record::VcdRecord> waves_;
   tui::LiveView* view_ = nullptr;
   std::string debugger_;  ///< what to type to attach one
   wire::Started started_;
   tui::Trail trail_;
-  double for_s_ = 0.0;
+  double for_s_;
 };
 
 /// Runs, in the live view if asked for.
@@ -159,11 +151,10 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, co
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
+  record::Recorders recorders = recorders_of(arguments);
   std::vector<WriteClaim> claims;
-  for (const std::string& file : arguments.record) {
-    launch::name_flag("--record", [&] { record::check_record_ending(file); });
-    claims.emplace_back(file);
-  }
+  for (const auto* files : {&arguments.record, &arguments.plot})
+    for (const std::string& file : *files) claims.emplace_back(file);
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
@@ -181,8 +172,7 @@ int run_command(const RunArguments& arguments) {
   tui::Progress progress(!arguments.view);
   launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
   launch.request.serial = launch.request.notes = arguments.view;
-  launch.request.pins = launch.request.io =
-      std::any_of(arguments.record.begin(), arguments.record.end(), is_vcd);
+  recorders.ask(launch.request);
 
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress));
@@ -191,7 +181,9 @@ int run_command(const RunArguments& arguments) {
   const BoardSpec& board = launch::board_of(run.robot_info);
   const bool is_built = run.sketch.elf_target.empty();
 
-  Listeners listeners(arguments, board, progress);
+  recorders.begin({runner.hello().version, run.sketch.name, run.map.name, run.robot.name, run.target,
+                   run.robot_info, run.request});
+  Listeners listeners(recorders, run.request.for_ns, progress);
   if (run.request.gdb_port > 0)
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));
@@ -200,7 +192,7 @@ int run_command(const RunArguments& arguments) {
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
-  listeners.save();
+  recorders.finish(result);
   std::optional<Finding> finding;
   std::string next = next_of(result);
   if (is_built && deserves_second_look(run.wanted, result)) {

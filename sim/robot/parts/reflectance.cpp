@@ -156,7 +156,8 @@ std::unique_ptr<Part> ReflectanceSpec::make(PartContext& context) const {
 
 std::vector<SensorPlace> ReflectanceSpec::sensors() const {
   std::vector<SensorPlace> places;
-  for (const Element& element : elements) places.push_back({element.name, element.at});
+  const double seen = footprint_of(footprint.value, height.value);
+  for (const Element& element : elements) places.push_back({element.name, element.at, seen});
   return places;
 }
 

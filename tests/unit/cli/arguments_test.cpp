@@ -117,11 +117,11 @@ TEST(Arguments, OtherCommandsTakeTheirWords) {
   EXPECT_EQ(parsed<NewArguments>({"new", "demo"}).name, "demo");
 }
 
-TEST(Arguments, ABareCommandPrintsSixExamples) {
+TEST(Arguments, ABareCommandPrintsSevenExamples) {
   const std::string text = parsed<PrintText>({}).text;
   int examples = 0;
   for (std::size_t at = 0; (at = text.find("\n  robosim ", at)) != std::string::npos; ++at) ++examples;
-  EXPECT_EQ(examples, 6);
+  EXPECT_EQ(examples, 7);
 }
 
 TEST(Arguments, HelpAndVersionAreTexts) {

@@ -19,8 +19,8 @@ wire::Started started(std::vector<std::string> readings) {
   return event;
 }
 
-TEST(CsvRecord, HasOneHeaderRowWithUnitsAndAColumnForEachReading) {
-  CsvRecord record("x.csv");
+TEST(CsvRecorder, HasOneHeaderRowWithUnitsAndAColumnForEachReading) {
+  CsvRecorder record("x.csv");
   record.add(started({"S1", "S2"}));
   record.add(wire::Sample{10000, 1352.1, 248.9, 0.01, 310.0, 1.25, 0.6, -0.5, {0.0, 0.9}});
   record.add(wire::Note{1, "not recorded"});
@@ -29,30 +29,30 @@ TEST(CsvRecord, HasOneHeaderRowWithUnitsAndAColumnForEachReading) {
             "10000,1352.1,248.9,0.01,310,1.25,0.6,-0.5,0,0.9\n");
 }
 
-TEST(CsvRecord, QuotesNamesThatWouldBreakTheTable) {
-  CsvRecord record("x.csv");
+TEST(CsvRecorder, QuotesNamesThatWouldBreakTheTable) {
+  CsvRecorder record("x.csv");
   record.add(started({"a,b", "c\"d"}));
   EXPECT_THAT(record.text(), HasSubstr(",\"a,b\",\"c\"\"d\"\n"));
 }
 
-TEST(CsvRecord, IsOnTheDiskOnlyOnceItIsSaved) {
+TEST(CsvRecorder, IsOnTheDiskOnlyOnceItIsSaved) {
   const auto path =
       std::filesystem::temp_directory_path() / ("robosim-record-" + std::to_string(::getpid()) + ".csv");
-  CsvRecord record(path);
+  CsvRecorder record(path);
   record.add(started({}));
   EXPECT_FALSE(std::filesystem::exists(path));
-  record.save();
+  record.finish({});
   EXPECT_EQ(read_file(path), record.text());
   std::filesystem::remove(path);
 }
 
-TEST(CsvRecord, OtherEndingsAreRefusedNamingTheOnesThatExist) {
-  EXPECT_NO_THROW(check_record_ending("a/b.csv"));
+TEST(CsvRecorder, OtherEndingsAreRefusedNamingTheOnesThatExist) {
+  EXPECT_NO_THROW(make_recorder("a/b.csv"));
   try {
-    check_record_ending("a.png");
+    make_recorder("a.png");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("must be .csv"));
+    EXPECT_THAT(error.what(), HasSubstr("must be .csv, .vcd, .html, .rec or .svg"));
   }
 }
 

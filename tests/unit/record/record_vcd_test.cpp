@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "hal/board/board_spec.h"
-
 namespace robosim::record {
 namespace {
 
@@ -23,8 +21,12 @@ std::string id_of(const std::string& vcd, const std::string& signal) {
 
 class Vcd : public ::testing::Test {
  protected:
-  const BoardSpec& uno() { return *find_board("uno"); }
-  VcdRecord record{"x.vcd", uno()};
+  Vcd() {
+    RecordedRun run;
+    run.robot_info.board.name = "uno";
+    record.begin(run);
+  }
+  VcdRecorder record{"x.vcd"};
 
   static wire::PinChange output(std::int64_t t, const char* pin, bool level) {
     return {t, pin, "output", level, false, level ? 1.0 : 0.0, 0};

@@ -79,7 +79,7 @@ TEST_F(FailedTests, AreReplayedByTheCommandThatTheyTell) {
 TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
   const fs::path kept = path("kept/TooFast.KeepsToTheLine");
   for (const char* file : {"command.txt", "script.txt", "map.map", "robot.toml", "serial.txt", "events.txt",
-                           "run.csv", "run.vcd"})
+                           "run.csv", "run.vcd", "run.html"})
     EXPECT_TRUE(fs::exists(kept / file)) << file;
   EXPECT_EQ(read_file(kept / "script.txt"), "at 1ms cover S3 50ms\n");
   EXPECT_EQ(read_file(kept / "serial.txt"), "go\r\n");

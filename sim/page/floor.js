@@ -1,0 +1,266 @@
+// The floor with what is on it: the map's own geometry, the trail, the robot with wheels and sensors.
+
+import { drawMark, more, seen, style } from './colours.js';
+import { indexAt } from './run.js';
+import { sized } from './view.js';
+
+const rectangles = (list) => {
+  const path = new Path2D();
+  for (const [x, y, width, height] of list) path.rect(x, y, width, height);
+  return path;
+};
+
+export function areaOf(runs) {
+  const { floor } = runs[0];
+  if (floor) return { x: 0, y: 0, width: floor.width, height: floor.height };
+  const xs = runs.flatMap((r) => [...r.columns.x_mm]), ys = runs.flatMap((r) => [...r.columns.y_mm]);
+  const least = (v) => v.reduce((a, b) => Math.min(a, b), Infinity), most = (v) => v.reduce((a, b) => Math.max(a, b), -Infinity);
+  const x = least(xs) - 150, y = least(ys) - 150;
+  return { x, y, width: most(xs) + 150 - x, height: most(ys) + 150 - y };
+}
+
+export class FloorPicture {
+  constructor(canvas, run) {
+    this.canvas = canvas;
+    this.run = run;
+    this.colourBy = 'speed_mm_s';
+    const { floor } = run;
+    if (!floor) return;
+    this.walls = rectangles(floor.walls);
+    this.dark = rectangles(floor.dark);
+    this.lines = new Path2D();
+    this.unseen = new Path2D();
+    for (const { line: [x, y, toX, toY], arc, painted = true } of floor.stripes) {
+      const path = painted ? this.lines : this.unseen;
+      path.moveTo(x, y);
+      if (arc) path.arc(arc[0], arc[1], arc[2], Math.atan2(y - arc[1], x - arc[0]), Math.atan2(toY - arc[1], toX - arc[0]));
+      else path.lineTo(toX, toY);
+    }
+  }
+
+  /** The value at the colours' end. */
+  get most() {
+    const values = this.run.columns[this.colourBy];
+    return values ? values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-9) : 1;
+  }
+
+  draw(view, t, other, otherT) {
+    const ctx = sized(this.canvas);
+    this.ctx = ctx;
+    this.view = view;
+    ctx.save();
+    ctx.translate(view.width / 2, view.height / 2);
+    ctx.scale(view.scale, -view.scale);
+    ctx.translate(-view.x, -view.y);
+    if (this.run.floor) this.drawFloor(this.run.floor);
+    this.px = 1 / view.scale;  // a pixel, mm
+    if (other) this.drawOther(other, otherT);
+    this.drawTrail(t);
+    ctx.restore();
+    this.drawStations();
+    this.drawCollisions(t);
+    ctx.save();
+    ctx.translate(view.width / 2, view.height / 2);
+    ctx.scale(view.scale, -view.scale);
+    ctx.translate(-view.x, -view.y);
+    if (other) this.drawBody(other.pose(otherT), this.run.robot, style('other'));
+    this.drawRobot(t);
+    ctx.restore();
+    this.drawScale();
+  }
+
+  drawFloor(floor) {
+    const { ctx } = this;
+    ctx.fillStyle = style('paper');
+    ctx.fillRect(0, 0, floor.width, floor.height);
+    ctx.fillStyle = style('wall');
+    ctx.fill(this.walls);
+    ctx.fillStyle = ctx.strokeStyle = style('line');
+    ctx.fill(this.dark);
+    ctx.lineCap = ctx.lineJoin = 'round';  // as the simulation measures: all that is within half a line's width
+    ctx.lineWidth = floor.line;
+    ctx.stroke(this.lines);
+    ctx.save();
+    ctx.lineCap = 'butt';
+    ctx.lineWidth = floor.line / 8;
+    ctx.setLineDash([floor.line / 2, floor.line / 2]);
+    ctx.strokeStyle = style('wall');
+    ctx.stroke(this.unseen);
+    ctx.restore();
+    ctx.fillStyle = '#8a4b08';
+    for (const [x, y] of floor.obstacles) ctx.fillRect(x - 0.35 * floor.cell, y - 0.35 * floor.cell, 0.7 * floor.cell, 0.7 * floor.cell);
+  }
+
+  /** Calls visit for each sample that is drawn until t: those a pixel or more apart. */
+  walk(run, t, visit) {
+    const { x_mm: x, y_mm: y } = run.columns;
+    const last = indexAt(run.t, t);
+    let at = 0;
+    for (let i = 1; i <= last; i++) {
+      const carried = run.carried(i - 1);
+      if (!carried && i < last && Math.abs(x[i] - x[at]) + Math.abs(y[i] - y[at]) < this.px) continue;
+      visit(carried ? i : at, i);
+      at = i;
+    }
+    const now = run.pose(t);
+    return [x[at], y[at], now.x, now.y];
+  }
+
+  drawTrail(t) {
+    const { ctx, run, px } = this;
+    const { x_mm: x, y_mm: y } = run.columns;
+    const values = run.columns[this.colourBy], most = this.most;
+    const bins = Array.from({ length: 24 }, () => new Path2D());
+    const all = new Path2D();
+    const ahead = new Path2D();
+    this.walk(run, run.duration, (a, b) => {
+      if (run.t[b] < t) return;
+      ahead.moveTo(x[a], y[a]);
+      ahead.lineTo(x[b], y[b]);
+    });
+    const bin = (i) => bins[values ? Math.min(Math.floor(Math.abs(values[i]) / most * 24), 23) : 0];
+    const [fromX, fromY, toX, toY] = this.walk(run, t, (a, b) => {
+      for (const path of [all, bin(b)]) { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); }
+    });
+    for (const path of [all, bin(indexAt(run.t, t))]) { path.moveTo(fromX, fromY); path.lineTo(toX, toY); }
+    const width = Math.max(Math.min(run.floor ? 0.4 * run.floor.line : 6, 6 * px), 2.5 * px);
+    ctx.lineCap = ctx.lineJoin = 'round';
+    ctx.lineWidth = 1.2 * px;
+    ctx.strokeStyle = style('ahead');
+    ctx.stroke(ahead);
+    ctx.lineWidth = 1.8 * width;
+    ctx.strokeStyle = style('casing');
+    ctx.stroke(all);
+    ctx.lineWidth = width;
+    bins.forEach((path, i) => {
+      ctx.strokeStyle = more((i + 0.5) / 24);
+      ctx.stroke(path);
+    });
+  }
+
+  drawOther(other, t) {
+    const { ctx, px } = this;
+    const { x_mm: x, y_mm: y } = other.columns;
+    const path = new Path2D();
+    this.walk(other, t, (a, b) => { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); });
+    ctx.lineCap = 'round';
+    ctx.lineWidth = 5 * px;
+    ctx.strokeStyle = style('casing');
+    ctx.stroke(path);
+    ctx.lineWidth = 2.5 * px;
+    ctx.strokeStyle = style('other');
+    ctx.stroke(path);
+  }
+
+  placed(pose, draw) {
+    const { ctx } = this;
+    ctx.save();
+    ctx.translate(pose.x, pose.y);
+    ctx.rotate(pose.yaw);
+    draw(ctx);
+    ctx.restore();
+  }
+
+  drawBody(pose, robot, colour) {
+    this.placed(pose, (ctx) => {
+      const outline = new Path2D();
+      for (const [x, y] of robot?.outline ?? [[60, 0], [-40, 40], [-40, -40]]) outline.lineTo(x, y);
+      outline.closePath();
+      ctx.fillStyle = colour;
+      ctx.globalAlpha = 0.22;
+      ctx.fill(outline);
+      ctx.globalAlpha = 1;
+      ctx.strokeStyle = colour;
+      ctx.lineWidth = 1.6 * this.px;
+      ctx.stroke(outline);
+    });
+  }
+
+  drawRobot(t) {
+    const { run, px } = this;
+    const pose = run.pose(t), { robot } = run;
+    this.drawBody(pose, robot, style('robot'));
+    this.placed(pose, (ctx) => {
+      const { track = 0, wheel = 0 } = robot ?? {};
+      for (const [side, name] of [[0.5, 'left'], [-0.5, 'right']]) {
+        if (!track || !wheel) break;
+        const width = Math.min(0.12 * track, 0.4 * wheel);
+        ctx.fillStyle = style('wheel');
+        ctx.fillRect(-wheel / 2, side * track - width / 2, wheel, width);
+        const speed = run.at(`wheel_${name}_mm_s`, t) ?? 0;
+        // Where the wheel would be in a tenth of a second.
+        ctx.fillStyle = style('robot');
+        ctx.fillRect(0, side * track - 1.2 * px, 0.1 * speed, 2.4 * px);
+      }
+      ctx.lineWidth = px;
+      for (const sensor of run.sensors) {
+        const side = Math.max(sensor.footprint || 6, 4 * px);
+        ctx.fillStyle = seen(run.reading(sensor.name, t));
+        ctx.strokeStyle = '#333';
+        ctx.fillRect(sensor.x - side / 2, sensor.y - side / 2, side, side);
+        ctx.strokeRect(sensor.x - side / 2, sensor.y - side / 2, side, side);
+      }
+      ctx.strokeStyle = style('robot');
+      ctx.beginPath();
+      ctx.arc(0, 0, 2.5 * px, 0, 2 * Math.PI);
+      ctx.stroke();
+    });
+  }
+
+  drawStations() {
+    const { ctx, run, view } = this;
+    if (!run.floor) return;
+    const { cell, height } = run.floor;
+    ctx.font = '600 12px system-ui, sans-serif';
+    ctx.textAlign = 'center';
+    ctx.textBaseline = 'middle';
+    for (const { name, x, y } of run.started.stations) {
+      const [px, py] = view.toScreen((x + 0.5) * cell, height - (y + 0.5) * cell);
+      const width = Math.max(ctx.measureText(name).width + 10, 20);
+      ctx.beginPath();
+      ctx.roundRect(px - width / 2, py - 10, width, 20, 10);
+      ctx.fillStyle = '#fff';
+      ctx.fill();
+      ctx.strokeStyle = '#0072b2';
+      ctx.lineWidth = 2;
+      ctx.stroke();
+      ctx.fillStyle = '#1b1b1b';
+      ctx.fillText(name, px, py + 0.5);
+    }
+    ctx.fillStyle = style('wall');
+    for (const [x, y] of run.floor.junctions) {
+      const [px, py] = view.toScreen(x, y);
+      ctx.beginPath();
+      ctx.arc(px, py, 3, 0, 2 * Math.PI);
+      ctx.fill();
+    }
+  }
+
+  drawCollisions(t) {
+    for (const event of this.run.events) {
+      if (event.kind !== 'collision' || event.t > t) continue;
+      const pose = this.run.pose(event.t);
+      drawMark(this.ctx, 'collision', ...this.view.toScreen(pose.x, pose.y), 7);
+    }
+  }
+
+  drawScale() {
+    const { ctx, view } = this;
+    const aim = 110 / view.scale, ten = 10 ** Math.floor(Math.log10(aim));
+    const length = [5, 2, 1].map((k) => k * ten).find((mm) => mm <= aim);
+    const text = length >= 1000 ? `${length / 1000} m` : `${length} mm`;
+    const y = view.height - 14, x = 14;
+    ctx.fillStyle = style('panel');
+    ctx.beginPath();
+    ctx.roundRect(x - 6, y - 22, Math.max(length * view.scale, 40) + 12, 30, 6);
+    ctx.fill();
+    ctx.fillStyle = style('text');
+    ctx.fillRect(x, y, length * view.scale, 2);
+    ctx.fillRect(x, y - 4, 1.5, 6);
+    ctx.fillRect(x + length * view.scale - 1.5, y - 4, 1.5, 6);
+    ctx.font = '12px system-ui, sans-serif';
+    ctx.textAlign = 'left';
+    ctx.textBaseline = 'alphabetic';
+    ctx.fillText(text, x, y - 6);
+  }
+}

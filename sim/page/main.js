@@ -1,0 +1,362 @@
+// Puts the page together.
+
+import { Chart, SensorStripes, short, Span } from './charts.js';
+import { drawMark, GRADIENT, MARKS, seen } from './colours.js';
+import { areaOf, FloorPicture } from './floor.js';
+import { TimedList } from './lists.js';
+import { PinRow } from './pins.js';
+import { Player, SPEEDS } from './player.js';
+import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
+import { runOf, runOfTable } from './run.js';
+import { Timeline, timeText } from './timeline.js';
+import { View } from './view.js';
+
+const $ = (id) => document.getElementById(id);
+const make = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+
+/** What is beside the floor's numbers: where the pin leads. */
+function uses(run) {
+  const of = new Map();
+  for (const { name, pins } of run.robot.parts)
+    for (const [use, pin] of Object.entries(pins)) {
+      const key = run.header.pins[pin] ?? pin;
+      of.set(key, [of.get(key), name, use].filter(Boolean).join(' '));
+    }
+  return (pin) => of.get(pin) ?? '';
+}
+
+class Page {
+  constructor(run) {
+    this.run = run;
+    this.player = new Player(run);
+    this.span = new Span(this.player);
+    this.floor = new FloorPicture($('floor'), run);
+    this.view = new View($('floor'), areaOf([run]), () => this.drawFloor());
+    this.timeline = new Timeline($('timeline'), this.player);
+    this.charts = [];
+    this.pins = [];
+    this.extra = new Set();
+    $('main').hidden = $('transport').hidden = false;
+    this.showTitle();
+    this.makeNow();
+    this.makeCharts();
+    this.makePins();
+    this.serial = new TimedList($('serial'), run.lines, this.player, 'The sketch sent nothing.');
+    this.events = new TimedList($('events'), run.events, this.player, 'Nothing happened.');
+    this.connect();
+    this.player.onChange(() => this.move());
+    this.span.onChange(() => this.drawTracks());
+    new ResizeObserver(() => this.resize()).observe($('floor'));
+    new ResizeObserver(() => { this.timeline.draw(); this.drawTracks(); }).observe($('plots').parentElement);
+    this.view.fit();
+    this.redraw();
+    this.player.seek(run.duration);  // all that was driven is the best first look; play begins at 0
+  }
+
+  showTitle() {
+    const { header, result } = this.run;
+    document.title = `${header.sketch} on ${header.map}: ${result.verdict}`;
+    $('title').textContent = header.sketch;
+    $('subtitle').textContent = `${header.robot} on ${header.map} · goal ${result.goal} · seed ${result.seed} · ${result.profile} · ${header.target}`;
+    const verdict = $('verdict');
+    verdict.replaceChildren(make('b', { textContent: `${result.status === 0 ? '✓' : '✗'} ${result.verdict}` }), result.why);
+    verdict.classList.toggle('good', result.status === 0);
+    verdict.hidden = false;
+    $('timeline').setAttribute('aria-valuemax', this.run.duration.toFixed(3));
+    $('floor').setAttribute('aria-label', `${header.robot} on the floor ${header.map}. ${result.verdict}: ${result.why}`);
+  }
+
+  /** Numbers and lamps of the moment. */
+  makeNow() {
+    const { run } = this;
+    const number = (label, unit, id) => {
+      const value = make('b', { id });
+      $('now').append(make('div', {}, value, label));
+      return (v) => { value.textContent = v; if (unit) value.append(make('small', { textContent: ` ${unit}` })); };
+    };
+    const show = [];
+    const of = (name, label, unit, digits) => {
+      const set = number(label, unit, `now-${name}`);
+      show.push((t) => set(run.at(name, t).toFixed(digits)));
+    };
+    of('speed_mm_s', 'speed', 'mm/s', 0);
+    of('cross_track_mm', 'off the line', 'mm', 1);
+    of('left', 'motor left', '', 2);
+    of('right', 'motor right', '', 2);
+    if (run.sensors.length) {
+      const box = make('div', { className: 'sensors' });
+      for (const { name } of [...run.sensors].sort((a, b) => b.y - a.y || a.x - b.x)) {
+        const level = make('i', { title: name });
+        level.dataset.sensor = name;
+        box.append(make('span', {}, level, name));
+        show.push((t) => {
+          const value = run.reading(name, t);
+          level.style.background = seen(value);
+          level.textContent = value.toFixed(2).replace(/^0\./, '.').replace('1.00', '1').replace('.00', '0');
+        });
+      }
+      $('now').append(box);
+    }
+    const others = run.started.readings.filter((name) => !run.sensors.some((s) => s.name === name));
+    const lamps = make('div', { className: 'onoff' });
+    for (const name of others) {
+      const lamp = make('span', { textContent: name });
+      lamp.dataset.reading = name;
+      lamps.append(lamp);
+      show.push((t) => {
+        const value = run.reading(name, t);
+        if (run.units.has(name)) lamp.textContent = `${name} ${short(value)} ${run.units.get(name)}`;
+        else lamp.classList.toggle('on', value >= 0.5);
+      });
+    }
+    if (others.length) $('now').append(lamps);
+    this.showNow = (t) => { for (const one of show) one(t); };
+  }
+
+  makeCharts() {
+    const { run, span } = this;
+    const panel = $('plots');
+    panel.replaceChildren();
+    this.charts = [];
+    const add = (title, names, onClose) => {
+      const signals = names.map((n) => run.signal(n)).filter(Boolean);
+      const others = this.other ? signals.map((s) => this.other.signal(s.name)).filter(Boolean) : [];
+      if (signals.length) this.charts.push(new Chart(panel, span, title, signals, others, onClose));
+    };
+    if (run.sensors.length) this.charts.push(new SensorStripes(panel, span, run));
+    add('off the line', ['cross_track_mm']);
+    add('speed', ['speed_mm_s', 'wheel_left_mm_s', 'wheel_right_mm_s']);
+    add('motor commands', ['left', 'right']);
+    for (const name of this.extra)
+      add(run.signal(name).label, [name], () => { this.extra.delete(name); this.makeCharts(); });
+    const more = make('select', { id: 'add-signal' });
+    more.setAttribute('aria-label', 'plot another signal');
+    more.append(make('option', { textContent: '+ another signal …', value: '' }));
+    for (const { name, label } of run.signals) more.append(make('option', { textContent: label, value: name }));
+    more.addEventListener('change', () => { this.extra.add(more.value); this.makeCharts(); });
+    panel.append(more);
+    this.drawTracks();
+  }
+
+  makePins() {
+    const { run, span } = this;
+    const use = uses(run);
+    const panel = $('pins');
+    if (run.thinned) panel.append(make('p', { className: 'note', textContent: `This run was long: of each pin only the last change in every ${1000 * run.thinned} ms is kept.` }));
+    if (!run.pins.length) panel.append(make('p', { className: 'empty', textContent: 'no pin was used' }));
+    for (const pin of run.pins) this.pins.push(new PinRow(panel, span, pin, use(pin.name)));
+  }
+
+  connect() {
+    const { player, view, span } = this;
+    const on = (id, action) => $(id).addEventListener('click', action);
+    on('play', () => player.toggle());
+    on('tick-back', () => player.step(-1));
+    on('tick-on', () => player.step(1));
+    on('event-back', () => this.stepEvent(-1));
+    on('event-on', () => this.stepEvent(1));
+    on('zoom-in', () => view.zoom(1.5));
+    on('zoom-out', () => view.zoom(1 / 1.5));
+    on('fit', () => view.fit());
+    on('follow', () => this.toggleFollow());
+    on('span-in', () => span.zoom(0.5));
+    on('span-out', () => span.zoom(2));
+    on('span-all', () => span.set(Infinity));
+    on('theme', () => this.setTheme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark'));
+    on('help-button', () => $('help').showModal());
+    for (const speed of SPEEDS)
+      $('speed').append(make('option', { value: speed, textContent: speed < 1 ? `×1/${1 / speed}` : `×${speed}` }));
+    $('speed').addEventListener('change', (e) => player.setSpeed(Number(e.target.value)));
+    for (const [name, label] of [['speed_mm_s', 'by speed, m/s'], ['cross_track_mm', 'by error, mm']])
+      $('colour-by').append(make('option', { value: name, textContent: label }));
+    $('colour-by').addEventListener('change', (e) => {
+      this.floor.colourBy = e.target.value;
+      this.drawFloor();
+    });
+    $('gradient').style.background = GRADIENT;
+    for (const [kind, { label }] of Object.entries(MARKS)) {
+      const canvas = make('canvas', { width: 32, height: 32 });
+      canvas.style.width = canvas.style.height = '16px';
+      const ctx = canvas.getContext('2d');
+      ctx.scale(2, 2);
+      drawMark(ctx, kind, 8, 8, 5);
+      $('marks').append(make('li', {}, canvas, label));
+    }
+    const tabs = [...document.querySelectorAll('[role="tab"]')];
+    for (const tab of tabs) {
+      tab.addEventListener('click', () => this.openTab(tab));
+      tab.addEventListener('keydown', (e) => {
+        const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
+        if (!step) return;
+        e.stopPropagation();
+        const next = tabs[(tabs.indexOf(tab) + step + tabs.length) % tabs.length];
+        this.openTab(next);
+        next.focus();
+      });
+    }
+    document.addEventListener('keydown', (e) => this.key(e));
+    $('other-file').addEventListener('change', (e) => e.target.files[0] && this.open(e.target.files[0]));
+    document.addEventListener('dragover', (e) => e.preventDefault());
+    document.addEventListener('drop', (e) => {
+      e.preventDefault();
+      if (e.dataTransfer.files[0]) this.open(e.dataTransfer.files[0]);
+    });
+  }
+
+  key(e) {
+    const { player } = this;
+    if (e.ctrlKey || e.metaKey || e.altKey || $('help').open || e.target.matches('select, input')) return;
+    const far = e.shiftKey ? 10 : 1;
+    const actions = {
+      ' ': () => player.toggle(), ',': () => player.step(-1), '.': () => player.step(1), '<': () => player.step(-10), '>': () => player.step(10),
+      ';': () => player.step(-10), ':': () => player.step(10),
+      ArrowLeft: () => player.step(-100 * far), ArrowRight: () => player.step(100 * far),
+      p: () => this.stepEvent(-1), n: () => this.stepEvent(1), Home: () => player.seek(0), End: () => player.seek(this.run.duration),
+      '+': () => player.faster(1), '=': () => player.faster(1), '-': () => player.faster(-1),
+      f: () => this.toggleFollow(), 0: () => this.view.fit(), '?': () => $('help').showModal(),
+    };
+    const action = actions[e.key] ?? actions[e.key.toLowerCase()];
+    if (!action || (e.key === ' ' && e.target.matches('button, [role="tab"]'))) return;
+    e.preventDefault();
+    action();
+  }
+
+  stepEvent(direction) {
+    const happened = this.player.stepEvent(direction);
+    $('happened').textContent = happened.map((e) => e.text).join(' · ');
+  }
+
+  toggleFollow() {
+    this.view.follow(!this.view.follows);
+    if (this.view.follows && this.view.scale < 0.4) this.view.zoom(0.5 / this.view.scale);
+    this.drawFloor();
+  }
+
+  openTab(tab) {
+    for (const each of document.querySelectorAll('[role="tab"]')) {
+      const open = each === tab;
+      each.setAttribute('aria-selected', open);
+      each.tabIndex = open ? 0 : -1;
+      $(each.getAttribute('aria-controls')).hidden = !open;
+    }
+    this.drawTracks();
+    for (const list of [this.serial, this.events]) { list.now = -2; list.move(); list.draw(); }
+  }
+
+  setTheme(theme) {
+    document.documentElement.dataset.theme = theme;
+    this.redraw();
+  }
+
+  /** run.html#t=3.2&tab=pins&theme=dark&span=0.5 shows that moment so. */
+  goTo(where) {
+    if (where.has('theme')) this.setTheme(where.get('theme'));
+    if (where.has('tab')) this.openTab($(`tab-${where.get('tab')}`) ?? $('tab-plots'));
+    if (Number(where.get('t')) > 0) this.player.seek(Number(where.get('t')));
+    if (Number(where.get('span')) > 0) this.span.set(Number(where.get('span')));
+  }
+
+  /** Another run over this one. */
+  async open(file) {
+    try {
+      this.compare(await runOfFile(file), file.name);
+      $('problem').hidden = true;
+    } catch (error) {
+      complain(error);
+    }
+  }
+
+  compare(other, name) {
+    this.other = other;
+    const box = $('other-box');
+    box.hidden = !other;
+    if (other) {
+      const what = other.result ? `${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.title;
+      box.replaceChildren(`over it: ${name} (${what})`, make('button', { textContent: 'away', onclick: () => this.compare(null) }));
+    }
+    this.view.area = areaOf(other ? [this.run, other] : [this.run]);
+    this.makeCharts();
+    this.redraw();
+  }
+
+  drawFloor() {
+    const { view, player, floor } = this;
+    if (view.follows) ({ x: view.x, y: view.y } = this.run.pose(player.t));
+    floor.draw(view, player.t, this.other, this.other && Math.min(player.t, this.other.duration));
+    $('follow').setAttribute('aria-pressed', view.follows);
+    $('gradient-most').textContent = floor.colourBy === 'speed_mm_s' ? (floor.most / 1000).toFixed(2) : floor.most.toFixed(1);
+  }
+
+  get tracks() {
+    if (!$('plots').hidden) return this.charts;
+    return $('pins').hidden ? [] : this.pins;
+  }
+  drawTracks() { for (const track of this.tracks) track.draw(); }
+
+  redraw() {
+    this.drawFloor();
+    this.timeline.draw();
+    this.drawTracks();
+  }
+
+  resize() {
+    if (this.view.fits) this.view.fit();
+    this.redraw();
+  }
+
+  /** The moment has changed. */
+  move() {
+    const { player, run, span } = this;
+    $('time').textContent = timeText(player.t);
+    const play = $('play');
+    play.classList.toggle('playing', player.playing);
+    play.setAttribute('aria-label', player.playing ? 'pause' : 'play');
+    $('speed').value = player.speed;
+    this.showNow(player.t);
+    if (player.playing) $('happened').textContent = run.events.findLast((e) => e.t <= player.t)?.text ?? '';
+    span.follow();
+    this.drawFloor();
+    this.timeline.move();
+    for (const track of this.tracks) track.move();
+    this.serial.move();
+    this.events.move();
+  }
+}
+
+async function runOfFile(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const begin = new TextDecoder('latin1').decode(bytes.subarray(0, 64)).trimStart().toLowerCase();
+  if (begin.startsWith('robosim.rec/')) return runOf(await readRecording(bytes));
+  const text = new TextDecoder().decode(bytes);
+  if (begin.startsWith('<!doctype html')) return runOf(await readRecording(bytesOfPage(text)));
+  return runOfTable(text, file.name);
+}
+
+function complain(error) {
+  const known = error instanceof BadFile;
+  $('problem').textContent = known ? error.message : `The page could not show this: ${error.message}`;
+  $('problem').hidden = false;
+  if (!known) throw error;
+}
+
+async function begin() {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  document.documentElement.dataset.theme = dark.matches ? 'dark' : 'light';
+  try {
+    if (typeof DecompressionStream === 'undefined') throw new BadFile('This browser is too old for the page: it needs Chromium 80, Firefox 113, Safari 16.4 or later.');
+    const page = new Page(runOf(await readRecording(bytesOfBase64($('recording').textContent))));
+    dark.addEventListener('change', (e) => page.setTheme(e.matches ? 'dark' : 'light'));
+    page.goTo(new URLSearchParams(location.hash.slice(1)));
+    window.robosim = page;  // for tests, and for the curious at the console
+  } catch (error) {
+    $('subtitle').textContent = '';
+    complain(error);
+  }
+  document.documentElement.dataset.ready = 'true';
+}
+
+begin();

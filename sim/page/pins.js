@@ -1,0 +1,91 @@
+// The board's pins as a logic analyser shows them: levels, PWM as grey with its duty, volts as curves.
+
+import { series, style } from './colours.js';
+import { short, Track } from './charts.js';
+import { indexAt } from './run.js';
+import { sized } from './view.js';
+
+const LOW = 0, HIGH = 1, FLOATING = 2, PULSING = 3;
+const TEXT = ['low', 'high', 'not driven', 'PWM'];
+
+export function pinText(pin, t) {
+  const i = indexAt(pin.t, t);
+  if (!pin.t.length || pin.t[0] > t) return '';
+  if (pin.volts) return `${short(pin.volts[i])} V`;
+  if (pin.level[i] !== PULSING) return TEXT[pin.level[i]];
+  return pin.tone[i] > 0 ? `${pin.tone[i]} Hz` : `PWM ${Math.round(100 * pin.duty[i])} %`;
+}
+
+export class PinRow {
+  constructor(parent, span, pin, use) {
+    Object.assign(this, { span, pin });
+    const box = Object.assign(document.createElement('section'), { className: 'pin' });
+    const name = Object.assign(document.createElement('div'), { className: 'pin-name' });
+    name.innerHTML = '<b></b> <span></span> <em></em>';
+    [this.title, this.use, this.now] = name.children;
+    this.title.textContent = pin.name;
+    this.use.textContent = use;
+    this.now.dataset.pin = pin.name + (pin.volts ? ' volts' : '');
+    box.append(name);
+    parent.append(box);
+    this.track = new Track(box, span, pin.volts ? 40 : 26, `pin ${pin.name} over time`, 4);
+  }
+
+  draw() {
+    const ctx = sized(this.track.canvas);
+    const height = this.track.canvas.clientHeight;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(this.track.xOf(this.span.from), 0, this.track.width, height);
+    ctx.clip();
+    ctx.fillStyle = style('track');
+    ctx.fillRect(0, 0, this.track.canvas.clientWidth, height);
+    ctx.lineWidth = 1.5;
+    ctx.strokeStyle = series(0);
+    const yOf = (share) => height - 4 - share * (height - 8);
+    if (this.pin.volts) {
+      const most = this.pin.volts.reduce((a, b) => Math.max(a, b), 0.1);
+      this.track.curve(ctx, this.pin.t, this.pin.volts, (v) => yOf(v / most), true);
+    } else {
+      this.drawLevels(ctx, yOf);
+    }
+    ctx.restore();
+    this.move();
+  }
+
+  drawLevels(ctx, yOf) {
+    const { t, level, duty } = this.pin;
+    const { from, to } = this.span;
+    const end = Math.min(to, this.span.player.run.duration);
+    const first = indexAt(t, from), last = indexAt(t, to);
+    let x = -1, low = 0, high = 0;
+    ctx.beginPath();
+    for (let i = first; i <= last; i++) {
+      if (t[i] > to) break;
+      const begin = this.track.xOf(Math.max(t[i], from)), stop = this.track.xOf(i < last ? t[i + 1] : end);
+      if (level[i] === PULSING) {
+        ctx.fillStyle = series(4);
+        ctx.globalAlpha = 0.55;
+        ctx.fillRect(begin, yOf(duty[i]), Math.max(stop - begin, 0.5), yOf(0) - yOf(duty[i]));
+        ctx.globalAlpha = 1;
+      }
+      const share = { [LOW]: 0, [HIGH]: 1, [FLOATING]: 0.5, [PULSING]: duty[i] }[level[i]];
+      // Thousands of changes in one pixel are one stroke from the lowest to the highest.
+      if (Math.floor(stop) === x) {
+        low = Math.min(low, share);
+        high = Math.max(high, share);
+        continue;
+      }
+      if (x >= 0 && low !== high) { ctx.moveTo(x, yOf(low)); ctx.lineTo(x, yOf(high)); }
+      ctx.lineTo(begin, yOf(share));
+      ctx.lineTo(stop, yOf(share));
+      [x, low, high] = [Math.floor(stop), share, share];
+    }
+    ctx.stroke();
+  }
+
+  move() {
+    this.track.moveHead();
+    this.now.textContent = pinText(this.pin, this.span.player.t);
+  }
+}

@@ -1,0 +1,188 @@
+// A run that can be asked: where was the robot at a time, what happened, which signals are there? Made of a
+// recording, or of a table that somebody else's robot has logged. Times are seconds.
+
+import { BadFile } from './recording.js';
+
+/** The last index whose time is not after t; 0 before the first. */
+export function indexAt(times, t) {
+  let low = 0, high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle] <= t) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+const seconds = (values, perSecond) => Float64Array.from(values, (t) => t / perSecond);
+
+const KIND = {
+  station_visited: 'landmark', lap_done: 'landmark', collision_began: 'collision', script_acted: 'script',
+  fault_began: 'fault', fault_ended: 'fault', power_lost: 'fault', power_back: 'fault', part_told: 'told',
+};
+
+// The line counts as left when no sensor has seen it for so long: a gap that is just crossed does not.
+const LEFT_S = 0.02;
+// Nothing drives so far, so fast: it was lifted and put there.
+const CARRIED_MM = 150, CARRIED_MM_S = 10000;
+
+export class Run {
+  constructor(title, t, columns) {
+    this.title = title;
+    this.t = t;
+    this.columns = columns;  // name to Float64Array; x_mm and y_mm are among them
+    this.duration = t.length ? t[t.length - 1] : 0;
+    this.signals = [];
+    this.events = [];
+    this.lines = [];  // of the serial port: { t, text }
+    this.pins = [];   // { name, t, level, duty, tone }
+    this.sensors = [];
+    for (const [name, unit] of [['x_mm', 'mm'], ['y_mm', 'mm'], ['yaw_rad', 'rad'], ['speed_mm_s', 'mm/s']])
+      this.addSignal(name, unit);
+  }
+
+  addSignal(name, unit, label, t = this.t, values = this.columns[name], steps = false) {
+    if (values && values.length) this.signals.push({ name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), t, values, steps });
+  }
+
+  signal(name) { return this.signals.find((s) => s.name === name); }
+
+  /** Was it carried from sample i to the next? */
+  carried(i) {
+    const { x_mm: x, y_mm: y } = this.columns;
+    const far = Math.hypot(x[i + 1] - x[i], y[i + 1] - y[i]);
+    return far > CARRIED_MM && far > CARRIED_MM_S * (this.t[i + 1] - this.t[i]);
+  }
+
+  /** A column between samples. */
+  at(name, t) {
+    const values = this.columns[name];
+    if (!values) return undefined;
+    const i = indexAt(this.t, t);
+    if (i + 1 >= values.length || t <= this.t[i] || this.carried(i)) return values[i];
+    return values[i] + (t - this.t[i]) / (this.t[i + 1] - this.t[i]) * this.change(name, i);
+  }
+
+  change(name, i) {
+    const change = this.columns[name][i + 1] - this.columns[name][i];
+    if (name !== 'yaw_rad') return change;
+    return change - 2 * Math.PI * Math.round(change / (2 * Math.PI));  // the short way round
+  }
+
+  pose(t) { return { x: this.at('x_mm', t), y: this.at('y_mm', t), yaw: this.at('yaw_rad', t) ?? this.course(t) }; }
+
+  /** Where a robot heads of which only places are known. */
+  course(t) {
+    const { x_mm: x, y_mm: y } = this.columns;
+    const i = Math.min(indexAt(this.t, t), x.length - 2);
+    for (let k = Math.max(i, 0); k >= 0; k--)
+      if (x[k + 1] !== x[k] || y[k + 1] !== y[k]) return Math.atan2(y[k + 1] - y[k], x[k + 1] - x[k]);
+    return 0;
+  }
+
+  /** What a reading was at the last sample. */
+  reading(name, t) { return this.columns[name]?.[indexAt(this.t, t)]; }
+
+  addEvent(t, kind, text) { this.events.push({ t, kind, text }); }
+  sortEvents() { this.events.sort((a, b) => a.t - b.t); }
+}
+
+export function runOf({ header, streams }) {
+  const samples = streams.get('samples') ?? { t_us: new Float64Array() };
+  const { result, started, robot_info: robot } = header;
+  const run = new Run(header.sketch, seconds(samples.t_us, 1e6), samples);
+  Object.assign(run, { header, result, started, robot, floor: header.floor, thinned: header.thinned_ns / 1e9 });
+  run.duration = Math.max(run.duration, result.time_s);
+  run.addSignal('cross_track_mm', 'mm', 'off the line');
+  for (const side of ['left', 'right']) run.addSignal(side, '', `motor ${side}`);
+  for (const side of ['left', 'right']) run.addSignal(`wheel_${side}_mm_s`, 'mm/s', `wheel ${side}`);
+  const units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
+  for (const name of started.readings) run.addSignal(name, units.get(name) ?? '', name, run.t, samples[name], !robot.sensors.some((s) => s.name === name));
+  run.sensors = robot.sensors.filter((s) => samples[s.name]);
+  run.units = units;
+
+  for (const [name, stream] of streams) {
+    const t = stream.t_ns && seconds(stream.t_ns, 1e9);
+    const [kind, pin] = name.split(' ');
+    if (kind === 'pin') {
+      run.pins.push({ name: pin, t, level: stream.level, duty: stream.duty, tone: stream.tone_hz });
+      if (stream.level.includes(3)) run.addSignal(`${pin} duty`, '', `${pin} duty`, t, stream.duty, true);
+    } else if (kind === 'volts') {
+      run.addSignal(name, 'V', `${pin} volts`, t, stream.volts, true);
+      run.pins.push({ name: pin, t, volts: stream.volts });
+    }
+  }
+  run.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+
+  addSerial(run, streams.get('serial'));
+  for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
+  addLineEvents(run);
+  run.addEvent(result.time_s, 'end', `${result.verdict}: ${result.why}`);
+  run.sortEvents();
+  return run;
+}
+
+function addSerial(run, serial) {
+  if (!serial) return;
+  const utf8 = new TextDecoder();
+  let at = 0;
+  for (let i = 0; i < serial.t_ns.length; i++) {
+    const text = utf8.decode(serial.utf8.subarray(at, at + serial.bytes[i])).replace(/\r?\n$/, '');
+    at += serial.bytes[i];
+    run.lines.push({ t: serial.t_ns[i] / 1e9, text });
+    run.addEvent(serial.t_ns[i] / 1e9, 'serial', text);
+  }
+}
+
+/** When the line was left, and which sensor saw it last: what everybody asks first. */
+function addLineEvents(run) {
+  if (!run.sensors.length) return;
+  const levels = run.sensors.map((s) => run.columns[s.name]);
+  let lastSeen = -1, by = '', left = false;
+  for (let i = 0; i < run.t.length; i++) {
+    let best = 0;
+    for (let k = 1; k < levels.length; k++) if (levels[k][i] > levels[best][i]) best = k;
+    if (levels[best][i] > 0) {
+      if (left) run.addEvent(run.t[i], 'line', `back on the line, under ${run.sensors[best].name}`);
+      left = false;
+      lastSeen = i;
+      by = run.sensors[best].name;
+    } else if (!left && lastSeen >= 0 && run.t[i] - run.t[lastSeen] > LEFT_S) {
+      left = true;
+      run.addEvent(run.t[lastSeen], 'line', `the line is left: ${by} saw it last`);
+    }
+  }
+}
+
+const TIME = { t: 1, t_s: 1, time: 1, time_s: 1, seconds: 1, t_ms: 1e3, time_ms: 1e3, millis: 1e3, t_us: 1e6, micros: 1e6, t_ns: 1e9 };
+const PLACE = { x_mm: 1, x: 1, x_cm: 10, x_m: 1000, y_mm: 1, y: 1, y_cm: 10, y_m: 1000 };
+
+/** A log of a robot, as a table: t, x and y, and any other columns. */
+export function runOfTable(text, title) {
+  const rows = text.split(/\r?\n/).filter((row) => row.trim() && !row.startsWith('#'));
+  const separator = rows[0]?.includes(';') ? ';' : rows[0]?.includes('\t') ? '\t' : ',';
+  const cells = (row) => row.split(separator).map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'));
+  const names = cells(rows[0] ?? '');
+  const find = (table, first) => names.findIndex((n) => n.toLowerCase() in table && n.toLowerCase().startsWith(first));
+  const [time, x, y] = [find(TIME, ''), find(PLACE, 'x'), find(PLACE, 'y')];
+  if (time < 0 || x < 0 || y < 0)
+    throw new BadFile(`${title}: a log needs columns for time, x and y (t_s, t_ms or t_us; x_mm or x_m; y_mm or y_m); its first line has ${names.slice(0, 8).join(', ') || 'none'}.`);
+  const columns = names.map(() => new Float64Array(rows.length - 1));
+  for (let i = 1; i < rows.length; i++) {
+    const row = cells(rows[i]);
+    for (let k = 0; k < names.length; k++) columns[k][i - 1] = Number(row[k]);
+    if (![time, x, y].every((k) => Number.isFinite(columns[k][i - 1]) && row[k] !== ''))
+      throw new BadFile(`${title}, line ${i + 1}: time, x and y must be numbers, and are ${row[time]}, ${row[x]}, ${row[y]}.`);
+    if (i > 1 && columns[time][i - 1] < columns[time][i - 2])
+      throw new BadFile(`${title}, line ${i + 1}: time goes back, from ${columns[time][i - 2]} to ${columns[time][i - 1]}.`);
+  }
+  if (rows.length < 3) throw new BadFile(`${title}: a log needs at least two rows.`);
+  const scale = (k, table) => columns[k].map((value) => value * table[names[k].toLowerCase()]);
+  const all = Object.fromEntries(names.map((name, k) => [name, columns[k]]));
+  all.x_mm = scale(x, PLACE);
+  all.y_mm = scale(y, PLACE);
+  const run = new Run(title, seconds(columns[time], TIME[names[time].toLowerCase()]), all);
+  for (let k = 0; k < names.length; k++)
+    if (k !== time && k !== x && k !== y && !run.signal(names[k])) run.addSignal(names[k], '');
+  return run;
+}

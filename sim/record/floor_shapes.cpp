@@ -1,0 +1,68 @@
+#include "sim/record/floor_shapes.h"
+
+#include <cmath>
+
+#include "sim/grid/network.h"
+#include "sim/grid/stripes.h"
+
+namespace robosim::record {
+namespace {
+
+// A micrometre is finer than anything drawn, and has few digits.
+double millimetres(double metres) { return std::round(metres * 1e6) / 1e3; }
+std::array<double, 2> millimetres(Vec2 p) { return {millimetres(p.x), millimetres(p.y)}; }
+
+template <class Holds>
+std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
+  std::vector<FloorShapes::Rectangle> runs;
+  const double side = map.cell_m;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const int begin = x;
+      while (x < map.width && holds(map.at({x, y}))) ++x;
+      if (x > begin)
+        runs.push_back({millimetres(begin * side), millimetres((map.height - 1 - y) * side),
+                        millimetres((x - begin) * side), millimetres(side)});
+    }
+  }
+  return runs;
+}
+
+grid::Direction direction(char letter) {
+  for (const auto d :
+       {grid::Direction::east, grid::Direction::south, grid::Direction::west, grid::Direction::north})
+    if (grid::letter(d) == letter) return d;
+  return grid::Direction::east;
+}
+
+}  // namespace
+
+FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
+  FloorShapes shapes;
+  shapes.width_mm = millimetres(map.width * map.cell_m);
+  shapes.height_mm = millimetres(map.height * map.cell_m);
+  shapes.cell_mm = millimetres(map.cell_m);
+  shapes.line_mm = millimetres(map.line_m);
+  shapes.walls = runs_of(map, [](grid::Cell c) { return c == grid::Cell::wall; });
+  if (map.raster) {
+    shapes.dark = runs_of(map, [](grid::Cell c) { return grid::is_line(c) && c != grid::Cell::gap; });
+  } else {
+    const grid::Stripes stripes(map, 0.0);
+    for (const grid::Stripe& s : stripes.all()) {
+      shapes.stripes.push_back(
+          {{millimetres(s.a.x), millimetres(s.a.y), millimetres(s.b.x), millimetres(s.b.y)},
+           {millimetres(s.centre.x), millimetres(s.centre.y), millimetres(s.radius)},
+           s.painted});
+    }
+  }
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (map.cells[i] == grid::Cell::obstacle)
+      shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));
+  const grid::Start start{{started.x, started.y}, direction(started.facing)};
+  if (map.contains(start.cell) && grid::is_line(map.at(start.cell)))
+    for (const grid::CellAt junction : grid::trace_network(map, start).junctions)
+      shapes.junctions.push_back(millimetres(map.centre(junction)));
+  return shapes;
+}
+
+}  // namespace robosim::record

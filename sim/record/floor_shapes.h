@@ -1,0 +1,55 @@
+// The floor of a map as shapes, for whoever draws it: the geometry that the simulation measures against
+// (sim/grid/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
+// bottom-left corner.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/wire/fields.h"
+#include "sim/wire/stream.h"
+
+namespace robosim::record {
+
+struct FloorShapes {
+  using Rectangle = std::array<double, 4>;  ///< x, y, width, height
+  struct Stripe {
+    std::array<double, 4> line{};  ///< from x, y to x, y
+    std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
+    bool painted = true;           ///< false: followed, but not visible
+  };
+  double width_mm = 0.0, height_mm = 0.0;
+  double cell_mm = 0.0;
+  double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
+  std::vector<Stripe> stripes;
+  std::vector<Rectangle> dark;                   ///< of a raster floor: painted cells, joined along rows
+  std::vector<Rectangle> walls;                  ///< joined along rows
+  std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
+  std::vector<std::array<double, 2>> junctions;  ///< of three or four ways, that can be reached
+};
+
+template <class V>
+void fields(V& v, wire::Same<V, FloorShapes::Stripe>& s) {
+  v("line", s.line, "from x, y to x, y");
+  v("arc", s.arc, "centre and radius", {.presence = wire::when(s.arc[2] > 0.0)});
+  v("painted", s.painted, "false: followed, but not visible", {.presence = wire::when(!s.painted)});
+}
+
+template <class V>
+void fields(V& v, wire::Same<V, FloorShapes>& f) {
+  v("width", f.width_mm, "of the map");
+  v("height", f.height_mm, "of the map");
+  v("cell", f.cell_mm, "side of a cell");
+  v("line", f.line_mm, "width of the stripes");
+  v("stripes", f.stripes, "centre lines");
+  v("dark", f.dark, "painted rectangles");
+  v("walls", f.walls, "rectangles");
+  v("obstacles", f.obstacles, "centres");
+  v("junctions", f.junctions, "centres");
+}
+
+FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started);
+
+}  // namespace robosim::record

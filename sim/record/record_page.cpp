@@ -1,0 +1,44 @@
+#include "sim/record/record_page.h"
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/record/compressed.h"
+#include "sim/record/page_text.h"
+
+namespace robosim::record {
+namespace {
+
+// In the page's source an empty element, which begins and ends so.
+constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
+constexpr std::string_view kEnd = "</script>";
+
+}  // namespace
+
+void RecRecorder::ask(wire::RunRequest& request) const {
+  Recorder::ask(request);
+  request.pins = request.io = request.serial = request.notes = true;
+}
+
+void RecRecorder::finish(const wire::RunResult& result) {
+  write_file(path_, content(gatherer_.encoded(result)));
+}
+
+std::string PageRecorder::page_of(const std::string& recording) {
+  const std::string_view page = page_text();
+  const std::size_t at = page.find(kBegin) + kBegin.size();
+  std::string text(page.substr(0, at));
+  text += base64(recording);
+  text += page.substr(at);
+  return text;
+}
+
+std::string recording_in_page(std::string_view page) {
+  const std::size_t begin = page.find(kBegin);
+  if (begin == std::string_view::npos) throw InputError("it is neither a .rec nor a page of Robosim's");
+  const std::string_view rest = page.substr(begin + kBegin.size());
+  const std::size_t end = rest.find(kEnd);
+  if (end == std::string_view::npos) throw InputError("the page is cut off");
+  return from_base64(rest.substr(0, end));
+}
+
+}  // namespace robosim::record

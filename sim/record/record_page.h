@@ -1,0 +1,42 @@
+// Recordings as .rec, and as .html: the same inside the page of sim/page, which any browser opens.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/record/recording.h"
+
+namespace robosim::record {
+
+class RecRecorder : public Recorder {
+ public:
+  explicit RecRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  void ask(wire::RunRequest& request) const override;
+  void begin(const RecordedRun& run) override { gatherer_.begin(run); }
+  void add(const wire::Event& event) override { gatherer_.add(event); }
+  void finish(const wire::RunResult& result) override;
+
+ protected:
+  /// What is written.
+  virtual std::string content(const std::string& recording) const { return recording; }
+
+ private:
+  std::filesystem::path path_;
+  Gatherer gatherer_;
+};
+
+class PageRecorder final : public RecRecorder {
+ public:
+  using RecRecorder::RecRecorder;
+
+ protected:
+  std::string content(const std::string& recording) const override { return page_of(recording); }
+
+ private:
+  static std::string page_of(const std::string& recording);
+};
+
+/// The recording in a page; throws InputError, without a place, if it holds none.
+std::string recording_in_page(std::string_view page);
+
+}  // namespace robosim::record

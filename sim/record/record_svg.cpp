@@ -1,0 +1,236 @@
+#include "sim/record/record_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "sim/base/file.h"
+#include "sim/grid/map.h"
+#include "sim/record/floor_shapes.h"
+#include "sim/record/trail_path.h"
+
+namespace robosim::record {
+namespace {
+
+constexpr double kTolerance_mm = 0.5;
+constexpr double kWidth_px = 960.0;
+constexpr std::uintmax_t kLargestDrawnMap_bytes = 1'000'000;
+
+std::string xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  return out;
+}
+
+/// A round length of about a fifth of the width.
+double scale_bar_mm(double width_mm) {
+  double bar = std::pow(10.0, std::floor(std::log10(std::max(width_mm / 5.0, 1.0))));
+  for (const double factor : {5.0, 2.0})
+    if (bar * factor <= width_mm / 5.0) return bar * factor;
+  return bar;
+}
+
+class Drawing {
+ public:
+  Drawing(const FloorShapes& floor, const RecordedRun& run) : floor_(floor), run_(run) {
+    em_ = std::max(floor.width_mm, 0.8 * floor.height_mm) / 58.0;
+  }
+
+  void open(const std::string& title) {
+    const double height = floor_.height_mm + 5.6 * em_;
+    put(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" role="img" font-family="system-ui, sans-serif" font-size="{:.1f}">)",
+        floor_.width_mm, height, kWidth_px, kWidth_px * height / std::max(floor_.width_mm, 1.0), em_);
+    put("<title>{}</title>", xml(title));
+    put(R"(<rect width="100%" height="100%" fill="#fff"/>)");
+    put(R"(<rect width="{:.1f}" height="{:.1f}" fill="#f6f4ee"/>)", floor_.width_mm, floor_.height_mm);
+  }
+
+  void floor() {
+    rectangles(floor_.walls, "#b9b4a8");
+    rectangles(floor_.dark, "#1f1f1f");
+    std::string path;
+    auto to = std::back_inserter(path);
+    for (const FloorShapes::Stripe& s : floor_.stripes) {
+      if (!s.painted) continue;
+      const auto& [x, y, to_x, to_y] = s.line;
+      fmt::format_to(to, "M{} ", point(x, y));
+      // A line of no length still has its round end.
+      if (s.arc[2] > 0.0)
+        fmt::format_to(to, "A{:.1f} {:.1f} 0 0 0 {}", s.arc[2], s.arc[2], point(to_x, to_y));
+      else
+        fmt::format_to(to, "L{}", point(to_x, to_y));
+    }
+    put(R"(<path d="{}" fill="none" stroke="#1f1f1f" stroke-width="{:.1f}" stroke-linecap="round"/>)", path,
+        floor_.line_mm);
+    for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
+  }
+
+  void stations(const std::vector<wire::Started::Station>& stations) {
+    const double radius = 0.75 * em_;
+    for (const wire::Started::Station& s : stations) {
+      const double x = (s.x + 0.5) * floor_.cell_mm, y = floor_.height_mm - (s.y + 0.5) * floor_.cell_mm;
+      put(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="#fff" stroke="#1f1f1f" stroke-width="{:.1f}"/>)",
+          x, flip(y), radius, 0.1 * em_);
+      put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle" font-size="{:.1f}">{}</text>)", x,
+          flip(y) + 0.3 * em_, 0.9 * em_, xml(s.name));
+    }
+  }
+
+  void trail(const std::vector<SvgRecorder::Point>& trail, double fastest) {
+    const double width = std::min(0.4 * floor_.line_mm, 0.5 * em_);
+    const auto all = stretches(trail, fastest);
+    std::string halo;
+    std::vector<std::string> coloured(kSpeedColours);
+    for (const Stretch& stretch : all) {
+      std::string path;
+      for (const std::size_t i : corners(trail, stretch.first, stretch.last, kTolerance_mm))
+        path += (path.empty() ? "M" : "L") + point(trail[i].x_mm, trail[i].y_mm);
+      halo += path;
+      coloured[static_cast<std::size_t>(stretch.colour)] += path;
+    }
+    put(R"(<g fill="none" stroke-linecap="round" stroke-linejoin="round" stroke-width="{:.1f}">)", width);
+    put(R"(<path d="{}" stroke="#fff" stroke-width="{:.1f}"/>)", halo, 1.5 * width);
+    for (int i = 0; i < kSpeedColours; ++i) {
+      const std::string& path = coloured[static_cast<std::size_t>(i)];
+      if (!path.empty()) put(R"(<path d="{}" stroke="{}"/>)", path, speed_colour(i));
+    }
+    put("</g>");
+  }
+
+  void cross(double x, double y, double half, const char* colour) {
+    put(R"(<path d="M{}L{}M{}L{}" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)",
+        point(x - half, y - half), point(x + half, y + half), point(x - half, y + half),
+        point(x + half, y - half), colour, 0.25 * em_);
+  }
+
+  void robot(double x, double y, double yaw) {
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    const auto world = [&](double forward, double left) {
+      return point(x + c * forward - s * left, y + s * forward + c * left);
+    };
+    std::string path;
+    for (const auto& [forward, left] : run_.robot_info.outline_mm)
+      path += (path.empty() ? "M" : "L") + world(forward, left);
+    put(R"(<path d="{}Z" fill="#0072b2" fill-opacity="0.25" stroke="#0072b2" stroke-width="{:.1f}" stroke-linejoin="round"/>)",
+        path, 0.18 * em_);
+    const double track = run_.robot_info.track_mm, wheel = run_.robot_info.wheel_mm;
+    for (const double side : {0.5, -0.5}) {
+      if (track <= 0.0 || wheel <= 0.0) break;
+      put(R"(<path d="M{}L{}" stroke="#1f1f1f" stroke-width="{:.1f}"/>)", world(-wheel / 2, side * track),
+          world(wheel / 2, side * track), 0.12 * track);
+    }
+    std::string dots;
+    for (const auto& sensor : run_.robot_info.sensors)
+      dots += fmt::format("M{0}L{0}", world(sensor.x_mm, sensor.y_mm));
+    if (!dots.empty())
+      put(R"(<path d="{}" stroke="#d55e00" stroke-width="{:.1f}" stroke-linecap="round"/>)", dots,
+          0.45 * em_);
+  }
+
+  void legend(double fastest_mm_s, const std::string& first, const std::string& second) {
+    const double top = floor_.height_mm + 1.1 * em_, right = floor_.width_mm - em_;
+    put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600">{}</text>)", em_, top + 1.0 * em_, xml(first));
+    put(R"(<text x="{:.1f}" y="{:.1f}" fill="#444">{}</text>)", em_, top + 2.7 * em_, xml(second));
+    const double step = 1.1 * em_, left = right - kSpeedColours * step;
+    for (int i = 0; i < kSpeedColours; ++i)
+      put(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", left + i * step,
+          top + 0.2 * em_, step + 0.5, 0.8 * em_, speed_colour(i));
+    put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end">0</text>)", left - 0.4 * em_, top + em_);
+    put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end">{:.2f} m/s</text>)", right, top + 2.1 * em_,
+        fastest_mm_s / 1000.0);
+    const double bar = scale_bar_mm(floor_.width_mm);
+    put(R"(<path d="M{:.1f} {:.1f}h{:.1f}" stroke="#1f1f1f" stroke-width="{:.1f}"/>)", right - bar,
+        top + 3.0 * em_, bar, 0.15 * em_);
+    put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end">{}</text>)", right, top + 4.0 * em_,
+        bar >= 1000.0 ? fmt::format("{:.0f} m", bar / 1000.0) : fmt::format("{:.0f} mm", bar));
+  }
+
+  std::string close() {
+    put("</svg>");
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Values>
+  void put(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    text_ += '\n';
+  }
+  double flip(double y) const { return floor_.height_mm - y; }
+  std::string point(double x, double y) const { return fmt::format("{:.1f} {:.1f}", x, flip(y)); }
+  void rectangles(const std::vector<FloorShapes::Rectangle>& all, const char* colour) {
+    std::string path;
+    for (const auto& [x, y, width, height] : all)
+      path += fmt::format("M{}h{:.1f}v{:.1f}h{:.1f}z", point(x, y), width, -height, -width);
+    if (!path.empty()) put(R"(<path d="{}" fill="{}"/>)", path, colour);
+  }
+
+  const FloorShapes& floor_;
+  const RecordedRun& run_;
+  double em_ = 0.0;
+  std::string text_;
+};
+
+/// Of a map that is too large to be drawn: no more than its size.
+FloorShapes shapes_of(const std::string& file, const wire::Started& started) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(file, error);
+  if (!error && bytes <= kLargestDrawnMap_bytes) return floor_shapes(grid::read_map(file), started);
+  FloorShapes shapes;
+  shapes.cell_mm = started.cell_mm;
+  shapes.width_mm = started.width * started.cell_mm;
+  shapes.height_mm = started.height * started.cell_mm;
+  shapes.line_mm = 0.2 * started.cell_mm;
+  return shapes;
+}
+
+}  // namespace
+
+void SvgRecorder::ask(wire::RunRequest& request) const {
+  Recorder::ask(request);
+  request.notes = true;
+}
+
+void SvgRecorder::add(const wire::Event& event) {
+  if (const auto* sample = std::get_if<wire::Sample>(&event)) {
+    trail_.push_back({sample->x_mm, sample->y_mm, sample->speed_mm_s});
+  } else if (const auto* note = std::get_if<wire::Note>(&event)) {
+    if (note->is<wire::CollisionBegan>() && !trail_.empty()) collisions_.push_back(trail_.back());
+  } else if (const auto* started = std::get_if<wire::Started>(&event)) {
+    started_ = *started;
+  }
+}
+
+void SvgRecorder::finish(const wire::RunResult& result) {
+  const FloorShapes floor = shapes_of(run_.request.map, started_);
+  double fastest = 1.0;
+  for (const Point& p : trail_) fastest = std::max(fastest, std::fabs(p.speed_mm_s));
+  const std::string what = fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", run_.sketch, run_.robot,
+                                       run_.map, result.goal, result.seed, result.profile, run_.target);
+  Drawing drawing(floor, run_);
+  drawing.open(what + " · " + result.verdict);
+  drawing.floor();
+  drawing.trail(trail_, fastest);
+  drawing.stations(started_.stations);
+  for (const Point& p : collisions_) drawing.cross(p.x_mm, p.y_mm, 20.0, "#d55e00");
+  drawing.robot(result.end.x_mm, result.end.y_mm, result.end.yaw_rad);
+  drawing.legend(
+      fastest,
+      fmt::format("{} on {}: {} after {:.2f} s", run_.sketch, run_.map, result.verdict, result.time_s),
+      fmt::format("{:.2f} m driven, its sensors {:.1f} mm off the line at most; robot {}, seed {}",
+                  result.metrics.distance_m, result.metrics.cross_track_max_mm, run_.robot, result.seed));
+  write_file(path_, drawing.close());
+}
+
+}  // namespace robosim::record

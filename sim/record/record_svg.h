@@ -1,0 +1,33 @@
+// Pictures of a run as .svg: where the robot drove on its floor, how fast, and how it ended. For papers and
+// READMEs: equal runs give equal bytes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/record/recorder.h"
+
+namespace robosim::record {
+
+class SvgRecorder final : public Recorder {
+ public:
+  explicit SvgRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  void ask(wire::RunRequest& request) const override;
+  void begin(const RecordedRun& run) override { run_ = run; }
+  void add(const wire::Event& event) override;
+  void finish(const wire::RunResult& result) override;
+
+  /// Only what is drawn is kept of a sample.
+  struct Point {
+    double x_mm = 0.0, y_mm = 0.0, speed_mm_s = 0.0;
+  };
+
+ private:
+  std::filesystem::path path_;
+  RecordedRun run_;
+  wire::Started started_;
+  std::vector<Point> trail_;
+  std::vector<Point> collisions_;
+};
+
+}  // namespace robosim::record

@@ -1,0 +1,126 @@
+#include "sim/record/recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/file.h"
+#include "sim/record/compressed.h"
+#include "sim/record/record_page.h"
+#include "sim/wire/json_reader.h"
+
+namespace robosim::record {
+namespace {
+
+constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
+constexpr const char* kSamples = "samples";
+
+[[noreturn]] void refuse(const std::string& file, const std::string& problem) {
+  throw InputError({file}, "this is no recording that can be read: " + problem);
+}
+
+}  // namespace
+
+Recording Recording::read(const std::filesystem::path& file) {
+  const std::string content = read_file(file);
+  const std::string name = file.string();
+  if (content.starts_with("robosim.rec/")) return decode(content, name);
+  try {
+    return decode(recording_in_page(content), name);
+  } catch (const InputError& error) {
+    if (!error.place().file.empty()) throw;
+    refuse(name, error.message());
+  }
+}
+
+Recording Recording::decode(std::string_view bytes, const std::string& file) {
+  const std::string_view magic = kRecordingMagic;
+  if (!bytes.starts_with(magic)) {
+    if (bytes.starts_with("robosim.rec/"))
+      refuse(file, "it is of a newer version of Robosim, " +
+                       wire::excerpt(bytes.substr(0, std::min(bytes.find('\n'), std::size_t{40}))));
+    refuse(file, "it does not begin as one");
+  }
+  Recording recording;
+  recording.file_ = file;
+  try {
+    const std::string all = inflated(bytes.substr(magic.size()), kMostInflated_bytes);
+    const std::size_t end = all.find('\n');
+    const auto json = wire::JsonReader::Json::parse(all.substr(0, end), nullptr, false);
+    if (end == std::string::npos || json.is_discarded()) throw InputError("its header is damaged");
+    wire::JsonReader::read(json, recording.header_, wire::JsonReader::Unknown::allowed);
+    recording.body_ = all.substr(end + 1);
+  } catch (const wire::BadValue& bad) {
+    refuse(file, bad.in("its header"));
+  } catch (const InputError& error) {
+    refuse(file, error.message());
+  }
+  std::size_t total = 0;
+  for (const StreamInfo& stream : recording.header_.streams) {
+    for (const ColumnInfo& column : stream.columns) {
+      if (static_cast<std::size_t>(column.bytes) > recording.body_.size() - total || !(column.scale > 0.0))
+        refuse(file, "its column " + column.name + " is longer than the file");
+      total += static_cast<std::size_t>(column.bytes);
+    }
+  }
+  return recording;
+}
+
+std::vector<std::vector<double>> Recording::stream(const std::string& name) const {
+  std::vector<std::vector<double>> columns;
+  std::size_t at = 0;
+  for (const StreamInfo& stream : header_.streams) {
+    for (const ColumnInfo& column : stream.columns) {
+      const auto size = static_cast<std::size_t>(column.bytes);
+      if (stream.name == name && column.order > 0) {
+        std::vector<double>& values = columns.emplace_back();
+        for (const std::int64_t value :
+             read_column(std::string_view(body_).substr(at, size), static_cast<std::size_t>(stream.count),
+                         column.order, file_ + ": the recording's column " + column.name + " is damaged"))
+          values.push_back(static_cast<double>(value) / column.scale);
+      }
+      at += size;
+    }
+  }
+  return columns;
+}
+
+void Recording::play(const wire::OnEvent& on_event) const {
+  struct Timed {
+    std::int64_t t_ns;
+    wire::Event event;
+  };
+  std::vector<Timed> events;
+  for (const wire::Note& note : header_.notes) events.push_back({note.t_ns, note});
+
+  const auto samples = stream(kSamples);
+  constexpr std::size_t kFixed = 10;
+  for (std::size_t i = 0; samples.size() >= kFixed && i < samples[0].size(); ++i) {
+    const auto at = [&](std::size_t column) { return samples[column][i]; };
+    wire::Sample s{std::llround(at(0)), at(1), at(2), at(3), at(4), at(5), at(6), at(7), {}, "",
+                   {at(8), at(9)}};
+    for (std::size_t column = kFixed; column < samples.size(); ++column) s.readings.push_back(at(column));
+    const std::int64_t t_ns = s.t_us * 1000;
+    events.push_back({t_ns, std::move(s)});
+  }
+
+  const auto serial = stream("serial");
+  const bool has_serial = serial.size() >= 2;
+  const std::size_t text_bytes =
+      has_serial && !header_.streams.empty() && header_.streams.back().columns.size() > 2
+          ? static_cast<std::size_t>(header_.streams.back().columns[2].bytes)
+          : 0;
+  std::string_view text = std::string_view(body_).substr(body_.size() - std::min(text_bytes, body_.size()));
+  for (std::size_t i = 0; has_serial && i < serial[0].size(); ++i) {
+    const auto bytes = static_cast<std::size_t>(std::clamp(serial[1][i], 0.0, 1.0 * text.size()));
+    const std::int64_t t_ns = std::llround(serial[0][i]);
+    events.push_back({t_ns, wire::SerialText{t_ns, std::string(text.substr(0, bytes))}});
+    text.remove_prefix(bytes);
+  }
+
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Timed& a, const Timed& b) { return a.t_ns < b.t_ns; });
+  on_event(header_.started);
+  for (const Timed& timed : events) on_event(timed.event);
+}
+
+}  // namespace robosim::record

@@ -1,0 +1,82 @@
+// What stands in a recording before its columns, as JSON. docs/recordings.md has the whole format.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/record/floor_shapes.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::record {
+
+/// The first line of a recording's file.
+inline constexpr const char* kRecordingMagic = "robosim.rec/1\n";
+
+/// One column of a stream; its bytes follow those of the columns before it.
+struct ColumnInfo {
+  std::string name;
+  double scale = 1.0;  ///< divide by this: what is kept is a whole number
+  int order = 1;       ///< column.h; 0 = bytes as they are (text)
+  std::int64_t bytes = 0;
+};
+
+/// Rows of equal columns: samples, changes of a pin …
+struct StreamInfo {
+  std::string name;        ///< "samples", "pin D5", "volts A0", "serial"
+  std::int64_t count = 0;  ///< of rows
+  std::vector<ColumnInfo> columns;
+};
+
+struct RecordingHeader {
+  std::string robosim;  ///< version that wrote it
+  std::string sketch, map, robot, target;
+  std::string script;    ///< what happened to the robot from outside
+  std::string map_text;  ///< empty, with `floor` absent, if the map is too large
+  std::optional<FloorShapes> floor;
+  wire::RobotInfo robot_info;
+  std::vector<std::string> pins;  ///< names of the board's, by number
+  wire::Started started;
+  wire::RunResult result;
+  std::vector<wire::Note> notes;
+  /// Of pins and voltages only the last change in each span so long is kept; 0 = every change.
+  std::int64_t thinned_ns = 0;
+  std::vector<StreamInfo> streams;
+};
+
+template <class V>
+void fields(V& v, wire::Same<V, ColumnInfo>& c) {
+  v("name", c.name, "with its unit");
+  v("scale", c.scale, "divide by this");
+  v("order", c.order, "of the differences that are kept", {.least = 0, .most = 2});
+  v("bytes", c.bytes, "in the file", {.least = 0});
+}
+
+template <class V>
+void fields(V& v, wire::Same<V, StreamInfo>& s) {
+  v("name", s.name, "of the stream");
+  v("count", s.count, "of rows", {.least = 0});
+  v("columns", s.columns, "in the order of their bytes");
+}
+
+template <class V>
+void fields(V& v, wire::Same<V, RecordingHeader>& h) {
+  v("robosim", h.robosim, "version");
+  v("sketch", h.sketch, "as the user named it");
+  v("map", h.map, "the same");
+  v("robot", h.robot, "the same");
+  v("target", h.target, "the same");
+  v("script", h.script, "text of the scenario");
+  v("map_text", h.map_text, "the map's file");
+  v("floor", h.floor, "its geometry");
+  v("robot_info", h.robot_info, "as `describe_robot` has it");
+  v("pins", h.pins, "names of the board's pins, by number");
+  v("started", h.started, "the event");
+  v("result", h.result, "of the run");
+  v("notes", h.notes, "the events");
+  v("thinned_ns", h.thinned_ns, "0 = not", {.presence = wire::kOptional});
+  v("streams", h.streams, "what follows");
+}
+
+}  // namespace robosim::record

@@ -1,0 +1,273 @@
+// The page of `robosim run --record run.html`, as a browser shows it: every number against the recording.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/record/record_page.h"
+#include "tests/browser/browser.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+class Page : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (!std::filesystem::exists(chromium())) return;
+    folder = new Folder;
+    write_file(*folder / "go.script",
+               "at 1s press start 100ms\nat 2500ms cover S3 200ms\nat 4s send \"hi\\n\"\n");
+    const Ended ended = robosim_command({"run", "PidFollower", "--map", "tight", "--script", "go.script",
+                                         "--record", "run.html", "--record", "run.rec"},
+                                        folder->path());
+    if (ended.status != 0) throw std::runtime_error(ended.err);
+    recording = new record::Recording(record::Recording::read(file()));
+  }
+  static void TearDownTestSuite() {
+    delete recording;
+    delete folder;
+    recording = nullptr;
+    folder = nullptr;
+  }
+  void SetUp() override {
+    if (folder) return;
+    const char* required = std::getenv("ROBOSIM_REQUIRE");
+    const std::string missing = "chromium is missing: sudo apt install chromium";
+    if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
+    GTEST_SKIP() << missing;
+  }
+  static std::filesystem::path file() { return *folder / "run.html"; }
+
+  static inline Folder* folder = nullptr;
+  static inline record::Recording* recording = nullptr;
+};
+
+TEST_F(Page, ShowsTheNumbersThatWereRecorded) {
+  const Json shown = in_page(file(), R"(
+    const rows = [];
+    for (let ms = 0; ms <= 7000; ms += 130) {
+      page.player.seek(ms / 1000);
+      const text = (id) => parseFloat($(id).firstChild.textContent);
+      rows.push({ row: ms / 10, time: $('time').textContent, speed: text('now-speed_mm_s'),
+        error: text('now-cross_track_mm'), left: text('now-left'), right: text('now-right'),
+        S1: Number(document.querySelector('[data-sensor="S1"]').textContent),
+        S3: Number(document.querySelector('[data-sensor="S3"]').textContent),
+        plotted: Number(document.querySelector('#plots [data-signal="wheel_left_mm_s"]').textContent),
+        x: page.run.pose(ms / 1000).x, y: page.run.pose(ms / 1000).y, yaw: page.run.pose(ms / 1000).yaw });
+    }
+    return rows;)");
+  const auto samples = recording->stream("samples");
+  ASSERT_GT(shown.size(), 50u);
+  for (const Json& one : shown) {
+    const std::size_t row = one["row"];
+    const auto at = [&](std::size_t column) { return samples[column][row]; };
+    EXPECT_EQ(std::atof(one["time"].get<std::string>().c_str()), std::round(at(0) / 1000) / 1000);
+    EXPECT_NEAR(one["speed"], at(4), 0.51);
+    EXPECT_NEAR(one["error"], at(5), 0.051);
+    EXPECT_NEAR(one["left"], at(6), 0.0051);
+    EXPECT_NEAR(one["right"], at(7), 0.0051);
+    EXPECT_NEAR(one["S1"], at(10), 0.0051);
+    EXPECT_NEAR(one["S3"], at(12), 0.0051);
+    EXPECT_NEAR(one["plotted"], at(8), 0.51);
+    EXPECT_EQ(one["x"], at(1));
+    EXPECT_EQ(one["y"], at(2));
+    EXPECT_EQ(one["yaw"], at(3));
+  }
+}
+
+TEST_F(Page, StepsThroughEverythingThatHappened) {
+  const Json steps = in_page(file(), R"(
+    const steps = [];
+    key('Home');
+    for (let before = -1; page.player.t > before || before < 0;) {
+      before = page.player.t;
+      key('n');
+      if (page.player.t > before) steps.push([page.player.t, $('happened').textContent]);
+    }
+    key('p');
+    return { steps, last: page.player.t };)");
+  std::vector<double> expected;
+  for (const wire::Note& note : recording->header().notes)
+    if (note.t_ns > 0) expected.push_back(1e-9 * static_cast<double>(note.t_ns));
+  std::vector<std::string> texts;
+  for (const Json& step : steps["steps"]) texts.push_back(step[1]);
+  EXPECT_THAT(texts, ::testing::Contains("start pressed"));
+  EXPECT_THAT(texts, ::testing::Contains("S3 covered"));
+  EXPECT_THAT(texts.back(), HasSubstr("reached: The goal laps:1"));
+  for (const double t : expected)
+    EXPECT_TRUE(std::any_of(steps["steps"].begin(), steps["steps"].end(), [&](const Json& step) {
+      return std::fabs(step[0].get<double>() - t) < 1e-9;
+    })) << t;
+  EXPECT_LT(steps["last"], steps["steps"].back()[0]) << "and back again";
+}
+
+TEST_F(Page, StepsByAMillisecondAndScrubs) {
+  const Json t = in_page(file(), R"(
+    page.player.seek(1.2346);
+    key('.');
+    const on = page.player.t;
+    key(','); key(',');
+    const back = page.player.t;
+    key('ArrowRight', { shiftKey: true });
+    const second = page.player.t;
+    const line = $('timeline'), { left, top, height } = line.getBoundingClientRect();
+    const at = (type, seconds) => line.dispatchEvent(new PointerEvent(type, { clientX: left + page.timeline.xOf(seconds),
+      clientY: top + height / 2, pointerId: 1, bubbles: true }));
+    line.setPointerCapture = () => {};
+    at('pointerdown', 3);
+    at('pointermove', 5);
+    const scrubbed = page.player.t;
+    at('pointerup', 5);
+    at('pointermove', 6);
+    return { on, back, second, scrubbed, after: page.player.t, now: line.getAttribute('aria-valuenow') };)");
+  EXPECT_EQ(t["on"], 1.236);
+  EXPECT_EQ(t["back"], 1.234);
+  EXPECT_EQ(t["second"], 2.234);
+  EXPECT_NEAR(t["scrubbed"], 5.0, 0.01);
+  EXPECT_EQ(t["after"], t["scrubbed"]) << "the button is up";
+  EXPECT_NEAR(std::atof(t["now"].get<std::string>().c_str()), t["after"].get<double>(), 0.0006);
+}
+
+TEST_F(Page, DrawsTheFloorWhereTheSimulationHasIt) {
+  // The middle of each stripe, 3 mm within its edges and 3 mm outside; the robot is elsewhere.
+  const Json wrong = in_page(file(), R"(
+    page.player.seek(0);
+    page.run.t = page.run.t.slice(0, 1);  // no trail
+    page.setTheme('light');
+    const canvas = $('floor'), ctx = canvas.getContext('2d'), ratio = canvas.width / canvas.clientWidth;
+    const light = (x, y) => {
+      const [px, py] = page.view.toScreen(x, y);
+      return ctx.getImageData(Math.round(px * ratio), Math.round(py * ratio), 1, 1).data[0];
+    };
+    const wrong = [], { floor } = page.run;
+    let looked = 0;
+    for (const stripe of floor.stripes) {
+      const [x, y, toX, toY] = stripe.line;
+      let middle = [(x + toX) / 2, (y + toY) / 2], normal;
+      if (stripe.arc) {
+        const [cx, cy, r] = stripe.arc, out = [middle[0] - cx, middle[1] - cy], length = Math.hypot(...out);
+        normal = out.map((v) => v / length);
+        middle = [cx + normal[0] * r, cy + normal[1] * r];
+      } else {
+        const length = Math.hypot(toX - x, toY - y);
+        normal = [-(toY - y) / length, (toX - x) / length];
+      }
+      for (const side of [-1, 1])
+        for (const [off, dark] of [[floor.line / 2 - 3, true], [floor.line / 2 + 3, false]]) {
+          Object.assign(page.view, { x: middle[0], y: middle[1], scale: 2, fits: false });
+          page.drawFloor();
+          const robot = page.run.pose(0);
+          if (Math.hypot(middle[0] - robot.x, middle[1] - robot.y) < 120) continue;
+          const value = light(middle[0] + side * off * normal[0], middle[1] + side * off * normal[1]);
+          looked++;
+          if ((value < 100) !== dark) wrong.push([stripe, side, off, value]);
+        }
+    }
+    return { wrong, looked };)");
+  EXPECT_GT(wrong["looked"].get<int>(), 12);
+  EXPECT_EQ(wrong["wrong"].size(), 0u) << wrong["wrong"].dump();
+}
+
+TEST_F(Page, ZoomsAboutThePointer) {
+  const Json moved = in_page(file(), R"(
+    const before = page.view.toFloor(300, 200), scale = page.view.scale;
+    const { left, top } = $('floor').getBoundingClientRect();
+    $('floor').dispatchEvent(new WheelEvent('wheel', { deltaY: -400, clientX: left + 300, clientY: top + 200, cancelable: true }));
+    const after = page.view.toFloor(300, 200);
+    return [after[0] - before[0], after[1] - before[1], page.view.scale / scale];)");
+  EXPECT_NEAR(moved[0], 0.0, 1.0);
+  EXPECT_NEAR(moved[1], 0.0, 1.0);
+  EXPECT_GT(moved[2], 1.5);
+}
+
+TEST_F(Page, LaysALogOfARealRobotOverTheRun) {
+  const Json over = in_page(file(), R"(
+    await page.open(new File(['t_ms,x_m,y_m,battery\n0,1.0,0.2,7.4\n1000,1.5,0.25,7.3\n2000,1.9,0.3,7.2\n'], 'log.csv'));
+    const seen = { text: $('other-box').textContent, pose: page.other.pose(1.5), battery: page.other.signal('battery').values[2] };
+    await page.open(new File(['a,b\n1,2\n'], 'bad.csv'));
+    seen.problem = $('problem').textContent;
+    await page.open(new File(['t,x,y\n0,1,1\n0.1,oops,2\n'], 'worse.csv'));
+    seen.worse = $('problem').textContent;
+    seen.still = !$('other-box').hidden;
+    return seen;)");
+  EXPECT_THAT(over["text"].get<std::string>(), HasSubstr("log.csv"));
+  EXPECT_NEAR(over["pose"]["x"], 1700, 1e-6);
+  EXPECT_NEAR(over["pose"]["y"], 275, 1e-6);
+  EXPECT_EQ(over["battery"], 7.2);
+  EXPECT_THAT(over["problem"].get<std::string>(),
+              HasSubstr("bad.csv: a log needs columns for time, x and y"));
+  EXPECT_THAT(over["worse"].get<std::string>(),
+              HasSubstr("worse.csv, line 3: time, x and y must be numbers"));
+  EXPECT_TRUE(over["still"].get<bool>()) << "a bad file takes nothing away";
+}
+
+TEST_F(Page, LaysAnotherRecordingOverTheRun) {
+  const std::string other = record::base64(read_file(*folder / "run.rec"));
+  const Json over = in_page(file(), "const text = `" + other + R"(`;
+    await page.open(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], 'other.rec'));
+    return [$('other-box').textContent, page.other.duration, page.run.duration, $('problem').hidden];)");
+  EXPECT_THAT(over[0].get<std::string>(), HasSubstr("other.rec (PidFollower, seed 1, host: reached)"));
+  EXPECT_EQ(over[1], over[2]);
+  EXPECT_TRUE(over[3].get<bool>());
+}
+
+TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
+  const std::string good = read_file(file());
+  const std::size_t at = good.find("octet-stream\">") + 14;
+  for (const auto& [broken, sentence] :
+       {std::pair{good.substr(0, at) + good.substr(good.find("</script>", at)), "no recording of Robosim"},
+        std::pair{good.substr(0, at + 2000) + good.substr(good.find("</script>", at)), "damaged or cut off"},
+        std::pair{good.substr(0, at + 60) + "AAAA" + good.substr(at + 64), "damaged"},
+        std::pair{good.substr(0, at + 60) + "<!!>" + good.substr(at + 64), "damaged"}}) {
+    write_file(*folder / "broken.html", broken);
+    const Json said = in_page(*folder / "broken.html",
+                              "return [$('problem').hidden, $('problem').textContent, $('main').hidden];");
+    EXPECT_FALSE(said[0].get<bool>());
+    EXPECT_THAT(said[1].get<std::string>(), HasSubstr(sentence));
+    EXPECT_TRUE(said[2].get<bool>());
+  }
+}
+
+TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
+  for (const int width : {500, 1400}) {
+    const Json faults = in_page(file(), R"(
+      const faults = [];
+      if (document.documentElement.scrollWidth > innerWidth) faults.push('wider than the screen');
+      for (const tab of ['plots', 'pins', 'serial', 'events']) {
+        $(`tab-${tab}`).click();
+        for (const button of document.querySelectorAll('button, select, [role="slider"]')) {
+          const box = button.getBoundingClientRect();
+          if (!box.width || button.closest('dialog')) continue;
+          const name = button.getAttribute('aria-label') || button.textContent.trim();
+          if (!name) faults.push(`no name: ${button.outerHTML}`);
+          if (!button.closest('.panel') && (box.left < 0 || box.right > innerWidth || box.bottom > innerHeight)) faults.push(`outside: ${name}`);
+        }
+      }
+      if (performance.getEntriesByType('resource').length) faults.push('it loads something');
+      return faults;)",
+                                width, 900);
+    EXPECT_EQ(faults.size(), 0u) << width << ": " << faults.dump(1);
+  }
+}
+
+// People look at these: a wide screen and a phone's, light and dark.
+TEST_F(Page, IsPhotographed) {
+  const std::filesystem::path pictures = ROBOSIM_PICTURES;
+  std::filesystem::create_directories(pictures);
+  for (const char* tab : {"plots", "pins", "serial", "events"}) {
+    for (const auto& [theme, width] : {std::pair{"light", 1400}, std::pair{"dark", 500}}) {
+      const auto picture = pictures / (std::string(tab) + "-" + theme + "-" + std::to_string(width) + ".png");
+      open_in_chromium("--screenshot=" + picture.string(),
+                       file().string() + "#t=2.6&tab=" + tab + "&theme=" + theme, width, 900);
+      EXPECT_GT(std::filesystem::file_size(picture), 20'000u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace robosim::test

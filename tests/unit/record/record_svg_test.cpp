@@ -1,0 +1,86 @@
+#include "sim/record/record_svg.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/base/file.h"
+#include "sim/record/trail_path.h"
+
+namespace robosim::record {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Picture : public ::testing::Test {
+ protected:
+  Picture() {
+    write_file(map, "____#\n_S.._\n_____\n_____\n");
+    run.sketch = "A<B";
+    run.request.map = map;
+  }
+  ~Picture() override {
+    std::filesystem::remove(map);
+    std::filesystem::remove(file);
+  }
+  std::string drawn(const wire::RunResult& result = {}) {
+    recorder.finish(result);
+    return read_file(file);
+  }
+
+  const std::string base =
+      (std::filesystem::temp_directory_path() / ("robosim-svg-" + std::to_string(::getpid()))).string();
+  const std::string map = base + ".map", file = base + ".svg";
+  RecordedRun run;
+  SvgRecorder recorder{file};
+};
+
+TEST_F(Picture, ShowsTheFloorTheTrailAndHowItEnded) {
+  recorder.begin(run);
+  wire::Started started;
+  started.x = started.y = 1;
+  started.stations = {{1, "dock", 1, 1}};
+  recorder.add(started);
+  recorder.add(wire::Sample{0, 150, 250, 0, 0});
+  recorder.add(wire::Sample{10000, 250, 250, 0, 500});
+  wire::RunResult result;
+  result.verdict = "lost";
+  result.time_s = 3.0;
+  const std::string svg = drawn(result);
+  EXPECT_THAT(svg, HasSubstr(R"(d="M400.0 100.0h100.0v-100.0h-100.0z" fill="#b9b4a8")"))
+      << "the wall, top right";
+  EXPECT_THAT(svg,
+              HasSubstr(R"(d="M150.0 150.0 L350.0 150.0" fill="none" stroke="#1f1f1f" stroke-width="20.0")"));
+  EXPECT_THAT(svg, HasSubstr("M150.0 150.0L250.0 150.0\" stroke=\"" + speed_colour(8) + "\""));
+  EXPECT_THAT(svg, HasSubstr(">dock</text>"));
+  EXPECT_THAT(svg, HasSubstr(": lost after 3.00 s</text>"));
+  EXPECT_THAT(svg, HasSubstr("A&lt;B"));
+  EXPECT_THAT(svg, Not(HasSubstr("A<B")));
+}
+
+TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
+  recorder.begin(run);
+  recorder.add(wire::Started{});
+  EXPECT_THAT(drawn(), Not(HasSubstr("#d55e00")));
+  recorder.add(wire::Sample{0, 100, 200, 0, 0});
+  recorder.add(wire::note_of({0, 0, wire::CollisionBegan{}}));
+  EXPECT_THAT(drawn(), HasSubstr(R"(d="M80.0 220.0L120.0 180.0M80.0 180.0L120.0 220.0" stroke="#d55e00")"));
+}
+
+TEST(Trails, AreNotDrawnWhereTheRobotWasCarried) {
+  const auto all = stretches({{0, 0, 100}, {10, 0, 100}, {500, 0, 100}, {510, 0, 100}}, 100);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].last, 1u);
+  EXPECT_EQ(all[1].first, 2u);
+}
+
+TEST(Trails, KeepCornersAndLeaveOutWhatLiesOnTheWay) {
+  EXPECT_THAT(corners({{0, 0, 0}, {5, 0.1, 0}, {10, 0, 0}, {10, 5, 0}, {10, 10, 0}}, 0, 4, 0.5),
+              ElementsAre(0u, 2u, 4u));
+}
+
+}  // namespace
+}  // namespace robosim::record

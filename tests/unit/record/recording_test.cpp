@@ -1,0 +1,193 @@
+#include "sim/record/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/record/compressed.h"
+#include "sim/record/record_page.h"
+
+namespace robosim::record {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+// What is said of a recording that cannot be read.
+std::string refusal(const std::string& bytes) {
+  try {
+    Recording::decode(bytes, "x.rec");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+class ARecording : public ::testing::Test {
+ protected:
+  ARecording() {
+    folder = std::filesystem::temp_directory_path() / ("robosim-recording-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    write_file(folder / "t.map", "+++\nname = \"t\"\ncorner = \"50 mm\"\n+++\n____#\n_S.._\n___._\n_____\n");
+    run.sketch = "Mine";
+    run.robot_info.board.name = "uno";
+    run.robot_info.file = "/somewhere/else/uno5.toml";
+    run.request.map = folder / "t.map";
+    gatherer.begin(run);
+    wire::Started started;
+    started.x = started.y = 1;
+    started.readings = {"S1", "distance"};
+    gatherer.add(started);
+  }
+  ~ARecording() override { std::filesystem::remove_all(folder); }
+
+  Recording written(const wire::RunResult& result = {}) {
+    return Recording::decode(gatherer.encoded(result), "x.rec");
+  }
+
+  std::filesystem::path folder;
+  RecordedRun run;
+  Gatherer gatherer;
+};
+
+TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
+  const wire::Sample sample{10000,     1352.123, 248.956,       -3.14, -310.04,        1.256,
+                            -0.503921, 1.0,      {0.25, -41.5}, "",    {-300.0, 12.34}};
+  gatherer.add(wire::Sample{0, 0.0, 0.0, 3.1, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0}});
+  gatherer.add(sample);
+  std::vector<wire::Sample> played;
+  written().play([&](const wire::Event& event) {
+    if (const auto* one = std::get_if<wire::Sample>(&event)) played.push_back(*one);
+  });
+  ASSERT_THAT(played, SizeIs(2));
+  const wire::Sample& s = played[1];
+  EXPECT_EQ(s.t_us, 10000);
+  EXPECT_NEAR(s.x_mm, sample.x_mm, 0.00501);
+  EXPECT_NEAR(s.y_mm, sample.y_mm, 0.00501);
+  EXPECT_NEAR(s.yaw_rad, sample.yaw_rad, 0.0000501);
+  EXPECT_NEAR(s.speed_mm_s, sample.speed_mm_s, 0.0501);
+  EXPECT_NEAR(s.left, sample.left, 0.000501);
+  EXPECT_THAT(s.readings, ElementsAre(0.25, -41.5));
+  EXPECT_NEAR(s.wheels_mm_s[1], 12.34, 0.0501);
+}
+
+TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
+  gatherer.add(wire::PinChange{3'599'999'999'937, "D5", "output", false, true, 0.25, 0, {}});
+  gatherer.add(wire::PinChange{3'600'000'000'000, "D5", "output", true, false, 1.0, 0, {}});
+  const auto pin = written().stream("pin D5");
+  ASSERT_THAT(pin, SizeIs(4));
+  EXPECT_THAT(pin[0], ElementsAre(3'599'999'999'937, 3'600'000'000'000));
+  EXPECT_THAT(pin[1], ElementsAre(3, 1)) << "pulsing, then high";
+  EXPECT_THAT(pin[2], ElementsAre(0.25, 1.0));
+}
+
+TEST_F(ARecording, LeavesOutWhatSaysNothingNew) {
+  for (int i = 0; i < 100; ++i) gatherer.add(wire::LevelSeen{i * 1000, "D2", i >= 50, {}});
+  EXPECT_THAT(written().stream("pin D2")[0], ElementsAre(0, 50'000));
+}
+
+TEST_F(ARecording, TellsSerialTextAndEventsInTheOrderOfTime) {
+  gatherer.add(wire::SerialText{2'000'000'000, "grüße\r\n"});
+  gatherer.add(wire::note_of({1'000'000'000, 0, wire::CollisionBegan{}}));
+  gatherer.add(wire::SerialText{3'000'000'000, "zwei\n"});
+  std::vector<std::string> told;
+  written().play([&](const wire::Event& event) {
+    if (const auto* serial = std::get_if<wire::SerialText>(&event)) told.push_back(serial->text);
+    if (const auto* note = std::get_if<wire::Note>(&event))
+      told.push_back(note->is<wire::CollisionBegan>() ? "a collision" : "?");
+  });
+  EXPECT_THAT(told, ElementsAre("a collision", "grüße\r\n", "zwei\n"));
+}
+
+TEST_F(ARecording, HoldsTheFloorAsItIsDrivenOn) {
+  const Recording recording = written();
+  const auto& floor = recording.header().floor;
+  ASSERT_TRUE(floor);
+  EXPECT_EQ(floor->width_mm, 500.0);
+  EXPECT_THAT(floor->walls, ElementsAre(std::array<double, 4>{400, 300, 100, 100}));
+  ASSERT_THAT(floor->stripes, SizeIs(3)) << "two legs and the arc between them";
+  EXPECT_THAT(floor->stripes[1].arc, ElementsAre(300.0, 200.0, 50.0));
+}
+
+TEST_F(ARecording, NamesNoFolderOfThisMachine) { EXPECT_EQ(written().header().robot_info.file, "uno5.toml"); }
+
+TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
+  constexpr int kChanges = 10'000;
+  Gatherer small(20'000);
+  small.begin(run);
+  for (int i = 0; i < kChanges; ++i)
+    small.add(wire::VoltsSeen{i * std::int64_t{100'000}, "A0", 0.001 * (i * 7919 % 5000), {}});
+  const Recording recording = Recording::decode(small.encoded({}), "x.rec");
+  EXPECT_EQ(recording.header().thinned_ns, Gatherer::kThinned_ns);
+  const auto volts = recording.stream("volts A0");
+  EXPECT_THAT(volts[0], SizeIs(kChanges / 200));
+  EXPECT_EQ(volts[0][0], 199 * 100'000) << "the last of the first 20 ms";
+  EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
+}
+
+TEST_F(ARecording, IsTheSameInAPage) {
+  const auto page = folder / "run.html", rec = folder / "run.rec";
+  PageRecorder in_page(page);
+  RecRecorder alone(rec);
+  for (Recorder* recorder : {static_cast<Recorder*>(&in_page), static_cast<Recorder*>(&alone)}) {
+    recorder->begin(run);
+    recorder->add(wire::Started{});
+    recorder->finish({});
+  }
+  EXPECT_EQ(recording_in_page(read_file(page)), read_file(rec));
+  EXPECT_EQ(Recording::read(page).header().sketch, "Mine");
+  EXPECT_EQ(Recording::read(rec).header().sketch, "Mine");
+}
+
+TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
+  gatherer.add(wire::Sample{});
+  const std::string good = gatherer.encoded({});
+  EXPECT_EQ(refusal(good), "");
+  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("x.rec: this is no recording"));
+  EXPECT_THAT(refusal(good.substr(0, 20)), HasSubstr("damaged or cut off"));
+  EXPECT_THAT(refusal("robosim.rec/2\n"), HasSubstr("of a newer version of Robosim"));
+  EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin as one"));
+  EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("must be an object"));
+  EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
+}
+
+TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
+  gatherer.add(wire::Sample{});
+  std::string all = inflated(gatherer.encoded({}).substr(std::string(kRecordingMagic).size()), 1 << 20);
+  const std::size_t at = all.find("\"count\":1");
+  ASSERT_NE(at, std::string::npos);
+  all.replace(at, 9, "\"count\":9");
+  const Recording more = Recording::decode(kRecordingMagic + deflated(all), "x.rec");
+  EXPECT_THROW(more.stream("samples"), InputError);
+  all.erase(all.size() - 1);
+  EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("longer than the file"));
+}
+
+TEST(Columns, HoldAnyNumberThatTheyCanAndTheNearestOtherwise) {
+  const std::vector<double> values{0.0, 1e12, -1e12, 0.004, -0.006, 1e300, -1e300, std::nan("")};
+  for (const int order : {1, 2}) {
+    Column column({"c", 100.0, order});
+    for (const double value : values) column.add(value);
+    EXPECT_THAT(read_column(column.bytes(), values.size(), order, "bad"),
+                ElementsAre(0, 100'000'000'000'000, -100'000'000'000'000, 0, -1, kMostSteps, -kMostSteps, 0));
+  }
+}
+
+TEST(Base64, IsReadAsItWasWritten) {
+  std::string bytes;
+  for (int i = 0; i < 256; ++i) {
+    bytes += static_cast<char>(i);
+    EXPECT_EQ(from_base64(base64(bytes)), bytes);
+  }
+  EXPECT_EQ(base64("Man"), "TWFu");
+  EXPECT_THROW(from_base64("TW u"), InputError);
+}
+
+}  // namespace
+}  // namespace robosim::record
