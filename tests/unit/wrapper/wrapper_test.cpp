@@ -124,12 +124,14 @@ TEST_F(Wrapper, BuildsAgainAfterAChange) {
   EXPECT_THAT(calls(), HasSubstr("cmake --build"));
 }
 
-TEST_F(Wrapper, ConfiguresAMovedCheckoutAfresh) {
-  run("../checkout/robosim");
+TEST_F(Wrapper, ConfiguresAMovedCheckoutAfreshAndSaysSo) {
+  EXPECT_EQ(run("../checkout/robosim").err, "");
   calls();
   fs::rename(checkout(), folder_ / "moved");
-  run("../moved/robosim");
+  EXPECT_EQ(run("../moved/robosim").err, "robosim: this checkout was built in " + checkout().string() +
+                                             "; here it is built anew, which takes a few minutes\n");
   EXPECT_THAT(calls(), HasSubstr("cmake --preset release"));
+  EXPECT_EQ(run("../moved/robosim").err, "") << "built";
 }
 
 TEST_F(Wrapper, BuildsTheChipsRunnerOnceItIsWantedAndKeepsItUpToDate) {
