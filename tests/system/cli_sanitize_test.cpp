@@ -114,6 +114,26 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
+// In the second run memory is larger, so what filled it goes on, to a fault that the first run never came to.
+TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const Folder folder;
+  folder.write("Deep/Deep.ino",
+               "volatile int n = 32767;\n"
+               "int deep(int left) {\n"
+               "  volatile char room[100];\n"
+               "  room[0] = left;\n"
+               "  return left == 0 ? 0 : deep(left - 1) + room[0];\n"
+               "}\n"
+               "void setup() { delay(100); deep(30); delay(3000); n++; }\n"
+               "void loop() { delay(100); }\n");
+  const nlohmann::json result = json_of(robosim_command(
+      {"run", "Deep/", "--map", "oval", "--robot", "uno5", "--target", "avr", "--goal", "none", "--json"},
+      folder.path()));
+  EXPECT_EQ(result["verdict"], "crashed");
+  EXPECT_FALSE(result.contains("finding")) << result["finding"];
+}
+
 TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {
   const Ended run = robosim_command({"run", "PidFollower", "--map", "oval", "--robot", "uno5", "--sanitize"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;

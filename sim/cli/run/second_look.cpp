@@ -9,9 +9,15 @@
 namespace robosim::cli {
 namespace {
 
-constexpr double kLongest_s = 60.0;
-// With its checks a sketch takes longer for the same.
-constexpr double kMargin_s = 1.0;
+constexpr double kLongest_of_timeout_s = 60.0;
+// With its checks a sketch takes longer until it crashes.
+constexpr double kMargin_of_crash_s = 1.0;
+
+// In which a check would have to fail to explain what the first run came to.
+double limit_s(const wire::RunResult& first) {
+  if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
+  return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;
+}
 
 std::string place_of(const wire::Crash& fault) {
   if (fault.where.file.empty()) return "";
@@ -36,9 +42,7 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   checked.warnings = build::Warnings::none;
   checked.coverage = false;
   request.counters.clear();
-  const double limit_s =
-      first.verdict == "timeout" ? kLongest_s : std::max(kLongest_s, first.time_s + kMargin_s);
-  request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s * 1e9));
+  request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
   request.samples_every_ns = 0;
   request.gdb_port = 0;
   request.pins = request.serial = request.notes = request.io = false;

@@ -29,8 +29,9 @@ void fields(V& v, wire::Same<V, Finding>& f) {
 /// Whether it makes sense: the sketch has failed on an AVR, or crashed on the host, and had no checks.
 bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first);
 
-/// Runs until shortly after the first run's end, of a timeout only the first minute. Nothing if no check
-/// failed, if the sketch with checks does not compile, or if the user interrupts it.
+/// Runs no longer than the first run did, of a timeout only the first minute, and a second more where it has
+/// crashed: checks take their time. Nothing if no check failed, if the sketch with checks does not compile, or
+/// if the user interrupts it.
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
                                   const build::Request& sketch, const wire::RunResult& first);
 
