@@ -61,8 +61,12 @@ std::string part_names(const std::vector<ConfigValue>& parts) {
 }
 
 void remove_parts(std::vector<ConfigValue>& parts, const ConfigValue& list) {
+  if (list.kind == ConfigValue::Kind::string && list.string == "all") {
+    parts.clear();
+    return;
+  }
   if (list.kind != ConfigValue::Kind::array)
-    throw InputError(list.place, "remove must be a list of part names, such as [\"buzzer\"]");
+    throw InputError(list.place, "remove must be a list of part names, such as [\"buzzer\"], or \"all\"");
   for (const ConfigValue& item : list.items) {
     const auto part = find_part(parts, as_string(item, "remove"));
     if (part == parts.end())

@@ -192,6 +192,16 @@ pin = 11
   EXPECT_NE(robot.sha256, base.sha256);
 }
 
+TEST(Description, OfABaseNothingButTheBodyMayBeWanted) {
+  const Description robot = parse_description(
+      "base = \"uno5\"\nremove = \"all\"\n[[part]]\nname = \"left\"\ntype = \"led\"\npin = 11\n",
+      "mine.toml");
+  ASSERT_EQ(robot.parts.size(), 1u);
+  EXPECT_EQ(robot.parts[0]->type, "led");
+  EXPECT_EQ(robot.chassis.track.value, load_description("uno5").chassis.track.value);
+  EXPECT_THAT(message_of("base = \"uno5\"\nremove = \"most\"\n"), HasSubstr("or \"all\""));
+}
+
 TEST(Description, APartOfAnotherTypeReplacesTheBasesPart) {
   const Description robot = parse_description(
       "base = \"uno5\"\n[[part]]\nname = \"buzzer\"\ntype = \"led\"\npin = 11\nactive = \"low\"\n",
