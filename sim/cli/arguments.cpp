@@ -18,8 +18,8 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",   "replay", "sweep", "compare", "play", "classic",
-                                         "build", "flash",  "map",   "robot",   "test", "new"};
+const std::vector<std::string> kCommands{"run",   "replay", "sweep", "compare", "play", "classic", "build",
+                                         "flash", "wire",   "map",   "robot",   "test", "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -261,6 +261,21 @@ Command parse_robot(Words words) {
   return robot;
 }
 
+Command parse_wire(const Words& words) {
+  WireArguments wire;
+  Options options("wire",
+                  "Drafts a robot file for a sketch, from its names and from what it does to its pins.");
+  options.positional("SKETCH", wire.sketch,
+                     "a folder, its .ino, or one of ours; without it, the current folder");
+  options.text("--board", wire.board, "BOARD", "that the robot carries; default: uno");
+  options.text("--map", wire.map, "MAP", "file or name: the draft is tried on it; default: oval");
+  options.text("--target", wire.target, "TARGET", "host, or the chip's: avr or stm32");
+  options.texts("--libraries", wire.libraries, "FOLDER", "libraries, or a folder of them");
+  options.text("--out", wire.out, "FILE", "is written; default: standard output");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  return wire;
+}
+
 Command parse_play(const Words& words) {
   PlayArguments play;
   Options options("play", "A session in the terminal: place the robot, watch it scan, send it to stations.");
@@ -289,6 +304,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "build") return parse_build(rest);
   if (first == "flash") return parse_flash(rest);
   if (first == "map") return parse_map(rest);
+  if (first == "wire") return parse_wire(rest);
   if (first == "robot") return parse_robot(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);

@@ -106,6 +106,16 @@ struct RobotArguments {
   std::string robot;
 };
 
+/// `robosim wire`
+struct WireArguments {
+  std::string sketch;
+  std::string board;         ///< empty = the first there is
+  std::string map = "oval";  ///< that the draft is tried on
+  std::string target;        ///< empty = host
+  std::vector<std::string> libraries;
+  std::string out;  ///< a file; empty = standard output
+};
+
 /// `robosim classic`
 struct ClassicArguments {
   std::string map;
@@ -147,7 +157,7 @@ struct PrintText {
 };
 
 using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
-                             ClassicArguments, BuildArguments, FlashArguments, MapArguments,
+                             ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
                              GenerateArguments, RobotArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.

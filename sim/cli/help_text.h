@@ -10,7 +10,7 @@ inline constexpr const char* kExamples =
   robosim run PidFollower --view            watch it drive
   robosim run PidFollower --record run.html a page that replays it: open it in a browser
   robosim run my/Sketch --map my.map        your own sketch, on your own map
-  robosim robot show uno5 > robot.toml      your own robot: change it, beside your sketch
+  robosim wire my/Sketch --out my/Sketch/robot.toml    drafts your robot's file from what the sketch does
   robosim play                              choose a map, watch it scanned, send the robot to stations
   robosim run LeftPath --map d --robot uno3 --json     results for a program to read
 
@@ -27,6 +27,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   classic MAP                 the robot on cells: walk, scan and find the way
   build [SKETCH]              compile a sketch as Arduino would, and say its size
   flash [SKETCH] --port PORT  write a sketch to the board, as tested on --target avr
+  wire [SKETCH]               draft a robot file: which part is on which pin, from what the sketch does
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
   map generate                make random maps: trees, cycles, streets
   robot list|show|check       the robots; the text of one; check a robot file

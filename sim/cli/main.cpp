@@ -20,6 +20,7 @@
 #include "sim/cli/run/replay_command.h"
 #include "sim/cli/run/run_command.h"
 #include "sim/cli/sweep/sweep_command.h"
+#include "sim/cli/wire/wire_command.h"
 #include "sim/client/interrupts.h"
 
 namespace robosim::cli {
@@ -33,6 +34,7 @@ struct Perform {
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }
   int operator()(const FlashArguments& arguments) const { return flash_command(arguments); }
+  int operator()(const WireArguments& arguments) const { return wire_command(arguments); }
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
   int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }

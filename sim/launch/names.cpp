@@ -148,8 +148,10 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder, cons
     return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml beside the sketch"};
   }
   const std::string robot = target == "stm32" ? "bluepill5" : "uno5";
-  return {robot, robot,
-          "the robot is " + robot + "; choose another with --robot, or put a robot.toml beside the sketch"};
+  return {
+      robot, robot,
+      "the robot is " + robot +
+          "; choose another with --robot, or put a robot.toml beside the sketch (robosim wire drafts one)"};
 }
 
 std::string choose_target(const std::string& name, const SketchChoice& sketch) {

@@ -30,8 +30,8 @@ void fields(V& v, wire::Same<V, Finding>& f) {
 bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first);
 
 /// Runs no longer than the first run did, of a timeout only the first minute, and a second more where it has
-/// crashed: checks take their time. Nothing if no check failed, if the sketch with checks does not compile, or
-/// if the user interrupts it.
+/// crashed: checks take their time. Nothing if no check failed, if the sketch with checks does not compile,
+/// or if the user interrupts it.
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
                                   const build::Request& sketch, const wire::RunResult& first);
 

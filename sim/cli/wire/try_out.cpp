@@ -1,0 +1,92 @@
+#include "sim/cli/wire/try_out.h"
+
+#include <tuple>
+
+#include "sim/base/file.h"
+#include "sim/build/source.h"
+#include "sim/client/interrupts.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr int kMostDrafts = 5;
+constexpr double kLook_s = 5.0;
+constexpr double kDrive_s = 60.0;
+constexpr const char* kGoal = "laps:1";
+
+std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
+
+// More is better: a lap, then how far it came on the line.
+auto score(const wire::RunResult& result) {
+  const double on_line = result.time_s - result.metrics.off_line_s;
+  return std::tuple(result.verdict == "reached", result.metrics.distance_m > 0.05, on_line);
+}
+
+}  // namespace
+
+TryOut::TryOut(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
+               launch::Listener listener)
+    : launch_(std::move(launch)),
+      board_(board),
+      file_(folder / "robot.toml"),
+      launcher_(std::move(listener)),
+      runner_(launch_.target),
+      history_(board) {
+  const launch::SketchChoice sketch = launch::choose_sketch(launch_.sketch);
+  names_ = wiring::read_names(build::read_sketch(sketch.path), board);
+  launch_.robot = file_.string();
+}
+
+wire::RunResult TryOut::run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
+                            wiring::PinHistory* history) {
+  write_file(file_, wiring::text_of(draft));
+  launch_.request.script = wiring::presses(draft);
+  launch_.request.goal = goal;
+  launch_.request.for_ns = to_ns(for_s);
+  launch_.request.pins = launch_.request.io = history != nullptr;
+  const launch::Prepared run =
+      launcher_.prepare(launch_, launch::choose(launch_),
+                        [&](const std::string& name) { return runner_.describe_robot(name); });
+  const client::Interrupts interrupts(runner_);
+  if (!history) return runner_.run(run.request);
+  history->begin();
+  wire::RunResult result = runner_.run(run.request, [&](const wire::Event& event) { history->add(event); });
+  history->end(to_ns(result.time_s));
+  return result;
+}
+
+wiring::RobotDraft TryOut::draft() {
+  wiring::RobotDraft draft;
+  draft.base = "uno3";
+  draft.board = board_.name;
+  std::string text = wiring::text_of(draft);
+  for (int i = 0; i < kMostDrafts; ++i) {
+    run(draft, kLook_s, "none", &history_);
+    draft = wiring::guess(board_, names_, history_, {});
+    const std::string next = wiring::text_of(draft);
+    if (next == text) break;
+    text = next;
+  }
+  return draft;
+}
+
+Drive TryOut::choose(wiring::RobotDraft& draft) {
+  const wiring::Open open = draft.open;
+  Drive best{{}, run(draft, kDrive_s, kGoal, nullptr)};
+  tried_ = 1;
+  for (int bits = 1; bits < 16 && best.result.verdict != "reached"; ++bits) {
+    const wiring::Ways ways{(bits & 1) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 2) != 0};
+    if ((ways.black_low && !open.black) || (ways.other_order && !open.order) ||
+        (ways.other_sides && !open.sides) || (ways.close && !open.distance))
+      continue;
+    const wiring::RobotDraft other = wiring::guess(board_, names_, history_, ways);
+    wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
+    ++tried_;
+    if (score(result) <= score(best.result)) continue;
+    best = {ways, std::move(result)};
+    draft = other;
+  }
+  return best;
+}
+
+}  // namespace robosim::cli

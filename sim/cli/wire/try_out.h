@@ -1,0 +1,48 @@
+// A draft of a robot, tried out with the sketch that it is for: what the sketch then does to its pins makes
+// the next draft, and which of several ways to wire it follows a line decides what nobody can guess.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/cli/arguments.h"
+#include "sim/client/runner.h"
+#include "sim/launch/launch.h"
+#include "sim/wiring/draft.h"
+
+namespace robosim::cli {
+
+/// What became of a robot.
+struct Drive {
+  wiring::Ways ways;
+  wire::RunResult result;
+};
+
+class TryOut {
+ public:
+  /// `launch` without a robot; its scratch files go below `folder`.
+  TryOut(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
+         launch::Listener listener);
+
+  /// Drafts, until a run shows nothing new. Throws InputError where the sketch does not build.
+  wiring::RobotDraft draft();
+  /// The way that drives best of those that are open in the draft; `draft` becomes it.
+  Drive choose(wiring::RobotDraft& draft);
+  /// How many ways choose() has tried.
+  int tried() const { return tried_; }
+
+ private:
+  wire::RunResult run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
+                      wiring::PinHistory* history);
+
+  launch::Launch launch_;
+  const BoardSpec& board_;
+  std::filesystem::path file_;
+  launch::Launcher launcher_;
+  client::Runner runner_;
+  wiring::SketchNames names_;
+  wiring::PinHistory history_;
+  int tried_ = 0;
+};
+
+}  // namespace robosim::cli

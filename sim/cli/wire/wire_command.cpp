@@ -1,0 +1,75 @@
+#include "sim/cli/wire/wire_command.h"
+
+#include <fmt/format.h>
+
+#include "sim/base/file.h"
+#include "sim/build/cache.h"
+#include "sim/cli/launching.h"
+#include "sim/cli/options.h"
+#include "sim/cli/output.h"
+#include "sim/cli/wire/try_out.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+const BoardSpec& board_named(const std::string& name) {
+  if (name.empty()) return *board_at(0);
+  std::vector<std::string> names;
+  for (int i = 0; board_at(i) != nullptr; ++i) names.emplace_back(board_at(i)->name);
+  check_choice("--board", name, names);
+  return *find_board(name.c_str());
+}
+
+std::string what_came_of_it(const Drive& drive, const std::string& map) {
+  if (drive.result.verdict == "reached")
+    return fmt::format(
+        "With this robot the sketch drives a lap of the map {} in {:.1f} s.", map,
+        drive.result.metrics.laps_s.empty() ? drive.result.time_s : drive.result.metrics.laps_s[0]);
+  return fmt::format("With this robot the sketch does not drive a lap of the map {}: {}", map,
+                     drive.result.why);
+}
+
+}  // namespace
+
+int wire_command(const WireArguments& arguments) {
+  if (!arguments.out.empty() && fs::exists(arguments.out))
+    throw InputError({arguments.out, 0, 0}, "is there already; it is not overwritten");
+  const BoardSpec& board = board_named(arguments.board);
+  launch::Launch launch;
+  launch.sketch = arguments.sketch;
+  launch.map = arguments.map;
+  launch.target = arguments.target.empty() ? "host" : arguments.target;
+  launch.libraries = arguments.libraries;
+  tui::Progress progress(true);
+  const build::Cache cache(build::cache_folder());
+  const build::WorkFolder scratch(cache);
+  TryOut try_out(launch, board, scratch.path(), listener_of(progress, {.choices = false, .warnings = false}));
+  progress.say("looking at what the sketch does to its pins …");
+  wiring::RobotDraft draft = try_out.draft();
+  progress.say("trying which way it drives …");
+  const Drive drive = try_out.choose(draft);
+  progress.clear();
+
+  std::vector<std::string> remarks = {
+      "Drafted by `robosim wire` from the sketch's names and from what it did to its pins in a run.",
+      "Look at every line with a question mark. Keys and units: docs/robots.md, \"Your robot, step by "
+      "step\"."};
+  if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, arguments.map));
+  if (try_out.tried() > 1)
+    remarks.push_back(
+        fmt::format("{} ways to wire it were tried (polarity and order of the sensors, sides of the "
+                    "motors); this one went best.",
+                    try_out.tried()));
+  const std::string text = wiring::text_of(draft, remarks);
+  if (arguments.out.empty()) {
+    print(text);
+  } else {
+    write_file(arguments.out, text);
+    print(arguments.out + " is written; look at its lines with a question mark\n");
+  }
+  return 0;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,67 @@
+// What is known of each pin that a sketch uses: what it is called, and what was done to it.
+#pragma once
+
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/wiring/pin_facts.h"
+#include "sim/wiring/sketch_names.h"
+
+namespace robosim::wiring {
+
+enum class Side { unknown, left, right };
+
+/// By a name's words: left, r, ENA, IN3, motorB, M2 … Of numbered motors and channels the first is taken for
+/// the left one.
+Side side_of(const std::vector<std::string>& words);
+/// Whether one of the words begins with one of these.
+bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
+
+struct Clue {
+  Pin pin = kNoPin;
+  std::string name;                ///< empty = none
+  std::vector<std::string> words;  ///< of the name
+  bool in_array = false;
+  int argument = -1;  ///< its place among the arguments of the object that it is given to; -1 = none
+  Spot spot;
+  const PinFacts* facts = nullptr;
+
+  bool is_read() const { return facts->looked || facts->measured; }
+  bool is_used() const { return facts->driven || is_read() || facts->pulled_up; }
+};
+
+/// All pins that a sketch uses or names, in the order of their names in the source, then of their numbers.
+/// Whoever has found out what hangs on a pin takes it.
+class Clues {
+ public:
+  Clues(const BoardSpec& board, const SketchNames& names, const PinHistory& history);
+
+  const BoardSpec& board() const { return board_; }
+  const SketchNames& names() const { return names_; }
+  const PinHistory& history() const { return history_; }
+
+  const Clue& of(Pin pin) const { return by_pin_[pin]; }
+  /// Those used that nobody has taken.
+  std::vector<const Clue*> left() const;
+  /// Those that have a name in the source, and were never used.
+  std::vector<const Clue*> never_used() const;
+  bool is_free(Pin pin) const { return pin != kNoPin && taken_.count(pin) == 0; }
+  void take(Pin pin) { taken_.insert(pin); }
+
+  /// "5" or "\"A0\"", as a robot file has it.
+  std::string toml(Pin pin) const;
+  /// "ENA, follower.ino:3"; for a pin without a name empty.
+  std::string where(Pin pin) const;
+
+ private:
+  const BoardSpec& board_;
+  const SketchNames& names_;
+  const PinHistory& history_;
+  std::vector<Clue> by_pin_;
+  std::vector<Pin> order_;
+  std::set<Pin> taken_;
+};
+
+}  // namespace robosim::wiring

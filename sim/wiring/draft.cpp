@@ -1,0 +1,65 @@
+#include "sim/wiring/draft.h"
+
+#include <fmt/format.h>
+
+namespace robosim::wiring {
+namespace {
+
+constexpr std::size_t kColumn = 36;  // where comments behind values begin
+
+std::string line(const std::string& text, const std::string& comment) {
+  return comment.empty() ? text + '\n' : fmt::format("{:<{}}# {}\n", text, kColumn, comment);
+}
+
+std::string text_of(const PartDraft& part) {
+  std::string text = "\n[[part]]\n" + line(fmt::format("name = \"{}\"", part.name), part.why);
+  text += fmt::format("type = \"{}\"\n", part.type);
+  for (const auto& [key, value] : part.keys) text += fmt::format("{} = {}\n", key, value);
+  for (const std::string& doubt : part.doubts) text += "# ? " + doubt + '\n';
+  return text;
+}
+
+bool has_motors(const RobotDraft& draft) {
+  for (const PartDraft& part : draft.parts)
+    if (part.type == "motor" || part.type == "wheel-servo") return true;
+  return false;
+}
+
+}  // namespace
+
+std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks) {
+  std::string text;
+  for (const std::string& remark : remarks) text += "# " + remark + '\n';
+  const char* const kit =
+      draft.base == "uno5" ? "micro metal gear motors, wheels of 32 mm" : "yellow TT motors, wheels of 65 mm";
+  text += line(fmt::format("base = \"{}\"", draft.base),
+               fmt::format("? its chassis, motors and battery: {}", kit));
+  text += line("remove = \"all\"", "of its parts; those of this robot follow");
+  text += line(fmt::format("board = \"{}\"", draft.board), "");
+  text += "\n# ? These decide how it drives; measure them, and take the # away.\n# [chassis]\n";
+  text += draft.base == "uno5" ? "# track = \"98 mm\"" : "# track = \"130 mm\"";
+  text += "   # between the wheels\n# wheel = ";
+  text += draft.base == "uno5" ? "\"32 mm\"" : "\"65 mm\"";
+  text += "    # diameter\n";
+  if (has_motors(draft)) {
+    text += "\n[driver]\n";
+    text += line(fmt::format("chip = \"{}\"", draft.driver),
+                 draft.driver == "servo" ? "" : "? or l298n, l293d, tb6612, drv8833, drv8835, transistor");
+    if (!draft.standby.empty()) text += fmt::format("standby = {}\n", draft.standby);
+  }
+  for (const PartDraft& part : draft.parts) text += text_of(part);
+  if (!draft.questions.empty()) text += "\n# No part was found for:\n";
+  for (const std::string& question : draft.questions) text += "# ? " + question + '\n';
+  return text;
+}
+
+std::string presses(const RobotDraft& draft) {
+  std::string text;
+  for (const PartDraft& part : draft.parts) {
+    if (part.type != "button") continue;
+    text += fmt::format("at 300ms press \"{0}\" 200ms\nat 2500ms press \"{0}\" 200ms\n", part.name);
+  }
+  return text;
+}
+
+}  // namespace robosim::wiring

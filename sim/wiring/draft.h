@@ -1,0 +1,17 @@
+// A guessed robot as the text of a robot file, with what it rests on and what a person has to look at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/wiring/guess.h"
+
+namespace robosim::wiring {
+
+/// `remarks`: sentences for the top of the file.
+std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks = {});
+
+/// Lines of a script that presses each button of the draft, twice.
+std::string presses(const RobotDraft& draft);
+
+}  // namespace robosim::wiring

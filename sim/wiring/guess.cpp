@@ -1,0 +1,151 @@
+#include "sim/wiring/guess.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robosim::wiring {
+namespace {
+
+bool is_of_serial(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
+
+std::string use_of(const PinFacts& facts) {
+  std::string text;
+  const auto add = [&](bool is, const char* what) {
+    if (is) text += fmt::format("{}{}", text.empty() ? "" : " and ", what);
+  };
+  add(facts.pwm, "driven by analogWrite");
+  add(facts.driven && !facts.pwm, "driven");
+  add(facts.measured, "measured");
+  add(facts.looked, "read");
+  add(facts.pulled_up && !facts.looked, "pulled up");
+  return text;
+}
+
+void add_pin_part(Clues& clues, RobotDraft& draft, const Clue& clue, const char* type, const char* otherwise,
+                  std::vector<std::pair<std::string, std::string>> keys = {}) {
+  PartDraft part{part_name(draft, clue.name.empty() || clue.in_array ? otherwise : clue.name),
+                 type,
+                 {{"pin", clues.toml(clue.pin)}},
+                 clues.where(clue.pin),
+                 {}};
+  part.keys.insert(part.keys.end(), keys.begin(), keys.end());
+  draft.parts.push_back(std::move(part));
+  clues.take(clue.pin);
+}
+
+bool is_awaited(const Clues& clues, Pin pin) {
+  return std::any_of(clues.names().given.begin(), clues.names().given.end(), [&](const Given& given) {
+    return (given.type == "attachInterrupt" || given.type == "digitalPinToInterrupt") &&
+           !given.pins.empty() && given.pins[0] == pin;
+  });
+}
+
+void guess_input(Clues& clues, RobotDraft& draft, const Clue& clue) {
+  const bool low = clue.facts->pulled_up;
+  if (says(clue.words, {"enc"}) ||
+      (is_awaited(clues, clue.pin) && !says(clue.words, {"butt", "btn", "start", "sw"}))) {
+    PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
+                   "encoder",
+                   {{"pins", fmt::format("{{ a = {} }}", clues.toml(clue.pin))}, {"periods", "20"}},
+                   clues.where(clue.pin),
+                   {}};
+    if (part.name.find("left") == std::string::npos && part.name.find("right") == std::string::npos)
+      part.keys.emplace_back("wheel", side_of(clue.words) == Side::right ? "\"right\"" : "\"left\"");
+    part.doubts.push_back("periods: of one channel, for each turn of the wheel");
+    draft.parts.push_back(std::move(part));
+    clues.take(clue.pin);
+  } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
+    low ? add_pin_part(clues, draft, clue, "bumper", "bumper")
+        : add_pin_part(clues, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
+  } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode"})) {
+    low ? add_pin_part(clues, draft, clue, "button", "button")
+        : add_pin_part(clues, draft, clue, "button", "button", {{"resistor", "true"}});
+    if (!low)
+      draft.parts.back().doubts.push_back(
+          "LOW when pressed, with a resistor of its own: if it is HIGH when pressed, add active = \"high\"");
+  }
+}
+
+void guess_measured(Clues& clues, RobotDraft& draft, const Clue& clue) {
+  if (says(clue.words, {"batt", "vbat", "volt"})) {
+    add_pin_part(clues, draft, clue, "voltage", "battery", {{"share", "0.5"}});
+    draft.parts.back().doubts.push_back("share: of the divider");
+  } else if (says(clue.words, {"dist", "sharp"})) {
+    add_pin_part(clues, draft, clue, "ir-distance", "distance");
+  } else if (says(clue.words, {"curr"})) {
+    add_pin_part(clues, draft, clue, "current-sensor", "current");
+  } else if (says(clue.words, {"pot", "trim", "knob"})) {
+    add_pin_part(clues, draft, clue, "voltage", "knob", {{"volts", "\"2.5 V\""}});
+  }
+}
+
+void guess_output(Clues& clues, RobotDraft& draft, const Clue& clue) {
+  if (clue.facts->toned || says(clue.words, {"buzz", "beep", "speak", "piezo", "tone"})) {
+    clue.facts->toned ? add_pin_part(clues, draft, clue, "buzzer", "buzzer")
+                      : add_pin_part(clues, draft, clue, "buzzer", "buzzer", {{"passive", "false"}});
+  } else if (clue.pin == clues.board().led_builtin || says(clue.words, {"led", "light", "lamp"})) {
+    add_pin_part(clues, draft, clue, "led", "LED");
+  }
+}
+
+}  // namespace
+
+std::string shown(const Clues& clues, Pin pin) {
+  const std::string name = clues.board().pins[pin].name;
+  return "pin " + (name[0] == 'D' ? name.substr(1) : name);
+}
+
+std::string part_name(const RobotDraft& draft, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(draft.parts.begin(), draft.parts.end(),
+                       [&](const PartDraft& p) { return p.name == name; });
+  };
+  std::string name = wanted;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", wanted, n);
+  return name;
+}
+
+void guess_the_rest(Clues& clues, RobotDraft& draft) {
+  for (const Clue* clue : clues.left()) {
+    if (clue->facts->driven)
+      guess_output(clues, draft, *clue);
+    else if (clue->facts->measured)
+      guess_measured(clues, draft, *clue);
+    else
+      guess_input(clues, draft, *clue);
+  }
+  for (const Clue* clue : clues.left()) {
+    if (is_of_serial(clues.board(), clue->pin)) continue;
+    const std::string where = clues.where(clue->pin);
+    draft.questions.push_back(fmt::format("{}{} is {}: what is wired to it?", shown(clues, clue->pin),
+                                          where.empty() ? "" : " (" + where + ")", use_of(*clue->facts)));
+  }
+  for (const Clue* clue : clues.never_used())
+    draft.questions.push_back(
+        fmt::format("{} ({}) was not used in the runs: when does the sketch come to it?",
+                    shown(clues, clue->pin), clues.where(clue->pin)));
+}
+
+RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
+                 const Ways& ways) {
+  RobotDraft draft;
+  draft.board = board.name;
+  draft.base = "uno3";
+  draft.driver = "l298n";
+  Clues clues(board, names, history);
+  guess_by_libraries(clues, draft);
+  guess_sensors(clues, ways, draft);
+  guess_motors(clues, ways, draft);
+  guess_the_rest(clues, draft);
+  const auto rank = [](const PartDraft& part) {
+    return part.type.find("motor") != std::string::npos || part.type == "wheel-servo" ? 0
+           : part.type.rfind("reflect", 0) == 0                                       ? 1
+                                                                                      : 2;
+  };
+  std::stable_sort(draft.parts.begin(), draft.parts.end(),
+                   [&](const PartDraft& a, const PartDraft& b) { return rank(a) < rank(b); });
+  return draft;
+}
+
+}  // namespace robosim::wiring

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/wiring/guess.h"
+#include "sim/wiring/tokens.h"
+
+namespace robosim::wiring {
+namespace {
+
+std::string pins_table(const Clues& clues, const std::vector<std::pair<const char*, Pin>>& uses) {
+  std::string text;
+  for (const auto& [use, pin] : uses)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", use, clues.toml(pin));
+  return "{ " + text + " }";
+}
+
+bool all_free(const Clues& clues, const std::vector<std::pair<const char*, Pin>>& uses) {
+  return std::all_of(uses.begin(), uses.end(), [&](const auto& use) { return clues.is_free(use.second); });
+}
+
+class Libraries {
+ public:
+  Libraries(Clues& clues, RobotDraft& draft) : clues_(clues), draft_(draft) {}
+
+  void look(const Given& given) {
+    const auto pin = [&](std::size_t i) { return i < given.pins.size() ? given.pins[i] : kNoPin; };
+    const std::string& type = given.type;
+    if (type == "attach" && clues_.is_free(pin(0))) {
+      servo(given, pin(0));
+    } else if (type == "NewPing" || type == "Ultrasonic" || type == "HCSR04" ||
+               type == "UltraSonicDistanceSensor") {
+      if (pin(0) == pin(1) || pin(1) == kNoPin)
+        part(given, "hc-sr04", {{"sig", pin(0)}});
+      else
+        part(given, "hc-sr04", {{"trig", pin(0)}, {"echo", pin(1)}});
+    } else if (type == "SoftwareSerial") {
+      // As the module is labelled: its txd goes to the pin that the sketch receives by.
+      part(given, "bluetooth", {{"txd", pin(0)}, {"rxd", pin(1)}});
+      doubt("baud is 9600 unless given here: the one of " + given.name + ".begin()");
+    } else if (type == "LiquidCrystal" && given.pins.size() == 6) {
+      part(given, "lcd",
+           {{"rs", pin(0)}, {"en", pin(1)}, {"d4", pin(2)}, {"d5", pin(3)}, {"d6", pin(4)}, {"d7", pin(5)}});
+    } else if (type == "Encoder") {
+      part(given, "encoder", {{"a", pin(0)}, {"b", pin(1)}});
+      if (found_) draft_.parts.back().keys.emplace_back("periods", "20");
+      if (found_ && side_of(words_of(given.name)) == Side::unknown)
+        draft_.parts.back().keys.emplace_back("wheel", next_wheel());
+      doubt("periods: of one channel, for each turn of the wheel");
+    } else if (type == "IRrecv" && clues_.is_free(pin(0))) {
+      one_pin(given, "ir-receiver", pin(0));
+    } else if (type == "Adafruit_NeoPixel" && clues_.is_free(pin(1))) {
+      one_pin(given, "ws2812", pin(1));
+      draft_.parts.back().keys.emplace_back(
+          "leds",
+          given.arguments[0].find_first_not_of("0123456789") == std::string::npos ? given.arguments[0] : "8");
+    } else if (type == "pulseIn" && clues_.is_free(pin(0))) {
+      echo(given, pin(0));
+    }
+  }
+
+ private:
+  void add(const Given& given, const std::string& type, std::pair<std::string, std::string> pins) {
+    const std::string wanted = given.name.empty() ? type : given.name;
+    draft_.parts.push_back({part_name(draft_, wanted),
+                            type,
+                            {std::move(pins)},
+                            fmt::format("{}, {}:{}", given.type, given.spot.file, given.spot.line),
+                            {}});
+  }
+
+  void part(const Given& given, const char* type, const std::vector<std::pair<const char*, Pin>>& uses) {
+    found_ = all_free(clues_, uses);
+    if (!found_) return;
+    add(given, type, {"pins", pins_table(clues_, uses)});
+    for (const auto& use : uses) clues_.take(use.second);
+  }
+
+  void one_pin(const Given& given, const char* type, Pin pin) {
+    found_ = true;
+    add(given, type, {"pin", clues_.toml(pin)});
+    clues_.take(pin);
+  }
+
+  void doubt(std::string sentence) {
+    if (found_) draft_.parts.back().doubts.push_back(std::move(sentence));
+  }
+
+  std::string next_wheel() const {
+    const auto encoders = std::count_if(draft_.parts.begin(), draft_.parts.end(),
+                                        [](const PartDraft& p) { return p.type == "encoder"; });
+    return encoders <= 1 ? "\"left\"" : "\"right\"";
+  }
+
+  // A wheel's, if its name has a side; else it turns something.
+  void servo(const Given& given, Pin pin) {
+    const Side side = side_of(words_of(given.name));
+    if (side == Side::unknown) {
+      one_pin(given, "servo", pin);
+      return;
+    }
+    one_pin(given, "wheel-servo", pin);
+    draft_.parts.back().name = side == Side::left ? "left" : "right";
+    draft_.driver = "servo";
+  }
+
+  // pulseIn() on a pin: the trigger is the pin that gives short pulses.
+  void echo(const Given& given, Pin pin) {
+    Pin trigger = kNoPin;
+    for (const Clue* clue : clues_.left()) {
+      if (clue->pin == pin || !clue->facts->driven) continue;
+      if (says(clue->words, {"trig"})) trigger = clue->pin;
+      if (clue->facts->pulses && trigger == kNoPin) trigger = clue->pin;
+    }
+    if (trigger == kNoPin) return;
+    part(given, "hc-sr04", {{"trig", trigger}, {"echo", pin}});
+  }
+
+  Clues& clues_;
+  RobotDraft& draft_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+void guess_by_libraries(Clues& clues, RobotDraft& draft) {
+  Libraries libraries(clues, draft);
+  for (const Given& given : clues.names().given) libraries.look(given);
+  for (const Given& given : clues.names().given)
+    if (given.type.rfind("AF_", 0) == 0 || given.type.rfind("Adafruit_MotorShield", 0) == 0)
+      draft.questions.push_back(fmt::format("{}, {}:{}: a motor shield is no part that Robosim has",
+                                            given.type, given.spot.file, given.spot.line));
+}
+
+}  // namespace robosim::wiring

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/wiring/guess.h"
+
+namespace robosim::wiring {
+namespace {
+
+using Pins = std::vector<const Clue*>;
+
+bool is_sensor_like(const Clue& clue) {
+  if (!clue.is_read() || clue.facts->toned) return false;
+  if (clue.facts->driven && !clue.facts->discharged) return false;
+  if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
+                        "trig",  "enc",   "batt",   "vbat", "volt",  "pot",  "dist", "sharp",
+                        "sonar", "ultra", "rx",     "tx",   "mode",  "key",  "temp", "curr"}))
+    return false;
+  if (clue.facts->measured || clue.facts->discharged) return true;
+  const bool named = says(clue.words, {"sens", "ir", "line", "track", "tcrt", "qtr", "left", "right", "mid",
+                                       "cent", "s", "l", "r", "c", "m"});
+  return named || (!clue.facts->pulled_up && clue.name.empty());
+}
+
+// From left to right, as far as names tell: far left, left, middle, right, far right.
+int place_of(const Clue& clue) {
+  const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
+  switch (side_of(clue.words)) {
+    case Side::left:
+      return -far;
+    case Side::right:
+      return far;
+    case Side::unknown:
+      return 0;
+  }
+  return 0;
+}
+
+const char* kind_of(const Pins& sensors) {
+  if (std::all_of(sensors.begin(), sensors.end(), [](const Clue* c) { return c->facts->measured; }))
+    return "analog";
+  if (std::all_of(sensors.begin(), sensors.end(), [](const Clue* c) { return c->facts->discharged; }))
+    return "rc";
+  return "digital";
+}
+
+// Distance of two elements, and how far ahead of the axle they are: those of the stock robots.
+struct Layout {
+  const char* pitch;
+  const char* ahead;
+  const char* footprint;
+};
+Layout layout_of(std::size_t count, bool close) {
+  if (count == 2 && close) return {"12 mm", "60 mm", "4 mm"};
+  if (count >= 4) return {"9.525 mm", "70 mm", "6 mm"};
+  return count == 2 ? Layout{"36 mm", "60 mm", "5 mm"} : Layout{"22 mm", "65 mm", "5 mm"};
+}
+
+constexpr std::size_t kMostElements = 16;
+
+}  // namespace
+
+void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft) {
+  Pins sensors;
+  for (const Clue* clue : clues.left())
+    if (is_sensor_like(*clue)) sensors.push_back(clue);
+  if (sensors.empty() || sensors.size() > kMostElements) return;
+  const bool placed =
+      std::any_of(sensors.begin(), sensors.end(), [](const Clue* c) { return place_of(*c) != 0; });
+  std::stable_sort(sensors.begin(), sensors.end(),
+                   [](const Clue* a, const Clue* b) { return place_of(*a) < place_of(*b); });
+
+  const std::string kind = kind_of(sensors);
+  const Layout layout = layout_of(sensors.size(), ways.close);
+  std::string pins, why;
+  for (const Clue* clue : sensors) {
+    pins += (pins.empty() ? "" : ", ") + clues.toml(clue->pin);
+    if (why.find(clue->name) == std::string::npos) why += (why.empty() ? "" : ", ") + clue->name;
+  }
+  PartDraft part{
+      part_name(draft, "S"), sensors.size() == 1 ? "reflectance" : "reflectance-array", {}, why, {}};
+  part.keys.emplace_back("read", fmt::format("\"{}\"", kind));
+  if (sensors.size() == 1) {
+    part.keys.emplace_back("pin", pins);
+  } else {
+    part.keys.emplace_back("pins", "[" + pins + "]");
+    part.keys.emplace_back("pitch", fmt::format("\"{}\"", layout.pitch));
+    part.doubts.push_back("measure pitch (from one to the next) and at (ahead of the axle)");
+  }
+  part.keys.emplace_back("at", fmt::format("[\"{}\", \"0 mm\"]", layout.ahead));
+  part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));
+  draft.open.order = !placed && sensors.size() > 1;
+  draft.open.distance = sensors.size() == 2;
+  draft.open.black = kind != "rc";
+  if (draft.open.order && ways.other_order) part.keys.emplace_back("first", "\"right\"");
+  if (draft.open.black && ways.black_low) part.keys.emplace_back("black", "\"low\"");
+
+  for (const Clue* clue : clues.left()) {
+    if (!clue->facts->driven || !says(clue->words, {"emit", "irled", "ledon"})) continue;
+    part.keys.emplace_back("emitter", clues.toml(clue->pin));
+    clues.take(clue->pin);
+    break;
+  }
+  for (const Clue* clue : sensors) clues.take(clue->pin);
+  draft.parts.push_back(std::move(part));
+  draft.base = kind == "digital" || sensors.size() < 4 ? "uno3" : "uno5";
+}
+
+}  // namespace robosim::wiring

@@ -1,0 +1,58 @@
+// What a sketch did to each pin in a run, from the run's events.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::wiring {
+
+struct PinFacts {
+  bool driven = false;      ///< as an output
+  bool pwm = false;         ///< by analogWrite
+  bool toned = false;       ///< by tone()
+  bool looked = false;      ///< digitalRead, or an interrupt's edge, while it was an input
+  bool measured = false;    ///< by the ADC
+  bool pulled_up = false;   ///< its pull-up was on
+  bool discharged = false;  ///< driven HIGH, then read: how RC sensors are timed
+  bool pulses = false;      ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo
+  bool went_high = false;
+};
+
+/// A span in which nothing changed about two or three pins: see PinHistory::time_when().
+using Duty = double;
+
+class PinHistory {
+ public:
+  explicit PinHistory(const BoardSpec& board) : board_(board), facts_(board.pin_count) {}
+
+  /// Another run; what was seen of a pin before stays known, but how it was driven is that of the last run.
+  void begin();
+  void add(const wire::Event& event);
+  /// Of a run that lasted so long.
+  void end(std::int64_t t_ns);
+
+  const PinFacts& of(Pin pin) const { return facts_[pin]; }
+
+  /// Share of the run, weighted by the duty of `enable` (kNoPin = always), in which `high` was higher than
+  /// `low` (kNoPin = than nothing), less the share of the opposite: above 0 = mostly so.
+  double lean(Pin enable, Pin high, Pin low) const;
+
+ private:
+  struct Change {
+    std::int64_t t_ns;
+    Pin pin;
+    Duty duty;
+  };
+
+  const BoardSpec& board_;
+  std::vector<PinFacts> facts_;
+  std::vector<Change> changes_;
+  std::map<Pin, std::int64_t> raised_, lowered_;
+  std::int64_t end_ns_ = 0;
+};
+
+}  // namespace robosim::wiring

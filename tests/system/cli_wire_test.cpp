@@ -1,0 +1,87 @@
+// `robosim wire`: from a sketch to a robot file that drives it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/file.h"
+#include "tests/system/command.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// Two digital sensors beside the line, which give LOW over black, and an L298N whose EN pins are jumpered.
+constexpr const char* kTwoEyes = R"(#define LS 2
+#define RS 3
+#define LM1 5
+#define LM2 4
+#define RM1 7
+#define RM2 8
+int button = 12;
+void motors(int l, int r) {
+  digitalWrite(LM1, l > 0); digitalWrite(LM2, l < 0);
+  digitalWrite(RM1, r > 0); digitalWrite(RM2, r < 0);
+}
+void setup() {
+  pinMode(LS, INPUT); pinMode(RS, INPUT); pinMode(button, INPUT_PULLUP);
+  pinMode(LM1, OUTPUT); pinMode(LM2, OUTPUT); pinMode(RM1, OUTPUT); pinMode(RM2, OUTPUT);
+  while (digitalRead(button) == HIGH) {}
+}
+void loop() {
+  bool l = digitalRead(LS) == LOW, r = digitalRead(RS) == LOW;
+  if (l && !r) motors(-1, 1);
+  else if (r && !l) motors(1, -1);
+  else motors(1, 1);
+  delay(2);
+}
+)";
+
+TEST(CliWire, DraftsARobotOnWhichTheSketchDrivesALap) {
+  const Folder folder;
+  folder.write("Eyes/Eyes.ino", kTwoEyes);
+  const Ended wired = robosim_command({"wire", "./Eyes", "--out", "Eyes/robot.toml"}, folder.path());
+  ASSERT_EQ(wired.status, 0) << wired.err;
+  const std::string text = read_file(folder.path() / "Eyes/robot.toml");
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("# With this robot the sketch drives a lap"), HasSubstr("{ in1 = 5, in2 = 4 }"),
+                  HasSubstr("{ in1 = 7, in2 = 8 }"), HasSubstr("pins = [2, 3]"), HasSubstr("black = \"low\""),
+                  HasSubstr("type = \"button\"\npin = 12")));
+  EXPECT_EQ(robosim_command({"robot", "check", "Eyes/robot.toml"}, folder.path()).status, 0);
+  folder.write("press.txt", "at 300ms press button 200ms\n");
+  const Ended run = robosim_command({"run", "./Eyes", "--script", "press.txt"}, folder.path());
+  EXPECT_EQ(run.status, 0) << run.out;
+
+  const Ended again = robosim_command({"wire", "./Eyes", "--out", "Eyes/robot.toml"}, folder.path());
+  EXPECT_EQ(again.status, 2);
+  EXPECT_EQ(again.err, "robosim: Eyes/robot.toml: is there already; it is not overwritten\n");
+  EXPECT_EQ(read_file(folder.path() / "Eyes/robot.toml"), text);
+}
+
+TEST(CliWire, FindsTheStockRobotsPinsFromTheStockSketchAlone) {
+  const Ended wired = robosim_command({"wire", "PidFollower"});
+  ASSERT_EQ(wired.status, 0) << wired.err;
+  EXPECT_THAT(wired.out, AllOf(HasSubstr("base = \"uno5\""), HasSubstr("{ en = 5, in1 = 7, in2 = 8 }"),
+                               HasSubstr("{ en = 6, in1 = 9, in2 = 10 }"),
+                               HasSubstr("pins = [\"A0\", \"A1\", \"A2\", \"A3\", \"A4\"]"),
+                               HasSubstr("drives a lap of the map oval")));
+}
+
+TEST(CliWire, WhatItCannotDoIsSaidInASentence) {
+  const Folder folder;
+  folder.write("Bad/Bad.ino", "void setup() { pinMod(3, OUTPUT); }\nvoid loop() {}\n");
+  const Ended broken = robosim_command({"wire", "./Bad"}, folder.path());
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_THAT(broken.err, HasSubstr("Bad.ino:1"));
+  const Ended board = robosim_command({"wire", "PidFollower", "--board", "esp32"});
+  EXPECT_EQ(board.status, 2);
+  EXPECT_THAT(board.err, HasSubstr("--board"));
+  folder.write("Idle/Idle.ino", "void setup() {}\nvoid loop() { delay(1000); }\n");
+  const Ended idle = robosim_command({"wire", "./Idle"}, folder.path());
+  EXPECT_EQ(idle.status, 0) << idle.err;
+  EXPECT_THAT(idle.out, HasSubstr("remove = \"all\""));
+}
+
+}  // namespace
+}  // namespace robosim::test

@@ -1,0 +1,165 @@
+#include "sim/wiring/guess.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/wiring/draft.h"
+
+namespace robosim::wiring {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const BoardSpec& uno() { return *find_board("uno"); }
+
+// A run, written as what happens to pins.
+struct Seen {
+  PinHistory history{uno()};
+
+  Seen& output(const char* pin, bool level, std::int64_t t_ms = 0) {
+    return drive({t_ms * 1'000'000, pin, "output", level});
+  }
+  Seen& pwm(const char* pin, double duty, std::int64_t t_ms = 0) {
+    return drive({t_ms * 1'000'000, pin, "output", false, true, duty});
+  }
+  Seen& pull_up(const char* pin) { return drive({0, pin, "input_pullup"}); }
+  Seen& look(const char* pin) {
+    history.add(wire::LevelSeen{1, pin, true});
+    return *this;
+  }
+  Seen& measure(const char* pin) {
+    history.add(wire::VoltsSeen{1, pin, 2.0});
+    return *this;
+  }
+  Seen& drive(wire::PinChange change) {
+    history.add(change);
+    history.end(10'000'000'000);
+    return *this;
+  }
+};
+
+std::string guessed(const std::string& source, const Seen& run, const Ways& ways = {}) {
+  return text_of(guess(uno(), names_in_text(source, "a.ino", uno()), run.history, ways));
+}
+
+TEST(Guess, AMotorOnAnL298NHasAnEnableByPwmAndTwoInputs) {
+  Seen run;
+  run.pwm("D9", 0.5)
+      .output("D8", true)
+      .output("D7", false)
+      .pwm("D10", 0.5)
+      .output("D6", true)
+      .output("D5", false);
+  const std::string text = guessed(
+      "#define ENA 9\n#define ENB 10\n#define IN1 8\n#define IN2 7\n#define IN3 6\n#define IN4 5\n"
+      "void setup() { pinMode(ENA, 1); pinMode(ENB, 1); pinMode(IN1, 1); pinMode(IN2, 1); pinMode(IN3, 1); "
+      "pinMode(IN4, 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("type = \"motor\"\npins = { en = 9, in1 = 8, in2 = 7 }"));
+  EXPECT_THAT(text, HasSubstr("type = \"motor\"\npins = { en = 10, in1 = 6, in2 = 5 }"));
+  EXPECT_THAT(text, HasSubstr("chip = \"l298n\""));
+  EXPECT_THAT(text, Not(HasSubstr("guessed from the order"))) << "names say which is the left one";
+}
+
+TEST(Guess, WithoutNamesTheWayThatItMostlyDrivesIsForward) {
+  Seen run;
+  run.pwm("D5", 0.5)
+      .output("D7", false)
+      .output("D8", true)
+      .pwm("D6", 0.5)
+      .output("D9", true)
+      .output("D10", false);
+  const std::string text = guessed("", run);
+  EXPECT_THAT(text, HasSubstr("pins = { en = 5, in1 = 8, in2 = 7 }"));
+  EXPECT_THAT(text, HasSubstr("pins = { en = 6, in1 = 9, in2 = 10 }"));
+  EXPECT_THAT(text, HasSubstr("# ? which motor is the left one"));
+}
+
+TEST(Guess, WhereTheNamesSayForwardAndItDrivesTheOtherWayTheMotorsAreReversed) {
+  Seen run;
+  run.output("D4", false).output("D5", true).output("D6", false).output("D7", true);
+  const std::string text = guessed(
+      "#define leftForward 4\n#define leftBackward 5\n#define rightForward 6\n#define rightBackward 7\n"
+      "void setup() { pinMode(leftForward, 1); pinMode(leftBackward, 1); pinMode(rightForward, 1); "
+      "pinMode(rightBackward, 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 4, in2 = 5 }\nreversed = true"));
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 6, in2 = 7 }\nreversed = true"));
+}
+
+TEST(Guess, APinForTheDirectionAndOneForTheSpeedArePhaseAndEnable) {
+  Seen run;
+  run.pwm("D5", 0.5).output("D4", true).pwm("D6", 0.5).output("D7", true);
+  const std::string text = guessed(
+      "int dirL = 4, speedL = 5, speedR = 6, dirR = 7;\n"
+      "void setup() { pinMode(dirL, 1); pinMode(speedL, 1); pinMode(speedR, 1); pinMode(dirR, 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = { en = 5, phase = 4 }"));
+  EXPECT_THAT(text, HasSubstr("chip = \"drv8835\""));
+}
+
+TEST(Guess, SensorsStandInTheOrderOfTheirSides) {
+  Seen run;
+  run.look("D2").look("D3").look("D4");
+  const std::string text = guessed(
+      "#define right_sensor 2\n#define middle_sensor 3\n#define left_sensor 4\n"
+      "void loop() { digitalRead(right_sensor); digitalRead(middle_sensor); digitalRead(left_sensor); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("read = \"digital\"\npins = [4, 3, 2]"));
+}
+
+TEST(Guess, APinThatIsChargedAndThenReadIsAnRcSensor) {
+  Seen run;
+  for (const char* pin : {"A0", "A1"}) run.output(pin, true).drive({10'000, pin, "input"}).look(pin);
+  EXPECT_THAT(guessed("int s[] = {A0, A1};", run), HasSubstr("read = \"rc\""));
+}
+
+TEST(Guess, TheWaysThatNobodyCanKnowMakeDifferentRobots) {
+  Seen run;
+  run.measure("A0").measure("A1").measure("A2").measure("A3");
+  const std::string source = "int s[] = {A0, A1, A2, A3};";
+  EXPECT_THAT(guessed(source, run), Not(HasSubstr("black")));
+  EXPECT_THAT(guessed(source, run, {.black_low = true}), HasSubstr("black = \"low\""));
+  EXPECT_THAT(guessed(source, run, {.other_order = true}), HasSubstr("first = \"right\""));
+}
+
+TEST(Guess, ButtonsBuzzersAndLedsAreKnownByNameOrByUse) {
+  Seen run;
+  run.pull_up("D4").look("D4").look("D12").output("D13", true).output("D3", true);
+  run.drive({0, "D11", "output", false, false, 0.0, 440});
+  const std::string text = guessed(
+      "#define BUMPER 12\nconst int statusLed = 3;\n"
+      "void loop() { digitalRead(BUMPER); digitalWrite(statusLed, 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("type = \"button\"\npin = 4\n"));
+  EXPECT_THAT(text, HasSubstr("type = \"bumper\"\npin = 12\nresistor = true"));
+  EXPECT_THAT(text, HasSubstr("type = \"buzzer\"\npin = 11\n"));
+  EXPECT_THAT(text, HasSubstr("type = \"led\"\npin = 13\n"));
+  EXPECT_THAT(text, HasSubstr("type = \"led\"\npin = 3\n"));
+}
+
+TEST(Guess, LibrariesBringTheirParts) {
+  Seen run;
+  run.output("D9", true).output("D12", true).look("D11").look("D2").output("D3", true);
+  const std::string text =
+      guessed("NewPing sonar(12, 11, 200);\nSoftwareSerial bt(2, 3);\nvoid setup() { pan.attach(9); }", run);
+  EXPECT_THAT(text, HasSubstr("type = \"hc-sr04\"\npins = { trig = 12, echo = 11 }"));
+  EXPECT_THAT(text, HasSubstr("type = \"bluetooth\"\npins = { txd = 2, rxd = 3 }"));
+  EXPECT_THAT(text, HasSubstr("name = \"pan\""));
+  EXPECT_THAT(text, HasSubstr("type = \"servo\"\npin = 9"));
+}
+
+TEST(Guess, WhatIsUsedAndNotUnderstoodIsAskedFor) {
+  Seen run;
+  run.look("D7");
+  EXPECT_THAT(guessed("#define BATT 7\nvoid loop() { digitalRead(BATT); }", run),
+              HasSubstr("# ? pin 7 (BATT, a.ino:1) is read: what is wired to it?"));
+  EXPECT_THAT(guessed("#define TAIL 7\nvoid loop() { digitalRead(TAIL); }", Seen()),
+              HasSubstr("# ? pin 7 (TAIL, a.ino:1) was not used in the runs"));
+  EXPECT_THAT(guess(uno(), {}, PinHistory(uno()), {}).parts, IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::wiring
