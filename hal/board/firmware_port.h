@@ -16,6 +16,14 @@ class FirmwarePort {
   /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
   virtual double read_volts(Pin pin, SimTime t) = 0;
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
+  /// On the two-wire bus (I2C), at the end of each byte. After a START: seven bits of address, and 1 at the
+  /// bottom if the device is to send. Gives whether one answers.
+  virtual bool two_wire_address(uint8_t address, SimTime t) = 0;
+  /// A byte for the device; whether it acknowledges.
+  virtual bool two_wire_write(uint8_t byte, SimTime t) = 0;
+  /// A byte of the device; 0xFF if there is none.
+  virtual uint8_t two_wire_read(SimTime t) = 0;
+  virtual void two_wire_stop(SimTime t) = 0;
   /// Non-volatile memory, of spec().eeprom_bytes; 0xFF when new. Survives power cycles.
   virtual uint8_t* eeprom() = 0;
   /// The firmware begins to write a byte of it; `address` is below spec().eeprom_bytes.

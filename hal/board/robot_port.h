@@ -61,12 +61,30 @@ class InputWatcher {
   ~InputWatcher() = default;
 };
 
+/// What answers on the two-wire bus. Addresses have seven bits.
+class TwoWireDevice {
+ public:
+  /// Whether it answers to `address`, and if so, it is spoken to from now on.
+  virtual bool address(uint8_t address, bool reads, SimTime t) = 0;
+  /// A byte has come; whether it is acknowledged.
+  virtual bool write(uint8_t byte, SimTime t) = 0;
+  /// The next byte it sends.
+  virtual uint8_t read(SimTime t) = 0;
+  /// It is spoken to no longer: a STOP, or the START of something else.
+  virtual void stop(SimTime) {}
+
+ protected:
+  ~TwoWireDevice() = default;
+};
+
 class RobotPort {
  public:
   virtual const BoardSpec& spec() const = 0;
   virtual const PinDrive& drive(Pin pin) const = 0;
   /// One source a pin; the source must outlive the board's use of it.
   virtual void connect(Pin pin, PinSource& source) = 0;
+  /// Where several have the same address, the first answers.
+  virtual void connect(TwoWireDevice& device) = 0;
   /// Several watchers a pin are told in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;

@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 7;
+constexpr uint32_t kImageVersion = 8;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {

@@ -4,8 +4,10 @@
 #include "hal/host/clock.h"
 #include "hal/host/external.h"
 #include "hal/host/register_memory.h"
+#include "hal/host/spi.h"
 #include "hal/host/timers.h"
 #include "hal/host/tone.h"
+#include "hal/host/two_wire.h"
 #include "hal/host/uart.h"
 
 // What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
@@ -25,10 +27,12 @@ ROBOSIM_VECTOR(13)
 ROBOSIM_VECTOR(14)
 ROBOSIM_VECTOR(15)
 void __vector_16();
+ROBOSIM_VECTOR(17)
 ROBOSIM_VECTOR(18)
 ROBOSIM_VECTOR(19)
 ROBOSIM_VECTOR(20)
 ROBOSIM_VECTOR(21)
+ROBOSIM_VECTOR(24)
 void robosim_serve_line();  // attach.cpp
 }
 
@@ -44,7 +48,7 @@ int depth;
 
 // What the handlers are called goes by number, as what they say.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
-                  kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21,
+                  kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 && kTwoWire == 24,
               "the names in this file are those of another chip");
 
 #define ROBOSIM_NO_HANDLER(name) \
@@ -67,11 +71,14 @@ const char* const kNoHandler[kVectors] = {
     ROBOSIM_NO_HANDLER("TIMER0_COMPA_vect"),
     ROBOSIM_NO_HANDLER("TIMER0_COMPB_vect"),
     "",
-    "",
+    ROBOSIM_NO_HANDLER("SPI_STC_vect"),
     "",
     ROBOSIM_NO_HANDLER("USART_UDRE_vect"),
     ROBOSIM_NO_HANDLER("USART_TX_vect"),
     ROBOSIM_NO_HANDLER("ADC_vect"),
+    "",
+    "",
+    ROBOSIM_NO_HANDLER("TWI_vect"),
 };
 
 using Handler = void (*)();
@@ -106,6 +113,8 @@ Handler handler_of(int vector) {
       return __vector_15;
     case 16:
       return __vector_16;
+    case 17:
+      return __vector_17;
     case 18:
       return __vector_18;
     case 19:
@@ -114,6 +123,8 @@ Handler handler_of(int vector) {
       return __vector_20;
     case 21:
       return __vector_21;
+    case 24:
+      return __vector_24;
     case kLines:
       return robosim_serve_line;
     default:
@@ -147,6 +158,8 @@ void acknowledge(int vector) {
     uart.acknowledge_sent();
   } else if (vector == kAdcComplete) {
     adc.acknowledge();
+  } else if (vector == kSpi) {
+    spi.acknowledge();
   }
 }
 
@@ -161,6 +174,8 @@ void sync_peripherals() {
   timer1.sync();
   timer2.sync();
   adc.sync();
+  spi.sync();
+  two_wire.sync();
   sync_tone();
   Input input;
   while (state.next_input <= state.now && executor->take_input(state.now, input)) {
@@ -174,11 +189,13 @@ void sync_peripherals() {
 
 uint32_t pending_interrupts() {
   return pending_external() | pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) |
-         pending_timer(timer2, kTimer2) | uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u);
+         pending_timer(timer2, kTimer2) | uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u) |
+         (spi.pending() ? 1u << kSpi : 0u) | (two_wire.pending() ? 1u << kTwoWire : 0u);
 }
 
 SimTime next_interrupt(bool with_timer0_overflow) {
   SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
+  next = earlier(next, earlier(spi.next(), two_wire.next()));
   next = earlier(next, with_timer0_overflow ? timer0.due() : timer0.due_to_match());
   return earlier(next, earlier(timer1.due(), timer2.due()));
 }
@@ -186,6 +203,7 @@ SimTime next_interrupt(bool with_timer0_overflow) {
 bool may_interrupt() {
   if (!interrupts_enabled()) return false;
   const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
+  if (spi.may_interrupt() || two_wire.may_interrupt()) return true;
   return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();
 }
 

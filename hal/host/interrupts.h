@@ -21,6 +21,8 @@ enum Vector : uint8_t {
   kUartEmpty = kUartReceived + 1,
   kUartSent = kUartReceived + 2,
   kAdcComplete = kChip.adc.vector,
+  kSpi = kChip.spi.vector,
+  kTwoWire = kChip.twi.vector,
   kLines = kChip.vectors,  // no vector of the chip: external.h
   kVectors = kLines + 1,
 };

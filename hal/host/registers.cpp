@@ -6,7 +6,9 @@
 #include "hal/host/api.h"
 #include "hal/host/external.h"
 #include "hal/host/ports.h"
+#include "hal/host/spi.h"
 #include "hal/host/timers.h"
+#include "hal/host/two_wire.h"
 #include "hal/host/uart.h"
 
 namespace robosim {
@@ -32,47 +34,30 @@ constexpr Address kTccr2a = kChip.timers[2].control, kTcnt2 = kChip.timers[2].co
 constexpr Address kOcr2b = kChip.timers[2].compare[1];
 constexpr Address kTimsk0 = kChip.timers[0].enables, kTimsk2 = kChip.timers[2].enables;
 constexpr Address kUcsra = kChip.uarts[0].address, kUcsrb = kUcsra + 1, kUcsrc = kUcsra + 2;
+constexpr Address kSpcr = kChip.spi.address, kSpsr = kSpcr + 1, kSpdr = kSpcr + 2;
+constexpr Address kTwbr = kChip.twi.address, kTwsr = kTwbr + 1, kTwar = kTwbr + 2, kTwdr = kTwbr + 3,
+                  kTwcr = kTwbr + 4;
 constexpr Address kUbrrL = kChip.uarts[0].divider, kUdr = kChip.uarts[0].data;
 
 }  // namespace reg
 
+struct Name {
+  robosim_register address;
+  const char* name;
+};
+constexpr Name kNames[] = {
+    {reg::kPinB, "PINB"},     {reg::kDdrB, "DDRB"},     {reg::kPortB, "PORTB"},
+    {reg::kPinB + 3, "PINC"}, {reg::kDdrB + 3, "DDRC"}, {reg::kPortB + 3, "PORTC"},
+    {reg::kPinB + 6, "PIND"}, {reg::kDdrB + 6, "DDRD"}, {reg::kPortB + 6, "PORTD"},
+    {reg::kAdcL, "ADC"},      {reg::kAdcsra, "ADCSRA"}, {reg::kTcnt0, "TCNT0"},
+    {reg::kTcnt1L, "TCNT1"},  {reg::kTcnt2, "TCNT2"},   {reg::kUcsra, "UCSR0A"},
+    {reg::kUdr, "UDR0"},      {reg::kSpsr, "SPSR"},     {reg::kTwcr, "TWCR"},
+};
+
 const char* name_of(uint8_t address) {
-  switch (address) {
-    case reg::kPinB:
-      return "PINB";
-    case reg::kDdrB:
-      return "DDRB";
-    case reg::kPortB:
-      return "PORTB";
-    case reg::kPinB + 3:
-      return "PINC";
-    case reg::kDdrB + 3:
-      return "DDRC";
-    case reg::kPortB + 3:
-      return "PORTC";
-    case reg::kPinB + 6:
-      return "PIND";
-    case reg::kDdrB + 6:
-      return "DDRD";
-    case reg::kPortB + 6:
-      return "PORTD";
-    case reg::kAdcL:
-      return "ADC";
-    case reg::kAdcsra:
-      return "ADCSRA";
-    case reg::kTcnt0:
-      return "TCNT0";
-    case reg::kTcnt1L:
-      return "TCNT1";
-    case reg::kTcnt2:
-      return "TCNT2";
-    case reg::kUcsra:
-      return "UCSR0A";
-    case reg::kUdr:
-      return "UDR0";
-    default:
-      return "a register";
-  }
+  for (const Name& one : kNames)
+    if (one.address == address) return one.name;
+  return "a register";
 }
 
 bool is_timer8(uint8_t address) {
@@ -204,6 +189,22 @@ uint8_t read(uint8_t address) {
       return uart.format();
     case reg::kUdr:
       return uart.take();
+    case reg::kSpcr:
+      return spi.control();
+    case reg::kSpsr:
+      return spi.status();
+    case reg::kSpdr:
+      return spi.take();
+    case reg::kTwbr:
+      return two_wire.rate();
+    case reg::kTwsr:
+      return two_wire.status();
+    case reg::kTwar:
+      return two_wire.address();
+    case reg::kTwdr:
+      return two_wire.data();
+    case reg::kTwcr:
+      return two_wire.control();
     default:
       return plain[address];
   }
@@ -272,6 +273,22 @@ void write(uint8_t address, uint8_t value) {
       return uart.set_format(value);
     case reg::kUdr:
       return uart.send(value);
+    case reg::kSpcr:
+      return spi.set_control(value);
+    case reg::kSpsr:
+      return spi.set_status(value);
+    case reg::kSpdr:
+      return spi.send(value);
+    case reg::kTwbr:
+      return two_wire.set_rate(value);
+    case reg::kTwsr:
+      return two_wire.set_status(value);
+    case reg::kTwar:
+      return two_wire.set_address(value);
+    case reg::kTwdr:
+      return two_wire.set_data(value);
+    case reg::kTwcr:
+      return two_wire.set_control(value);
     default:
       plain[address] = value;
   }

@@ -32,6 +32,14 @@ class Surroundings {
   /// What a received frame takes from now on; 0 = the receiver is off.
   virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
+  // --- the two-wire bus, at the end of each byte
+  /// A device is addressed, seven bits and the direction: whether one answers.
+  virtual bool two_wire_address(std::uint8_t address, Cycle at) = 0;
+  /// Whether it acknowledges.
+  virtual bool two_wire_write(std::uint8_t byte, Cycle at) = 0;
+  virtual std::uint8_t two_wire_read(Cycle at) = 0;
+  virtual void two_wire_stop(Cycle at) = 0;
+
   // --- memory that outlives the power
   virtual std::uint8_t* eeprom() = 0;
   /// The chip begins to write (or erase) a byte of it, which is done when it calls this.

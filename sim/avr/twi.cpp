@@ -1,21 +1,6 @@
 #include "sim/avr/twi.h"
 
 namespace robosim::avr {
-namespace {
-
-// TWCR
-constexpr std::uint8_t kTwint = 0x80, kTwea = 0x40, kTwsta = 0x20, kTwsto = 0x10, kTwwc = 0x08, kTwen = 0x04,
-                       kTwie = 0x01;
-constexpr std::uint8_t kTwpsMask = 0x03, kReads = 0x01;
-// TWSR
-constexpr std::uint8_t kStarted = 0x08, kStartedAgain = 0x10, kWriteNack = 0x20, kDataNack = 0x30,
-                       kReadNack = 0x48;
-constexpr std::uint8_t kNoState = 0xF8;
-constexpr std::uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
-constexpr Cycle kBitsOfByte = 9;
-
-}  // namespace
-
 Twi::Twi(Core& core, Pins& pins)
     : core_(core),
       pins_(pins),
@@ -39,12 +24,8 @@ void Twi::reset(Cycle) {
   core_.at(static_cast<Address>(rate_ + 2)) = kTwarAtReset;
 }
 
-Cycle Twi::bit() const {
-  return 16 + 2 * (static_cast<Cycle>(core_.cpu.data[rate_]) << 2 * (core_.cpu.data[status_] & kTwpsMask));
-}
-
 std::uint64_t Twi::may_interrupt() const {
-  const bool comes = state_.step != Step::none && core_.cpu.data[control_] & kTwie;
+  const bool comes = state_.master.step() != TwiMaster::Step::none && core_.cpu.data[control_] & kTwie;
   return Interrupts::bit(core_.chip.twi.vector, comes);
 }
 
@@ -55,7 +36,7 @@ void Twi::request() {
 
 std::uint8_t Twi::read(Address address) {
   if (!state_.runs) return 0;
-  return address == status_ ? static_cast<std::uint8_t>(state_.status | core_.at(status_))
+  return address == status_ ? static_cast<std::uint8_t>(state_.master.status() | core_.at(status_))
                             : core_.at(address);
 }
 
@@ -86,51 +67,26 @@ void Twi::write_control(std::uint8_t value) {
     state_.runs = runs;
     state_.takes_pins = takes_pins;
     core_.events.cancel(done_);
-  } else if (!(control & kTwint) && state_.step == Step::none) {
-    next_step();
+  } else if (!(control & kTwint) && state_.master.step() == TwiMaster::Step::none) {
+    if (state_.master.begin(control) != TwiMaster::Step::none) schedule(core_.now());
   }
   drive();
   request();
 }
 
-void Twi::next_step() {
-  const std::uint8_t control = core_.at(control_);
-  const std::uint8_t before = state_.status;
-  state_.status = kNoState;
-  const Cycle now = core_.now();
-  if (control & kTwsto) {
-    begin(control & kTwsta ? Step::stop_and_start : Step::stop, now);
-  } else if (control & kTwsta) {
-    begin(Step::start, now);
-  } else if (before == kStarted || before == kStartedAgain) {
-    state_.result = core_.at(data_) & kReads ? kReadNack : kWriteNack;
-    begin(Step::byte, now);
-  } else if (before == kWriteNack || before == kDataNack) {
-    state_.result = kDataNack;
-    begin(Step::byte, now);
-  }
-}
-
-void Twi::begin(Step step, Cycle at) {
-  if (step == Step::start) state_.result = state_.owns_bus ? kStartedAgain : kStarted;
-  state_.step = step;
-  core_.schedule(done_, at + (step == Step::byte ? kBitsOfByte : 1) * bit());
+void Twi::schedule(Cycle at) {
+  const auto bit = twi_bit(core_.cpu.data[rate_], core_.cpu.data[status_]);
+  core_.schedule(done_, at + static_cast<Cycle>(state_.master.bits() * bit));
 }
 
 void Twi::done(Cycle at) {
-  const Step step = state_.step;
-  state_.step = Step::none;
   std::uint8_t& control = core_.at(control_);
-  if (step == Step::stop || step == Step::stop_and_start) {
-    state_.owns_bus = false;
-    control &= static_cast<std::uint8_t>(~kTwsto);
-    if (step == Step::stop_and_start || control & kTwsta) begin(Step::start, at);
-    return;
+  if (state_.master.end(core_.outside, control, core_.at(data_), at)) {
+    control |= kTwint;
+    request();
+  } else if (state_.master.step() != TwiMaster::Step::none) {
+    schedule(at);
   }
-  state_.owns_bus = true;
-  state_.status = state_.result;
-  control |= kTwint;
-  request();
 }
 
 void Twi::drive() {

@@ -1,18 +1,12 @@
-// The two-wire serial interface as master on a bus that nobody else is on. Data sheet DS40002061B,
-// chapter 21.
-//
-//   bit      T = 16 + 2 TWBR 4^TWPS cycles (21.5.2)
-//   START    T         TWSR 0x08, repeated 0x10
-//   byte     9 T       not acknowledged: address to write 0x20, to read 0x48; data 0x30
-//   STOP     T         TWSTO reads 0 again; no TWINT
-//
-// Each step begins when 1 is written to TWINT, and TWINT, which requests the interrupt as long as it is set,
-// is set when it is done; meanwhile TWSR reads 0xF8, and TWDR is not written (TWWC). While TWEN is set SDA
-// and SCL are inputs, with the port's pull-ups.
+// The two-wire serial interface as master: registers, interrupt and pins. What it does on the bus, and how
+// long that takes, is hal/board/avr_twi.h's. While TWINT is not set TWDR is not written (TWWC); TWINT
+// requests the interrupt as long as it is set. While TWEN is set SDA and SCL are inputs, with the port's
+// pull-ups.
 #pragma once
 
 #include <cstdint>
 
+#include "hal/board/avr_twi.h"
 #include "sim/avr/pins.h"
 
 namespace robosim::avr {
@@ -26,12 +20,8 @@ class Twi final : public Peripheral {
   std::uint64_t may_interrupt() const override;
 
  private:
-  enum class Step : std::uint8_t { none, start, byte, stop, stop_and_start };
-
   struct State {
-    std::uint8_t status = 0xF8, result = 0xF8;  ///< as TWSR has it, and at the end of the step
-    Step step = Step::none;
-    bool owns_bus = false;  ///< START was sent and STOP not yet
+    TwiMaster master;
     bool takes_pins = false;
     bool runs = true;
     Core::Held held;
@@ -41,12 +31,10 @@ class Twi final : public Peripheral {
   void write(Address address, std::uint8_t value);
   void write_control(std::uint8_t value);
   void write_data(std::uint8_t value);
-  void next_step();
-  void begin(Step step, Cycle at);
+  void schedule(Cycle at);
   void done(Cycle at);
   void drive();
   void request();
-  Cycle bit() const;
 
   Core& core_;
   Pins& pins_;

@@ -15,13 +15,19 @@
 #include "sim/robot/parts/ir_switch.h"
 #include "sim/robot/parts/keypad.h"
 #include "sim/robot/parts/lcd.h"
+#include "sim/robot/parts/lcd_i2c.h"
 #include "sim/robot/parts/motor.h"
+#include "sim/robot/parts/mpu6050.h"
+#include "sim/robot/parts/pca9685.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
 #include "sim/robot/parts/servo.h"
 #include "sim/robot/parts/seven_segment.h"
 #include "sim/robot/parts/shift_register.h"
+#include "sim/robot/parts/ssd1306.h"
+#include "sim/robot/parts/tcs34725.h"
 #include "sim/robot/parts/ultrasonic.h"
+#include "sim/robot/parts/vl53l0x.h"
 #include "sim/robot/parts/voltage.h"
 #include "sim/robot/parts/wheel_servo.h"
 #include "sim/robot/parts/ws2812.h"
@@ -83,6 +89,12 @@ const std::vector<PartType>& part_types() {
       {"lcd", read_lcd},
       {"ws2812", read_ws2812},
       {"current-sensor", read_current_sensor},
+      {"lcd-i2c", read_lcd_i2c},
+      {"ssd1306", read_ssd1306},
+      {"mpu-6050", read_mpu6050},
+      {"vl53l0x", read_vl53l0x},
+      {"tcs34725", read_tcs34725},
+      {"pca9685", read_pca9685},
   };
   return types;
 }

@@ -174,7 +174,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   std::vector<User> users;
   const auto take = [&](const Wire& wire, const std::string& part) {
     for (const User& user : users)
-      if (user.wire->pin == wire.pin)
+      if (user.wire->pin == wire.pin && !(user.wire->shared && wire.shared))
         throw InputError(wire.place,
                          fmt::format("pin {} is taken: {} of {} uses it ({}:{}); every pin serves one part",
                                      pin_text(robot, wire.pin), user.wire->role, user.part,

@@ -75,7 +75,8 @@ struct Driver {
 struct Wire {
   std::string role;  ///< what the part calls it: "en", "pin"; of an array the element's name
   Pin pin = kNoPin;
-  Place place;  ///< where the file says so
+  Place place;          ///< where the file says so
+  bool shared = false;  ///< of a bus: others may be on it too
 };
 
 /// A sensor that looks at the floor, for people and pages.

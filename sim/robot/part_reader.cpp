@@ -166,6 +166,18 @@ Pin PartReader::optional_pin(const char* key, PinUse use) {
   return value ? pin(key, use) : kNoPin;
 }
 
+void PartReader::take_two_wire() {
+  const TwiSpec& own = terminals_.written_for->chip->twi;
+  if (own.address == 0)
+    throw InputError(table_.table().place, fmt::format("{} {} needs a two-wire bus (I2C), which is simulated "
+                                                       "for boards with an ATmega; this robot has {}",
+                                                       type_, name_, terminals_.written_for->name));
+  const BoardSpec& board = *terminals_.board;
+  for (const auto& [role, pin] : {std::pair{"sda", board.chip->twi.data}, {"scl", board.chip->twi.clock}})
+    if (const Pin number = find_pin(board, pin); number != kNoPin)
+      wires_.push_back({role, number, table_.table().place, true});
+}
+
 std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most, const char* key, const char* role) {
   const ConfigValue& value = table_.require(key);
   if (value.kind != ConfigValue::Kind::array || value.items.empty() || value.items.size() > most)

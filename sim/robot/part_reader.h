@@ -64,6 +64,8 @@ class PartReader {
   Pin pin(const char* key, PinUse use);
   /// The same, or kNoPin.
   Pin optional_pin(const char* key, PinUse use);
+  /// The board's SDA and SCL, which several parts may share. Throws InputError for a board that has none.
+  void take_two_wire();
   /// Key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
   std::vector<Pin> pin_list(PinUse use, std::size_t most, const char* key = "pins", const char* role = "");
   /// Key `pins` as a table of roles, of which one of `groups` must be there exactly. The pins are in the

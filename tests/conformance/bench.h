@@ -68,6 +68,10 @@ class Bench final : public avr::Surroundings {
   }
   void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
   void listens(int, avr::Cycle frame, avr::Cycle at) override { frames.emplace_back(at, frame); }
+  bool two_wire_address(std::uint8_t, avr::Cycle) override { return false; }
+  bool two_wire_write(std::uint8_t, avr::Cycle) override { return false; }
+  std::uint8_t two_wire_read(avr::Cycle) override { return 0xFF; }
+  void two_wire_stop(avr::Cycle) override {}
   std::uint8_t* eeprom() override { return eeprom_.data(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override {
     eeprom_[address] = value;

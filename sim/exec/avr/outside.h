@@ -41,6 +41,14 @@ class Outside : public robosim::avr::Surroundings {
   bool wants_edges(int pin, bool wanted, Cycle at) override;
   void sent(int line, std::uint16_t data, Cycle at) override;
   void listens(int line, Cycle frame, Cycle at) override;
+  bool two_wire_address(std::uint8_t address, Cycle at) override {
+    return board_.two_wire_address(address, state_.link.time_of(at));
+  }
+  bool two_wire_write(std::uint8_t byte, Cycle at) override {
+    return board_.two_wire_write(byte, state_.link.time_of(at));
+  }
+  std::uint8_t two_wire_read(Cycle at) override { return board_.two_wire_read(state_.link.time_of(at)); }
+  void two_wire_stop(Cycle at) override { board_.two_wire_stop(state_.link.time_of(at)); }
   std::uint8_t* eeprom() override { return board_.eeprom(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) override;
   void called(Cycle at) override { take_inputs(at); }

@@ -72,6 +72,30 @@ void BoardState::send_byte(std::uint8_t byte, SimTime t) {
   for (SerialWatcher* watcher : serial_watchers_) watcher->byte_sent(byte, t);
 }
 
+bool BoardState::two_wire_address(std::uint8_t address, SimTime t) {
+  two_wire_stop(t);
+  for (const char* name : {spec_.chip->twi.data, spec_.chip->twi.clock})
+    if (const Pin pin = find_pin(spec_, name); pin != kNoPin) state_.pins[pin].use.read = true;
+  for (std::size_t i = 0; i < two_wire_.size() && state_.spoken_to == kNobody; ++i)
+    if (two_wire_[i]->address(static_cast<std::uint8_t>(address >> 1), address & 1, t)) state_.spoken_to = i;
+  return state_.spoken_to != kNobody;
+}
+
+bool BoardState::two_wire_write(std::uint8_t byte, SimTime t) {
+  TwoWireDevice* const device = spoken_to();
+  return device && device->write(byte, t);
+}
+
+std::uint8_t BoardState::two_wire_read(SimTime t) {
+  TwoWireDevice* const device = spoken_to();
+  return device ? device->read(t) : 0xFF;
+}
+
+void BoardState::two_wire_stop(SimTime t) {
+  if (TwoWireDevice* const device = spoken_to()) device->stop(t);
+  state_.spoken_to = kNobody;
+}
+
 void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) {
   if (address >= state_.eeprom.size()) return;
   const std::uint8_t before = state_.eeprom[address];
@@ -114,6 +138,7 @@ void BoardState::reset(SimTime t) {
   state_.bytes.clear();
   state_.byte_time = 0;
   state_.next_input = kNever;
+  state_.spoken_to = kNobody;
 }
 
 bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {

@@ -33,12 +33,17 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool read_level(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
   void send_byte(std::uint8_t byte, SimTime t) override;
+  bool two_wire_address(std::uint8_t address, SimTime t) override;
+  bool two_wire_write(std::uint8_t byte, SimTime t) override;
+  std::uint8_t two_wire_read(SimTime t) override;
+  void two_wire_stop(SimTime t) override;
   std::uint8_t* eeprom() override { return state_.eeprom.data(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
   // --- RobotPort
   const PinDrive& drive(Pin pin) const override { return state_of(pin).drive; }
   void connect(Pin pin, PinSource& source) override;
+  void connect(TwoWireDevice& device) override { two_wire_.push_back(&device); }
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
@@ -73,6 +78,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Forgets edges before `t` that nobody wanted.
   void forget_edges(SimTime t);
 
+  static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
   struct PinState {
     PinDrive drive;
     PinUse use;
@@ -95,6 +101,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     SimTime next_input = kNever;
     Pin read_last = kNoPin;  ///< kNoPin, too, where several were read at that time
     SimTime read_last_at = -1;
+    std::size_t spoken_to = kNobody;  ///< of the two-wire bus's devices
   };
   const State& save() const { return state_; }
   /// Tells no watcher.
@@ -107,6 +114,9 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     std::vector<PinWatcher*> watchers;
   };
 
+  TwoWireDevice* spoken_to() const {
+    return state_.spoken_to == kNobody ? nullptr : two_wire_[state_.spoken_to];
+  }
   void note_read(Pin pin, bool level, SimTime t);
   const Byte* next_byte() const;
   SimTime arrival(const Byte& byte) const;
@@ -120,6 +130,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   InputWatcher* input_watcher_ = nullptr;
   EepromWatcher* eeprom_watcher_ = nullptr;
   std::vector<Wire> wires_;  ///< by pin
+  std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;
   State state_;
 };

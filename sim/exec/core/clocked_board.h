@@ -54,6 +54,12 @@ class ClockedBoard final : public FirmwarePort {
   bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
   double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
+  bool two_wire_address(std::uint8_t address, SimTime t) override {
+    return board_.two_wire_address(address, at(t));
+  }
+  bool two_wire_write(std::uint8_t byte, SimTime t) override { return board_.two_wire_write(byte, at(t)); }
+  std::uint8_t two_wire_read(SimTime t) override { return board_.two_wire_read(at(t)); }
+  void two_wire_stop(SimTime t) override { board_.two_wire_stop(at(t)); }
   std::uint8_t* eeprom() override { return board_.eeprom(); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override {
     board_.write_eeprom(address, value, at(t));

@@ -5,7 +5,6 @@
 namespace robosim::robot {
 namespace {
 
-constexpr SimTime kSettles = 50 * kMillisecond;
 constexpr SimTime kEnableWidth = 230;  // ns, PW_EH at 4.5 to 5.5 V
 
 }  // namespace
@@ -58,12 +57,8 @@ void LcdPart::pin_changed(Pin, const PinDrive&, SimTime t) {
 
 std::string LcdPart::tell(SimTime t) {
   const SimTime changed = state_.controller.changed_at();
-  if (changed == state_.told_at || t - changed < kSettles) return {};
-  state_.told_at = changed;
-  std::string text = state_.controller.text(spec_.columns, spec_.rows);
-  if (text == state_.told) return {};
-  state_.told = text;
-  return text.empty() ? " " : text;
+  if (!state_.text.is_due(changed, t)) return {};
+  return state_.text.tell(changed, state_.controller.text(spec_.columns, spec_.rows));
 }
 
 void LcdPart::read(std::vector<Reading>& readings) const {

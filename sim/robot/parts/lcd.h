@@ -8,6 +8,7 @@
 #include "sim/robot/part_context.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/hd44780.h"
+#include "sim/robot/parts/settled_text.h"
 
 namespace robosim::robot {
 
@@ -42,9 +43,8 @@ class LcdPart final : public Part, public PinWatcher, public Teller {
   struct State {
     Hd44780 controller;
     bool enabled = false;
-    SimTime since = 0;     // enabled
-    SimTime told_at = -1;  // changed_at() of what has been told
-    std::string told;
+    SimTime since = 0;  // enabled
+    SettledText text;
   };
 
   const LcdSpec& spec_;

@@ -173,6 +173,10 @@ class Volts final : public FirmwarePort {
     return 0.1 * pin;
   }
   void send_byte(uint8_t, SimTime) override {}
+  bool two_wire_address(uint8_t, SimTime) override { return false; }
+  bool two_wire_write(uint8_t, SimTime) override { return false; }
+  uint8_t two_wire_read(SimTime) override { return 0xFF; }
+  void two_wire_stop(SimTime) override {}
   uint8_t* eeprom() override { return nullptr; }
   void write_eeprom(uint16_t, uint8_t, SimTime) override {}
 

@@ -55,6 +55,20 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     return sources_[pin] ? sources_[pin]->volts(t) : pulled_up(pin) ? spec_.supply_volts : 0.0;
   }
   void send_byte(uint8_t, SimTime) override {}
+  bool two_wire_address(uint8_t address, SimTime t) override {
+    two_wire_stop(t);
+    for (TwoWireDevice* device : two_wire_)
+      if (!spoken_to_ && device->address(static_cast<uint8_t>(address >> 1), address & 1, t))
+        spoken_to_ = device;
+    return spoken_to_;
+  }
+  bool two_wire_write(uint8_t byte, SimTime t) override { return spoken_to_ && spoken_to_->write(byte, t); }
+  uint8_t two_wire_read(SimTime t) override { return spoken_to_ ? spoken_to_->read(t) : 0xFF; }
+  void two_wire_stop(SimTime t) override {
+    if (spoken_to_) spoken_to_->stop(t);
+    spoken_to_ = nullptr;
+  }
+  void connect(TwoWireDevice& device) override { two_wire_.push_back(&device); }
   uint8_t* eeprom() override { return nullptr; }
   void write_eeprom(uint16_t, uint8_t, SimTime) override {}
   const PinDrive& drive(Pin pin) const override { return drives_[pin]; }
@@ -78,6 +92,8 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   std::array<std::optional<bool>, kMaxPins> levels_{};  ///< as firmware's side knows it
   std::array<PinDrive, kMaxPins> drives_{};
   std::array<PinSource*, kMaxPins> sources_{};
+  std::vector<TwoWireDevice*> two_wire_;
+  TwoWireDevice* spoken_to_ = nullptr;
   std::array<std::vector<PinWatcher*>, kMaxPins> watchers_;
 };
 

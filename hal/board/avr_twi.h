@@ -1,0 +1,111 @@
+// What an AVR's two-wire interface does as master (ATmega328P, data sheet DS40002061B, chapter 21). For the
+// host target and for the emulated chip.
+//
+//   bit      T = 16 + 2 TWBR 4^TWPS cycles (21.5.2)
+//   START    T         TWSR 0x08, repeated 0x10
+//   byte     9 T       address to write 0x18, not acknowledged 0x20; to read 0x40, 0x48; data sent 0x28,
+//   0x30;
+//                      data received 0x50, and 0x58 where the master does not acknowledge it (TWEA)
+//   STOP     T         TWSTO reads 0 again; no TWINT
+//
+// Each step begins when 1 is written to TWINT, which is set again when it is done; meanwhile TWSR reads 0xF8.
+// Nobody else is master, and nobody holds the clock low.
+#pragma once
+
+#include <stdint.h>
+
+namespace robosim {
+namespace avr {
+
+/// Bits of TWCR.
+enum : uint8_t {
+  kTwint = 0x80,
+  kTwea = 0x40,
+  kTwsta = 0x20,
+  kTwsto = 0x10,
+  kTwwc = 0x08,
+  kTwen = 0x04,
+  kTwie = 0x01
+};
+constexpr uint8_t kTwpsMask = 0x03;  ///< of TWSR; the rest is the status
+constexpr uint8_t kNoTwiStatus = 0xF8;
+constexpr uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
+
+/// What a bit takes, in cycles.
+constexpr int64_t twi_bit(uint8_t rate, uint8_t status) {
+  return 16 + 2 * (static_cast<int64_t>(rate) << 2 * (status & kTwpsMask));
+}
+
+class TwiMaster {
+ public:
+  enum class Step : uint8_t { none, start, byte, stop, stop_and_start };
+
+  uint8_t status() const { return status_; }
+  Step step() const { return step_; }
+
+  /// TWINT has been cleared, with this TWCR: what begins.
+  Step begin(uint8_t control) {
+    before_ = status_;
+    status_ = kNoTwiStatus;
+    if (control & kTwsto) return step_ = control & kTwsta ? Step::stop_and_start : Step::stop;
+    if (control & kTwsta) return step_ = Step::start;
+    return step_ = transfers() ? Step::byte : Step::none;
+  }
+  /// How many bits it takes.
+  int bits() const { return step_ == Step::byte ? 9 : 1; }
+  /// It is done; whether that sets TWINT. `bus` has two_wire_address(), _write(), _read() and _stop()
+  /// (FirmwarePort).
+  template <typename Bus, typename Time>
+  bool end(Bus& bus, uint8_t& control, uint8_t& data, Time at) {
+    const Step done = step_;
+    step_ = Step::none;
+    if (done == Step::stop || done == Step::stop_and_start) {
+      owns_bus_ = false;
+      control &= static_cast<uint8_t>(~kTwsto);
+      bus.two_wire_stop(at);
+      if (control & kTwsta) step_ = Step::start;
+      return false;
+    }
+    if (done == Step::start) {
+      status_ = owns_bus_ ? kStartedAgain : kStarted;
+      owns_bus_ = true;
+      return true;
+    }
+    if (before_ == kStarted || before_ == kStartedAgain) {
+      const bool answered = bus.two_wire_address(data, at);
+      status_ = data & 1 ? (answered ? kReadAck : kReadNack) : (answered ? kWriteAck : kWriteNack);
+    } else if (before_ == kReadAck || before_ == kReceived) {
+      data = bus.two_wire_read(at);
+      status_ = control & kTwea ? kReceived : kReceivedLast;
+    } else {
+      status_ = bus.two_wire_write(data, at) ? kDataAck : kDataNack;
+    }
+    return true;
+  }
+
+ private:
+  // TWSR.
+  enum : uint8_t {
+    kStarted = 0x08,
+    kStartedAgain = 0x10,
+    kWriteAck = 0x18,
+    kWriteNack = 0x20,
+    kDataAck = 0x28,
+    kDataNack = 0x30,
+    kReadAck = 0x40,
+    kReadNack = 0x48,
+    kReceived = 0x50,
+    kReceivedLast = 0x58
+  };
+
+  bool transfers() const {
+    return before_ != kNoTwiStatus && before_ != kReadNack && before_ != kReceivedLast;
+  }
+
+  uint8_t status_ = kNoTwiStatus, before_ = kNoTwiStatus;
+  Step step_ = Step::none;
+  bool owns_bus_ = false;  ///< START was sent and STOP not yet
+};
+
+}  // namespace avr
+}  // namespace robosim

@@ -1,0 +1,40 @@
+// The serial peripheral interface as master (datasheet, chapter 19): a byte takes 8 bits of 4, 16, 64 or 128
+// cycles, with SPI2X half of that. What comes in is the level of MISO at its end; nobody sees the bits, and
+// SS, MOSI and SCK stay the port's.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+class Spi {
+ public:
+  uint8_t control() const { return control_; }
+  void set_control(uint8_t value);
+  /// SPSR; what it shows is cleared by the next touch of the data.
+  uint8_t status();
+  void set_status(uint8_t value) { status_ = static_cast<uint8_t>((status_ & ~1) | (value & 1)); }
+  uint8_t take();
+  void send(uint8_t value);
+
+  void sync();
+  bool pending() const;
+  bool may_interrupt() const;
+  SimTime next() const;
+  void acknowledge();
+
+ private:
+  void touch();
+
+  uint8_t control_ = 0, status_ = 0, seen_ = 0, received_ = 0;
+  bool shifts_ = false;
+  SimTime due_ = 0;
+};
+
+extern Spi spi;
+
+}  // namespace host
+}  // namespace robosim

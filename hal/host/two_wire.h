@@ -1,0 +1,45 @@
+// The two-wire interface as master: what it does, and how long that takes, is hal/board/avr_twi.h's. SDA and
+// SCL stay the port's.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/avr_twi.h"
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+class TwoWire {
+ public:
+  uint8_t rate() const { return rate_; }
+  void set_rate(uint8_t value) { rate_ = value; }
+  /// TWSR.
+  uint8_t status() const { return static_cast<uint8_t>(master_.status() | prescaler_); }
+  void set_status(uint8_t value) { prescaler_ = value & avr::kTwpsMask; }
+  uint8_t address() const { return address_; }
+  void set_address(uint8_t value) { address_ = value; }
+  uint8_t data() const { return data_; }
+  void set_data(uint8_t value);
+  uint8_t control() const { return control_; }
+  void set_control(uint8_t value);
+
+  /// Ends the step that is due.
+  void sync();
+  bool pending() const { return control_ & avr::kTwint && control_ & avr::kTwie; }
+  bool may_interrupt() const { return control_ & avr::kTwie && (runs() || pending()); }
+  SimTime next() const { return runs() && control_ & avr::kTwie ? due_ : kNever; }
+
+ private:
+  bool runs() const { return master_.step() != avr::TwiMaster::Step::none; }
+  void schedule(SimTime at);
+
+  avr::TwiMaster master_;
+  uint8_t rate_ = 0, prescaler_ = 0, address_ = avr::kTwarAtReset, data_ = avr::kTwdrAtReset, control_ = 0;
+  SimTime due_ = 0;
+};
+
+extern TwoWire two_wire;
+
+}  // namespace host
+}  // namespace robosim

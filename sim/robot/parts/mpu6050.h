@@ -1,0 +1,71 @@
+// type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00),
+// flat on the robot, its x axis ahead, y to the left, z up.
+//
+//   gyro    z: the robot's turn rate + bias + noise; x, y: bias + noise; 131 LSB/(deg/s) at +-250, halved
+//           with each step of FS_SEL
+//   accel   x: dv/dt; y: v w; z: 1 g; each + noise; 16384 LSB/g at +-2 g, halved with each step of AFS_SEL
+//   temperature 25 degrees: (T - 36.53) 340
+//   bias    +-20 deg/s at most (zero rate output, 6.1), one for each axis and robot
+//   noise   0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
+//
+// dv/dt is that of the last tick. Samples are 8 kHz / (1 + SMPLRT_DIV), 1 kHz with a low-pass filter; each
+// transfer holds the newest. Asleep after power-on (PWR_MGMT_1 = 0x40), it measures nothing. Other registers
+// keep what is written. Not modelled: FIFO (its count stays 0), motion processor, interrupts on the pin INT,
+// the low-pass filter, tilt, vibration.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/parts/two_wire.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_mpu6050(PartReader&);
+
+class Mpu6050Spec final : public PartSpec {
+ public:
+  std::uint8_t address = 0;
+  double facing = 0.0;  ///< rad: where its x axis points to, from ahead, counter-clockwise
+  Number bias;          ///< rad/s
+  Number gyro_noise;    ///< rad/s, standard deviation of a sample
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "deg/s"}}; }
+};
+
+class Mpu6050Part final : public Part, public RegisterDevice {
+ public:
+  Mpu6050Part(const Mpu6050Spec&, PartContext&);
+
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  /// The turn rate that it measures, without noise.
+  void read(std::vector<Reading>&) const override;
+  using RegisterDevice::read;
+
+ private:
+  void set(std::uint8_t number, std::uint8_t value, SimTime) override;
+  std::uint8_t get(std::uint8_t number, SimTime) override;
+  void hold(SimTime t) override;
+  void put(std::uint8_t number, double value);
+  std::uint8_t& at(std::uint8_t number) { return state_.registers[number]; }
+  void reset();
+  bool asleep() const;
+
+  struct State {
+    std::array<std::uint8_t, 128> registers{};
+    Cursor cursor;
+    double speed = 0.0, acceleration = 0.0;  // m/s, m/s2, forward
+    SimTime sampled_at = -1;
+    std::uint64_t samples = 0;
+  };
+
+  const Mpu6050Spec& spec_;
+  PartContext& context_;
+  const NoiseStream stream_;
+  const Vec2 axis_;
+  const std::array<double, 3> bias_;
+  const double gyro_noise_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,55 @@
+// type = "pca9685": a driver of 16 PWM channels (NXP data sheet, revision 4), for servos and LEDs.
+//
+//   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, written while it sleeps
+//   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
+//
+// What its channels give is told, where it has changed and stayed for 50 ms, as times of those that are not
+// off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), and nothing comes out. Registers follow each
+// other only with the bit AI of MODE1. Nothing hangs on its outputs here. Not modelled: the addresses for
+// several at once, outputs that change at the acknowledge, an external clock.
+#pragma once
+
+#include "sim/robot/parts/settled_text.h"
+#include "sim/robot/parts/two_wire.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_pca9685(PartReader&);
+
+class Pca9685Spec final : public PartSpec {
+ public:
+  std::uint8_t address = 0;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+};
+
+class Pca9685Part final : public Part, public RegisterDevice, public Teller {
+ public:
+  Pca9685Part(const Pca9685Spec&, PartContext&);
+
+  void join(Roster&) override;
+  const std::string& name() const override { return spec_.name; }
+  std::string tell(SimTime) override;
+  /// How many channels are not off.
+  void read(std::vector<Reading>&) const override;
+  using RegisterDevice::read;
+
+ private:
+  void set(std::uint8_t number, std::uint8_t value, SimTime t) override;
+  std::uint8_t get(std::uint8_t number, SimTime) override { return state_.registers[number]; }
+  std::uint8_t behind(std::uint8_t number) const override;
+  std::string channel(int n) const;
+
+  struct State {
+    std::array<std::uint8_t, 256> registers{};
+    Cursor cursor;
+    SimTime changed_at = 0;
+    SettledText text;
+  };
+
+  const Pca9685Spec& spec_;
+  PartContext& context_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,30 @@
+// A text that people see, such as a display's.
+#pragma once
+
+#include <string>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::robot {
+
+/// A value. The text is told once it has stayed for 50 ms.
+class SettledText {
+ public:
+  /// Whether at `t` a text that changed last at `changed` is to be told, if it is another.
+  bool is_due(SimTime changed, SimTime t) const { return changed != told_at_ && t - changed >= kSettles; }
+  /// What to tell of it then; "" = nothing. An empty text is told as a space.
+  std::string tell(SimTime changed, const std::string& text) {
+    told_at_ = changed;
+    if (text == told_) return {};
+    told_ = text;
+    return text.empty() ? " " : text;
+  }
+
+ private:
+  static constexpr SimTime kSettles = 50 * kMillisecond;
+
+  SimTime told_at_ = -1;
+  std::string told_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,75 @@
+// type = "ssd1306": a graphic OLED display (Solomon Systech data sheet, revision 1.1), 128 pixels wide and 64
+// or 32 high, by I2C.
+//
+//   control byte   0x00 commands follow, 0x40 data follows; 0x80, 0xC0: one byte of them, then another
+//   control memory         8 pages of 128 bytes, the lowest bit of each on top addressing     by page (after
+//   power-on), horizontal, vertical; each wraps within its window
+//
+// What it shows is told where it has changed and stayed for 50 ms: how many pixels are lit, and the rectangle
+// that they fill, x and y of two corners: "212 lit in 0,0 to 63,15". Its pixels are not read as text. Turned
+// and mirrored pictures (segment remap, COM direction) are told as seen with both set, as libraries do; not
+// modelled: scrolling, contrast, the start line, inverse as something else than pixels.
+#pragma once
+
+#include <vector>
+
+#include "sim/robot/parts/settled_text.h"
+#include "sim/robot/parts/two_wire.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_ssd1306(PartReader&);
+
+class Ssd1306Spec final : public PartSpec {
+ public:
+  std::uint8_t address = 0;
+  int height = 64;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "lit"}}; }
+};
+
+class Ssd1306Part final : public Part, public TwoWireDevice, public Teller {
+ public:
+  static constexpr int kWidth = 128, kPages = 8;
+
+  Ssd1306Part(const Ssd1306Spec&, PartContext&);
+
+  void join(Roster&) override;
+  bool address(std::uint8_t address, bool, SimTime) override;
+  bool write(std::uint8_t byte, SimTime t) override;
+  /// Bit 6: it is off.
+  std::uint8_t read(SimTime) override { return state_.on ? 0x00 : 0x40; }
+  const std::string& name() const override { return spec_.name; }
+  std::string tell(SimTime) override;
+  /// How many pixels are lit.
+  void read(std::vector<Reading>&) const override;
+  bool lit(int x, int y) const;
+
+ private:
+  enum class Expects : std::uint8_t { control, command, commands, data_byte, data };
+
+  void command(std::uint8_t byte);
+  void carry_out();
+  void put(std::uint8_t byte);
+  std::string picture() const;
+
+  struct State {
+    std::array<std::uint8_t, kWidth * kPages> memory{};
+    Expects expects = Expects::control;
+    std::array<std::uint8_t, 7> words{};  // a command and its arguments
+    int count = 0, wanted = 0;
+    bool on = false, inverse = false, all = false;
+    int mode = 2;  // 0 horizontal, 1 vertical, 2 by page
+    int column = 0, page = 0;
+    int first_column = 0, last_column = kWidth - 1, first_page = 0, last_page = kPages - 1;
+    SimTime changed_at = 0;
+    SettledText text;
+  };
+
+  const Ssd1306Spec& spec_;
+  PartContext& context_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,51 @@
+// What parts on the two-wire bus (I2C) have in common. They hang on the board's SDA and SCL, which the robot
+// file need not name; `address` is theirs, of seven bits. The bus is simulated by bytes: no pull-ups, no
+// stretched clock, no device that holds a line low. A sketch that makes the bus from pins by itself meets
+// nobody. Firmware for the target stm32 has no two-wire interface yet.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+/// Reads `address`, and wires the part to the bus.
+std::uint8_t read_two_wire(PartReader&, int usual_address);
+
+/// A device with registers: the first byte that is written is the number of one, those that follow go there
+/// and to the next ones; reading goes on where the number is.
+class RegisterDevice : public TwoWireDevice {
+ public:
+  /// What all of them add to the state that a part keeps.
+  struct Cursor {
+    std::uint8_t number = 0;
+    bool numbered = false;  ///< the number has come since the device was addressed
+  };
+
+  bool address(std::uint8_t address, bool reads, SimTime) final;
+  bool write(std::uint8_t byte, SimTime t) final;
+  std::uint8_t read(SimTime t) final;
+
+ protected:
+  RegisterDevice(std::uint8_t address, Cursor& cursor) : address_(address), cursor_(cursor) {}
+  ~RegisterDevice() = default;
+
+  virtual void set(std::uint8_t number, std::uint8_t value, SimTime t) = 0;
+  virtual std::uint8_t get(std::uint8_t number, SimTime t) = 0;
+  /// The register that a first byte means.
+  virtual std::uint8_t numbered(std::uint8_t byte) const { return byte; }
+  /// That which follows another.
+  virtual std::uint8_t behind(std::uint8_t number) const { return static_cast<std::uint8_t>(number + 1); }
+  /// Before a transfer: what is measured is held for it, so that its bytes belong together.
+  virtual void hold(SimTime) {}
+
+ private:
+  const std::uint8_t address_;
+  Cursor& cursor_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,187 @@
+// Parts on the two-wire bus, as firmware speaks to them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+#include "tests/unit/robot/bench_robot.h"
+
+namespace robosim::robot {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class TwoWireBench : public BenchRobot {
+ public:
+  explicit TwoWireBench(const std::string& part, const std::string& more = "")
+      : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more) {}
+
+  /// Whether all was acknowledged.
+  bool send(std::uint8_t address, std::initializer_list<int> bytes) {
+    bool heard = board.two_wire_address(static_cast<std::uint8_t>(address << 1), now);
+    for (const int byte : bytes) heard &= board.two_wire_write(static_cast<std::uint8_t>(byte), now);
+    board.two_wire_stop(now);
+    return heard;
+  }
+  std::uint8_t get(std::uint8_t address, int reg) {
+    return static_cast<std::uint8_t>(get16(address, reg) >> 8);
+  }
+  /// The register and that behind it, the first on top.
+  int get16(std::uint8_t address, int reg) {
+    send(address, {reg});
+    board.two_wire_address(static_cast<std::uint8_t>(address << 1 | 1), now);
+    const int high = board.two_wire_read(now);
+    const int low = board.two_wire_read(now);
+    board.two_wire_stop(now);
+    return high << 8 | low;
+  }
+  std::vector<std::string> told(int ms) {
+    std::vector<Told> all;
+    for (int i = 0; i < ms; ++i) {
+      tick();
+      robot.tell(now, all);
+    }
+    std::vector<std::string> texts;
+    for (const Told& one : all) texts.push_back(one.text);
+    return texts;
+  }
+};
+
+std::string error_of(const std::string& robot) {
+  try {
+    parse_description(robot, "bench.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(TwoWireParts, ShareTheBusAndAnswerToTheirAddressAlone) {
+  TwoWireBench bench("lcd-i2c", "address = 0x3F\n[[part]]\nname = \"imu\"\ntype = \"mpu-6050\"\n");
+  EXPECT_TRUE(bench.send(0x3F, {}));
+  EXPECT_TRUE(bench.send(0x68, {0x75}));
+  EXPECT_FALSE(bench.send(0x27, {}));
+  EXPECT_EQ(bench.get(0x27, 0x75), 0xFF);
+}
+
+TEST(TwoWireParts, AreRefusedWhereTheBusIsNotToBeHad) {
+  std::string file = kBareRobot + "[[part]]\nname = \"lcd\"\ntype = \"lcd-i2c\"\n";
+  EXPECT_THAT(error_of(file + "[[part]]\nname = \"go\"\ntype = \"button\"\npin = \"A4\"\n"),
+              HasSubstr("pin A4 is taken: sda of lcd uses it"));
+  EXPECT_THAT(error_of(file + "address = 3\n"), HasSubstr("address"));
+  file.replace(file.find("nano"), 4, "bluepill");
+  EXPECT_THAT(error_of(file),
+              AllOf(HasSubstr("lcd-i2c lcd needs a two-wire bus (I2C)"), HasSubstr("bluepill")));
+}
+
+TEST(LcdBehindAnExpander, ShowsWhatIsWrittenInHalvesWhereEFalls) {
+  TwoWireBench bench("lcd-i2c");
+  const auto half = [&](int lines, int rs) {
+    bench.send(0x27, {lines | 0x0C | rs, lines | 0x08 | rs});
+    bench.ticks(5);
+  };
+  const auto byte = [&](int value, int rs) {
+    half(value & 0xF0, rs);
+    half(value << 4 & 0xF0, rs);
+  };
+  for (const int lines : {0x30, 0x30, 0x30, 0x20}) half(lines, 0);
+  for (const int command : {0x28, 0x0C, 0x01}) byte(command, 0);
+  for (const char c : std::string("Lap 2")) byte(c, 1);
+  byte(0xC0, 0);
+  byte('9', 1);
+  EXPECT_THAT(bench.told(60), ElementsAre("Lap 2|9"));
+}
+
+TEST(Ssd1306, TellsWhichPixelsAreLit) {
+  TwoWireBench bench("ssd1306", "height = 32\n");
+  bench.send(0x3C, {0x00, 0x20, 0x00, 0x21, 10, 12, 0x22, 1, 2, 0xAF});
+  bench.send(0x3C, {0x40, 0x01, 0x01, 0x01, 0x80, 0x00, 0x00});  // three on top, one at the bottom
+  EXPECT_THAT(bench.told(60), ElementsAre("4 lit in 10,8 to 12,23"));
+  bench.send(0x3C, {0x80, 0xAE});
+  EXPECT_THAT(bench.told(60), ElementsAre(" "));
+  bench.send(0x3C, {0x80, 0xAF, 0x80, 0xA7});
+  EXPECT_THAT(bench.told(60), ElementsAre("4092 lit in 0,0 to 127,31"));
+}
+
+TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
+  TwoWireBench bench("mpu-6050",
+                     "[[part]]\nname = \"left\"\ntype = \"motor\"\npins = { en = 5, in1 = 7, in2 = 8 }\n"
+                     "[[part]]\nname = \"right\"\ntype = \"motor\"\npins = { en = 6, in1 = 9, in2 = 10 }\n");
+  EXPECT_EQ(bench.get(0x68, 0x75), 0x68);
+  bench.ticks(5);
+  EXPECT_EQ(bench.get16(0x68, 0x3F), 0);
+  bench.send(0x68, {0x6B, 0x00});
+  bench.ticks(5);
+  EXPECT_EQ(bench.get16(0x68, 0x3F), 16384);
+  EXPECT_EQ(bench.get(0x68, 0x3A), 1);
+  EXPECT_EQ(bench.get16(0x68, 0x41), static_cast<std::uint16_t>(static_cast<int>((25 - 36.53) * 340)));
+  // On the spot, to the left.
+  for (const Pin pin : {8, 9}) bench.board.output(pin, true, bench.now);
+  for (const Pin pin : {7, 10}) bench.board.output(pin, false, bench.now);
+  for (const Pin pin : {5, 6}) bench.board.output(pin, true, bench.now);
+  bench.ticks(300);
+  bench.send(0x68, {0x1B, 0x18});  // +-2000 deg/s: 16.4 LSB/(deg/s)
+  bench.ticks(5);
+  const double degrees = bench.body().turn_rate() * 180.0 / std::numbers::pi;
+  EXPECT_NEAR(static_cast<std::int16_t>(bench.get16(0x68, 0x47)) / 16.4, degrees,
+              5.0);  // it still gains speed
+  EXPECT_GT(std::abs(degrees), 100.0);
+  bench.send(0x68, {0x6B, 0x80});
+  EXPECT_EQ(bench.get(0x68, 0x6B), 0x40);
+}
+
+TEST(Pca9685, TellsThePulsesOfItsChannels) {
+  TwoWireBench bench("pca9685");
+  bench.send(0x40, {0xFE, 121});  // 25 MHz / 4096 / 122: 50 Hz
+  bench.send(0x40, {0x00, 0x20});
+  bench.send(0x40, {0xFE, 3});                       // not while it is awake
+  bench.send(0x40, {0x06, 0x00, 0x00, 0x33, 0x01});  // 307 of 4096
+  bench.send(0x40, {0x0E, 0x00, 0x10, 0x00, 0x00});
+  EXPECT_THAT(bench.told(60), ElementsAre("0:1498us 2:on"));
+  bench.send(0x40, {0xFD, 0x10});
+  EXPECT_THAT(bench.told(60), ElementsAre(" "));
+}
+
+TEST(Tcs34725, TellsTheLineFromTheFloorAfterItsIntegration) {
+  TwoWireBench on_line("tcs34725");
+  TwoWireBench beside("tcs34725", "at = [\"0 mm\", \"40 mm\"]\n");
+  int clear[2];
+  for (int i = 0; i < 2; ++i) {
+    TwoWireBench& bench = i == 0 ? on_line : beside;
+    EXPECT_EQ(bench.get(0x29, 0x80 | 0x12), 0x44);
+    bench.send(0x29, {0x80 | 0x01, 0xEB});  // 50 ms
+    bench.send(0x29, {0x80 | 0x0F, 0x01});
+    bench.send(0x29, {0x80, 0x03});
+    bench.ticks(49);
+    EXPECT_EQ(bench.get(0x29, 0x93) & 1, 0);
+    bench.ticks(3);
+    EXPECT_EQ(bench.get(0x29, 0x93) & 1, 1);
+    const int word = bench.get16(0x29, 0x94);
+    clear[i] = (word & 0xFF) << 8 | word >> 8;
+  }
+  EXPECT_EQ(clear[0], 69);
+  EXPECT_EQ(clear[1], 688);
+}
+
+TEST(Vl53l0x, MeasuresWhatIsBeforeItInItsTime) {
+  TwoWireBench bench("vl53l0x");
+  EXPECT_EQ(bench.get(0x29, 0xC0), 0xEE);
+  bench.send(0x29, {0x00, 0x01});
+  EXPECT_EQ(bench.get(0x29, 0x00) & 1, 0);
+  bench.ticks(32);
+  EXPECT_EQ(bench.get(0x29, 0x13) & 7, 0);
+  bench.ticks(3);
+  EXPECT_NE(bench.get(0x29, 0x13) & 7, 0);
+  const double metres = bench.world.range_along(bench.number, bench.line(), {1.0, 0.0}, 5.0);
+  EXPECT_NEAR(bench.get16(0x29, 0x1E), metres * 1000.0, 1.0);
+  bench.send(0x29, {0x0B, 0x01});
+  bench.ticks(50);
+  EXPECT_EQ(bench.get(0x29, 0x13) & 7, 0);
+  EXPECT_THAT(bench.told(1), IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::robot
