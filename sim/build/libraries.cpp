@@ -55,10 +55,10 @@ bool is_library(const fs::path& folder) {
                      [](const fs::path& file) { return is_library_header(file); });
 }
 
-/// The value of a key in library.properties; empty if there is none.
-std::string property(const fs::path& folder, const std::string& key) {
-  if (!is_file(folder / "library.properties")) return {};
-  std::istringstream lines(read_file(folder / "library.properties"));
+/// The value of a key in a file such as library.properties; empty if there is none.
+std::string property(const fs::path& file, const std::string& key) {
+  if (!is_file(file)) return {};
+  std::istringstream lines(read_file(file));
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.rfind(key + "=", 0) == 0) return line.substr(key.size() + 1);
@@ -66,12 +66,29 @@ std::string property(const fs::path& folder, const std::string& key) {
   return {};
 }
 
+// What the packages of the old IDE and of single libraries install.
+constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
+
+/// Where Arduino's IDE puts libraries: the sketchbook that its preferences name, and those it has by default.
+void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
+  const fs::path snap = home / "snap/arduino/current";
+  const auto add = [&](const fs::path& folder) {
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+  };
+  for (const fs::path& root : {home, snap}) {
+    const fs::path book = property(root / ".arduino15/preferences.txt", "sketchbook.path");
+    if (book.is_absolute() && is_folder(book / "libraries")) add(book / "libraries");
+  }
+  add(home / "Arduino/libraries");
+  if (is_folder(snap / "Arduino/libraries")) add(snap / "Arduino/libraries");
+}
+
 Library read_library(const fs::path& folder) {
   Library library;
-  library.name = property(folder, "name");
+  library.name = property(folder / "library.properties", "name");
   library.named = !library.name.empty();
   if (!library.named) library.name = folder.filename().string();
-  library.archive = property(folder, "dot_a_linkage") == "true";
+  library.archive = property(folder / "library.properties", "dot_a_linkage") == "true";
   library.folder = folder;
   if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
     library.includes = {folder / "src"};
@@ -129,8 +146,8 @@ std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<
     folders.push_back(absolute);
   }
   folders.push_back(data_folder() / "firmware");
-  if (const char* home = std::getenv("HOME"); home && *home == '/')
-    folders.push_back(fs::path(home) / "Arduino/libraries");
+  if (const char* home = std::getenv("HOME"); home && *home == '/') add_folders_of_ide(folders, home);
+  if (is_folder(kDebianLibraries)) folders.emplace_back(kDebianLibraries);
   folders.insert(folders.end(), core.begin(), core.end());
   return folders;
 }

@@ -22,7 +22,8 @@ struct Library {
 };
 
 /// Where the libraries of a sketch are: in its own folder, in the folders that the user has `chosen`, in
-/// Robosim, in ~/Arduino/libraries, and the `core`'s. Throws InputError for a chosen one that is no folder.
+/// Robosim, where Arduino's IDE keeps them, and the `core`'s. Throws InputError for a chosen one that is no
+/// folder.
 std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
                                                    const std::vector<std::filesystem::path>& chosen,
                                                    const std::vector<std::filesystem::path>& core);

@@ -71,5 +71,14 @@ TEST_F(SketchTest, LibrariesAreFoundBesideAndInsideTheSketchInHomeAndInOurs) {
               ElementsAre("Inside", "FromInside", "Sibling", "AtHome", "LineKit"));
 }
 
+TEST_F(SketchTest, LibrariesAreFoundWhereArduinosIdeKeepsThem) {
+  write("Ide/Ide.ino", "#include <Book.h>\n#include <Snap.h>\n" + kEmptySketch);
+  write("home/.arduino15/preferences.txt",
+        "board=uno\nsketchbook.path=" + (folder_ / "my book").string() + "\n");
+  write("my book/libraries/Book/Book.h", "");
+  write("home/snap/arduino/current/Arduino/libraries/Snap/Snap.h", "");
+  EXPECT_THAT(build_here("Ide").libraries, ElementsAre("Book", "Snap"));
+}
+
 }  // namespace
 }  // namespace robosim::build
