@@ -50,7 +50,7 @@ export class TimedList {
 
   row({ t, text, kind }, i) {
     const element = document.createElement('button');
-    element.className = `row${i === this.now ? ' now' : ''}${i > this.now ? ' future' : ''}`;
+    element.className = `row${i === this.now ? ' current' : ''}${i > this.now ? ' future' : ''}`;
     element.dataset.row = i;
     element.style.top = `${i * ROW_PX}px`;
     element.title = text;

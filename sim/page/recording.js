@@ -27,7 +27,7 @@ async function inflated(bytes) {
   }
 }
 
-/** Whole numbers, of which differences are kept in groups of seven bits (sim/record/column.h). */
+/** Whole numbers, of which differences are kept in groups of seven bits (sim/wire/columns.h). */
 function column(bytes, at, { bytes: size, order, scale, name }, count) {
   const values = new Float64Array(count);
   const end = at + size;

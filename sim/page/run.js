@@ -136,20 +136,24 @@ function addSerial(run, serial) {
 
 /** When the line was left, and which sensor saw it last: what everybody asks first. */
 function addLineEvents(run) {
-  if (!run.sensors.length) return;
-  const levels = run.sensors.map((s) => run.columns[s.name]);
-  let lastSeen = -1, by = '', left = false;
+  // Each sensor has its own idea of white, so the line begins a tenth above the least that it ever read.
+  const sensors = run.sensors.map(({ name }) => {
+    const values = run.columns[name];
+    const least = values.reduce((a, b) => Math.min(a, b), 1), most = values.reduce((a, b) => Math.max(a, b), 0);
+    return { name, values, from: most - least > 0.2 ? least + 0.1 * (most - least) : Infinity };
+  });
+  let last = -1, by, left = false;
   for (let i = 0; i < run.t.length; i++) {
-    let best = 0;
-    for (let k = 1; k < levels.length; k++) if (levels[k][i] > levels[best][i]) best = k;
-    if (levels[best][i] > 0) {
-      if (left) run.addEvent(run.t[i], 'line', `back on the line, under ${run.sensors[best].name}`);
+    let best;
+    for (const sensor of sensors)
+      if (sensor.values[i] > sensor.from && !(best?.values[i] >= sensor.values[i])) best = sensor;
+    if (best) {
+      if (left) run.addEvent(run.t[i], 'line', `back on the line, under ${best.name}`);
       left = false;
-      lastSeen = i;
-      by = run.sensors[best].name;
-    } else if (!left && lastSeen >= 0 && run.t[i] - run.t[lastSeen] > LEFT_S) {
+      [last, by] = [i, best.name];
+    } else if (!left && last >= 0 && run.t[i] - run.t[last] > LEFT_S) {
       left = true;
-      run.addEvent(run.t[lastSeen], 'line', `the line is left: ${by} saw it last`);
+      run.addEvent(run.t[last], 'line', `the line is left: ${by} saw it last`);
     }
   }
 }

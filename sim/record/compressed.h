@@ -1,4 +1,4 @@
-// zlib and base64: what a recording is wrapped in.
+// zlib, in which a recording is wrapped.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,5 @@ std::string deflated(std::string_view bytes);
 /// Throws InputError if the bytes are none that deflated() gave, were cut off, or come to more than
 /// `most_bytes`.
 std::string inflated(std::string_view bytes, std::size_t most_bytes);
-
-std::string base64(std::string_view bytes);
-/// Throws InputError for any character that is not base64's.
-std::string from_base64(std::string_view text);
 
 }  // namespace robosim::record

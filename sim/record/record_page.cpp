@@ -1,8 +1,8 @@
 #include "sim/record/record_page.h"
 
+#include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/record/compressed.h"
 #include "sim/record/page_text.h"
 
 namespace robosim::record {
@@ -15,8 +15,8 @@ constexpr std::string_view kEnd = "</script>";
 }  // namespace
 
 void RecRecorder::ask(wire::RunRequest& request) const {
-  Recorder::ask(request);
-  request.pins = request.io = request.serial = request.notes = true;
+  request.columns_every_ns = kRecordEvery_ns;
+  request.serial = request.notes = true;
 }
 
 void RecRecorder::finish(const wire::RunResult& result) {

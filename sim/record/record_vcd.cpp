@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "sim/base/file.h"
-#include "sim/record/pin_level.h"
+#include "sim/wire/run_columns.h"
 
 namespace robosim::record {
 namespace {
@@ -76,7 +76,7 @@ void VcdRecorder::add(const wire::Event& event) {
   };
   if (const auto* drive = std::get_if<wire::PinChange>(&event)) {
     const PinSignals signals = signals_of(drive->pin);
-    change(drive->t_ns, signals.level, static_cast<int>(level_of(*drive)));
+    change(drive->t_ns, signals.level, static_cast<int>(wire::pin_level(*drive)));
     change(drive->t_ns, signals.duty, drive->duty);
     change(drive->t_ns, signals.tone, drive->tone_hz);
   } else if (const auto* level = std::get_if<wire::LevelSeen>(&event)) {
@@ -119,7 +119,7 @@ std::string VcdRecorder::text() const {
   std::vector<double> values(signals_.size(), 0.0);
   for (const auto& [name, signals] : pins_)
     if (signals.level != kNone)
-      values[signals.level] = static_cast<int>(PinLevel::floating);  // a reset leaves inputs
+      values[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset leaves inputs
   for (std::size_t i = 0; i < signals_.size(); ++i) write(out, signals_[i], values[i]);
   out += "$end\n";
 

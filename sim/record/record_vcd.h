@@ -25,7 +25,7 @@ class VcdRecorder final : public Recorder {
   struct Change {
     std::int64_t t_ns;
     std::uint32_t signal;
-    double value;  ///< of a wire: a PinLevel
+    double value;  ///< of a wire: a wire::PinLevel
   };
   struct Signal {
     enum class Kind { wire, real, byte };

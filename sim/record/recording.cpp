@@ -12,7 +12,6 @@ namespace robosim::record {
 namespace {
 
 constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
-constexpr const char* kSamples = "samples";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
   throw InputError({file}, "this is no recording that can be read: " + problem);
@@ -73,10 +72,11 @@ std::vector<std::vector<double>> Recording::stream(const std::string& name) cons
       const auto size = static_cast<std::size_t>(column.bytes);
       if (stream.name == name && column.order > 0) {
         std::vector<double>& values = columns.emplace_back();
-        for (const std::int64_t value :
-             read_column(std::string_view(body_).substr(at, size), static_cast<std::size_t>(stream.count),
-                         column.order, file_ + ": the recording's column " + column.name + " is damaged"))
-          values.push_back(static_cast<double>(value) / column.scale);
+        const auto steps =
+            wire::ColumnReader(column.order)
+                .read(std::string_view(body_).substr(at, size), static_cast<std::size_t>(stream.count));
+        if (!steps) refuse(file_, "its column " + column.name + " is damaged");
+        for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / column.scale);
       }
       at += size;
     }
@@ -92,7 +92,7 @@ void Recording::play(const wire::OnEvent& on_event) const {
   std::vector<Timed> events;
   for (const wire::Note& note : header_.notes) events.push_back({note.t_ns, note});
 
-  const auto samples = stream(kSamples);
+  const auto samples = stream("samples");
   constexpr std::size_t kFixed = 10;
   for (std::size_t i = 0; samples.size() >= kFixed && i < samples[0].size(); ++i) {
     const auto at = [&](std::size_t column) { return samples[column][i]; };

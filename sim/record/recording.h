@@ -11,47 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/record/column.h"
+#include "sim/record/kept_stream.h"
 #include "sim/record/recorder.h"
 #include "sim/record/recording_header.h"
 
 namespace robosim::record {
-
-/// Rows, column by column.
-class Stream {
- public:
-  Stream(std::string name, std::vector<ColumnSpec> columns);
-  /// One value for each column.
-  void add(const std::vector<double>& row);
-  std::size_t bytes() const;
-  /// Adds its bytes to `body`.
-  StreamInfo write(std::string& body) const;
-
- private:
-  std::string name_;
-  std::vector<Column> columns_;
-  std::int64_t count_ = 0;
-};
-
-/// What happens at one pin: every change as long as that fits, and beside it the last in each span.
-class Changes {
- public:
-  Changes(const std::string& name, const std::vector<ColumnSpec>& columns)
-      : all_(name, columns), few_(all_) {}
-  /// The first is the time in ns. A row that says nothing new is left out.
-  void add(const std::vector<double>& row);
-  std::size_t bytes() const { return all_.bytes(); }
-  /// Keeps all changes no longer.
-  void thin() { thinned_ = true; }
-  StreamInfo write(std::string& body);
-
- private:
-  void flush();
-
-  Stream all_, few_;
-  std::vector<double> last_;
-  bool thinned_ = false, pending_ = false;
-};
 
 /// Gathers a run; encoded() is the recording.
 class Gatherer {
@@ -68,21 +32,16 @@ class Gatherer {
   std::string encoded(const wire::RunResult& result);
 
  private:
-  void add_sample(const wire::Sample& sample);
-  void add_change(const std::string& stream, const std::vector<ColumnSpec>& columns,
-                  const std::vector<double>& row);
+  void add_columns(const wire::Columns& columns);
   void add_serial(const wire::SerialText& serial);
 
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
   std::optional<grid::Map> map_;
-  std::optional<Stream> samples_;
-  std::map<std::string, Changes> changes_;
-  std::size_t changes_bytes_ = 0;
-  std::optional<Stream> serial_;
+  std::map<std::string, KeptStream> streams_;
+  std::optional<wire::Stream> serial_;
   std::string serial_text_;
   bool thinned_ = false, serial_cut_ = false;
-  std::vector<double> row_;
 };
 
 /// One that was read.

@@ -18,7 +18,7 @@ inline constexpr const char* kRecordingMagic = "robosim.rec/1\n";
 struct ColumnInfo {
   std::string name;
   double scale = 1.0;  ///< divide by this: what is kept is a whole number
-  int order = 1;       ///< column.h; 0 = bytes as they are (text)
+  int order = 1;       ///< sim/wire/columns.h; 0 = bytes as they are (text)
   std::int64_t bytes = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <numeric>
 #include <sstream>
 
 #include "hal/board/board_spec.h"
@@ -26,6 +27,7 @@
 #include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/wire/protocol.h"
+#include "sim/wire/run_columns.h"
 
 namespace robosim::runner {
 namespace {
@@ -34,6 +36,9 @@ namespace {
 // loops in code that is not instrumented, such as a library function that was handed an endless string.
 constexpr int kWatchdogSeconds = 5;
 constexpr int kWatchdogStatus = 99;
+
+// How often columns are sent: what is lost if firmware takes its process down.
+constexpr SimTime kColumnsEvery = 500 * kMillisecond;
 
 std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
@@ -61,18 +66,35 @@ void start_watchdog() {
 class Narrator final : public run::Listener {
  public:
   Narrator(wire::Id id, const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor)
-      : id_(std::move(id)), request_(request), board_(board), executor_(executor) {}
+      : id_(std::move(id)), request_(request), board_(board), executor_(executor) {
+    if (request.columns_every_ns == 0) return;
+    std::vector<std::string> pins;
+    for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
+    columns_.emplace(pins);
+  }
 
   void began(const run::Beginning& beginning) override {
     send(to_wire(beginning));
+    if (columns_) columns_->begin(beginning.readings);
     if (request_.gdb_port > 0) send(wire::DebuggerAwaited{request_.gdb_port});
   }
-  void sampled(const run::Sample& s) override { send(to_wire(s)); }
+  void sampled(const run::Sample& s) override {
+    const SimTime every = request_.samples_every_ns;
+    if (every > 0 && (s.t % every == 0 || request_.interactive)) send(to_wire(s));
+    if (!columns_ || s.t % request_.columns_every_ns != 0) return;
+    columns_->add(to_wire(s));
+    if (s.t % kColumnsEvery == 0) flush_columns();
+  }
   void happened(const wire::RunEvent& event) override {
     if (request_.notes) send(wire::note_of(event));
   }
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
     static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
+    if (columns_)
+      columns_->add_pin(pin, t,
+                        wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
+                                        drive.pwm, drive.duty, drive.tone_hz),
+                        drive.duty, drive.tone_hz);
     if (!request_.pins) return;
     detail(wire::PinChange{t,
                            board_.pins[pin].name,
@@ -83,14 +105,19 @@ class Narrator final : public run::Listener {
                            drive.tone_hz,
                            {}});
   }
-  bool wants_inputs() const override { return request_.io; }
+  bool wants_inputs() const override { return request_.io || columns_; }
   void level_seen(Pin pin, bool level, SimTime t) override {
-    detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
+    if (columns_)
+      columns_->add_pin(pin, t, level ? wire::PinLevel::high : wire::PinLevel::low, level ? 1.0 : 0.0, 0);
+    if (request_.io) detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
   }
   void volts_seen(Pin pin, double volts, SimTime t) override {
-    detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
+    if (columns_) columns_->add_volts(pin, t, volts);
+    if (request_.io) detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
   }
-  void byte_received(std::uint8_t byte, SimTime t) override { detail(wire::SerialByte{t, byte, false, {}}); }
+  void byte_received(std::uint8_t byte, SimTime t) override {
+    if (request_.io) detail(wire::SerialByte{t, byte, false, {}});
+  }
   void byte_sent(std::uint8_t byte, SimTime t) override {
     if (request_.io) {
       wire::SerialByte event{t, byte, true, {}};
@@ -104,6 +131,11 @@ class Narrator final : public run::Listener {
   void flush_serial(SimTime t) {
     if (!line_.empty()) send(wire::SerialText{t, line_});
     line_.clear();
+  }
+  void flush_columns() {
+    if (!columns_) return;
+    wire::Columns columns = columns_->take();
+    if (!columns.streams.empty()) send(std::move(columns));
   }
 
  private:
@@ -123,6 +155,7 @@ class Narrator final : public run::Listener {
   const BoardSpec& board_;
   exec::Executor& executor_;
   std::string line_;
+  std::optional<wire::RunColumns> columns_;
 };
 
 /// What the run rests on.
@@ -210,7 +243,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   setup.limit = request.for_ns;
   setup.seed = request.seed;
   setup.profile = request.profile == "ideal" ? robot::Profile::ideal : robot::Profile::typical;
-  setup.samples_every = request.samples_every_ns;
+  setup.samples_every = std::gcd(request.samples_every_ns, request.columns_every_ns);
   setup.interrupted = &interrupted;
   setup.reached = &reached;
   if (!debugger) start_watchdog();  // nor is a chip ever caught inside a tick
@@ -230,6 +263,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   }
   const judge::Outcome outcome = run::simulate(setup).front();
   narrator.flush_serial(outcome.time);
+  narrator.flush_columns();
   if (!request.counters.empty()) keep_counters(request, pack(executor->counters()), relay);
   if (debugger) debugger->ended(static_cast<int>(judge::exit_status(outcome.verdict)));
   return result_of(outcome, request, inputs);

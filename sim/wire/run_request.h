@@ -40,6 +40,7 @@ struct RunRequest {
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< its name in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
+  std::int64_t columns_every_ns = 0;   ///< stream samples so often, and all that happens at pins, as columns
   bool pins = false;                   ///< stream pin changes
   bool serial = false;                 ///< stream what the firmware prints
   bool notes = false;                  ///< stream what happens: "station 2 visited"
@@ -77,6 +78,11 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("samples_every_ns", r.samples_every_ns,
     "how often a `sample` is sent; a multiple of the tick (1 ms); 0 = never",
     {.unit = "ns", .presence = when(r.samples_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
+  v("columns_every_ns", r.columns_every_ns,
+    "how often a sample is taken for `columns`, which then hold all that happens at the pins, too; a "
+    "multiple "
+    "of the tick; 0 = there are no `columns`",
+    {.unit = "ns", .presence = when(r.columns_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
   v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
     {.presence = when(r.interactive)});
   v("source", r.source_ns,

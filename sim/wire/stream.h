@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/wire/columns.h"
 #include "sim/wire/events.h"
 #include "sim/wire/run_result.h"
 
@@ -227,7 +228,7 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
 }
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
-                           DebuggerAwaited>;
+                           DebuggerAwaited, Columns>;
 /// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
 /// does not return, the runner is held up by the full pipe; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/base/base64.h"
 #include "sim/base/file.h"
-#include "sim/record/compressed.h"
 #include "tests/system/command.h"
 
 namespace robosim::test {
@@ -59,7 +59,7 @@ document.documentElement.textContent = `RESULT${btoa(Array.from(bytes, (b) => St
   const std::size_t begin = dom.find("RESULT"), end = dom.find("END", begin);
   if (begin == dom.npos || end == dom.npos)
     throw std::runtime_error("the page gave no result: " + dom.substr(0, 300));
-  const auto json = nlohmann::json::parse(record::from_base64(dom.substr(begin + 6, end - begin - 6)));
+  const auto json = nlohmann::json::parse(from_base64(dom.substr(begin + 6, end - begin - 6)));
   if (json.contains("error")) throw std::runtime_error(json["error"].get<std::string>());
   return json.contains("value") ? json["value"] : nlohmann::json();
 }

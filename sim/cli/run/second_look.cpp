@@ -43,7 +43,7 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   checked.coverage = false;
   request.counters.clear();
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
-  request.samples_every_ns = 0;
+  request.samples_every_ns = request.columns_every_ns = 0;
   request.gdb_port = 0;
   request.pins = request.serial = request.notes = request.io = false;
   try {

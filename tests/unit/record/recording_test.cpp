@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/record/compressed.h"
 #include "sim/record/record_page.h"
+#include "sim/wire/run_columns.h"
 
 namespace robosim::record {
 namespace {
@@ -44,23 +43,29 @@ class ARecording : public ::testing::Test {
     started.x = started.y = 1;
     started.readings = {"S1", "distance"};
     gatherer.add(started);
+    columns.begin(started.readings);
   }
   ~ARecording() override { std::filesystem::remove_all(folder); }
 
-  Recording written(const wire::RunResult& result = {}) {
-    return Recording::decode(gatherer.encoded(result), "x.rec");
+  std::string encoded() {
+    gatherer.add(columns.take());
+    return gatherer.encoded({});
   }
+  Recording written() { return Recording::decode(encoded(), "x.rec"); }
 
   std::filesystem::path folder;
   RecordedRun run;
   Gatherer gatherer;
+  wire::RunColumns columns{{"D2", "D5", "A0"}};
 };
+
+constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // in `columns`
 
 TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
   const wire::Sample sample{10000,     1352.123, 248.956,       -3.14, -310.04,        1.256,
                             -0.503921, 1.0,      {0.25, -41.5}, "",    {-300.0, 12.34}};
-  gatherer.add(wire::Sample{0, 0.0, 0.0, 3.1, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0}});
-  gatherer.add(sample);
+  columns.add(wire::Sample{0, 0.0, 0.0, 3.1, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0}});
+  columns.add(sample);
   std::vector<wire::Sample> played;
   written().play([&](const wire::Event& event) {
     if (const auto* one = std::get_if<wire::Sample>(&event)) played.push_back(*one);
@@ -78,8 +83,9 @@ TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
 }
 
 TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
-  gatherer.add(wire::PinChange{3'599'999'999'937, "D5", "output", false, true, 0.25, 0, {}});
-  gatherer.add(wire::PinChange{3'600'000'000'000, "D5", "output", true, false, 1.0, 0, {}});
+  columns.add_pin(kD5, 3'599'999'999'937, wire::PinLevel::pulsing, 0.25, 0);
+  gatherer.add(columns.take());  // what follows goes on from there
+  columns.add_pin(kD5, 3'600'000'000'000, wire::PinLevel::high, 1.0, 0);
   const auto pin = written().stream("pin D5");
   ASSERT_THAT(pin, SizeIs(4));
   EXPECT_THAT(pin[0], ElementsAre(3'599'999'999'937, 3'600'000'000'000));
@@ -88,7 +94,8 @@ TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
 }
 
 TEST_F(ARecording, LeavesOutWhatSaysNothingNew) {
-  for (int i = 0; i < 100; ++i) gatherer.add(wire::LevelSeen{i * 1000, "D2", i >= 50, {}});
+  for (int i = 0; i < 100; ++i)
+    columns.add_pin(kD2, i * 1000, i >= 50 ? wire::PinLevel::high : wire::PinLevel::low, i >= 50, 0);
   EXPECT_THAT(written().stream("pin D2")[0], ElementsAre(0, 50'000));
 }
 
@@ -121,8 +128,10 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   constexpr int kChanges = 10'000;
   Gatherer small(20'000);
   small.begin(run);
-  for (int i = 0; i < kChanges; ++i)
-    small.add(wire::VoltsSeen{i * std::int64_t{100'000}, "A0", 0.001 * (i * 7919 % 5000), {}});
+  for (int i = 0; i < kChanges; ++i) {
+    columns.add_volts(kA0, i * std::int64_t{100'000}, 0.001 * (i * 7919 % 5000));
+    if (i % 1000 == 999) small.add(columns.take());
+  }
   const Recording recording = Recording::decode(small.encoded({}), "x.rec");
   EXPECT_EQ(recording.header().thinned_ns, Gatherer::kThinned_ns);
   const auto volts = recording.stream("volts A0");
@@ -146,8 +155,8 @@ TEST_F(ARecording, IsTheSameInAPage) {
 }
 
 TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
-  gatherer.add(wire::Sample{});
-  const std::string good = gatherer.encoded({});
+  columns.add(wire::Sample{});
+  const std::string good = encoded();
   EXPECT_EQ(refusal(good), "");
   EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("x.rec: this is no recording"));
   EXPECT_THAT(refusal(good.substr(0, 20)), HasSubstr("damaged or cut off"));
@@ -158,8 +167,8 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
 }
 
 TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
-  gatherer.add(wire::Sample{});
-  std::string all = inflated(gatherer.encoded({}).substr(std::string(kRecordingMagic).size()), 1 << 20);
+  columns.add(wire::Sample{});
+  std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
   const std::size_t at = all.find("\"count\":1");
   ASSERT_NE(at, std::string::npos);
   all.replace(at, 9, "\"count\":9");
@@ -167,26 +176,6 @@ TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
   EXPECT_THROW(more.stream("samples"), InputError);
   all.erase(all.size() - 1);
   EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("longer than the file"));
-}
-
-TEST(Columns, HoldAnyNumberThatTheyCanAndTheNearestOtherwise) {
-  const std::vector<double> values{0.0, 1e12, -1e12, 0.004, -0.006, 1e300, -1e300, std::nan("")};
-  for (const int order : {1, 2}) {
-    Column column({"c", 100.0, order});
-    for (const double value : values) column.add(value);
-    EXPECT_THAT(read_column(column.bytes(), values.size(), order, "bad"),
-                ElementsAre(0, 100'000'000'000'000, -100'000'000'000'000, 0, -1, kMostSteps, -kMostSteps, 0));
-  }
-}
-
-TEST(Base64, IsReadAsItWasWritten) {
-  std::string bytes;
-  for (int i = 0; i < 256; ++i) {
-    bytes += static_cast<char>(i);
-    EXPECT_EQ(from_base64(base64(bytes)), bytes);
-  }
-  EXPECT_EQ(base64("Man"), "TWFu");
-  EXPECT_THROW(from_base64("TW u"), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+// A run's numbers in few bytes: what happens at every pin and a sample each 10 ms, as JSON lines, would take
+// several times as long as the run.
+//
+// A column holds whole numbers (value x scale, rounded), of which the differences from what was to be
+// expected are kept, small ones in one byte:
+//
+//   order 1: expected is the value before       (what stays, or jumps)
+//   order 2: expected is a steady change         (times, places)
+//
+// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first; a group that
+// is not the last has its highest bit set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/wire/fields.h"
+
+namespace robosim::wire {
+
+/// How a column's numbers are kept.
+struct ColumnSpec {
+  std::string name;
+  double scale = 1.0;  ///< steps in one unit: 100 = hundredths
+  int order = 1;       ///< 1 or 2
+};
+
+template <class V>
+void fields(V& v, Same<V, ColumnSpec>& c) {
+  v("name", c.name, "with its unit");
+  v("scale", c.scale, "what is kept is the value times this, a whole number");
+  v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
+}
+
+/// Rows of one stream, which follow those sent before.
+struct Rows {
+  std::string stream;               ///< "samples", "pin D5", "volts A0"
+  std::int64_t count = 0;           ///< of rows
+  std::vector<ColumnSpec> columns;  ///< with the first rows of a stream; then empty
+  std::vector<std::string> bytes;   ///< for each column, in base64
+};
+
+template <class V>
+void fields(V& v, Same<V, Rows>& r) {
+  v("stream", r.stream, "`\"samples\"`, `\"pin D5\"`, `\"volts A0\"`");
+  v("count", r.count, "of rows", {.least = 0});
+  v("columns", r.columns, "with the first rows of a stream", {.presence = when(!r.columns.empty())});
+  v("bytes", r.bytes, "of each column in base64; its numbers go on from the last ones");
+}
+
+/// What happened since the last of these.
+struct Columns {
+  static constexpr const char* kEvent = "columns";
+  std::vector<Rows> streams;
+};
+
+template <class V>
+void fields(V& v, Same<V, Columns>& c) {
+  v("streams", c.streams, "those in which something happened");
+}
+
+/// The largest value times scale that a column holds; more becomes this. JavaScript's numbers are exact so
+/// far.
+constexpr std::int64_t kMostSteps = std::int64_t{1} << 50;
+
+/// Writes a column.
+class Column {
+ public:
+  explicit Column(ColumnSpec spec) : spec_(std::move(spec)) {}
+
+  const ColumnSpec& spec() const { return spec_; }
+  const std::string& bytes() const { return bytes_; }
+  /// Forgets the bytes, but not the last number.
+  void clear() { bytes_.clear(); }
+  void add(double value);
+
+ private:
+  ColumnSpec spec_;
+  std::string bytes_;
+  std::int64_t last_ = 0, change_ = 0;
+};
+
+/// Reads one, piece by piece.
+class ColumnReader {
+ public:
+  explicit ColumnReader(int order) : order_(order) {}
+  /// The next `count` whole numbers; nothing if the bytes are not as many.
+  std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
+
+ private:
+  int order_;
+  std::uint64_t last_ = 0, change_ = 0;
+};
+
+/// Writes rows.
+class Stream {
+ public:
+  Stream(std::string name, const std::vector<ColumnSpec>& columns);
+  const std::string& name() const { return name_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  std::int64_t count() const { return count_; }
+  /// One value for each column.
+  void add(const double* row);
+  std::size_t bytes() const;
+  /// The rows since the last call.
+  Rows take();
+
+ private:
+  std::string name_;
+  std::vector<Column> columns_;
+  std::int64_t count_ = 0;
+  bool told_ = false;
+};
+
+}  // namespace robosim::wire

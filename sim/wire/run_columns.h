@@ -1,0 +1,59 @@
+// A run's samples and what happens at its pins, gathered as columns (columns.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/wire/columns.h"
+
+namespace robosim::wire {
+
+struct PinChange;
+struct Sample;
+
+/// What a logic analyser would show of a pin.
+enum class PinLevel { low = 0, high = 1, floating = 2, pulsing = 3 };
+
+/// Pulsing: driven by PWM or tone(), faster than each edge is told. A pull-up without more is high.
+constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, std::uint32_t tone_hz) {
+  if (!output) return pullup ? PinLevel::high : PinLevel::floating;
+  if (tone_hz > 0 || (pwm && duty > 0.0 && duty < 1.0)) return PinLevel::pulsing;
+  return duty >= 0.5 ? PinLevel::high : PinLevel::low;
+}
+
+PinLevel pin_level(const PinChange& pin);
+
+std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings);
+const std::vector<ColumnSpec>& pin_columns();
+const std::vector<ColumnSpec>& volts_columns();
+
+class RunColumns {
+ public:
+  /// The board's pins, by number.
+  explicit RunColumns(std::vector<std::string> pins);
+
+  void begin(const std::vector<std::string>& readings);
+  void add(const Sample& sample);
+  void add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, double duty, std::uint32_t tone_hz);
+  void add_volts(std::size_t pin, std::int64_t t_ns, double volts);
+
+  /// All since the last call; without streams if there is nothing.
+  Columns take();
+
+ private:
+  /// What happens at one pin. A row that says nothing new is left out.
+  struct Changes {
+    Stream stream;
+    std::array<double, 4> last{-1.0};  ///< of fewer columns the rest is unused; the time is never negative
+  };
+  static void change(Changes& changes, const std::array<double, 4>& row);
+
+  std::vector<Stream> samples_;  ///< one, once it has begun
+  std::vector<Changes> pins_, volts_;
+  std::vector<double> row_;
+};
+
+}  // namespace robosim::wire

@@ -1,0 +1,78 @@
+#include "sim/wire/columns.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/base/base64.h"
+#include "sim/wire/run_columns.h"
+#include "sim/wire/stream.h"
+
+namespace robosim::wire {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+TEST(Columns, HoldAnyNumberThatTheyCanAndTheNearestOtherwise) {
+  const std::vector<double> values{0.0, 1e12, -1e12, 0.004, -0.006, 1e300, -1e300, std::nan("")};
+  for (const int order : {1, 2}) {
+    Column column({"c", 100.0, order});
+    for (const double value : values) column.add(value);
+    const auto read = ColumnReader(order).read(column.bytes(), values.size());
+    ASSERT_TRUE(read);
+    EXPECT_THAT(*read,
+                ElementsAre(0, 100'000'000'000'000, -100'000'000'000'000, 0, -1, kMostSteps, -kMostSteps, 0));
+  }
+}
+
+TEST(Columns, GoOnWhereTheLastPieceEnded) {
+  Stream stream("s", {{"t", 1, 2}});
+  ColumnReader reader(2);
+  for (double t = 0; t < 100; t += 10) {
+    stream.add(&t);
+    const Rows rows = stream.take();
+    EXPECT_EQ(rows.columns.empty(), t > 0) << "told once";
+    const auto read = reader.read(from_base64(rows.bytes[0]), 1);
+    ASSERT_TRUE(read);
+    EXPECT_THAT(*read, ElementsAre(t));
+  }
+}
+
+TEST(Columns, ThatAreLongerOrShorterThanPromisedAreNotRead) {
+  EXPECT_TRUE(ColumnReader(1).read({"\x02\x02", 2}, 2));
+  EXPECT_FALSE(ColumnReader(1).read({"\x02\x02", 2}, 1));
+  EXPECT_FALSE(ColumnReader(1).read({"\x02\x02", 2}, 3));
+  EXPECT_FALSE(ColumnReader(1).read({"\x02\x82", 2}, 2)) << "cut off";
+  EXPECT_FALSE(ColumnReader(1).read(std::string(20, '\x80'), 1)) << "no number is so long";
+}
+
+TEST(RunColumns, HoldWhatIsNewAndNothingElse) {
+  RunColumns columns({"D2", "A0"});
+  columns.begin({"S1"});
+  EXPECT_THAT(columns.take().streams, IsEmpty());
+  for (int i = 0; i < 10; ++i)
+    columns.add_pin(0, i, i < 5 ? PinLevel::low : PinLevel::high, i < 5 ? 0 : 1, 0);
+  columns.add_volts(1, 7, 2.5);
+  columns.add(Sample{});
+  const Columns taken = columns.take();
+  ASSERT_THAT(taken.streams, SizeIs(3));
+  EXPECT_EQ(taken.streams[0].stream, "samples");
+  EXPECT_THAT(taken.streams[0].columns, SizeIs(11));
+  EXPECT_EQ(taken.streams[1].stream, "pin D2");
+  EXPECT_EQ(taken.streams[1].count, 2);
+  EXPECT_EQ(taken.streams[2].stream, "volts A0");
+}
+
+TEST(PinLevels, ArePulsingWhereEdgesAreTooFastToBeTold) {
+  EXPECT_EQ(pin_level(PinChange{0, "D5", "output", false, true, 0.25, 0, {}}), PinLevel::pulsing);
+  EXPECT_EQ(pin_level(PinChange{0, "D5", "output", false, true, 1.0, 0, {}}), PinLevel::high);
+  EXPECT_EQ(pin_level(PinChange{0, "D5", "output", false, false, 0.0, 440, {}}), PinLevel::pulsing);
+  EXPECT_EQ(pin_level(PinChange{0, "D5", "input_pullup", false, false, 0.0, 0, {}}), PinLevel::high);
+  EXPECT_EQ(pin_level(PinChange{0, "D5", "input", false, false, 0.0, 0, {}}), PinLevel::floating);
+}
+
+}  // namespace
+}  // namespace robosim::wire
