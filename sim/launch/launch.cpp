@@ -20,10 +20,31 @@ Chosen choose(const Launch& launch) {
 
 namespace {
 
+constexpr const char* kForTheChip =
+    "\nFor the target avr it compiles, and runs there: add --target avr, which emulates the chip.";
+
+/// What does not compile on the host may need the chip, such as its assembler.
+bool compiles_for_avr(const build::Request& request) try {
+  if (request.target != "host" || std::string(request.board.chip->target) != "avr") return false;
+  if (!build::missing_tool("avr").empty()) return false;
+  build::Request other{request.sketch, request.board, "avr"};
+  other.libraries = request.libraries;
+  build::build(other);
+  return true;
+} catch (const std::exception&) {
+  return false;
+}
+
 build::Image build_image(const build::Request& request) try {
   return build::build(request);
 } catch (const build::MissingLibrary& error) {
   throw InputError(error.place(), error.message() + "; --libraries DIR adds a folder of libraries");
+} catch (const build::CompileError& error) {
+  if (!compiles_for_avr(request)) throw;
+  throw build::CompileError(error.place(), error.message() + kForTheChip);
+} catch (const InputError& error) {
+  if (!compiles_for_avr(request)) throw;
+  throw InputError(error.place(), error.message() + kForTheChip);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -97,6 +98,25 @@ TEST_F(LaunchTest, TellsOfSeveralRunsOnceWhatTheyShare) {
   const Launch launch = launch_of("uno.elf");
   for (int i = 0; i < 3; ++i) launcher.prepare(launch, choose(launch), describe);
   EXPECT_EQ(told_.size(), 2u);
+}
+
+TEST_F(LaunchTest, SaysOfWhatNeedsTheChipThatItCompilesThere) {
+  if (!build::missing_tool("host").empty() || !build::missing_tool("avr").empty()) GTEST_SKIP();
+  ::setenv("XDG_CACHE_HOME", (::testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  const auto error_of = [this](const std::string& code) {
+    write_file(folder_.path() / "needy.cpp", "#include <Arduino.h>\n" + code + "void loop() {}\n");
+    try {
+      prepare(launch_of("needy.cpp"));
+    } catch (const build::CompileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(
+      error_of("void setup() { asm volatile(\"wdr\"); }\n"),
+      ::testing::AllOf(HasSubstr("asm() holds assembler of the chip"), HasSubstr("add --target avr")));
+  EXPECT_THAT(error_of("void setup() { missing(); }\n"),
+              ::testing::AllOf(HasSubstr("missing"), ::testing::Not(HasSubstr("--target avr"))));
 }
 
 }  // namespace
