@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "sim/base/machine_fault.h"
+#include "sim/build/hints.h"
 #include "sim/build/walls.h"
 #include "sim/elf/avr_addresses.h"
 
@@ -82,6 +83,7 @@ std::string missing_header(const std::string& whole, Place* place) {
 
 void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
                           const Place& place, const std::string& header) {
+  if (const std::string foreign = foreign_header(header); !foreign.empty()) throw InputError(place, foreign);
   const bool chip = toolchain.target.chip;
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
     throw InputError(place, fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is "
@@ -177,7 +179,9 @@ void fail(const Target& target, const std::string& messages) {
       throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());
     throw CompileError(messages);
   }
-  throw CompileError(place_of(match), messages.substr(static_cast<std::size_t>(match.position(6))));
+  const std::string hint = hint_for(messages);
+  throw CompileError(place_of(match), messages.substr(static_cast<std::size_t>(match.position(6))) +
+                                          (hint.empty() ? "" : "\nhint: " + hint));
 }
 
 void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,

@@ -209,6 +209,24 @@ std::string sentence(const Evidence& e) {
 
 }  // namespace
 
+namespace {
+
+bool turns_wheel(const robot::WiredPin& wired) {
+  return wired.type == "motor" || wired.type == "motors" || wired.type == "wheel-servo";
+}
+
+// Of a motor that is driven one way the input for the other way is low.
+bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
+  if (wired.role == "phase") return true;
+  if (wired.role != "in1" && wired.role != "in2") return false;
+  return std::any_of(e.wiring.begin(), e.wiring.end(), [&](const robot::WiredPin& other) {
+    return other.part == wired.part && other.role != wired.role && other.role.rfind("in", 0) == 0 &&
+           static_cast<std::size_t>(other.pin) < e.went_high.size() && e.went_high[other.pin];
+  });
+}
+
+}  // namespace
+
 NextStep next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
   if (e.crash && !e.crash->check.empty()) return {advice(e)};
@@ -222,11 +240,16 @@ NextStep next_step(const Evidence& e) {
       return {"watch it in slow motion, or record what the sensors saw", NextStep::By::watching};
     return {};
   }
+  if (e.verdict == Verdict::stuck && !e.in_contact)
+    return {
+        fmt::format("the robot never moved: its motors are driven with {:.0f} % and {:.0f} % of full power, "
+                    "which is too little to turn the wheels",
+                    100.0 * std::abs(e.left_command), 100.0 * std::abs(e.right_command))};
   std::vector<int> low, never_output;
   for (const robot::WiredPin& wired : e.wiring) {
-    if (wired.type != "motor" && wired.type != "motors") continue;
+    if (!turns_wheel(wired)) continue;
     const auto pin = static_cast<std::size_t>(wired.pin);
-    if (pin >= e.went_high.size() || e.went_high[pin]) continue;
+    if (pin >= e.went_high.size() || e.went_high[pin] || may_stay_low(wired, e)) continue;
     auto& list = e.was_output[pin] ? low : never_output;
     if (std::find(list.begin(), list.end(), wired.pin) == list.end()) list.push_back(wired.pin);
   }
@@ -236,7 +259,9 @@ NextStep next_step(const Evidence& e) {
   if (!never_output.empty())
     text += fmt::format("; motor pin{} {} {} never set to OUTPUT", never_output.size() > 1 ? "s" : "",
                         list_of_pins(never_output), never_output.size() > 1 ? "were" : "was");
-  if (low.empty() && never_output.empty())
+  if (std::none_of(e.wiring.begin(), e.wiring.end(), turns_wheel))
+    text += ": it has no motors";
+  else if (low.empty() && never_output.empty())
     text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
   const Pin pin = awaited_pin(e);
   if (pin == kNoPin) return {text};

@@ -28,12 +28,13 @@ struct Evidence {
   int int_bits = 32;     ///< of the firmware's int
   std::string exceeded;  ///< the budget that was
   std::vector<robot::WiredPin> wiring;
-  std::vector<bool> went_high;      ///< per pin: the firmware drove it high, or with PWM, at least once
-  std::vector<bool> was_output;     ///< per pin: it was an output at least once
-  bool pin_level = false;           ///< what the pin that the sketch looks at reads now
-  bool in_contact = false;          ///< the body touches a wall
-  bool moved = false;               ///< a wheel turned
-  std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
+  std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
+  std::vector<bool> was_output;  ///< per pin: it was an output at least once
+  bool pin_level = false;        ///< what the pin that the sketch looks at reads now
+  bool in_contact = false;       ///< the body touches a wall
+  double left_command = 0.0, right_command = 0.0;  ///< of the motors, -1..1, at the end
+  bool moved = false;                              ///< a wheel turned
+  std::vector<ScriptFault> faults;                 ///< of the script so far, in the order of time
 };
 
 /// One sentence that says why the run ended as it did.

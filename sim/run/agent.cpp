@@ -248,6 +248,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.went_high = state_.went_high;
   e.was_output = state_.was_output;
   e.in_contact = body_.in_contact();
+  e.left_command = robot_.left_command();
+  e.right_command = robot_.right_command();
   e.faults = player_.faults();
   e.moved = body_.wheel_travel() > 0.0;
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();

@@ -59,6 +59,20 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
+// avr-gcc gives both checks one description of a type, the array's.
+TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const Folder folder;
+  folder.write(
+      "Sum/Sum.ino",
+      "void outputs() { int p[] = {5, 6, 7}; for (int i = 0; i < 3; i++) pinMode(p[i], OUTPUT); }\n"
+      "void setup() { outputs(); }\n"
+      "void loop() { int a = 900 + digitalRead(2); int pos = a * 100; if (pos < 0) tone(11, 440); }\n");
+  const Ended run = robosim_command(
+      {"run", "Sum/", "--map", "oval", "--robot", "uno5", "--target", "avr", "--sanitize"}, folder.path());
+  EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
+}
+
 // Without being asked: a failure on the chip is looked into.
 TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;

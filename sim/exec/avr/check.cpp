@@ -36,13 +36,22 @@ class Memory {
   const WatchedChip& chip_;
 };
 
+/// "'int [6]'" to "'int'": avr-gcc 5 lets values of a type share the description of the first array of it.
+std::string without_lengths(std::string name) {
+  const std::size_t length = name.find(" [");
+  return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");
+}
+
 /// A type's description, as it would lie in this program's memory.
 class Type {
  public:
-  Type(const Memory& memory, unsigned at) {
+  enum class Of { value, array };
+
+  Type(const Memory& memory, unsigned at, Of of) {
     const std::uint16_t head[] = {memory.word(at), memory.word(at + kWord)};
     std::memcpy(storage_.data(), head, sizeof head);
-    const std::string name = memory.text(at + 2 * kWord).substr(0, storage_.size() - sizeof head - 1);
+    const std::string whole = memory.text(at + 2 * kWord).substr(0, storage_.size() - sizeof head - 1);
+    const std::string name = of == Of::array ? whole : without_lengths(whole);
     std::memcpy(storage_.data() + sizeof head, name.c_str(), name.size() + 1);
     bits_ = head[0] == ubsan::Type::integer ? 1u << (head[1] >> 1 & 7) : head[1];
   }
@@ -83,8 +92,10 @@ std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChi
   const unsigned data = memory.word(kData);
   const bool placed = check != "float_cast_overflow" || !lacks_location(memory, data);
   const unsigned types = data + (placed ? kLocation : 0);
-  const Type first(memory, memory.word(types)), second(memory, memory.word(types + kWord));
-  const Type& of_value = check == "out_of_bounds" ? second : first;
+  const bool is_index = check == "out_of_bounds";
+  const Type first(memory, memory.word(types), is_index ? Type::Of::array : Type::Of::value);
+  const Type second(memory, memory.word(types + kWord), Type::Of::value);
+  const Type& of_value = is_index ? second : first;
   const Type& of_other = check == "shift_out_of_bounds" ? second : first;
   const std::uint64_t value = of_value.value(memory, memory.word(kValue));
   const std::uint64_t other = of_other.value(memory, memory.word(kOther));

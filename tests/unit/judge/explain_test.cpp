@@ -195,10 +195,25 @@ TEST_F(Explain, ASketchThatStopsItselfIsToldApartFromOneThatFallsSilent) {
   }
 }
 
+TEST_F(Explain, MotorsThatAreTooWeakToTurnAreToldWithTheirPower) {
+  e.was_output[5] = e.went_high[5] = true;
+  e.left_command = 0.12;
+  e.right_command = -0.1;
+  EXPECT_EQ(
+      next(Verdict::stuck),
+      "the robot never moved: its motors are driven with 12 % and 10 % of full power, which is too little to "
+      "turn the wheels");
+  e.wiring.clear();
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved: it has no motors");
+}
+
 TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 were never set to OUTPUT");
-  e.was_output[5] = e.was_output[7] = e.went_high[7] = true;
-  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pin 5 stayed LOW");
+  e.was_output[5] = e.was_output[7] = true;
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 stayed LOW");
+  e.went_high[7] = true;
+  EXPECT_THAT(next(Verdict::timeout), HasSubstr("its motor pins were driven, but not strongly"))
+      << "of two inputs one is low";
   e.went_high[5] = true;
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("not strongly or long enough"));
 }

@@ -1,0 +1,130 @@
+#include "sim/build/hints.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::build {
+namespace {
+
+constexpr const char* kBoards =
+    "Robosim simulates Arduino boards with an AVR chip, and the Blue Pill (docs/robots.md has the list)";
+
+bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
+
+/// The name between the quotes behind `before`, as in "'A8' was not declared".
+std::string quoted(const std::string& text, const char* behind) {
+  const std::size_t end = text.find(std::string("'") + behind);
+  if (end == std::string::npos || end == 0) return "";
+  const std::size_t begin = text.rfind('\'', end - 1);
+  return begin == std::string::npos ? "" : text.substr(begin + 1, end - begin - 1);
+}
+
+std::string pin_hint(const std::string& name) {
+  const bool is_pin = name.size() > 1 && name[0] == 'A' &&
+                      std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_pin) return "";
+  std::vector<std::string> boards;
+  for (int i = 0; const BoardSpec* const board = board_at(i); ++i)
+    if (find_pin(*board, name.c_str()) != kNoPin) boards.emplace_back(board->name);
+  if (boards.empty()) return fmt::format("no board has a pin {}", name);
+  return fmt::format("of the boards these have a pin {}: {}; --robot NAME@BOARD runs the sketch on one", name,
+                     fmt::join(boards, ", "));
+}
+
+struct Class {
+  const char* name;
+  const char* header;
+};
+constexpr std::array kClasses = {
+    Class{"Servo", "Servo.h"},
+    Class{"SoftwareSerial", "SoftwareSerial.h"},
+    Class{"LiquidCrystal", "LiquidCrystal.h"},
+    Class{"LiquidCrystal_I2C", "LiquidCrystal_I2C.h"},
+    Class{"Wire", "Wire.h"},
+    Class{"SPI", "SPI.h"},
+    Class{"EEPROM", "EEPROM.h"},
+    Class{"Encoder", "Encoder.h"},
+    Class{"NewPing", "NewPing.h"},
+    Class{"QTRSensors", "QTRSensors.h"},
+    Class{"Stepper", "Stepper.h"},
+    Class{"Keypad", "Keypad.h"},
+    Class{"PID", "PID_v1.h"},
+    Class{"IRrecv", "IRremote.h"},
+    Class{"AF_DCMotor", "AFMotor.h"},
+    Class{"Adafruit_NeoPixel", "Adafruit_NeoPixel.h"},
+};
+
+std::string class_hint(const std::string& name) {
+  for (const Class& one : kClasses)
+    if (name == one.name)
+      return fmt::format("{} is of a library; put #include <{}> on top", name, one.header);
+  return "";
+}
+
+bool is_of_esp32(const std::string& name) {
+  return name.rfind("ledc", 0) == 0 || name.rfind("esp_", 0) == 0 || name == "WiFi" || name == "touchRead" ||
+         name == "dacWrite";
+}
+
+}  // namespace
+
+std::string hint_for(const std::string& messages) {
+  // Only the first error: those behind it often come of it.
+  const std::size_t first_error = messages.find("error:");
+  const std::string first = messages.substr(0, messages.find("error:", first_error + 1));
+  const std::string undeclared = quoted(first, " was not declared");
+  const std::string no_type = quoted(first, " does not name a type");
+  if (is_of_esp32(undeclared)) return fmt::format("{} is of the ESP32's core; {}", undeclared, kBoards);
+  if (no_type == "include" || no_type == "define") return fmt::format("#{} wants its # in front", no_type);
+  if (no_type == "input" || no_type == "basic" || no_type == "pins")
+    return fmt::format("this looks like a micro:bit's program; {}", kBoards);
+  if (no_type == "from" || no_type == "import" || no_type == "def")
+    return fmt::format("this looks like Python; a sketch is C++, and {}", kBoards);
+  for (const std::string& name : {undeclared, no_type}) {
+    if (const std::string hint = pin_hint(name); !hint.empty()) return hint;
+    if (const std::string hint = class_hint(name); !hint.empty()) return hint;
+  }
+  if (has(first, "expected ',' or ';' before") || has(first, "expected ';' before") ||
+      has(first, "expected ';' after"))
+    return "a ; may be missing at the end of the line before";
+  if (has(first, "expected '}' at end of input"))
+    return "each { wants its }: one is missing at the end, or before";
+  if (has(first, "redefinition of 'void setup()'") || has(first, "redefinition of 'void loop()'"))
+    return "all .ino files of a folder are one sketch, which has one setup() and one loop()";
+  if (has(first, "'const char*'") && has(first, "operator+"))
+    return "texts in quotes are joined as Strings: String(\"a\") + 1";
+  if (has(first, "lvalue required as left operand")) return "to compare, write ==";
+  return "";
+}
+
+std::string foreign_header(const std::string& header) {
+  struct Foreign {
+    const char* header;
+    const char* board;
+  };
+  static constexpr std::array list = {
+      Foreign{"WiFi.h", "an ESP32"},
+      Foreign{"ESP8266WiFi.h", "an ESP8266"},
+      Foreign{"BluetoothSerial.h", "an ESP32"},
+      Foreign{"ESP32Servo.h", "an ESP32"},
+      Foreign{"WebServer.h", "an ESP32"},
+      Foreign{"esp_now.h", "an ESP32"},
+      Foreign{"Preferences.h", "an ESP32"},
+      Foreign{"driver/ledc.h", "an ESP32"},
+      Foreign{"MicroBit.h", "a micro:bit"},
+      Foreign{"pico/stdlib.h", "an RP2040"},
+      Foreign{"TeensyThreads.h", "a Teensy"},
+      Foreign{"Arduino_LSM9DS1.h", "a Nano 33 BLE"},
+  };
+  for (const Foreign& one : list)
+    if (header == one.header) return fmt::format("{} is for boards with {}; {}", header, one.board, kBoards);
+  return "";
+}
+
+}  // namespace robosim::build

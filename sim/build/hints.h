@@ -1,0 +1,16 @@
+// What a beginner would want to be told beside a compiler's message.
+#pragma once
+
+#include <string>
+
+namespace robosim::build {
+
+/// A sentence for the first error of a sketch that does not compile; empty where the message itself says what
+/// to do.
+std::string hint_for(const std::string& messages);
+
+/// "WiFi.h is for boards with an ESP32 or ESP8266, …" of a header that no library for Robosim's boards has;
+/// empty for any other.
+std::string foreign_header(const std::string& header);
+
+}  // namespace robosim::build

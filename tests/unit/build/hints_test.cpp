@@ -1,0 +1,46 @@
+#include "sim/build/hints.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace robosim::build {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(Hints, APinOfOtherBoardsIsToldWithTheBoards) {
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'A8' was not declared in this scope; did you mean 'A7'?"),
+              AllOf(HasSubstr("mega"), HasSubstr("leonardo"), HasSubstr("--robot NAME@BOARD")));
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'A99' was not declared in this scope"),
+              HasSubstr("no board has a pin A99"));
+}
+
+TEST(Hints, ALibrarysClassNamesItsHeader) {
+  EXPECT_THAT(hint_for("a.ino:4:1: error: 'Servo' does not name a type"), HasSubstr("#include <Servo.h>"));
+}
+
+TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {
+  for (const char* message : {"error: 'ledcSetup' was not declared in this scope",
+                              "error: 'input' does not name a type", "error: 'from' does not name a type"})
+    EXPECT_THAT(hint_for(message), HasSubstr("Robosim simulates Arduino boards")) << message;
+  EXPECT_THAT(foreign_header("WiFi.h"), HasSubstr("an ESP32"));
+  EXPECT_EQ(foreign_header("Servo.h"), "");
+}
+
+TEST(Hints, OnlyTheFirstErrorIsLookedAt) {
+  EXPECT_EQ(hint_for("a.ino:1:2: error: 'speed' was not declared in this scope\n"
+                     "a.ino:2:2: error: 'A8' was not declared in this scope"),
+            "");
+  EXPECT_EQ(hint_for(""), "");
+}
+
+TEST(Hints, WhatIsForgottenIsNamed) {
+  EXPECT_THAT(hint_for("error: 'include' does not name a type"), HasSubstr("#include"));
+  EXPECT_THAT(hint_for("error: expected ',' or ';' before 'return'"), HasSubstr("a ;"));
+  EXPECT_THAT(hint_for("error: expected '}' at end of input"), HasSubstr("}"));
+  EXPECT_THAT(hint_for("error: redefinition of 'void setup()'"), HasSubstr("one setup()"));
+}
+
+}  // namespace
+}  // namespace robosim::build
