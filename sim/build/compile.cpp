@@ -29,8 +29,9 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard:
-      return {};
+    case Warnings::standard:  // if (x = 1), if (x); { … }: the compiler's own choice leaves them out
+      return unit.kind == Unit::Kind::sketch ? std::vector<std::string>{"-Wparentheses", "-Wempty-body"}
+                                             : std::vector<std::string>{};
     case Warnings::more:
       return {"-Wall"};
     case Warnings::all:
@@ -302,7 +303,7 @@ std::string recipe(const Toolchain& toolchain) {
   if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
-  text += fmt::format("assembly 2 {}{}", target.own_level, target.core_level);
+  text += fmt::format("assembly 3 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;
 }

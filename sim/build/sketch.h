@@ -16,7 +16,8 @@
 
 namespace robosim::build {
 
-/// Which of the compiler's warnings are shown: the choices of Arduino's preferences.
+/// Which of the compiler's warnings are shown: the choices of Arduino's preferences; `standard` has two more,
+/// which find what beginners write: if (x = 1), and if (x);
 enum class Warnings { none, standard, more, all };
 
 struct Request {

@@ -75,5 +75,18 @@ TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
 }
 
+// What the compiler leaves out unless it is asked, and beginners write.
+TEST(CliBuild, AnAssignmentForAComparisonAndAnEmptyIfAreWarnedOf) {
+  const Folder folder;
+  folder.write(
+      "Slip/Slip.ino",
+      "int x;\nvoid setup() { pinMode(13, OUTPUT); }\n"
+      "void loop() {\n  if (x = 1) digitalWrite(13, HIGH);\n  if (x);\n    digitalWrite(13, LOW);\n}\n");
+  const Ended built = robosim_command({"build", "./Slip"}, folder.path());
+  EXPECT_EQ(built.status, 0);
+  EXPECT_THAT(built.err, AllOf(HasSubstr("Slip.ino:4:9: warning: suggest parentheses around assignment"),
+                               HasSubstr("Slip.ino:5:9: warning: suggest braces around empty body")));
+}
+
 }  // namespace
 }  // namespace robosim::test
