@@ -62,6 +62,8 @@ std::vector<char*> null_ended(const std::vector<std::string>& texts) {
 Child start_within(const Walls& walls, const ChildStart& start) {
   constexpr int kCannotStart = 127;
   std::vector<std::string> settings = *start.environment;
+  std::erase_if(settings,
+                [](const std::string& one) { return one.starts_with("TMPDIR="); });  // the first counts
   settings.push_back("TMPDIR=" + walls.scratch().string());
   settings.emplace_back("CCACHE_DISABLE=1");  // where the compiler is ccache: its own folder is not seen
   const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
