@@ -199,8 +199,10 @@ class CheckReader {
 
 }  // namespace
 
-std::vector<Check> read_checks(const fs::path& file) {
-  const ConfigValue root = parse_toml(read_file(file), file.string());
+std::vector<Check> read_checks(const fs::path& file) { return parse_checks(read_file(file), file); }
+
+std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
+  const ConfigValue root = parse_toml(text, file.string());
   TableReader reader(root, file.filename().string());
   const ConfigValue* tables = reader.find("check");
   reader.finish();

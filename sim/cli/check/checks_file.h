@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/error.h"
@@ -33,5 +34,7 @@ struct Check {
 /// All checks of a file, in its order. Values of flags are judged by the command line's own parser, so that a
 /// flag means the same in both. Paths are relative to the file's folder. Throws InputError.
 std::vector<Check> read_checks(const std::filesystem::path& file);
+/// `text` is the content of `file`.
+std::vector<Check> parse_checks(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace robosim::cli
