@@ -60,6 +60,7 @@ class Child {
   /// Whether it has ended; until wait() nobody else gets its number.
   bool has_ended() const;
   Ending wait();
+  pid_t pid() const { return pid_; }
 
  private:
   pid_t pid_ = -1;

@@ -14,7 +14,7 @@ const Relay* way = nullptr;
 std::string unread;
 
 ssize_t read_some(char* to, std::size_t bytes) {
-  return way ? Relay::read_some(to, bytes) : ::read(STDIN_FILENO, to, bytes);
+  return way ? way->read_some(to, bytes) : ::read(STDIN_FILENO, to, bytes);
 }
 
 }  // namespace

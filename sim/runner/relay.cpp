@@ -21,6 +21,7 @@ constexpr char kLine = 'L';
 constexpr char kAnswer = 'A';
 constexpr std::uint32_t kMostBytes = 256u << 20;
 constexpr std::size_t kChunk = 65536;
+constexpr int kLook_ms = 500;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -115,28 +116,61 @@ std::string Relay::ask(char what, const std::string& question) const {
   return answer;
 }
 
-long Relay::read_some(char* to, std::size_t bytes) { return exec::keyed_read(exec::kLinesFd, to, bytes); }
+long Relay::read_some(char* to, std::size_t bytes) const {
+  watch_->wait_for_client(true);
+  const long n = exec::keyed_read(exec::kLinesFd, to, bytes);
+  watch_->wait_for_client(false);
+  return n;
+}
 
-Relay::Told Relay::serve(const Ask& ask, bool lines) {
+/// Whole messages are taken out of `taken`; false if one is none of ours.
+bool Relay::take(std::string& taken, const Ask& ask, Told& told) const {
+  std::string out;
+  std::size_t at = 0;
+  for (Header header{}; taken.size() - at >= sizeof header;) {
+    std::memcpy(&header, taken.data() + at, sizeof header);
+    if (header.token != token_ || header.bytes > kMostBytes || told.answer) return false;
+    if (taken.size() - at < sizeof header + header.bytes) break;
+    const std::string_view text(taken.data() + at + sizeof header, header.bytes);
+    at += sizeof header + header.bytes;
+    if (header.what == kLine) {
+      out += text;
+    } else if (header.what == kAnswer) {
+      told.answer = text;
+    } else {
+      const std::string said = ask(header.what, std::string(text));
+      const auto bytes = static_cast<std::uint32_t>(said.size());
+      write_all(answers_.write.get(), {reinterpret_cast<const char*>(&bytes), sizeof bytes});
+      write_all(answers_.write.get(), said);
+    }
+  }
+  taken.erase(0, at);
+  if (!out.empty()) write_line(out);
+  return true;
+}
+
+Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
   told_.write.close();
   answers_.read.close();
   lines_.read.close();
+  watch_->follow(run.pid());
   Told told;
-  std::string taken, out;
-  std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
+  std::string taken;
+  std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
+                                 pollfd{lines ? STDIN_FILENO : -1, POLLIN, 0}};
   if (lines) write_all(lines_.write.get(), take_unread());
   for (;;) {
-    if (lines) {
-      if (::poll(ready.data(), ready.size(), -1) < 0) continue;
-      if (ready[1].revents) {
-        char chunk[4096];
-        const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
-        if (n < 0 && errno == EINTR) continue;
-        if (n > 0) write_all(lines_.write.get(), {chunk, static_cast<std::size_t>(n)});
-        if (n <= 0) ready[1].fd = -1, lines_.write.close();
-      }
-      if (!ready[0].revents) continue;
+    const int some = ::poll(ready.data(), ready.size(), kLook_ms);
+    if (some < 0) continue;
+    if (some == 0 && (told.found = watch_->look()) != RunWatch::Found::nothing) return told;
+    if (ready[1].revents) {
+      char chunk[4096];
+      const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
+      if (n < 0 && errno == EINTR) continue;
+      if (n > 0) write_all(lines_.write.get(), {chunk, static_cast<std::size_t>(n)});
+      if (n <= 0) ready[1].fd = -1, lines_.write.close();
     }
+    if (!ready[0].revents) continue;
     const std::size_t had = taken.size();
     taken.resize(had + kChunk);
     const ssize_t n = ::read(told_.read.get(), taken.data() + had, kChunk);
@@ -147,30 +181,9 @@ Relay::Told Relay::serve(const Ask& ask, bool lines) {
       told.forged |= !taken.empty();
       return told;
     }
-    out.clear();
-    std::size_t at = 0;
-    for (Header header{}; taken.size() - at >= sizeof header;) {
-      std::memcpy(&header, taken.data() + at, sizeof header);
-      if (header.token != token_ || header.bytes > kMostBytes || told.answer) {
-        told.forged = true;
-        return told;
-      }
-      if (taken.size() - at < sizeof header + header.bytes) break;
-      const std::string_view text(taken.data() + at + sizeof header, header.bytes);
-      at += sizeof header + header.bytes;
-      if (header.what == kLine) {
-        out += text;
-      } else if (header.what == kAnswer) {
-        told.answer = text;
-      } else {
-        const std::string said = ask(header.what, std::string(text));
-        const auto bytes = static_cast<std::uint32_t>(said.size());
-        write_all(answers_.write.get(), {reinterpret_cast<const char*>(&bytes), sizeof bytes});
-        write_all(answers_.write.get(), said);
-      }
-    }
-    taken.erase(0, at);
-    if (!out.empty()) write_line(out);
+    told.forged = !take(taken, ask, told);
+    if (told.forged) return told;
+    watch_->heard();
   }
 }
 

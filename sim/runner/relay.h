@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "sim/base/child.h"
+#include "sim/runner/run_watch.h"
 
 namespace robosim::runner {
 
@@ -31,16 +33,19 @@ class Relay {
   void answer(const std::string& line) const;
   /// `what` is a small letter.
   std::string ask(char what, const std::string& question) const;
-  /// The descriptor of lines from the client, to be read by read_some().
-  static long read_some(char* to, std::size_t bytes);
+  /// Of lines from the client.
+  long read_some(char* to, std::size_t bytes) const;
+  /// Is to be told how far the run has come.
+  std::atomic<SimTime>& reached() const { return watch_->reached(); }
 
   struct Told {
     std::optional<std::string> answer;
     bool forged = false;  ///< something else than the runner's code has written to it
+    RunWatch::Found found = RunWatch::Found::nothing;
   };
-  /// In the runner: until the run has said its last, or something forged. `lines`: what the client writes
-  /// goes to the run.
-  Told serve(const Ask& ask, bool lines);
+  /// In the runner: until `run` has said its last, or something forged, or will never end. `lines`: what the
+  /// client writes goes to the run.
+  Told serve(const Child& run, const Ask& ask, bool lines);
 
  private:
   struct Header {
@@ -51,7 +56,10 @@ class Relay {
   };
   void send(char what, const std::string& text) const;
 
+  bool take(std::string& taken, const Ask& ask, Told& told) const;
+
   Pipe told_, answers_, lines_;
+  std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

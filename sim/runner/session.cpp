@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <new>
 #include <numeric>
 #include <sstream>
 
@@ -32,10 +35,8 @@
 namespace robosim::runner {
 namespace {
 
-// Firmware that spends this much processor time inside one tick (usually a microsecond) will never end it: it
-// loops in code that is not instrumented, such as a library function that was handed an endless string.
-constexpr int kWatchdogSeconds = 5;
 constexpr int kWatchdogStatus = 99;
+constexpr int kLongestEnd_us = 2'000'000;
 
 // How often columns are sent: what is lost if firmware takes its process down.
 constexpr SimTime kColumnsEvery = 500 * kMillisecond;
@@ -57,7 +58,7 @@ void start_watchdog() {
   action.sa_handler = on_watchdog;
   action.sa_flags = SA_RESTART | SA_ONSTACK;
   ::sigaction(SIGVTALRM, &action, nullptr);
-  const timeval every{kWatchdogSeconds, 0};
+  const timeval every{kLongestTick_s, 0};
   const itimerval timer{every, every};
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
@@ -245,8 +246,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   setup.profile = request.profile == "ideal" ? robot::Profile::ideal : robot::Profile::typical;
   setup.samples_every = std::gcd(request.samples_every_ns, request.columns_every_ns);
   setup.interrupted = &interrupted;
-  setup.reached = &reached;
-  if (!debugger) start_watchdog();  // nor is a chip ever caught inside a tick
+  setup.reached = relay ? &relay->reached() : &reached;
+  if (!debugger && !relay) start_watchdog();  // nor is a chip ever caught inside a tick
 
   if (request.source_ns) executor->trace_bytes(request.source_ns->first, request.source_ns->second);
   Narrator narrator(id, request, *robot.board, *executor);
@@ -279,7 +280,9 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const ToolMissing& error) {
     return wire::ErrorAnswer{"tool", error.what()};
   } catch (const std::exception& error) {
-    if (std::string fault = fault_of_machine(error); !fault.empty()) return wire::ErrorAnswer{"tool", fault};
+    const std::string fault = fault_of_machine(error);
+    if (!fault.empty() && exec::is_confined()) ::_exit(exec::kNoMemoryStatus);  // all else it has already
+    if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
 }
@@ -317,16 +320,38 @@ int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request
   return 0;
 }
 
+constexpr const char* kLoops = "it loops without end inside a library function";
+
 std::string cause_of_death(const Ending& ending) {
   if (ending.signal > 0)
     return fmt::format("it took its process down by signal {} ({})", ending.signal,
                        ::strsignal(ending.signal));
-  if (ending.status == kWatchdogStatus) return "it loops without end inside a library function";
+  if (ending.status == kWatchdogStatus) return kLoops;
   return fmt::format("it took its process down with exit status {}", ending.status);
+}
+
+wire::Answer no_memory_for(const wire::RunRequest& request) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
+  return result_of_death(
+      request,
+      fmt::format("it took more than the {} MB of memory that it may have", exec::kConfinedMemory >> 20),
+      exec::kSandboxCheck);
 }
 
 bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
+}
+
+// A process that has closed its pipes is about to end; one that is not had no right to close them.
+std::optional<Ending> end_of(Child& run) {
+  for (int wait_us = 50, waited_us = 0; !run.has_ended();
+       waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {
+    if (waited_us > kLongestEnd_us) return std::nullopt;
+    ::usleep(static_cast<useconds_t>(wait_us));
+  }
+  return run.wait();
 }
 
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
@@ -334,19 +359,23 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self) {
   Relay relay;
   Child child([&] { return run_in_child(factory, request, id, self, &relay); });
-  const Relay::Told told =
-      relay.serve([&](char what, const std::string& question) { return serve_ask(request, what, question); },
-                  request.interactive);
-  if (told.forged) {
-    child.send(SIGKILL);
-    return result_of_death(request, "it wrote to where its verdict goes", exec::kSandboxCheck);
-  }
-  const Ending ending = child.wait();
-  if (was_refused(ending))
-    return result_of_death(request, "the sandbox refuses a system call of its", exec::kSandboxCheck);
-  if (!ending.ok()) return result_of_death(request, cause_of_death(ending), "");
-  if (!told.answer)
-    return result_of_death(request, "it ended its process before the run was over", exec::kSandboxCheck);
+  const Relay::Told told = relay.serve(
+      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); },
+      request.interactive);
+  const auto refused = [&](const std::string& cause) {
+    return result_of_death(request, cause, exec::kSandboxCheck);
+  };
+  if (told.forged) return refused("it wrote to where its verdict goes");
+  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "");
+  if (told.found == RunWatch::Found::sleeps)
+    return refused(
+        fmt::format("it slept for {} s of wall time, and simulated time stood still", kLongestSleep_s));
+  const std::optional<Ending> ending = end_of(child);
+  if (!ending) return refused("it closed what its verdict goes through");
+  if (was_refused(*ending)) return refused("the sandbox refuses a system call of its");
+  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request);
+  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "");
+  if (!told.answer) return refused("it ended its process before the run was over");
   write_line(*told.answer);
   return std::nullopt;
 }
@@ -374,14 +403,23 @@ void serve_line(const ExecutorFactory& factory, const std::string& line) {
   if (answer) write_line(wire::to_line(asked.id, *answer));
 }
 
+wire::Hello hello_of(const ExecutorFactory& factory) {
+  wire::Hello hello{"robosim-" + factory.target, wire::kProtocol, ROBOSIM_VERSION, factory.target};
+  if (!factory.prepare_for_confinement) return hello;
+  hello.no_sandbox_why = exec::why_not_confined();
+  hello.sandbox = hello.no_sandbox_why.empty()                        ? "on"
+                  : hello.no_sandbox_why == exec::what_kernel_lacks() ? "missing"
+                                                                      : "off";
+  return hello;
+}
+
 }  // namespace
 
 int serve(const ExecutorFactory& factory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
   std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
-  write_line(wire::to_line(
-      {}, wire::Hello{"robosim-" + factory.target, wire::kProtocol, ROBOSIM_VERSION, factory.target}));
+  write_line(wire::to_line({}, hello_of(factory)));
   while (const auto line = read_line())
     if (!line->empty()) serve_line(factory, *line);
   return static_cast<int>(ExitStatus::ok);

@@ -16,8 +16,10 @@ inline constexpr int kProtocol = 1;
 struct Hello {
   std::string program;  ///< "robosim-host"
   int protocol = 0;
-  std::string version;  ///< of Robosim: "0.1.0"
-  std::string target;   ///< "host"
+  std::string version;       ///< of Robosim: "0.1.0"
+  std::string target;        ///< "host"
+  std::string sandbox = "";  ///< "on", "off", "missing"; empty where firmware is data
+  std::string no_sandbox_why = "";
 };
 
 template <class V>
@@ -26,6 +28,13 @@ void fields(V& v, Same<V, Hello>& h) {
   v("protocol", h.protocol, "version of the protocol that it speaks");
   v("version", h.version, "of Robosim");
   v("target", h.target, "whose firmware it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
+  v("sandbox", h.sandbox,
+    "whether runs are confined ([security.md](security.md)): `\"on\"`, `\"off\"` by choice, or `\"missing\"` "
+    "in the "
+    "kernel; absent where firmware is data",
+    {.presence = when(!h.sandbox.empty())});
+  v("no_sandbox_why", h.no_sandbox_why, "a clause; absent where it is on",
+    {.presence = when(!h.no_sandbox_why.empty())});
 }
 
 /// What was asked went wrong.

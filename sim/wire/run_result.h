@@ -31,14 +31,17 @@ struct Crash {
   SourceLine where;
   std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
   std::string registers;          ///< of a chip's processor, for people; else empty
-  std::string check;              ///< if one that was built in has found it: "mul_overflow"; else empty
+  std::string check;              ///< what has found it: "mul_overflow", "sandbox"; else empty
 };
 
 template <class V>
 void fields(V& v, Same<V, Crash>& c) {
   v("reason", c.reason, "a clause: \"division by zero\"");
   fields(v, c.where);
-  v("check", c.check, "the check, built into the image, that has found it; absent if none has",
+  v("check", c.check,
+    "what has found it: a check that is built into the image, or `\"sandbox\"` ([security.md](security.md)); "
+    "absent "
+    "if neither has",
     {.presence = when(!c.check.empty())});
   v("calls", c.calls, "on a chip: the calls that led there, innermost first, the core's included",
     {.presence = when(!c.registers.empty())});

@@ -167,6 +167,34 @@ TEST_F(Sandbox, EndsASketchThatTakesAllMemory) {
   }
 }
 
+TEST_F(Sandbox, BlamesASketchForTheMemoryThatItsRunLacks) {
+  auto request = request_of_text(
+      "extern \"C\" void* mmap(void*, unsigned long, int, int, int, long);\nvoid setup() {\n"
+      "  while (mmap(0, 1 << 20, 3, 0x22, -1, 0) != (void*)-1) {}\n"
+      "  while (mmap(0, 4096, 3, 0x22, -1, 0) != (void*)-1) {}\n  Serial.begin(1000000);\n}\n"
+      "void loop() { Serial.println(F(\"text that is to be kept, and is to be kept somewhere\")); }\n");
+  request.for_ns = 60'000'000'000;
+  const auto r = runner_of("host").run(request);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_EQ(r.why, "The sketch crashed: it took more than the 512 MB of memory that it may have.");
+}
+
+TEST_F(Sandbox, EndsASketchThatGoesOnBehindClosedDescriptors) {
+  const auto r = run_text(
+      "extern \"C\" int close(int);\n__attribute__((no_sanitize_coverage)) void setup() {\n"
+      "  for (int fd = 0; fd < 64; ++fd) close(fd);\n  for (;;) asm volatile(\"nop\");\n}\nvoid loop() {}\n");
+  EXPECT_EQ(r.why, "The sketch crashed: it closed what its verdict goes through.");
+}
+
+TEST_F(Sandbox, EndsASketchThatHasSwitchedItsSignalsOff) {
+  const auto r = run_text(
+      "extern \"C\" { int sigfillset(void*); int sigprocmask(int, const void*, void*); }\nlong set[16];\n"
+      "__attribute__((no_sanitize_coverage)) void setup() {\n"
+      "  sigfillset(set);\n  sigprocmask(0, set, 0);\n  for (;;) asm volatile(\"nop\");\n}\nvoid loop() "
+      "{}\n");
+  EXPECT_EQ(r.why, "The sketch crashed: it loops without end inside a library function.");
+}
+
 TEST_F(Sandbox, ChangesNoRun) {
   auto request = request_of({.sketch = "PidFollower", .goal = "laps:1"});
   const auto confined = runner_of("host").run(request);

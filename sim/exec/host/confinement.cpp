@@ -16,7 +16,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -128,6 +130,14 @@ void set_limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(what), &limit);
 }
 
+/// As RLIMIT_DATA counts it, in bytes.
+rlim_t memory_in_use() {
+  std::ifstream file("/proc/self/statm");
+  rlim_t pages = 0;
+  for (int field = 0; field < 6; ++field) file >> pages;
+  return file ? pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
 /// To make it takes a millisecond: it is made once, and each process puts its own numbers in.
 const std::vector<sock_filter>& filter_for_all() {
   static const std::vector<sock_filter> steps = [] {
@@ -205,12 +215,7 @@ std::string_view subject_of(std::string_view call) {
 
 }  // namespace
 
-std::string why_not_confined() {
-#ifdef ROBOSIM_ASAN
-  return "this Robosim is built with AddressSanitizer, which itself needs files and processes";
-#endif
-  const char* const wish = std::getenv("ROBOSIM_SANDBOX");
-  if (wish && std::string_view(wish) == "off") return "ROBOSIM_SANDBOX is off";
+std::string what_kernel_lacks() {
   if (!kKnownMachine) return "on this kind of processor it is not written yet";
   // Support means that the filter's address, which is none, is looked at.
   if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) == 0 || errno != EFAULT)
@@ -218,8 +223,18 @@ std::string why_not_confined() {
   return "";
 }
 
+std::string why_not_confined() {
+#ifdef ROBOSIM_ASAN
+  return "this Robosim is built with AddressSanitizer, which itself needs files and processes";
+#endif
+  const char* const wish = std::getenv("ROBOSIM_SANDBOX");
+  if (wish && std::string_view(wish) == "off") return "ROBOSIM_SANDBOX is off";
+  return what_kernel_lacks();
+}
+
 void confine(const CallKey& key) {
-  set_limit(RLIMIT_DATA, kConfinedMemory);
+  set_limit(RLIMIT_DATA, kConfinedMemory + memory_in_use());
+  std::set_new_handler([] { ::_exit(kNoMemoryStatus); });
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_FSIZE, kConfinedImage);
   set_limit(RLIMIT_NOFILE, kImageFd + 2);

@@ -23,7 +23,9 @@ enum ConfinedDescriptor : int {
 /// the descriptor alone is refused.
 using CallKey = std::array<std::uint32_t, 2>;
 
-/// Empty where this build, on this kernel, can confine; else a clause: "the kernel has no seccomp filter".
+/// Empty where this kernel can confine; else a clause: "the kernel has no filter of system calls (seccomp)".
+std::string what_kernel_lacks();
+/// Empty where runs are confined; else a clause: what the kernel lacks, or what was chosen.
 std::string why_not_confined();
 
 /// From here on, for ever: no new file, socket or process, no signal to others, no program; at most
@@ -31,7 +33,8 @@ std::string why_not_confined();
 void confine(const CallKey& key);
 /// What is the same for all processes: done once before they are forked, it saves each a millisecond.
 void prepare_to_confine();
-constexpr std::uint64_t kConfinedMemory = 512 << 20;  ///< bytes of variables, heap and stacks
+constexpr std::uint64_t kConfinedMemory = 512
+                                          << 20;  ///< more bytes of variables, heap and stacks than it has
 
 /// read() and write() with the key, in a confined process; in another one read() and write().
 long keyed_read(int fd, void* data, std::size_t bytes);
@@ -41,6 +44,8 @@ long keyed_write(int fd, const void* data, std::size_t bytes);
 constexpr const char* kSandboxCheck = "sandbox";
 /// Exit status of a process that asked for something refused outside of the firmware's own time.
 constexpr int kRefusedStatus = 98;
+/// Of one that has had all its memory.
+constexpr int kNoMemoryStatus = 97;
 
 /// Whether confine() was called.
 bool is_confined();

@@ -1,0 +1,67 @@
+#include "sim/runner/run_watch.h"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "sim/base/wall_clock.h"
+
+namespace robosim::runner {
+namespace {
+
+std::int64_t processor_ns(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
+RunWatch::RunWatch() {
+  void* const page =
+      ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+  shared_ = new (page) Shared;
+}
+
+RunWatch::~RunWatch() { ::munmap(shared_, sizeof(Shared)); }
+
+void RunWatch::follow(pid_t run) {
+  run_ = run;
+  heard();
+}
+
+void RunWatch::heard() { wall_us_ = wall_us(); }
+
+RunWatch::Found RunWatch::look() {
+  const SimTime reached = shared_->reached.load(std::memory_order_relaxed);
+  const std::int64_t processor = processor_ns(run_);
+  if (reached != seen_ || reached == kNotBegun) {
+    seen_ = reached;
+    processor_ns_ = processor;
+    heard();
+    return Found::nothing;
+  }
+  if (processor - processor_ns_ >= std::int64_t{kLongestTick_s} * 1'000'000'000) return Found::loops;
+  if (shared_->waits || is_stopped()) heard();
+  return wall_us() - wall_us_ >= std::int64_t{kLongestSleep_s} * 1'000'000 ? Found::sleeps : Found::nothing;
+}
+
+/// By a debugger, say.
+bool RunWatch::is_stopped() const {
+  std::ifstream file(fmt::format("/proc/{}/stat", run_));
+  const std::string facts((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_end = facts.rfind(") ");
+  const char state = name_end == facts.npos ? 'R' : facts[name_end + 2];
+  return state == 'T' || state == 't';
+}
+
+}  // namespace robosim::runner

@@ -1,0 +1,56 @@
+// Ends a run that never will. It is looked at from outside: firmware that is code of this machine may switch
+// off whatever its own process has, by mistake or not.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::runner {
+
+/// Firmware that takes so long for one tick (usually a microsecond) will never end it: it loops where nothing
+/// is instrumented, such as in a library function that was handed an endless string, or it sleeps.
+constexpr int kLongestTick_s = 5;    ///< of processor time
+constexpr int kLongestSleep_s = 30;  ///< of wall time
+
+class RunWatch {
+ public:
+  /// Throws std::system_error.
+  RunWatch();
+  ~RunWatch();
+  RunWatch(const RunWatch&) = delete;
+  RunWatch& operator=(const RunWatch&) = delete;
+
+  // In the run's process.
+
+  /// Is told how far the run has come.
+  std::atomic<SimTime>& reached() { return shared_->reached; }
+  void wait_for_client(bool waits) { shared_->waits = waits; }
+
+  // In its parent.
+
+  void follow(pid_t run);
+  /// It has said something.
+  void heard();
+  enum class Found { nothing, loops, sleeps };
+  /// To be asked again and again.
+  Found look();
+
+ private:
+  static constexpr SimTime kNotBegun = -2;
+  struct Shared {
+    std::atomic<SimTime> reached{kNotBegun};
+    std::atomic<bool> waits{false};
+  };
+  bool is_stopped() const;
+
+  Shared* shared_;
+  pid_t run_ = -1;
+  SimTime seen_ = kNotBegun;
+  std::int64_t processor_ns_ = 0, wall_us_ = 0;
+};
+
+}  // namespace robosim::runner
