@@ -15,6 +15,7 @@
 #include "sim/build/finished.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
+#include "sim/build/project.h"
 #include "sim/build/prototypes.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
@@ -42,7 +43,9 @@ class Build {
  public:
   Build(const Sketch& sketch, const Toolchain& toolchain, const Cache& cache, const LibraryFinder& finder,
         const GenuineCore& core)
-      : sketch_(sketch), toolchain_(toolchain), cache_(cache), finder_(finder), core_(core), work_(cache) {}
+      : sketch_(sketch), toolchain_(toolchain), cache_(cache), finder_(finder), core_(core), work_(cache) {
+    shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
+  }
 
   /// Compiles and links; gives the image, still in the work folder.
   fs::path image() {
@@ -96,7 +99,8 @@ class Build {
   }
 
   std::vector<CommandResult> run_walled(std::vector<Command> commands) const {
-    std::vector<fs::path> read = read_by_all(toolchain_, {sketch_.folder, cache_.folder()});
+    std::vector<fs::path> read = read_by_all(toolchain_, shared_);
+    read.insert(read.end(), {sketch_.folder, cache_.folder()});
     for (const Library& library : libraries_) read.push_back(library.folder);
     const Walls walls(read, work_.path());
     for (Command& command : commands) command.walls = &walls;
@@ -261,8 +265,9 @@ class Build {
   bool is_kept(const Unit& unit) const { return unit.input.empty() && !is_counted(toolchain_, unit); }
 
   std::string unit_key(const Unit& unit) const {
-    return fmt::format("unit\n{}\n{} {}\n{}\n{}", recipe(toolchain_), static_cast<int>(toolchain_.registers),
-                       unit.folder.string(), unit.source, join_paths(unit.includes));
+    return fmt::format("unit\n{}{}\n{} {}\n{}\n{}", recipe(toolchain_), seen_by(toolchain_),
+                       static_cast<int>(toolchain_.registers), unit.folder.string(), unit.source,
+                       join_paths(unit.includes));
   }
 
   Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
@@ -303,6 +308,7 @@ class Build {
   const LibraryFinder& finder_;
   const GenuineCore& core_;
   WorkFolder work_;
+  std::vector<fs::path> shared_;
   std::vector<Library> libraries_;  ///< in the order in which they were found
   std::vector<Object> objects_;
   std::vector<BundledFile> notes_;
@@ -349,6 +355,7 @@ Image build(const Request& request) try {
                       request.warnings,
                       request.sanitize,
                       request.coverage};
+  toolchain.untrusted = request.untrusted;
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);

@@ -5,6 +5,8 @@
 #include "sim/base/file.h"
 #include "sim/build/compile.h"
 #include "sim/build/messages.h"
+#include "sim/build/process.h"
+#include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -19,13 +21,18 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   const WorkFolder work(cache);
   const std::string name = entry.result.stem().string() + product.ending;
   const auto since = fs::file_time_type::clock::now();
-  const CommandResult result = run(product_command(target, product, entry.result, work.path() / name));
+  const Walls walls({entry.result}, work.path());
+  Command command = product_command(target, product, entry.result, work.path() / name);
+  command.walls = &walls;
+  const CommandResult result = run(command);
   if (result.status != 0) check_machine(product.program.name, result.output);
   if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
   return cache.store(key, {}, work.path() / name, name, {}, since).result;
 }
 
 }  // namespace
+
+const char* seen_by(const Toolchain& toolchain) { return toolchain.untrusted ? "untrusted\n" : ""; }
 
 std::string notes_key(const Entry& entry) { return "notes\n" + entry.facts.at("image_sha256"); }
 
@@ -51,7 +58,8 @@ Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, c
 
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<fs::path>& folders) {
-  std::string key = fmt::format("image\n{}{}\n", recipe(toolchain), sketch.folder.string());
+  std::string key =
+      fmt::format("image\n{}{}{}\n", recipe(toolchain), seen_by(toolchain), sketch.folder.string());
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
     key += fmt::format("{}\n", fmt::join(*names, "\n"));
   for (const std::string& name : sketch.assembler) key += fmt::format("{}\n", name);

@@ -12,6 +12,8 @@
 
 namespace robosim::build {
 
+/// In keys: an untrusted sketch sees less.
+const char* seen_by(const Toolchain& toolchain);
 /// Of the image of a sketch whose libraries are looked for in `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<std::filesystem::path>& folders);

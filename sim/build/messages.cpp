@@ -131,9 +131,8 @@ void fail_at_walls(const std::string& messages) {
     throw CompileError(
         fmt::format("the compiler took more than {} MB of memory, and may not", kCompileBytes >> 20));
   constexpr const char* kNotSeen =
-      " is no file of the sketch, its libraries or the core, or may not be read: compilers see nothing else "
-      "of "
-      "this machine";
+      " is no file of the sketch, its project, its libraries or the core, or may not be read: compilers see "
+      "nothing else of this machine. --libraries DIR names a folder of code that sketches share";
   std::smatch match;
   static const std::regex by_assembler(
       R"(Error: (?:file not found: |can't open )([^\n:]*?)(?: for reading)?(?:\n|:|$))");

@@ -30,6 +30,8 @@ struct Request {
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< sketch and libraries check themselves while they run
   bool coverage = false;  ///< the sketch's own lines are counted (coverage.h); for the host only
+  /// Of what lies outside of the sketch's folder it sees its libraries alone: not what it shares (project.h).
+  bool untrusted = false;
 };
 
 struct Image {

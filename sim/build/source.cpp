@@ -16,8 +16,6 @@ bool is_source(const fs::path& path) {
   return extension == ".cpp" || extension == ".c" || extension == ".cc" || extension == ".cxx";
 }
 
-namespace {
-
 bool is_ino(const fs::path& path) { return path.extension() == ".ino" || path.extension() == ".pde"; }
 
 bool is_header(const fs::path& path) {
@@ -25,6 +23,8 @@ bool is_header(const fs::path& path) {
   return extension == ".h" || extension == ".hpp" || extension == ".hh" || extension == ".ipp" ||
          extension == ".tpp" || extension == ".inc";
 }
+
+namespace {
 
 bool hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }
 

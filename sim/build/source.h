@@ -18,6 +18,8 @@ struct Sketch {
 
 /// Whether the file is compiled by itself: C or C++.
 bool is_source(const std::filesystem::path& path);
+bool is_header(const std::filesystem::path& path);
+bool is_ino(const std::filesystem::path& path);
 
 /// Reads the folder by Arduino's rules. Throws InputError.
 Sketch read_sketch(const std::filesystem::path& path);

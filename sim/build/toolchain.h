@@ -75,6 +75,7 @@ struct Toolchain {
   bool sanitize = false;
   bool coverage = false;
   Registers registers = Registers::objects;
+  bool untrusted = false;
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

@@ -57,6 +57,7 @@ Command parse_run(const Words& words) {
                "which lines of the sketch ran, over all runs with this DIR (host only)");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
   options.text("--gdb", port, "PORT", "wait at this port for gdb, which then halts sketch and world (chip)");
+  options.flag("--untrusted", run.untrusted, kUntrusted);
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
   options.flag("--json", run.json, "print the result as JSON");

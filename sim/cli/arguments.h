@@ -19,6 +19,7 @@ struct RunArguments : launch::Launch {
   std::vector<std::string> record;  ///< files
   std::vector<std::string> plot;    ///< files
   std::string coverage;             ///< a folder; empty = nothing is counted
+  bool chip_only = false;           ///< no target named is that of the robot's board, not the host
   bool view = false;
   double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
   bool json = false;
@@ -144,6 +145,7 @@ struct TestArguments {
   std::string checks;    ///< a file for all sketches; empty = the checks.toml beside each
   std::string junit;     ///< a file; empty = none
   std::size_t jobs = 1;  ///< runs at a time
+  bool untrusted = false;
 };
 
 /// `robosim new`

@@ -31,6 +31,7 @@ launch::Listener listener_of(tui::Progress& progress, Says says) {
   launch::Listener listener;
   if (says.choices)
     listener.chosen = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };
+  listener.lacking = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };
   listener.compiling = [&progress](const std::string& sketch) { progress.say("compiling " + sketch + " …"); };
   listener.compiled = [&progress, says](const build::Image& image) {
     progress.clear();

@@ -37,6 +37,9 @@ class Options {
   std::unique_ptr<App> app_;
 };
 
+/// Of --untrusted.
+constexpr const char* kUntrusted = "somebody else's sketch: go on only where this machine can confine it";
+
 constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
 
 /// "--seed: “x” is not possible; it must be `allowed`".

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/launch/trust.h"
 
 namespace robosim::launch {
 
 Chosen choose(const Launch& launch) {
   Chosen chosen;
   chosen.sketch = choose_sketch(launch.sketch);
+  if (launch.untrusted) check_folder(chosen.sketch);
   chosen.target = choose_target(launch.target, chosen.sketch);
   if (launch.sanitize) name_flag("--sanitize", [&] { build::check_can_sanitize(chosen.target); });
   chosen.map = choose_map(launch.map, chosen.sketch.folder);
@@ -63,32 +65,31 @@ build::Image image_of(const SketchChoice& sketch, const build::Request& request,
   return image;
 }
 
-void Launcher::tell(const std::string& sentence) {
-  if (listener_.chosen && !sentence.empty() && told_.insert(sentence).second) listener_.chosen(sentence);
+void Launcher::tell(const std::function<void(const std::string&)>& to, const std::string& sentence) {
+  if (to && !sentence.empty() && told_.insert(sentence).second) to(sentence);
 }
 
 const build::Image& Launcher::image(const SketchChoice& sketch, const build::Request& request) {
-  std::string key = fmt::format("{}\n{}\n{}\n{}\n{}", sketch.path.string(), request.board.name,
-                                request.target, request.sanitize, request.coverage);
+  std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", sketch.path.string(), request.board.name,
+                                request.target, request.sanitize, request.coverage, request.untrusted);
   for (const std::filesystem::path& folder : request.libraries) key += "\n" + folder.string();
   const auto known = images_.find(key);
   if (known != images_.end()) return known->second;
   return images_.emplace(key, image_of(sketch, request, listener_)).first->second;
 }
 
-Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& describe) {
-  tell(chosen.map.announcement);
-  tell(chosen.robot.announcement);
+Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& describe,
+                           const wire::Hello& runner) {
+  for (const std::string& sentence : lacks(launch, chosen, runner)) tell(listener_.lacking, sentence);
+  tell(listener_.chosen, chosen.map.announcement);
+  tell(listener_.chosen, chosen.robot.announcement);
   Carrier carrier = fit_to_target(chosen.robot, chosen.target, describe);
-  tell(carrier.announcement);
-  if (chosen.sketch.path.extension() == ".hex")
-    tell(
-        "a .hex has no names: its loop() is not timed, its heap is not known, and where it crashes or waits "
-        "is said by address; its .elf tells more");
+  tell(listener_.chosen, carrier.announcement);
   build::Request wanted{chosen.sketch.path, board_of(carrier.info), chosen.target};
   wanted.libraries.assign(launch.libraries.begin(), launch.libraries.end());
   wanted.sanitize = launch.sanitize;
   wanted.coverage = launch.count_lines;
+  wanted.untrusted = launch.untrusted;
   const build::Image& built = image(chosen.sketch, wanted);
   Prepared run{std::move(chosen.sketch),
                std::move(chosen.map),
@@ -97,7 +98,12 @@ Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& 
                std::move(carrier.info),
                std::move(wanted),
                built,
-               launch.request};
+               launch.request,
+               ""};
+  if (run.sketch.path.extension() == ".hex")
+    run.remark =
+        "a .hex has no names: its loop() is not timed, its heap is not known, and where it crashes or waits "
+        "is said by address; its .elf tells more";
   run.request.image = run.image.image.string();
   run.request.map = run.map.path.string();
   run.request.robot = run.robot.path.string();

@@ -4,7 +4,7 @@
 //   Launch launch;
 //   launch.sketch = "PidFollower"; launch.target = "avr"; launch.request.goal = "laps:3";
 //   Launcher launcher;
-//   const Prepared run = launcher.prepare(launch, choose(launch), describe);
+//   const Prepared run = launcher.prepare(launch, choose(launch), describe, runner.hello());
 //   runner.run(run.request);
 #pragma once
 
@@ -31,6 +31,7 @@ struct Launch {
   std::vector<std::string> libraries;  ///< folders
   bool sanitize = false;               ///< the sketch checks itself
   bool count_lines = false;            ///< which of the sketch's lines run
+  bool untrusted = false;              ///< somebody else's: what this machine cannot confine is not run
   wire::RunRequest request;            ///< goal, seed …; image, map and robot are put in by Launcher
 };
 
@@ -54,11 +55,13 @@ struct Prepared {
   build::Request wanted;  ///< what the image was built from; of a finished image, what it would have been
   build::Image image;
   wire::RunRequest request;
+  std::string remark;  ///< what its result will lack, once there is one; empty = nothing
 };
 
 /// Who is told what happens meanwhile; any may be empty.
 struct Listener {
-  std::function<void(const std::string& sentence)> chosen;  ///< for the user, who has named nothing
+  std::function<void(const std::string& sentence)> chosen;   ///< for the user, who has named nothing
+  std::function<void(const std::string& sentence)> lacking;  ///< what this machine cannot confine (trust.h)
   std::function<void(const std::string& sketch)> compiling;
   std::function<void(const build::Image&)> compiled;
 };
@@ -71,11 +74,11 @@ class Launcher {
  public:
   explicit Launcher(Listener listener = {}) : listener_(std::move(listener)) {}
 
-  /// Throws InputError, ToolMissing, and what `describe` throws.
-  Prepared prepare(const Launch& launch, Chosen chosen, const Describe& describe);
+  /// `runner`: who will run it, or the host's. Throws InputError, ToolMissing, and what `describe` throws.
+  Prepared prepare(const Launch& launch, Chosen chosen, const Describe& describe, const wire::Hello& runner);
 
  private:
-  void tell(const std::string& sentence);
+  void tell(const std::function<void(const std::string&)>& to, const std::string& sentence);
   const build::Image& image(const SketchChoice& sketch, const build::Request& request);
 
   Listener listener_;

@@ -102,7 +102,8 @@ class Drive {
   void begin() {
     launch::Launcher launcher;
     launch::Prepared prepared = launcher.prepare(
-        launch_, choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); });
+        launch_, choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); },
+        runner_.hello());
     if (console_.is_live()) {
       runner_.keep_close();
       scene_.emplace(fmt::format("{} · {} on {}", act_.sketch, act_.robot, map_.name), map_,

@@ -110,7 +110,8 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   request.serial = request.notes = true;
 
   launch::Prepared run = launcher().prepare(
-      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
+      runner.hello());
   const fs::path whole = fs::absolute(run.sketch.path).lexically_normal();  // "." has a name, too
   stage.sketch_title = launch::is_path(trial.sketch)
                            ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()

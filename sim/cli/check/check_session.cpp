@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "sim/base/robot_name.h"
+#include "sim/build/project.h"
 #include "sim/build/sketch.h"
-#include "sim/build/source.h"
 #include "sim/launch/names.h"
+#include "sim/launch/trust.h"
 #include "sim/wire/protocol.h"
 
 namespace robosim::cli {
@@ -75,6 +77,32 @@ std::string run_text(const SweepPlan& plan, std::size_t run) {
                      in.target);
 }
 
+/// Throws InputError where a check wants more than an untrusted sketch gets. Where `folder` is not empty, all
+/// files that the check names have to lie there.
+void confine(Check& check, const fs::path& folder) {
+  SweepArguments& sweep = check.sweep;
+  sweep.each.untrusted = sweep.each.chip_only = true;
+  for (const std::string& target : sweep.targets)
+    if (target == "host")
+      throw InputError(
+          check.place,
+          "target is host, where a sketch shares the memory of its judge; with --untrusted it is avr "
+          "or stm32, or left out: then it is that of the robot's board");
+  if (folder.empty()) return;
+  std::vector<std::string> files = sweep.each.libraries;
+  if (!sweep.each.script.empty()) files.push_back(sweep.each.script);
+  for (const auto* names : {&sweep.maps, &sweep.robots})
+    for (const std::string& name : *names)
+      if (launch::is_path(parse_robot_name(name).robot)) files.push_back(parse_robot_name(name).robot);
+  std::error_code error;
+  for (const std::string& file : files)
+    if (fs::exists(file, error) && !build::lies_in(file, folder))
+      throw InputError(check.place,
+                       fmt::format("{} is outside of the sketch's folder; with --untrusted the checks "
+                                   "beside a sketch name no such file, those of --checks may",
+                                   file));
+}
+
 analysis::Demand demand_of(const Check& check) {
   return {check.sweep.min_rate.value_or(1.0), check.sweep.sure};
 }
@@ -89,6 +117,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
   try {
     const launch::SketchChoice choice = launch::choose_sketch(sketch);
     folder = choice.folder;
+    if (untrusted_) launch::check_folder(choice);
     if (choice.elf_target.empty()) build::read_sketch(choice.path);
     const fs::path beside =
         choice.folder == fs::current_path() ? "checks.toml" : choice.folder / "checks.toml";
@@ -101,6 +130,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
     }
     for (Check check : read_checks(result.checks)) {
       if (!sketch.empty()) check.sweep.sketches = {sketch};
+      if (untrusted_) confine(check, file.empty() ? choice.folder : "");
       CheckResult& planned = result.results.emplace_back();
       planned.name = check.name;
       planned.place = check.place;

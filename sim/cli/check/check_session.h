@@ -15,7 +15,10 @@ namespace robosim::cli {
 
 class CheckSession {
  public:
-  explicit CheckSession(SweepPlanner& planner) : planner_(planner) {}
+  /// `untrusted`: the sketches are somebody else's. They run on chips; and checks beside them, which are
+  /// somebody else's, too, name no file outside of the sketch's folder.
+  explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
+      : planner_(planner), untrusted_(untrusted) {}
 
   /// Reads the sketch's checks (`file`, or those beside it if that is empty) and compiles. What is wrong with
   /// a sketch or a file becomes its result.
@@ -53,6 +56,7 @@ class CheckSession {
   CheckResult& result_of(const Planned& planned) { return sketches_[planned.sketch].results[planned.result]; }
 
   SweepPlanner& planner_;
+  bool untrusted_;
   std::vector<SketchResult> sketches_;
   std::deque<Planned> planned_;
   std::vector<Run> runs_;

@@ -16,6 +16,8 @@ Command parse_test(const std::vector<std::string>& words) {
   options.text("--checks", test.checks, "FILE", "these checks for all sketches, in place of their own");
   options.text("--junit", test.junit, "FILE", "the results as JUnit XML too");
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
+  options.flag("--untrusted", test.untrusted,
+               "somebody else's sketches: on a chip, which they cannot leave, and compilers are confined");
   if (const auto help = options.parse(words)) return PrintText{*help};
   test.jobs = number_of_jobs(jobs);
   return test;

@@ -42,7 +42,12 @@ int test_command(const TestArguments& arguments) {
   const bool several = sketches.size() > 1;
   tui::Progress progress(true);
   SweepPlanner planner(progress, {false, !several});
-  CheckSession session(planner);
+  CheckSession session(planner, arguments.untrusted);
+  if (arguments.untrusted && arguments.checks.empty())
+    complain(
+        "robosim: each sketch is held to the checks.toml in its own folder, which is as its author has left "
+        "it; "
+        "--checks FILE holds all of them to one of yours\n");
   for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
   const bool complete = make_runs(session, arguments.jobs, progress);
   progress.clear();

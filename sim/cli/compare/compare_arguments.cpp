@@ -31,6 +31,7 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.texts("--send", compare.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
   options.texts("--libraries", compare.each.libraries, "DIR",
                 "a folder of Arduino libraries; may be repeated");
+  options.flag("--untrusted", compare.each.untrusted, kUntrusted);
   options.flag("--json", compare.json, "print the result as JSON, a line for each seed");
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (!seed.empty() && !seeds.empty()) throw InputError("--seed is one, --seeds are many; give one of them");

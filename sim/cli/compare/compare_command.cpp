@@ -70,7 +70,8 @@ class CompareCommand {
       launch::Chosen chosen = choose(launch);
       client::Runner runner(target);
       launch::Prepared run = launcher.prepare(
-          launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+          launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
+          runner.hello());
       lanes_.push_back({std::move(runner), std::move(run)});
     }
     map_.emplace(grid::read_map(lanes_[0].run.request.map));

@@ -177,7 +177,8 @@ int run_command(const RunArguments& arguments) {
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress));
   const launch::Prepared run = launcher.prepare(
-      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); });
+      launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
+      runner.hello());
   const BoardSpec& board = launch::board_of(run.robot_info);
   const bool is_built = run.sketch.elf_target.empty();
 
@@ -192,6 +193,7 @@ int run_command(const RunArguments& arguments) {
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
+  if (!run.remark.empty()) complain(fmt::format("robosim: {}\n", run.remark));
   recorders.finish(result);
   std::optional<Finding> finding;
   std::string next = next_of(result);

@@ -112,6 +112,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.texts("--libraries", sweep.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.flag("--sanitize", sweep.each.sanitize,
                "the sketch checks itself, as with run --sanitize (host only)");
+  options.flag("--untrusted", sweep.each.untrusted, kUntrusted);
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (!seeds.empty()) read_seeds(seeds, sweep.first_seed, sweep.last_seed);
   sweep.jobs = number_of_jobs(jobs);

@@ -10,6 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
+#include "sim/launch/trust.h"
 
 namespace robosim::cli {
 namespace {
@@ -38,6 +39,7 @@ std::string options_of(const RunArguments& each) {
   for (const std::string& send : each.send) add("--send", send);
   for (const std::string& folder : each.libraries) add("--libraries", folder);
   if (each.sanitize) text += " --sanitize";
+  if (each.untrusted) text += " --untrusted";
   return text;
 }
 
@@ -54,11 +56,13 @@ class SweepSupplies {
   SweepSupplies(tui::Progress& progress, Says says) : launcher_(listener_of(progress, says)) {}
 
   launch::Prepared prepare(const launch::Launch& launch, launch::Chosen chosen) {
-    return launcher_.prepare(launch, std::move(chosen),
-                             [this](const std::string& name) { return robot(name); });
+    return launcher_.prepare(launch, std::move(chosen), describe_, describer().hello());
   }
 
-  const std::string& version() const { return describer_->hello().version; }
+  /// Of a launch that asks for a chip and names none.
+  std::string chip_target(const launch::Launch& launch) { return launch::chip_target(launch, describe_); }
+
+  const std::string& version() { return describer().hello().version; }
 
   const std::string& hash_of_file(const std::string& path) {
     const auto known = hashes_.find(path);
@@ -70,11 +74,15 @@ class SweepSupplies {
   const wire::RobotInfo& robot(const std::string& name) {
     const auto known = robots_.find(name);
     if (known != robots_.end()) return known->second;
+    return robots_.emplace(name, describer().describe_robot(name)).first->second;
+  }
+  client::Runner& describer() {
     if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
-    return robots_.emplace(name, describer_->describe_robot(name)).first->second;
+    return *describer_;
   }
 
   launch::Launcher launcher_;
+  launch::Describe describe_ = [this](const std::string& name) { return robot(name); };
   std::optional<client::Runner> describer_;
   std::map<std::string, wire::RobotInfo> robots_;
   std::map<std::string, std::string> hashes_;
@@ -98,6 +106,7 @@ class Combiner {
           launch.map = map;
           launch.robot = robot;
           launch.target = target;
+          if (target.empty() && arguments_.each.chip_only) launch.target = supplies_.chip_target(launch);
         }
       }
     }

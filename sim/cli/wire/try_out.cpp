@@ -44,9 +44,9 @@ wire::RunResult TryOut::run(const wiring::RobotDraft& draft, double for_s, const
   launch_.request.goal = goal;
   launch_.request.for_ns = to_ns(for_s);
   launch_.request.pins = launch_.request.io = history != nullptr;
-  const launch::Prepared run =
-      launcher_.prepare(launch_, launch::choose(launch_),
-                        [&](const std::string& name) { return runner_.describe_robot(name); });
+  const launch::Prepared run = launcher_.prepare(
+      launch_, launch::choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); },
+      runner_.hello());
   const client::Interrupts interrupts(runner_);
   if (!history) return runner_.run(run.request);
   history->begin();

@@ -47,8 +47,10 @@ TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
 TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {
   write("Reader/Reader.ino", "#include \"/etc/passwd\"\nvoid setup() {}\nvoid loop() {}\n");
   EXPECT_EQ(error_of("Reader"),
-            "Reader.ino:1:10: /etc/passwd is no file of the sketch, its libraries or the core, or may not be "
-            "read: compilers see nothing else of this machine");
+            "Reader.ino:1:10: /etc/passwd is no file of the sketch, its project, its libraries or the core, "
+            "or may not be "
+            "read: compilers see nothing else of this machine. --libraries DIR names a folder of code that "
+            "sketches share");
 }
 
 TEST_F(WallsTest, HoldForLinksInTheSketchToo) {

@@ -32,8 +32,8 @@ class LaunchTest : public ::testing::Test {
     return launch;
   }
   Prepared prepare(const Launch& launch) {
-    Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}});
-    return launcher.prepare(launch, choose(launch), describe);
+    Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}, {}});
+    return launcher.prepare(launch, choose(launch), describe, {});
   }
   /// All but the Blue Pills are Unos.
   static wire::RobotInfo describe(const std::string& robot) {
@@ -94,9 +94,9 @@ TEST_F(LaunchTest, RefusesATargetThatAFinishedImageIsNotFor) {
 }
 
 TEST_F(LaunchTest, TellsOfSeveralRunsOnceWhatTheyShare) {
-  Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}});
+  Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}, {}});
   const Launch launch = launch_of("uno.elf");
-  for (int i = 0; i < 3; ++i) launcher.prepare(launch, choose(launch), describe);
+  for (int i = 0; i < 3; ++i) launcher.prepare(launch, choose(launch), describe, {});
   EXPECT_EQ(told_.size(), 2u);
 }
 

@@ -1,0 +1,44 @@
+#include "sim/launch/trust.h"
+
+#include <fmt/format.h>
+
+#include "sim/build/project.h"
+#include "sim/build/walls.h"
+
+namespace robosim::launch {
+namespace {
+
+struct Lack {
+  const char* what;
+  const char* else_;  ///< what comes of it
+  std::string why;
+};
+
+}  // namespace
+
+std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const wire::Hello& host_runner) {
+  std::vector<Lack> found;
+  if (const std::string why = build::Walls::missing(); chosen.sketch.elf_target.empty() && !why.empty())
+    found.push_back({"compilers", "a sketch can make them read any file that you may read", why});
+  const bool matters = launch.untrusted || host_runner.sandbox == "missing";
+  if (chosen.target == "host" && matters && !host_runner.no_sandbox_why.empty())
+    found.push_back({"runs on the host", "a sketch can do whatever you may do", host_runner.no_sandbox_why});
+  std::vector<std::string> sentences;
+  for (const Lack& lack : found) {
+    if (launch.untrusted)
+      throw ToolMissing(fmt::format("--untrusted: {} cannot be confined here: {}", lack.what, lack.why));
+    sentences.push_back(fmt::format("{} are not confined here: {}; {}", lack.what, lack.why, lack.else_));
+  }
+  return sentences;
+}
+
+void check_folder(const SketchChoice& sketch) { build::check_links(sketch.folder); }
+
+std::string chip_target(const Launch& launch, const Describe& describe) {
+  const SketchChoice sketch = choose_sketch(launch.sketch);
+  if (!sketch.elf_target.empty()) return sketch.elf_target;
+  const Choice robot = choose_robot(launch.robot, sketch.folder);
+  return board_of(describe(robot.path.string())).chip->target;
+}
+
+}  // namespace robosim::launch

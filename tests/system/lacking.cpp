@@ -1,0 +1,25 @@
+// lacking landlock|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that: its calls fail
+// as a kernel answers what it does not know.
+#include <seccomp.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+int main(int count, char** words) {
+  if (count < 3) return 99;
+  const bool all = std::strcmp(words[1], "sandbox") == 0;
+  const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+  int faults = 0;
+  if (all || std::strcmp(words[1], "landlock") == 0)
+    faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(landlock_create_ruleset), 0);
+  if (all || std::strcmp(words[1], "seccomp") == 0) {
+    faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(seccomp), 0);
+    faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1,
+                               SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
+  }
+  if (faults != 0 || seccomp_load(filter) != 0) return 99;
+  ::execv(words[2], words + 2);
+  return 99;
+}

@@ -1,0 +1,287 @@
+// --untrusted: sketches of somebody else are run where this machine can confine them, and are graded on a
+// chip. docs/security.md says what that holds off.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "sim/build/process.h"
+#include "sim/build/sketch.h"
+#include "sim/build/walls.h"
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kLap =
+    "[[check]]\nname = \"drives a lap\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"laps:1\"\nfor = "
+    "\"30s\"\n";
+
+std::string empty_sketch(const std::string& begin) { return begin + "\nvoid setup() {}\nvoid loop() {}\n"; }
+
+/// Follows the line with a controller of ours, faster or slower.
+std::string follower(int speed) {
+  return "#include <LineKit.h>\nconst uint8_t PINS[] = {A0, A1, A2, A3, A4};\nAnalogLineSensors "
+         "sensors(PINS);\n"
+         "DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));\nPidController pid(80, 0, 3);\n"
+         "void setup() { sensors.begin(); sensors.setRange(110, 880); motors.begin(); pid.setLimits(-200, "
+         "200); }\n"
+         "void loop() {\n  sensors.read();\n  float turn = pid.update(sensors.position() / 1000.0, 0.005);\n"
+         "  motors.drive(" +
+         std::to_string(speed) + " + turn, " + std::to_string(speed) + " - turn);\n  delay(5);\n}\n";
+}
+
+/// Follows it, or not, with nothing but Arduino's functions. `sees`: "%d" stands for a sensor's number.
+std::string by_hand(int speed, bool looks) {
+  const auto sees = [&](const char* one, const char* other) {
+    if (!looks) return std::string("false");
+    return std::string("analogRead(") + one + ") > 400 || analogRead(" + other + ") > 400";
+  };
+  const std::string fast = std::to_string(speed);
+  return "void drive(int left, int right) {\n"
+         "  digitalWrite(7, left > 0); digitalWrite(8, left < 0); analogWrite(5, abs(left));\n"
+         "  digitalWrite(9, right > 0); digitalWrite(10, right < 0); analogWrite(6, abs(right));\n}\n"
+         "void setup() { for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT); }\nvoid loop() {\n  if (" +
+         sees("A0", "A1") + ") drive(30, " + fast + ");\n  else if (" + sees("A3", "A4") + ") drive(" + fast +
+         ", 30);\n  else drive(" + fast + ", " + fast + ");\n  delay(2);\n}\n";
+}
+
+class Untrusted : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!build::Walls::missing().empty()) GTEST_SKIP() << build::Walls::missing();
+    needs_target("avr");
+    folder_.write("class.toml", kLap);
+    folder_.write("secret/secret.h", "const int secret = 42;\n");
+  }
+  Ended robosim(std::vector<std::string> words) const {
+    return robosim_command(std::move(words), folder_.path());
+  }
+  /// On a kernel that lacks that (lacking.cpp).
+  Ended without(const std::string& what, std::vector<std::string> words) const {
+    words.insert(words.begin(), {what, ROBOSIM_COMMAND});
+    return robosim_command(std::move(words), folder_.path(), nullptr, "/dev/null", ROBOSIM_LACKING);
+  }
+  void write_hostile_ones() const {
+    folder_.write("pupils/eve/eve.ino", empty_sketch("#include \"/etc/passwd\""));
+    folder_.write("pupils/mallory/mallory.ino", empty_sketch("#include \"notes.h\""));
+    std::filesystem::create_symlink("../../secret/secret.h", folder_ / "pupils/mallory/notes.h");
+    folder_.write("pupils/oscar/oscar.ino", empty_sketch("asm(\".incbin \\\"../../secret/secret.h\\\"\");"));
+  }
+
+  Folder folder_;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
+  std::vector<std::string> words{"test", "--untrusted", "--checks", "class.toml"}, due;
+  const auto hand_in = [&](const std::string& name, const std::string& text, const char* verdict) {
+    folder_.write("pupils/" + name + "/" + name + ".ino", text);
+    due.push_back(verdict);
+  };
+  for (int i = 0; i < 10; ++i) hand_in("a" + std::to_string(i), follower(100 + 4 * i), "passed");
+  for (int i = 0; i < 8; ++i) hand_in("b" + std::to_string(i), by_hand(104 + 2 * i, true), "passed");
+  for (int i = 0; i < 5; ++i) hand_in("c" + std::to_string(i), by_hand(90 + 10 * i, false), "lost");
+  for (int i = 0; i < 2; ++i)
+    hand_in(
+        "d" + std::to_string(i),
+        "void setup() { Serial.begin(9600); Serial.println(F(\"{\\\"id\\\":2,\\\"result\\\":{\\\"verdict\\\":"
+        "\\\"reached\\\",\\\"status\\\":0}}\")); }\nvoid loop() { delay(1); }\n",
+        "timeout");
+  for (int i = 0; i < 2; ++i) hand_in("e" + std::to_string(i), empty_sketch("int x = ;"), "expected");
+  write_hostile_ones();
+  due.insert(due.end(), 3, "outside");
+  for (const auto& pupil : std::filesystem::directory_iterator(folder_ / "pupils"))
+    words.push_back("pupils/" + pupil.path().filename().string() + "/");
+  std::sort(words.begin() + 4, words.end());
+  ASSERT_EQ(words.size(), 4 + 30u);
+
+  const Ended ended = robosim(words);
+  EXPECT_EQ(ended.status, 2) << ended.err;
+  std::vector<std::string> lines = lines_of(ended.out);
+  ASSERT_EQ(lines.size(), 31u) << ended.out;
+  EXPECT_EQ(lines.back(), "18 of 30 sketches passed all checks");
+  for (std::size_t i = 0; i < 30; ++i) {
+    const std::string verdict = due[i];
+    if (verdict == "outside") {
+      EXPECT_THAT(lines[i],
+                  AllOf(HasSubstr("  ERROR   "), testing::AnyOf(HasSubstr("is no file of the sketch"),
+                                                                HasSubstr("outside of the sketch's"))));
+    } else {
+      EXPECT_THAT(lines[i], HasSubstr(verdict));
+    }
+  }
+  EXPECT_THAT(ended.out, AllOf(Not(HasSubstr("42")), Not(HasSubstr("root:"))));
+}
+
+TEST_F(Untrusted, RunsAreOnTheChipOfTheRobotsBoardAndTheHostIsRefused) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  const std::string check =
+      "[[check]]\nname = \"waits\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"none\"\nfor = \"50ms\"\n";
+  folder_.write("checks.toml", check);
+  EXPECT_EQ(robosim({"test", "--untrusted", "./S", "--checks", "checks.toml"}).out,
+            "passed  waits  oval · uno5 · avr  reached after 0.05 s\n1 of 1 check passed\n");
+  folder_.write("checks.toml", check + "target = [\"avr\", \"host\"]\n");
+  const Ended host = robosim({"test", "--untrusted", "./S", "--checks", "checks.toml"});
+  EXPECT_EQ(host.status, 2);
+  EXPECT_THAT(host.err,
+              StartsWith("robosim: checks.toml:1:1: target is host, where a sketch shares the memory of "
+                         "its judge; with --untrusted it is avr or stm32"));
+}
+
+TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOfItsFolder) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  const auto with = [&](const std::string& line) {
+    folder_.write("S/checks.toml",
+                  "[[check]]\nname = \"a\"\ngoal = \"none\"\nfor = \"10ms\"\n" + line + "\n");
+    return robosim({"test", "--untrusted", "./S"});
+  };
+  EXPECT_EQ(with("map = \"oval\"\nrobot = \"uno5\"").status, 0);
+  EXPECT_THAT(with("").err,
+              HasSubstr("the checks.toml in its own folder, which is as its author has left it"));
+  for (const char* line : {"map = \"../secret/secret.h\"", "map = \"/etc/passwd\"",
+                           "robot = \"../secret/secret.h\"", "script = \"../secret/secret.h\"",
+                           "libraries = \"../secret\"", "robot = \"../secret/secret.h@nano\""}) {
+    const Ended ended = with(line);
+    EXPECT_EQ(ended.status, 2) << line;
+    EXPECT_THAT(ended.err,
+                AllOf(HasSubstr("S/checks.toml:1:1: "), HasSubstr("is outside of the sketch's folder")))
+        << line;
+  }
+}
+
+TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
+  for (const char* link : {"S.ino", "robot.toml", "oval.map", "src", "libraries", "checks.toml"}) {
+    SCOPED_TRACE(link);
+    std::filesystem::remove_all(folder_ / "S");
+    folder_.write("S/T.ino", empty_sketch(""));
+    std::filesystem::create_symlink("/etc/passwd", folder_ / "S" / link);
+    for (const char* command : {"run", "sweep", "compare", "test"}) {
+      const Ended ended = robosim({command, "--untrusted", "./S"});
+      EXPECT_EQ(ended.status, 2);
+      EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": is a link to /etc/passwd, outside"));
+    }
+  }
+}
+
+TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  folder_.write("T/T.ino", empty_sketch(""));
+  const std::vector<std::string> how{"--map", "oval", "--robot", "uno5", "--goal", "none", "--for", "10ms"};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), how.begin(), how.end());
+    return words;
+  };
+  const auto refused = [&](const char* what, std::vector<std::string> words) {
+    words.insert(words.begin() + 1, "--untrusted");
+    const Ended ended = without(what, words);
+    EXPECT_EQ(ended.status, 5) << words[0] << ended.out;
+    return ended.err;
+  };
+  const auto told = [&](const char* what, const std::vector<std::string>& words) {
+    const Ended ended = without(what, words);
+    EXPECT_EQ(ended.status, 0) << words[0] << ended.err;
+    return ended.err;
+  };
+  const std::string compilers =
+      "robosim: compilers are not confined here: the kernel has no Landlock; a sketch can "
+      "make them read any file that you may read\n";
+  const std::string runs =
+      "robosim: runs on the host are not confined here: the kernel has no filter of system calls "
+      "(seccomp); a sketch can do whatever you may do\n";
+  EXPECT_EQ(told("landlock", with({"run", "./S"})), compilers);
+  EXPECT_EQ(told("seccomp", with({"run", "./S"})), runs);
+  EXPECT_EQ(told("sandbox", with({"run", "./S"})), compilers + runs);
+  EXPECT_EQ(told("sandbox", with({"sweep", "./S", "./T", "--seeds", "1..3"})), compilers + runs) << "once";
+  EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware is data there";
+
+  EXPECT_EQ(refused("landlock", with({"run", "./S"})),
+            "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock\n");
+  EXPECT_THAT(
+      refused("seccomp", with({"run", "./S"})),
+      StartsWith("robosim: --untrusted: runs on the host cannot be confined here: the kernel has no filter"));
+  refused("seccomp", with({"sweep", "./S", "--seeds", "1..3"}));
+  refused("seccomp", with({"compare", "./S"}));
+  folder_.write(
+      "checks.toml",
+      "[[check]]\nname = \"a\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"none\"\nfor = \"10ms\"\n");
+  EXPECT_EQ(told("landlock", {"test", "./S", "./T", "--checks", "checks.toml"}), compilers) << "once";
+  EXPECT_EQ(without("landlock", {"test", "--untrusted", "./S", "--checks", "checks.toml"}).status, 5);
+  EXPECT_EQ(without("seccomp", {"test", "--untrusted", "./S", "--checks", "checks.toml"}).status, 0)
+      << "nothing runs on the host";
+}
+
+/// What `path` of a call that strace has noted is, if the call succeeded and names one.
+std::string opened(const std::string& line) {
+  if (line.find(" = -1 ") != line.npos || line.find("resumed>") != line.npos) return "";
+  const std::size_t begin = line.find('"');
+  return begin == line.npos ? "" : line.substr(begin + 1, line.find('"', begin + 1) - begin - 1);
+}
+
+TEST_F(Untrusted, ReadsAndWritesNothingOutsideAsStraceSees) {
+  const auto strace = build::find_program("strace");
+  if (strace.empty()) GTEST_SKIP() << "there is no strace";
+  folder_.write("pupils/anna/anna.ino", by_hand(110, true));
+  write_hostile_ones();
+  std::filesystem::create_directories(folder_ / "tmp");
+  std::filesystem::create_directories(folder_ / "home");
+  const std::string cache = (folder_ / "home/.cache").string();
+  const Ended ended = robosim_command({"-f",
+                                       "-qq",
+                                       "-s",
+                                       "4096",
+                                       "-e",
+                                       "signal=none",
+                                       "-e",
+                                       "trace=open,openat,creat,rename,renameat,renameat2,unlink,unlinkat,"
+                                       "mkdir,mkdirat,link,linkat,symlink,symlinkat,truncate,socket,connect",
+                                       "-o",
+                                       "trace",
+                                       "-E",
+                                       "HOME=" + (folder_ / "home").string(),
+                                       "-E",
+                                       "XDG_CACHE_HOME=" + cache,
+                                       "-E",
+                                       "TMPDIR=" + (folder_ / "tmp").string(),
+                                       ROBOSIM_COMMAND,
+                                       "test",
+                                       "--untrusted",
+                                       "--checks",
+                                       "class.toml",
+                                       "pupils/anna/",
+                                       "pupils/eve/",
+                                       "pupils/mallory/",
+                                       "pupils/oscar/"},
+                                      folder_.path(), nullptr, "/dev/null", strace.string());
+  EXPECT_THAT(ended.out, EndsWith("1 of 4 sketches passed all checks\n")) << ended.err;
+  for (const std::string& line : lines_of(read_file(folder_ / "trace"))) {
+    EXPECT_THAT(line, Not(HasSubstr("socket(")));
+    const std::string path = opened(line);
+    EXPECT_THAT(path, AllOf(Not(HasSubstr("secret")), Not(testing::HasSubstr("/etc/passwd")))) << line;
+    const bool writes = line.find("O_WRONLY") != line.npos || line.find("O_RDWR") != line.npos ||
+                        line.find("open") == line.npos;
+    const bool scratch =
+        path.starts_with(folder_.path().string()) || path.starts_with("/dev/null") || !path.starts_with("/");
+    EXPECT_TRUE(!writes || path.empty() || scratch) << line;
+  }
+}
+
+}  // namespace
+}  // namespace robosim::test
