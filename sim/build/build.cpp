@@ -294,6 +294,7 @@ class Build {
     const std::string header = missing_header(failed.output, &place);
     if (header.empty()) return false;
     place.file = readable(toolchain_, sketch_.folder, place.file);
+    check_seen(sketch_.folder, place, header);
     const Library* library = finder_.find(header);
     if (!library) fail_without_library(toolchain_, core_, finder_, place, header);
     const bool known = std::any_of(libraries_.begin(), libraries_.end(),

@@ -120,6 +120,20 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::st
   return output;
 }
 
+constexpr const char* kNotSeen =
+    " is no file of the sketch, its project, its libraries or the core, or may not be read: compilers see "
+    "nothing else of this machine. --libraries DIR names a folder of code that sketches share";
+
+void check_seen(const fs::path& sketch, const Place& place, const std::string& header) {
+  const fs::path named = header, from = (sketch / place.file).parent_path();
+  std::error_code none;
+  for (const fs::path& file : {from / named, sketch / named}) {
+    const bool outside =
+        named.is_absolute() || header.find("..") != header.npos || fs::is_symlink(file, none);
+    if (outside && fs::exists(file, none)) throw CompileError(place, header + kNotSeen);
+  }
+}
+
 // What the walls around a compiler made of it.
 void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
@@ -130,9 +144,6 @@ void fail_at_walls(const std::string& messages) {
   if (says("out of memory allocating") || says("virtual memory exhausted") || says("memory exhausted"))
     throw CompileError(
         fmt::format("the compiler took more than {} MB of memory, and may not", kCompileBytes >> 20));
-  constexpr const char* kNotSeen =
-      " is no file of the sketch, its project, its libraries or the core, or may not be read: compilers see "
-      "nothing else of this machine. --libraries DIR names a folder of code that sketches share";
   std::smatch match;
   static const std::regex by_assembler(
       R"(Error: (?:file not found: |can't open )([^\n:]*?)(?: for reading)?(?:\n|:|$))");

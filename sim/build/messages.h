@@ -20,6 +20,9 @@ void check_machine(const std::string& tool, const std::string& output);
 /// The header that a failed compilation did not find; empty if it failed otherwise.
 std::string missing_header(const std::string& output, Place* place);
 
+/// Throws for a header that is there, and that compilers do not see: outside of what a sketch may read.
+void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
+
 /// Throws for a header that no library below the finder's folders has: MissingLibrary, or InputError where
 /// none could have it.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,

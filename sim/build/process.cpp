@@ -72,7 +72,7 @@ Child start_within(const Walls& walls, const ChildStart& start) {
     const bool ready = ::dup2(input, STDIN_FILENO) == STDIN_FILENO &&
                        ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
                        ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO &&
-                       ::chdir(start.folder.c_str()) == 0 && walls.enter();
+                       walls.enter(start.folder.c_str());
     if (ready) ::execve(words[0], words.data(), environment.data());
     return kCannotStart;
   });

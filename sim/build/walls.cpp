@@ -66,7 +66,13 @@ bool limit(int what, rlim_t most, rlim_t more = 0) {
 
 Walls::Walls(const std::vector<fs::path>& read, fs::path scratch) : scratch_(std::move(scratch)) {
   const long known = version();
-  if (known == 0) return;
+  if (known == 0) {
+    if (!NamespaceWalls::possible()) return;
+    std::vector<fs::path> all(std::begin(kSystem), std::end(kSystem));
+    all.insert(all.end(), read.begin(), read.end());
+    own_files_.emplace(all, std::vector<fs::path>{scratch_, "/dev/null"});
+    return;
+  }
   const std::uint64_t all = kAll | (known >= 3 ? kTruncate : 0);
   landlock_ruleset_attr handled{};
   handled.handled_access_fs = all;
@@ -79,12 +85,15 @@ Walls::Walls(const std::vector<fs::path>& read, fs::path scratch) : scratch_(std
   allow(rules_.get(), "/dev/null", all);
 }
 
-bool Walls::enter() const {
+bool Walls::enter(const char* folder) const {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CPU, kCompileSeconds, 5);
   limit(RLIMIT_DATA, kCompileBytes);
   limit(RLIMIT_FSIZE, kCompileBytes);
   limit(RLIMIT_CORE, 0);
+  if (own_files_ && !own_files_->enter()) return false;
+  if (::chdir(folder) != 0) return false;
+  if (own_files_) return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
   if (!rules_.is_open()) return true;
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          ::syscall(SYS_landlock_restrict_self, rules_.get(), 0) == 0;
@@ -92,7 +101,10 @@ bool Walls::enter() const {
 
 std::string Walls::missing() {
   if (version() > 0) return "";
-  return errno == EOPNOTSUPP ? "Landlock is switched off in this kernel" : "the kernel has no Landlock";
+  const bool off = errno == EOPNOTSUPP;
+  if (NamespaceWalls::possible()) return "";
+  return std::string(off ? "Landlock is switched off in this kernel" : "the kernel has no Landlock") +
+         ", and namespaces of users are not allowed";
 }
 
 }  // namespace robosim::build

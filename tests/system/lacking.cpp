@@ -1,5 +1,6 @@
-// lacking landlock|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that: its calls fail
-// as a kernel answers what it does not know.
+// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that: its
+// calls fail as a kernel answers what it does not know. "walls" are Landlock and namespaces, "sandbox" is
+// everything.
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -12,7 +13,9 @@ int main(int count, char** words) {
   const bool all = std::strcmp(words[1], "sandbox") == 0;
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
   int faults = 0;
-  if (all || std::strcmp(words[1], "landlock") == 0)
+  const bool walls = all || std::strcmp(words[1], "walls") == 0;
+  if (walls) faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(unshare), 0);
+  if (walls || std::strcmp(words[1], "landlock") == 0)
     faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(landlock_create_ruleset), 0);
   if (all || std::strcmp(words[1], "seccomp") == 0) {
     faults |= seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(seccomp), 0);

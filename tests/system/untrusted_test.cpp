@@ -201,19 +201,21 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
     return ended.err;
   };
   const std::string compilers =
-      "robosim: compilers are not confined here: the kernel has no Landlock; a sketch can "
+      "robosim: compilers are not confined here: the kernel has no Landlock, and namespaces of users are not "
+      "allowed; a sketch can "
       "make them read any file that you may read\n";
   const std::string runs =
       "robosim: runs on the host are not confined here: the kernel has no filter of system calls "
       "(seccomp); a sketch can do whatever you may do\n";
-  EXPECT_EQ(told("landlock", with({"run", "./S"})), compilers);
+  EXPECT_EQ(told("walls", with({"run", "./S"})), compilers);
   EXPECT_EQ(told("seccomp", with({"run", "./S"})), runs);
   EXPECT_EQ(told("sandbox", with({"run", "./S"})), compilers + runs);
   EXPECT_EQ(told("sandbox", with({"sweep", "./S", "./T", "--seeds", "1..3"})), compilers + runs) << "once";
   EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware is data there";
 
-  EXPECT_EQ(refused("landlock", with({"run", "./S"})),
-            "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock\n");
+  EXPECT_EQ(refused("walls", with({"run", "./S"})),
+            "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock, and "
+            "namespaces of users are not allowed\n");
   EXPECT_THAT(
       refused("seccomp", with({"run", "./S"})),
       StartsWith("robosim: --untrusted: runs on the host cannot be confined here: the kernel has no filter"));
@@ -222,10 +224,38 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
   folder_.write(
       "checks.toml",
       "[[check]]\nname = \"a\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"none\"\nfor = \"10ms\"\n");
-  EXPECT_EQ(told("landlock", {"test", "./S", "./T", "--checks", "checks.toml"}), compilers) << "once";
-  EXPECT_EQ(without("landlock", {"test", "--untrusted", "./S", "--checks", "checks.toml"}).status, 5);
+  EXPECT_EQ(told("walls", {"test", "./S", "./T", "--checks", "checks.toml"}), compilers) << "once";
+  EXPECT_EQ(without("walls", {"test", "--untrusted", "./S", "--checks", "checks.toml"}).status, 5);
   EXPECT_EQ(without("seccomp", {"test", "--untrusted", "./S", "--checks", "checks.toml"}).status, 0)
       << "nothing runs on the host";
+}
+
+TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
+  if (without("landlock", {"run", "PidFollower", "--untrusted", "--for", "10ms"}).status == 5)
+    GTEST_SKIP() << "nor has this one";
+  write_hostile_ones();
+  folder_.write("pupils/peggy/peggy.ino", empty_sketch("#include \"../../secret/secret.h\""));
+  folder_.write("pupils/trudy/trudy.ino", empty_sketch("#include <../../../../../../../etc/passwd>"));
+  for (const char* name : {"eve", "mallory", "oscar", "peggy", "trudy"}) {
+    const std::string sketch = std::string("pupils/") + name;
+    for (const char* target : {"host", "avr"}) {
+      const Ended ended =
+          without("landlock", {"run", "./" + sketch, "--map", "oval", "--robot", "uno5", "--target", target});
+      EXPECT_EQ(ended.status, 2) << name << ended.out;
+      EXPECT_THAT(ended.err, HasSubstr("is no file of the sketch")) << name;
+    }
+  }
+  folder_.write(
+      "S/S.ino",
+      "#include \"../common/kp.h\"\n#include <LineKit.h>\nvoid setup() {}\nvoid loop() { kp(); }\n");
+  folder_.write("common/kp.h", "inline int kp() { return 3; }\n");
+  for (const char* target : {"host", "avr", "stm32"}) {
+    if (!what_is_missing(target).empty()) continue;
+    const Ended ended = without("landlock", {"run", "./S", "--map", "oval", "--robot", "uno5", "--target",
+                                             target, "--goal", "none", "--for", "10ms"});
+    EXPECT_EQ(ended.status, 0) << target << ended.err;
+    EXPECT_THAT(ended.err, Not(HasSubstr("not confined")));
+  }
 }
 
 /// What `path` of a call that strace has noted is, if the call succeeded and names one.
