@@ -17,6 +17,9 @@
 
 namespace robosim::wire {
 
+/// Of an event: some hundred years.
+inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
+
 /// Sent once, before everything else.
 struct Started {
   static constexpr const char* kEvent = "started";
@@ -74,7 +77,7 @@ struct Sample {
 
 template <class V>
 void fields(V& v, Same<V, Sample>& s) {
-  v("t_us", s.t_us, "when", {.unit = "µs"});
+  v("t_us", s.t_us, "when", {.unit = "µs", .least = 0, .most = kLatest_ns / 1000});
   v("x", s.x_mm, "of the axle's centre, east of the map's left edge", {.unit = "mm"});
   v("y", s.y_mm, "of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
   v("yaw", s.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
@@ -142,7 +145,7 @@ void source_field(V& v, Same<V, SourceLine>& source) {
 
 template <class V>
 void fields(V& v, Same<V, PinChange>& p) {
-  v("t_ns", p.t_ns, "when", {.unit = "ns"});
+  v("t_ns", p.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("pin", p.pin, "`\"D5\"`");
   v("mode", p.mode, "what the firmware has made of it", {.one_of = {"input", "input_pullup", "output"}});
   v("level", p.level, "of an output: whether it is high");
@@ -154,7 +157,7 @@ void fields(V& v, Same<V, PinChange>& p) {
 
 template <class V>
 void fields(V& v, Same<V, LevelSeen>& l) {
-  v("t_ns", l.t_ns, "when", {.unit = "ns"});
+  v("t_ns", l.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("pin", l.pin, "`\"D2\"`");
   v("level", l.level, "what the firmware found on the pin, or the edge that reached an interrupt");
   source_field(v, l.source);
@@ -162,7 +165,7 @@ void fields(V& v, Same<V, LevelSeen>& l) {
 
 template <class V>
 void fields(V& v, Same<V, VoltsSeen>& s) {
-  v("t_ns", s.t_ns, "when", {.unit = "ns"});
+  v("t_ns", s.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("pin", s.pin, "`\"A0\"`");
   v("volts", s.volts, "what the ADC sampled", {.unit = "V"});
   source_field(v, s.source);
@@ -170,7 +173,7 @@ void fields(V& v, Same<V, VoltsSeen>& s) {
 
 template <class V>
 void fields(V& v, Same<V, SerialByte>& b) {
-  v("t_ns", b.t_ns, "when", {.unit = "ns"});
+  v("t_ns", b.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("value", b.value, "of the byte");
   v("sent", b.sent, "by the firmware; else it has received it");
   source_field(v, b.source);
@@ -185,7 +188,7 @@ struct SerialText {
 
 template <class V>
 void fields(V& v, Same<V, SerialText>& s) {
-  v("t_ns", s.t_ns, "when the last of it was sent", {.unit = "ns"});
+  v("t_ns", s.t_ns, "when the last of it was sent", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("text", s.text, "a line with its end, or less");
 }
 
@@ -209,7 +212,7 @@ inline Note note_of(const RunEvent& event) { return {event.t_ns, text_of(event),
 
 template <class V>
 void fields(V& v, Same<V, Note>& n) {
-  v("t_ns", n.t_ns, "when", {.unit = "ns"});
+  v("t_ns", n.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("text", n.text, "for people: `\"station 2 visited\"`");
   v("agent", n.agent, "number of the robot that it is about, from 0; absent where 0",
     {.presence = when(n.agent != 0)});

@@ -190,6 +190,15 @@ TEST(Hostile, LinesThatAreCutOffOrTurnedOverAreRefusedOrReadAndNothingElse) {
   }
 }
 
+TEST(Hostile, NoEventIsBeforeTheStartNorLaterThanATimeCanBe) {
+  const auto byte_at = [](const std::string& t) {
+    return answer_fault(R"({"id": 2, "event": "byte", "t_ns": )" + t + R"(, "value": 97, "sent": true})");
+  };
+  EXPECT_EQ(byte_at("0"), "");
+  EXPECT_THAT(byte_at("-1"), HasSubstr("t_ns"));
+  EXPECT_THAT(byte_at("9000000000000000000"), HasSubstr("t_ns"));
+}
+
 TEST(Hostile, MemoryIsTwoHexadecimalDigitsAByte) {
   for (const char* digits : {"0", "abc", "zz", "0x", "-1", " 1"})
     EXPECT_THAT(answer_fault(std::string(R"({"id": 1, "eeprom": ")") + digits + "\"}"),
