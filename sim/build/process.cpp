@@ -69,10 +69,9 @@ Child start_within(const Walls& walls, const ChildStart& start) {
   const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
   return Child([&] {
     const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    const bool ready = ::dup2(input, STDIN_FILENO) == STDIN_FILENO &&
-                       ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
-                       ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO &&
-                       walls.enter(start.folder.c_str());
+    const bool ready =
+        ::dup2(input, STDIN_FILENO) == STDIN_FILENO && ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
+        ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO && walls.enter(start.folder.c_str());
     if (ready) ::execve(words[0], words.data(), environment.data());
     return kCannotStart;
   });

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "hal/host/image.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/wire/protocol.h"
 #include "tests/system/command.h"
@@ -41,6 +42,12 @@ std::string literal(const std::string& text) {
     if (c != '\n') quoted += c;
   }
   return quoted + '"';
+}
+
+/// LINES, and the version that an image has to have.
+std::string beginning() {
+  return "#define IMAGE_VERSION " + std::to_string(host::kImageVersion) + "\n#define LINES " +
+         literal(forged_lines());
 }
 
 struct Attempt {
@@ -116,7 +123,7 @@ extern "C" long keyed_write(int, const void*, unsigned long n) { return n; }
 void setup() {}
 void loop() { delay(1); })"},
     {"IsAnImageOfItsOwn", R"(
-extern "C" __attribute__((visibility("default"))) const long robosim_image[16] = {7, 0, (long)&_exit};
+extern "C" __attribute__((visibility("default"))) const long robosim_image[16] = {IMAGE_VERSION, 0, (long)&_exit};
 void setup() {}
 void loop() { delay(1); })"},
     {"ClosesAllDescriptorsAndLoops", R"(
@@ -189,7 +196,7 @@ class OnTheHost : public testing::TestWithParam<Attempt> {};
 TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
   if (!exec::why_not_confined().empty()) GTEST_SKIP() << exec::why_not_confined();
   const Folder folder;
-  folder.write("F/F.ino", "#define LINES " + literal(forged_lines()) + kOfTheSystem + GetParam().text + "\n");
+  folder.write("F/F.ino", beginning() + kOfTheSystem + GetParam().text + "\n");
   Ended ended;
   const auto json = verdict_of(folder, "host", ended);
   ASSERT_TRUE(json.is_object()) << ended.out << ended.err;
@@ -211,7 +218,7 @@ TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
         std::find_if(std::begin(kOnTheHost), std::end(kOnTheHost),
                      [&](const Attempt& one) { return std::string(one.name) == name; });
     const Folder folder;
-    folder.write("F/F.ino", "#define LINES " + literal(forged_lines()) + kOfTheSystem + attempt->text + "\n");
+    folder.write("F/F.ino", beginning() + kOfTheSystem + attempt->text + "\n");
     Ended ended;
     ::setenv("ROBOSIM_SANDBOX", "off", 1);
     const auto json = verdict_of(folder, "host", ended);
