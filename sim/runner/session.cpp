@@ -27,19 +27,16 @@
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
+#include "sim/runner/narrator.h"
 #include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/wire/protocol.h"
-#include "sim/wire/run_columns.h"
 
 namespace robosim::runner {
 namespace {
 
 constexpr int kWatchdogStatus = 99;
 constexpr int kLongestEnd_us = 2'000'000;
-
-// How often columns are sent: what is lost if firmware takes its process down.
-constexpr SimTime kColumnsEvery = 500 * kMillisecond;
 
 std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
@@ -62,102 +59,6 @@ void start_watchdog() {
   const itimerval timer{every, every};
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
-
-// Turns what a run tells into protocol events.
-class Narrator final : public run::Listener {
- public:
-  Narrator(wire::Id id, const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor)
-      : id_(std::move(id)), request_(request), board_(board), executor_(executor) {
-    if (request.columns_every_ns == 0) return;
-    std::vector<std::string> pins;
-    for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
-    columns_.emplace(pins);
-  }
-
-  void began(const run::Beginning& beginning) override {
-    send(to_wire(beginning));
-    if (columns_) columns_->begin(beginning.readings);
-    if (request_.gdb_port > 0) send(wire::DebuggerAwaited{request_.gdb_port});
-  }
-  void sampled(const run::Sample& s) override {
-    const SimTime every = request_.samples_every_ns;
-    if (every > 0 && (s.t % every == 0 || request_.interactive)) send(to_wire(s));
-    if (!columns_ || s.t % request_.columns_every_ns != 0) return;
-    columns_->add(to_wire(s));
-    if (s.t % kColumnsEvery == 0) flush_columns();
-  }
-  void happened(const wire::RunEvent& event) override {
-    if (request_.notes) send(wire::note_of(event));
-  }
-  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
-    static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
-    if (columns_)
-      columns_->add_pin(pin, t,
-                        wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
-                                        drive.pwm, drive.duty, drive.tone_hz),
-                        drive.duty, drive.tone_hz);
-    if (!request_.pins) return;
-    detail(wire::PinChange{t,
-                           board_.pins[pin].name,
-                           kModes[static_cast<int>(drive.mode)],
-                           drive.level,
-                           drive.pwm,
-                           drive.duty,
-                           drive.tone_hz,
-                           {}});
-  }
-  bool wants_inputs() const override { return request_.io || columns_; }
-  void level_seen(Pin pin, bool level, SimTime t) override {
-    if (columns_)
-      columns_->add_pin(pin, t, level ? wire::PinLevel::high : wire::PinLevel::low, level ? 1.0 : 0.0, 0);
-    if (request_.io) detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
-  }
-  void volts_seen(Pin pin, double volts, SimTime t) override {
-    if (columns_) columns_->add_volts(pin, t, volts);
-    if (request_.io) detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
-  }
-  void byte_received(std::uint8_t byte, SimTime t) override {
-    if (request_.io) detail(wire::SerialByte{t, byte, false, {}});
-  }
-  void byte_sent(std::uint8_t byte, SimTime t) override {
-    if (request_.io) {
-      wire::SerialByte event{t, byte, true, {}};
-      if (request_.source_ns) event.source = executor_.source_of(byte);
-      if (!request_.source_ns || in_span(t)) send(std::move(event));
-    }
-    if (!request_.serial) return;
-    line_ += static_cast<char>(byte);
-    if (byte == '\n' || line_.size() >= 256) flush_serial(t);
-  }
-  void flush_serial(SimTime t) {
-    if (!line_.empty()) send(wire::SerialText{t, line_});
-    line_.clear();
-  }
-  void flush_columns() {
-    if (!columns_) return;
-    wire::Columns columns = columns_->take();
-    if (!columns.streams.empty()) send(std::move(columns));
-  }
-
- private:
-  bool in_span(SimTime t) const { return t >= request_.source_ns->first && t < request_.source_ns->second; }
-  template <typename Event>
-  void detail(Event event) {
-    if (request_.source_ns) {
-      if (!in_span(event.t_ns)) return;
-      event.source = executor_.source();
-    }
-    send(std::move(event));
-  }
-  void send(wire::Event event) { write_line(wire::to_line(id_, std::move(event))); }
-
-  wire::Id id_;
-  const wire::RunRequest& request_;
-  const BoardSpec& board_;
-  exec::Executor& executor_;
-  std::string line_;
-  std::optional<wire::RunColumns> columns_;
-};
 
 /// What the run rests on.
 struct Inputs {

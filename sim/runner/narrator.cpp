@@ -1,0 +1,114 @@
+#include "sim/runner/narrator.h"
+
+#include <utility>
+#include <vector>
+
+#include "sim/runner/answers.h"
+#include "sim/runner/lines.h"
+
+namespace robosim::runner {
+namespace {
+
+// How often columns are sent: what is lost if firmware takes its process down.
+constexpr SimTime kColumnsEvery = 500 * kMillisecond;
+
+}  // namespace
+
+Narrator::Narrator(wire::Id id, const wire::RunRequest& request, const BoardSpec& board,
+                   exec::Executor& executor)
+    : id_(std::move(id)), request_(request), board_(board), executor_(executor) {
+  if (request.columns_every_ns == 0) return;
+  std::vector<std::string> pins;
+  for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
+  columns_.emplace(pins);
+}
+
+void Narrator::began(const run::Beginning& beginning) {
+  send(to_wire(beginning));
+  if (columns_) columns_->begin(beginning.readings);
+  if (request_.gdb_port > 0) send(wire::DebuggerAwaited{request_.gdb_port});
+}
+
+void Narrator::sampled(const run::Sample& s) {
+  const SimTime every = request_.samples_every_ns;
+  if (every > 0 && (s.t % every == 0 || request_.interactive)) send(to_wire(s));
+  if (!columns_ || s.t % request_.columns_every_ns != 0) return;
+  columns_->add(to_wire(s));
+  if (s.t % kColumnsEvery == 0) flush_columns();
+}
+
+void Narrator::happened(const wire::RunEvent& event) {
+  if (request_.notes) send(wire::note_of(event));
+}
+
+void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
+  if (columns_)
+    columns_->add_pin(pin, t,
+                      wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
+                                      drive.pwm, drive.duty, drive.tone_hz),
+                      drive.duty, drive.tone_hz);
+  if (!request_.pins) return;
+  detail(wire::PinChange{t,
+                         board_.pins[pin].name,
+                         kModes[static_cast<int>(drive.mode)],
+                         drive.level,
+                         drive.pwm,
+                         drive.duty,
+                         drive.tone_hz,
+                         {}});
+}
+
+void Narrator::level_seen(Pin pin, bool level, SimTime t) {
+  if (columns_)
+    columns_->add_pin(pin, t, level ? wire::PinLevel::high : wire::PinLevel::low, level ? 1.0 : 0.0, 0);
+  if (request_.io) detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
+}
+
+void Narrator::volts_seen(Pin pin, double volts, SimTime t) {
+  if (columns_) columns_->add_volts(pin, t, volts);
+  if (request_.io) detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
+}
+
+void Narrator::byte_received(std::uint8_t byte, SimTime t) {
+  if (request_.io) detail(wire::SerialByte{t, byte, false, {}});
+}
+
+void Narrator::byte_sent(std::uint8_t byte, SimTime t) {
+  if (request_.io) {
+    wire::SerialByte event{t, byte, true, {}};
+    if (request_.source_ns) event.source = executor_.source_of(byte);
+    if (!request_.source_ns || in_span(t)) send(std::move(event));
+  }
+  if (!request_.serial) return;
+  line_ += static_cast<char>(byte);
+  if (byte == '\n' || line_.size() >= 256) flush_serial(t);
+}
+
+void Narrator::flush_serial(SimTime t) {
+  if (!line_.empty()) send(wire::SerialText{t, line_});
+  line_.clear();
+}
+
+void Narrator::flush_columns() {
+  if (!columns_) return;
+  wire::Columns columns = columns_->take();
+  if (!columns.streams.empty()) send(std::move(columns));
+}
+
+bool Narrator::in_span(SimTime t) const {
+  return t >= request_.source_ns->first && t < request_.source_ns->second;
+}
+
+template <typename Event>
+void Narrator::detail(Event event) {
+  if (request_.source_ns) {
+    if (!in_span(event.t_ns)) return;
+    event.source = executor_.source();
+  }
+  send(std::move(event));
+}
+
+void Narrator::send(wire::Event event) { write_line(wire::to_line(id_, std::move(event))); }
+
+}  // namespace robosim::runner

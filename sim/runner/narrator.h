@@ -1,0 +1,49 @@
+// Turns what a run tells into protocol events.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hal/board/board_spec.h"
+#include "sim/exec/core/executor.h"
+#include "sim/run/simulation.h"
+#include "sim/wire/protocol.h"
+#include "sim/wire/run_columns.h"
+
+namespace robosim::runner {
+
+class Narrator final : public run::Listener {
+ public:
+  /// What `request` wants to hear of goes to the client. All but `id` must live as long as this.
+  Narrator(wire::Id id, const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor);
+
+  void began(const run::Beginning& beginning) override;
+  void sampled(const run::Sample& sample) override;
+  void happened(const wire::RunEvent& event) override;
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
+  bool wants_inputs() const override { return request_.io || columns_; }
+  void level_seen(Pin pin, bool level, SimTime t) override;
+  void volts_seen(Pin pin, double volts, SimTime t) override;
+  void byte_received(std::uint8_t byte, SimTime t) override;
+  void byte_sent(std::uint8_t byte, SimTime t) override;
+
+  /// Sends what is held back: the line that the sketch has not ended yet; the columns.
+  void flush_serial(SimTime t);
+  void flush_columns();
+
+ private:
+  bool in_span(SimTime t) const;
+  template <typename Event>
+  void detail(Event event);
+  void send(wire::Event event);
+
+  wire::Id id_;
+  const wire::RunRequest& request_;
+  const BoardSpec& board_;
+  exec::Executor& executor_;
+  std::string line_;
+  std::optional<wire::RunColumns> columns_;
+};
+
+}  // namespace robosim::runner
