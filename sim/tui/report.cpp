@@ -192,6 +192,11 @@ std::string chip_hint(const std::string& chip_target) {
 
 }  // namespace
 
+std::int64_t trail_every_ns(std::int64_t for_ns) {
+  constexpr std::int64_t kEvery_ns = 50'000'000, kTick_ns = 1'000'000, kMostSamples = 20'000;
+  return std::max(kEvery_ns, for_ns / kMostSamples / kTick_ns * kTick_ns);
+}
+
 void Trail::add(const wire::Sample& sample) {
   last_ = {sample.x_mm / 1000.0, sample.y_mm / 1000.0};
   yaw_rad_ = sample.yaw_rad;

@@ -1,6 +1,7 @@
 // The end-of-run screen: what happened, at a glance.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ class Trail {
   double yaw_rad_ = 0.0;
   std::size_t every_ = 1, seen_ = 0;
 };
+
+/// How often it wants a sample of a run that may last so long: coarse enough to cost nothing, fine enough for
+/// a picture of a few centimetres a dot. A multiple of 1 ms.
+std::int64_t trail_every_ns(std::int64_t for_ns);
 
 /// A limit that the firmware states, and how far it could be raised.
 struct Room {

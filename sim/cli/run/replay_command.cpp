@@ -57,8 +57,11 @@ int replay_command(const ReplayArguments& arguments) {
   report.target = header.target;
   report.started = header.started;
   report.result = header.result;
+  const std::int64_t every_us =
+      tui::trail_every_ns(static_cast<std::int64_t>(header.result.for_s * 1e9)) / 1000;
   recording.play([&](const wire::Event& event) {
-    if (const auto* sample = std::get_if<wire::Sample>(&event)) report.trail.add(*sample);
+    const auto* sample = std::get_if<wire::Sample>(&event);
+    if (sample && sample->t_us % every_us == 0) report.trail.add(*sample);
   });
   const BoardSpec* board = find_board(header.robot_info.board.name.c_str());
   report.chip_target = board ? board->chip->target : header.target;

@@ -37,10 +37,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kWidest_columns = 78;
-// The end screen's trail: coarse enough to cost nothing, fine enough for a picture of a few centimetres a
-// dot.
-constexpr std::int64_t kTrailEvery_ns = 50'000'000;
-constexpr std::int64_t kTrailSamples = 20'000;
 // Above this a picture of the map takes longer than the run.
 constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 
@@ -50,8 +46,7 @@ double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.view) return tui::kViewEvery_ns;
   if (arguments.json && !progress) return 0;
-  constexpr std::int64_t kTick = 1'000'000;
-  return std::max(kTrailEvery_ns, arguments.request.for_ns / kTrailSamples / kTick * kTick);
+  return tui::trail_every_ns(arguments.request.for_ns);
 }
 
 /// RAM that neither variables nor the deepest stack took.
