@@ -82,7 +82,8 @@ Clues::Clues(const BoardSpec& board, const SketchNames& names, const PinHistory&
     order_.push_back(pin);
   };
   for (const Named& named : names.named)
-    for (const Pin pin : named.pins) name(pin, named.name, named.is_array, named.spot);
+    for (const Pin pin : named.pins)
+      if (named.sure || by_pin_[pin].is_used()) name(pin, named.name, named.is_array, named.spot);
   for (const Given& given : names.given) {
     if (given.name.empty()) continue;
     for (std::size_t i = 0; i < given.pins.size() && given.pins[i] != kNoPin; ++i) {

@@ -58,12 +58,13 @@ class Reader {
     SketchNames names;
     for (const std::string& name : order_) {
       const Value& value = values_.at(name);
-      if (!value.is_array && used_.count(name) == 0) continue;
-      Named named{name, {}, value.is_array, value.spot};
+      const bool used = used_.count(name) != 0;
+      if (!value.is_array && !used && handed_on_.count(name) == 0) continue;
+      Named named{name, {}, value.is_array, used || value.is_array, value.spot};
       for (const std::string& word : value.words)
         if (const auto pin = pin_of(word)) named.pins.push_back(*pin);
       const bool all = named.pins.size() == value.words.size();
-      if (all && !named.pins.empty() && (used_.count(name) != 0 || all_analog(named.pins)))
+      if (all && !named.pins.empty() && (!value.is_array || used || all_analog(named.pins)))
         names.named.push_back(std::move(named));
     }
     for (Given given : given_) {
@@ -126,6 +127,9 @@ class Reader {
       read_object();
     } else if (ahead(1).is("(") && at_ > 1 && tokens_[at_ - 1].is(".")) {
       read_call(tokens_[at_ - 2].text);  // qtr.setSensorPins(…)
+    } else if (ahead(1).is("(")) {
+      const auto list = arguments(1);  // motor(LEFT_PWM, LEFT_A, LEFT_B, speed)
+      handed_on_.insert(list.begin(), list.end());
     }
   }
 
@@ -149,6 +153,7 @@ class Reader {
         value.words.push_back(ahead(i).text);
         ++i;
       }
+      if (value.is_array) handed_on_.insert(value.words.begin(), value.words.end());
       if (!value.words.empty()) set(name, std::move(value));
       if (!ahead(i).is(",") || ahead(i + 1).kind != Token::Kind::word || is_number_type(ahead(i + 1).text))
         return;
@@ -290,7 +295,8 @@ class Reader {
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;
-  std::set<std::string> used_;  // names that a function of pins, or an object, was given
+  std::set<std::string> handed_on_;  // names that stand in an array, or that any function was given
+  std::set<std::string> used_;       // names that a function of pins, or an object, was given
   std::vector<Given> given_;
 };
 

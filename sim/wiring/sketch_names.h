@@ -21,6 +21,7 @@ struct Named {
   std::string name;
   std::vector<Pin> pins;  ///< of an array in its order
   bool is_array = false;
+  bool sure = true;  ///< a function of pins takes it; else it is only handed on, and may be any number
   Spot spot;
 };
 

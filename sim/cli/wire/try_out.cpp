@@ -1,7 +1,5 @@
 #include "sim/cli/wire/try_out.h"
 
-#include <tuple>
-
 #include "sim/base/file.h"
 #include "sim/build/source.h"
 #include "sim/client/interrupts.h"
@@ -16,10 +14,15 @@ constexpr const char* kGoal = "laps:1";
 
 std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
 
-// More is better: a lap, then how far it came on the line.
-auto score(const wire::RunResult& result) {
-  const double on_line = result.time_s - result.metrics.off_line_s;
-  return std::tuple(result.verdict == "reached", result.metrics.distance_m > 0.05, on_line);
+double on_line_s(const wire::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
+
+// A lap decides; else how long it stayed on the line while it moved, by much: a little is chance.
+bool is_better(const wire::RunResult& a, const wire::RunResult& b) {
+  constexpr double kMuch = 1.5, kMoved_m = 0.05;
+  if ((a.verdict == "reached") != (b.verdict == "reached")) return a.verdict == "reached";
+  const bool a_moved = a.metrics.distance_m > kMoved_m, b_moved = b.metrics.distance_m > kMoved_m;
+  if (a_moved != b_moved) return a_moved;
+  return on_line_s(a) > kMuch * on_line_s(b);
 }
 
 }  // namespace
@@ -82,7 +85,7 @@ Drive TryOut::choose(wiring::RobotDraft& draft) {
     const wiring::RobotDraft other = wiring::guess(board_, names_, history_, ways);
     wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
     ++tried_;
-    if (score(result) <= score(best.result)) continue;
+    if (!is_better(result, best.result)) continue;
     best = {ways, std::move(result)};
     draft = other;
   }

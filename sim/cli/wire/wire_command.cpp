@@ -58,10 +58,11 @@ int wire_command(const WireArguments& arguments) {
       "step\"."};
   if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, arguments.map));
   if (try_out.tried() > 1)
-    remarks.push_back(
-        fmt::format("{} ways to wire it were tried (polarity and order of the sensors, sides of the "
-                    "motors); this one went best.",
-                    try_out.tried()));
+    remarks.push_back(fmt::format(
+        "{} ways to wire it were tried (polarity and order of the sensors, sides of the motors); {}.",
+        try_out.tried(),
+        drive.result.verdict == "reached" ? "this one drives a lap"
+                                          : "none drives a lap, and none went much better than this one"));
   const std::string text = wiring::text_of(draft, remarks);
   if (arguments.out.empty()) {
     print(text);

@@ -151,6 +151,27 @@ TEST(Guess, LibrariesBringTheirParts) {
   EXPECT_THAT(text, HasSubstr("type = \"servo\"\npin = 9"));
 }
 
+TEST(Guess, NamesThatAreOnlyHandedOnCountWhereTheirPinsAreUsed) {
+  Seen run;
+  run.pwm("D3", 0.5)
+      .output("D4", true)
+      .output("D7", false)
+      .pwm("D11", 0.5)
+      .output("D12", true)
+      .output("D8", false);
+  const std::string source =
+      "const byte L_PWM = 3, L_A = 4, L_B = 7, R_PWM = 11, R_A = 12, R_B = 8;\nconst int TURN = 10;\n"
+      "void motor(byte pwm, byte a, byte b, int v) { digitalWrite(a, v > 0); digitalWrite(b, v < 0); "
+      "analogWrite(pwm, v); }\n"
+      "void setup() { byte all[] = {L_PWM, L_A, L_B, R_PWM, R_A, R_B}; for (byte p : all) pinMode(p, "
+      "OUTPUT); }\n"
+      "void loop() { motor(L_PWM, L_A, L_B, TURN); motor(R_PWM, R_A, R_B, -TURN); drive(TURN); }\n";
+  const std::string text = guessed(source, run);
+  EXPECT_THAT(text, HasSubstr("# L_PWM, L_A, L_B\ntype = \"motor\"\npins = { en = 3, in1 = 4, in2 = 7 }"));
+  EXPECT_THAT(text, HasSubstr("# R_PWM, R_A, R_B\ntype = \"motor\"\npins = { en = 11, in1 = 12, in2 = 8 }"));
+  EXPECT_THAT(text, Not(HasSubstr("TURN"))) << "pin 10 is not used";
+}
+
 TEST(Guess, WhatIsUsedAndNotUnderstoodIsAskedFor) {
   Seen run;
   run.look("D7");
