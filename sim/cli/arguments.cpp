@@ -271,7 +271,7 @@ Command parse_wire(const Words& words) {
   options.text("--board", wire.board, "BOARD", "that the robot carries; default: uno");
   options.text("--map", wire.map, "MAP", "file or name: the draft is tried on it; default: oval");
   options.text("--target", wire.target, "TARGET", "host, or the chip's: avr or stm32");
-  options.texts("--libraries", wire.libraries, "FOLDER", "libraries, or a folder of them");
+  options.texts("--libraries", wire.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.text("--out", wire.out, "FILE", "is written; default: standard output");
   if (const auto help = options.parse(words)) return PrintText{*help};
   return wire;

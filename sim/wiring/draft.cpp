@@ -36,11 +36,9 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
                fmt::format("? its chassis, motors and battery: {}", kit));
   text += line("remove = \"all\"", "of its parts; those of this robot follow");
   text += line(fmt::format("board = \"{}\"", draft.board), "");
-  text += "\n# ? These decide how it drives; measure them, and take the # away.\n# [chassis]\n";
-  text += draft.base == "uno5" ? "# track = \"98 mm\"" : "# track = \"130 mm\"";
-  text += "   # between the wheels\n# wheel = ";
-  text += draft.base == "uno5" ? "\"32 mm\"" : "\"65 mm\"";
-  text += "    # diameter\n";
+  text +=
+      "\n# ? These decide how it drives: measure them, and take the # away.\n"
+      "# [chassis]\n# track = \"… mm\"   # between the wheels\n# wheel = \"… mm\"   # diameter\n";
   if (has_motors(draft)) {
     text += "\n[driver]\n";
     text += line(fmt::format("chip = \"{}\"", draft.driver),

@@ -89,12 +89,13 @@ void guess_output(Clues& clues, RobotDraft& draft, const Clue& clue) {
   }
 }
 
-}  // namespace
-
+// "pin 5", "pin A0"
 std::string shown(const Clues& clues, Pin pin) {
   const std::string name = clues.board().pins[pin].name;
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
+
+}  // namespace
 
 std::string part_name(const RobotDraft& draft, const std::string& wanted) {
   const auto taken = [&](const std::string& name) {

@@ -24,13 +24,14 @@ struct Ways {
   bool other_order = false;  ///< the first sensor is the rightmost
   bool other_sides = false;  ///< the motors are the other way round
   bool close = false;        ///< two sensors are both on the line, not to the sides of it
-
-  bool operator==(const Ways&) const = default;
 };
 
 /// Which of the Ways make a difference for this sketch.
 struct Open {
-  bool black = false, order = false, sides = false, distance = false;
+  bool black = false;
+  bool order = false;
+  bool sides = false;
+  bool distance = false;  ///< between two sensors
 };
 
 struct RobotDraft {
@@ -57,8 +58,5 @@ void guess_the_rest(Clues& clues, RobotDraft& draft);
 
 /// A name for a part from the sketch's: letters, digits, `_` and `-`, and no other part's.
 std::string part_name(const RobotDraft& draft, const std::string& wanted);
-
-/// "pin 5", "pin A0"
-std::string shown(const Clues& clues, Pin pin);
 
 }  // namespace robosim::wiring

@@ -32,7 +32,6 @@ void PinHistory::add(const wire::Event& event) {
     facts.pwm |= output && change->pwm;
     facts.toned |= change->tone_hz > 0;
     facts.pulled_up |= change->mode == "input_pullup";
-    facts.went_high |= duty > 0.0;
     if (output && !change->pwm && change->level) raised_[pin] = change->t_ns;
     if (output && !change->pwm && !change->level && raised_.count(pin) != 0 &&
         change->t_ns - raised_[pin] < kLongestPulse_ns)

@@ -19,12 +19,9 @@ struct PinFacts {
   bool pulled_up = false;   ///< its pull-up was on
   bool discharged = false;  ///< driven HIGH, then read: how RC sensors are timed
   bool pulses = false;      ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo
-  bool went_high = false;
 };
 
-/// A span in which nothing changed about two or three pins: see PinHistory::time_when().
-using Duty = double;
-
+/// What a sketch did to each pin in one run or several.
 class PinHistory {
  public:
   explicit PinHistory(const BoardSpec& board) : board_(board), facts_(board.pin_count) {}
@@ -45,7 +42,7 @@ class PinHistory {
   struct Change {
     std::int64_t t_ns;
     Pin pin;
-    Duty duty;
+    double duty;  // share of the time that it is high; a level is 0 or 1
   };
 
   const BoardSpec& board_;

@@ -73,11 +73,11 @@ wiring::RobotDraft TryOut::draft() {
   return draft;
 }
 
-Drive TryOut::choose(wiring::RobotDraft& draft) {
+wire::RunResult TryOut::choose(wiring::RobotDraft& draft) {
   const wiring::Open open = draft.open;
-  Drive best{{}, run(draft, kDrive_s, kGoal, nullptr)};
+  wire::RunResult best = run(draft, kDrive_s, kGoal, nullptr);
   tried_ = 1;
-  for (int bits = 1; bits < 16 && best.result.verdict != "reached"; ++bits) {
+  for (int bits = 1; bits < 16 && best.verdict != "reached"; ++bits) {
     const wiring::Ways ways{(bits & 1) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 2) != 0};
     if ((ways.black_low && !open.black) || (ways.other_order && !open.order) ||
         (ways.other_sides && !open.sides) || (ways.close && !open.distance))
@@ -85,8 +85,8 @@ Drive TryOut::choose(wiring::RobotDraft& draft) {
     const wiring::RobotDraft other = wiring::guess(board_, names_, history_, ways);
     wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
     ++tried_;
-    if (!is_better(result, best.result)) continue;
-    best = {ways, std::move(result)};
+    if (!is_better(result, best)) continue;
+    best = std::move(result);
     draft = other;
   }
   return best;

@@ -12,12 +12,6 @@
 
 namespace robosim::cli {
 
-/// What became of a robot.
-struct Drive {
-  wiring::Ways ways;
-  wire::RunResult result;
-};
-
 class TryOut {
  public:
   /// `launch` without a robot; its scratch files go below `folder`.
@@ -26,8 +20,8 @@ class TryOut {
 
   /// Drafts, until a run shows nothing new. Throws InputError where the sketch does not build.
   wiring::RobotDraft draft();
-  /// The way that drives best of those that are open in the draft; `draft` becomes it.
-  Drive choose(wiring::RobotDraft& draft);
+  /// `draft` becomes the way that drives best of those that are open in it. Gives what came of its run.
+  wire::RunResult choose(wiring::RobotDraft& draft);
   /// How many ways choose() has tried.
   int tried() const { return tried_; }
 

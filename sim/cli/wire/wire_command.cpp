@@ -22,13 +22,11 @@ const BoardSpec& board_named(const std::string& name) {
   return *find_board(name.c_str());
 }
 
-std::string what_came_of_it(const Drive& drive, const std::string& map) {
-  if (drive.result.verdict == "reached")
-    return fmt::format(
-        "With this robot the sketch drives a lap of the map {} in {:.1f} s.", map,
-        drive.result.metrics.laps_s.empty() ? drive.result.time_s : drive.result.metrics.laps_s[0]);
-  return fmt::format("With this robot the sketch does not drive a lap of the map {}: {}", map,
-                     drive.result.why);
+std::string what_came_of_it(const wire::RunResult& result, const std::string& map) {
+  if (result.verdict == "reached")
+    return fmt::format("With this robot the sketch drives a lap of the map {} in {:.1f} s.", map,
+                       result.metrics.laps_s.empty() ? result.time_s : result.metrics.laps_s[0]);
+  return fmt::format("With this robot the sketch does not drive a lap of the map {}: {}", map, result.why);
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ int wire_command(const WireArguments& arguments) {
   progress.say("looking at what the sketch does to its pins …");
   wiring::RobotDraft draft = try_out.draft();
   progress.say("trying which way it drives …");
-  const Drive drive = try_out.choose(draft);
+  const wire::RunResult drive = try_out.choose(draft);
   progress.clear();
 
   std::vector<std::string> remarks = {
@@ -61,8 +59,8 @@ int wire_command(const WireArguments& arguments) {
     remarks.push_back(fmt::format(
         "{} ways to wire it were tried (polarity and order of the sensors, sides of the motors); {}.",
         try_out.tried(),
-        drive.result.verdict == "reached" ? "this one drives a lap"
-                                          : "none drives a lap, and none went much better than this one"));
+        drive.verdict == "reached" ? "this one drives a lap"
+                                   : "none drives a lap, and none went much better than this one"));
   const std::string text = wiring::text_of(draft, remarks);
   if (arguments.out.empty()) {
     print(text);
