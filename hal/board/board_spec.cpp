@@ -117,6 +117,7 @@ constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103
 constexpr BoardSpec kUno = {
     .name = "uno",
     .fqbn = "arduino:avr:uno",
+    .platformio = "uno",
     .macro = "ARDUINO_AVR_UNO",
     .chip = &kAtmega328p,
     .pins = kNanoPins.pins,
@@ -144,6 +145,7 @@ constexpr BoardSpec nano() {
   BoardSpec board = kUno;
   board.name = "nano";
   board.fqbn = "arduino:avr:nano";
+  board.platformio = "nanoatmega328new nanoatmega328";
   board.macro = "ARDUINO_AVR_NANO";
   board.pin_count = kNanoPins.kSize;
   board.flash_bytes = 30720;
@@ -157,6 +159,7 @@ constexpr BoardSpec nano168() {
   BoardSpec board = nano();
   board.name = "nano168";
   board.fqbn = "arduino:avr:nano:cpu=atmega168";
+  board.platformio = "nanoatmega168";
   board.chip = &kAtmega168;
   board.flash_bytes = 14336;
   board.ram_bytes = kAtmega168.ram_bytes;
@@ -168,10 +171,12 @@ constexpr BoardSpec nano168() {
 
 // A Nano without USB, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without
 // a diode.
-constexpr BoardSpec pro_mini(const char* name, const char* fqbn, uint32_t clock_hz, double supply_volts) {
+constexpr BoardSpec pro_mini(const char* name, const char* fqbn, const char* platformio, uint32_t clock_hz,
+                             double supply_volts) {
   BoardSpec board = nano();
   board.name = name;
   board.fqbn = fqbn;
+  board.platformio = platformio;
   board.macro = "ARDUINO_AVR_PRO";
   board.supply_volts = supply_volts;
   board.clock_hz = clock_hz;
@@ -186,6 +191,7 @@ constexpr BoardSpec mega() {
   BoardSpec board = kUno;
   board.name = "mega";
   board.fqbn = "arduino:avr:mega";
+  board.platformio = "megaatmega2560";
   board.macro = "ARDUINO_AVR_MEGA2560";
   board.chip = &kAtmega2560;
   board.pins = kMegaPins.pins;
@@ -201,11 +207,12 @@ constexpr BoardSpec mega() {
 }
 
 // The Leonardo, and the Micro, which is the same on a smaller board. Serial is its USB, Serial1 its UART.
-constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* macro, const char* variant,
-                             const char* usb_product, uint16_t usb_id) {
+constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* platformio, const char* macro,
+                             const char* variant, const char* usb_product, uint16_t usb_id) {
   BoardSpec board = kUno;
   board.name = name;
   board.fqbn = fqbn;
+  board.platformio = platformio;
   board.macro = macro;
   board.chip = &kAtmega32u4;
   board.pins = kLeonardoPins.pins;
@@ -227,11 +234,12 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* mac
 
 // Boards with an ATtiny85. Without boot loader or with one of their own, avrdude cannot write to them by a
 // serial port. The chip is in its reset below 2.7 V where its fuse says so, as on the others.
-constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* macro, uint32_t clock_hz,
-                             double supply_volts, uint32_t flash_bytes) {
+constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* platformio, const char* macro,
+                             uint32_t clock_hz, double supply_volts, uint32_t flash_bytes) {
   BoardSpec board = kUno;
   board.name = name;
   board.fqbn = fqbn;
+  board.platformio = platformio;
   board.macro = macro;
   board.chip = &kAttiny85;
   board.pins = kTinyPins.pins;
@@ -257,6 +265,7 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {
       .name = name,
       .fqbn = "STMicroelectronics:stm32:GenF1:pnum=BLUEPILL_F103C8",
+      .platformio = "bluepill_f103c8",
       .macro = "ARDUINO_BLUEPILL_F103C8",
       .chip = &kStm32f103c8,
       .pins = kBluePillPins.pins,
@@ -285,16 +294,17 @@ constexpr BoardSpec kBoards[] = {
     kUno,
     nano(),
     nano168(),
-    pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", 8000000, 3.3),
-    pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", 16000000, 5.0),
+    pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", "pro8MHzatmega328", 8000000, 3.3),
+    pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", "pro16MHzatmega328", 16000000, 5.0),
     mega(),
-    leonardo("leonardo", "arduino:avr:leonardo", "ARDUINO_AVR_LEONARDO", "leonardo", "Arduino Leonardo",
-             0x8036),
-    leonardo("micro", "arduino:avr:micro", "ARDUINO_AVR_MICRO", "micro", "Arduino Micro", 0x8037),
-    attiny85("digispark", "digistump:avr:digispark-tiny", "ARDUINO_AVR_DIGISPARK", 16500000, 5.0, 6012),
-    attiny85("gemma", "arduino:avr:gemma", "ARDUINO_AVR_GEMMA", 8000000, 3.3, 5310),
-    attiny85("attiny85", "ATTinyCore:avr:attinyx5:chip=85,clock=8internal", "ARDUINO_AVR_ATTINYX5", 8000000,
-             5.0, 8192),
+    leonardo("leonardo", "arduino:avr:leonardo", "leonardo", "ARDUINO_AVR_LEONARDO", "leonardo",
+             "Arduino Leonardo", 0x8036),
+    leonardo("micro", "arduino:avr:micro", "micro", "ARDUINO_AVR_MICRO", "micro", "Arduino Micro", 0x8037),
+    attiny85("digispark", "digistump:avr:digispark-tiny", "digispark-tiny", "ARDUINO_AVR_DIGISPARK", 16500000,
+             5.0, 6012),
+    attiny85("gemma", "arduino:avr:gemma", "gemma", "ARDUINO_AVR_GEMMA", 8000000, 3.3, 5310),
+    attiny85("attiny85", "ATTinyCore:avr:attinyx5:chip=85,clock=8internal", "attiny85",
+             "ARDUINO_AVR_ATTINYX5", 8000000, 5.0, 8192),
     blue_pill("bluepill", 72000000),
     blue_pill("bluepill8", 8000000),
 };

@@ -107,7 +107,8 @@ TEST(Boards, AreInTheDocumentsAsTheyAre) {
     std::ostringstream row;
     row << "| `" << board->name << "` | " << board->chip->name << " | " << board->clock_hz / 1e6 << " MHz | "
         << board->supply_volts << " V | " << board->flash_bytes << ", " << board->ram_bytes << ", "
-        << board->eeprom_bytes << " | `" << board->fqbn << "` |\n";
+        << board->eeprom_bytes << " | `" << board->fqbn << "` | `"
+        << std::regex_replace(board->platformio, std::regex(" "), "`, `") << "` |\n";
     EXPECT_THAT(robots, HasSubstr(row.str()));
   }
 }
