@@ -289,13 +289,14 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   };
 }
 
-// Of the boards with a chip of the same target the first is the usual one.
+// Of the boards with a chip of the same target the first is the usual one; of those of one FQBN the first is
+// what Arduino has without its options.
 constexpr BoardSpec kBoards[] = {
     kUno,
     nano(),
     nano168(),
-    pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", "pro8MHzatmega328", 8000000, 3.3),
     pro_mini("promini16", "arduino:avr:pro:cpu=16MHzatmega328", "pro16MHzatmega328", 16000000, 5.0),
+    pro_mini("promini8", "arduino:avr:pro:cpu=8MHzatmega328", "pro8MHzatmega328", 8000000, 3.3),
     mega(),
     leonardo("leonardo", "arduino:avr:leonardo", "leonardo", "ARDUINO_AVR_LEONARDO", "leonardo",
              "Arduino Leonardo", 0x8036),

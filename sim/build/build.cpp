@@ -19,6 +19,7 @@
 #include "sim/build/prototypes.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
+#include "sim/build/try_again.h"
 #include "sim/build/units.h"
 #include "sim/build/walls.h"
 
@@ -26,17 +27,6 @@ namespace robosim::build {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The program does not compile with its registers as they are, but may with these.
-struct TryAgain {
-  Registers with;
-  std::exception_ptr otherwise = nullptr;  ///< the error to report if they do not help; null = theirs
-};
-
-// What assembly of a program holds that keeps a register's address (hal/host/registers.h), and a compiler's
-// message about one that does more with a register than its class can (hal/arduino/avr/io.h).
-constexpr const char* kRegisterMemory = "robosim_register_memory";
-constexpr const char* kRegisterClass = "robosim_hal::Register";
 
 /// One build: what has been found and made so far.
 class Build {
@@ -55,7 +45,7 @@ class Build {
     if (keeps_addresses_) throw TryAgain{Registers::memory};
     std::vector<fs::path> objects = linked_objects();
     for (const Object& object : objects_)
-      inputs_.files.insert(inputs_.files.end(), object.inputs.begin(), object.inputs.end());
+      for (const fs::path& input : object.inputs) inputs_.files.push_back(input);
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
@@ -63,13 +53,12 @@ class Build {
         run_walled({link_command(toolchain_, objects, image, work_.path(),
                                  names_of_folders(sketch_, libraries_, toolchain_, work_.path()))})[0];
     if (link.status != 0) fail_or_try_as_avr([&] { fail_link(toolchain_, sketch_, objects_, link.output); });
-    const std::vector<fs::path>& linked = toolchain_.core.linked;
-    inputs_.files.insert(inputs_.files.end(), linked.begin(), linked.end());
+    for (const fs::path& linked : toolchain_.core.linked) inputs_.files.push_back(linked);
     inputs_.folders = finder_.listed();
     for (const Library& library : libraries_) {
       inputs_.folders.insert(inputs_.folders.end(), library.listed.begin(), library.listed.end());
-      const fs::path properties = library.folder / "library.properties";
-      if (fs::exists(properties)) inputs_.files.push_back(properties);
+      if (const fs::path properties = library.folder / "library.properties"; fs::exists(properties))
+        inputs_.files.push_back(properties);
     }
     return image;
   }
@@ -101,6 +90,7 @@ class Build {
   std::vector<CommandResult> run_walled(std::vector<Command> commands) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
     read.insert(read.end(), {sketch_.folder, cache_.folder()});
+    read.insert(read.end(), sketch_.includes.begin(), sketch_.includes.end());
     for (const Library& library : libraries_) read.push_back(library.folder);
     const Walls walls(read, work_.path());
     for (Command& command : commands) command.walls = &walls;
@@ -109,14 +99,6 @@ class Build {
 
   std::string text(const CommandResult& result) const {
     return readable(toolchain_, sketch_.folder, result.output);
-  }
-
-  /// Whether the first error is in one.
-  bool is_about_library(const std::string& messages) const {
-    const std::string file = first_error(messages).file;
-    return std::any_of(libraries_.begin(), libraries_.end(), [&](const Library& library) {
-      return file.rfind(library.folder.string() + "/", 0) == 0;
-    });
   }
 
   /// `fail` throws. A library may have more for an AVR: declarations, too, that the sketch misses.
@@ -135,7 +117,7 @@ class Build {
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw TryAgain{Registers::memory};
-    fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages));
+    fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages, libraries_));
   }
 
   void compile_all() {
@@ -151,11 +133,10 @@ class Build {
     for (;;) {
       for (; libraries_taken < libraries_.size(); ++libraries_taken) {
         const Library& library = libraries_[libraries_taken];
-        for (const std::string& source : library.sources)
-          units.push_back(library_unit(toolchain_, library, source));
-        if (!toolchain_.target.chip) continue;
-        for (const std::string& source : library.assembler)
-          units.push_back(library_unit(toolchain_, library, source));
+        for (const auto* sources : {&library.sources, &library.assembler})
+          for (const std::string& source : *sources)
+            if (sources == &library.sources || toolchain_.target.chip)
+              units.push_back(library_unit(toolchain_, library, source));
       }
       if (units.empty()) return;
       units = compile(units);
@@ -297,9 +278,9 @@ class Build {
     check_seen(sketch_.folder, place, header);
     const Library* library = finder_.find(header);
     if (!library) fail_without_library(toolchain_, core_, finder_, place, header);
-    const bool known = std::any_of(libraries_.begin(), libraries_.end(),
-                                   [&](const Library& one) { return one.folder == library->folder; });
-    if (!known) libraries_.push_back(*library);
+    if (std::none_of(libraries_.begin(), libraries_.end(),
+                     [&](const Library& one) { return one.folder == library->folder; }))
+      libraries_.push_back(*library);
     return true;
   }
 
@@ -342,7 +323,7 @@ Image build(const Request& request) try {
   const Target& target = find_target(request.target);
   if (request.sanitize) check_can_sanitize(request.target);
   if (request.coverage) check_can_cover(request.target);
-  const Sketch sketch = read_sketch(request.sketch);
+  const Sketch sketch = read_sketch(request.sketch, request.rules);
   if (!target.chip && !sketch.assembler.empty())
     throw InputError({sketch.assembler[0]}, "assembler sources are for the chip: build for the target avr");
   const Cache cache(cache_folder());
@@ -355,8 +336,10 @@ Image build(const Request& request) try {
                       request.board,
                       request.warnings,
                       request.sanitize,
-                      request.coverage};
-  toolchain.untrusted = request.untrusted;
+                      request.coverage,
+                      Registers::objects,
+                      request.untrusted,
+                      request.rules};
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);
@@ -369,7 +352,6 @@ Image build(const Request& request) try {
   const LibraryFinder finder(folders, toolchain.core.stand_ins);
   fs::path made;
   const auto build = build_image(sketch, toolchain, cache, finder, genuine, made);
-
   Inputs inputs = build->inputs();
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);

@@ -101,6 +101,7 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
     append(words, {"-DUSB_VID=0x2341", fmt::format("-DUSB_PID=0x{:04x}", board.usb_id),
                    "-DUSB_MANUFACTURER=\"Unknown\"", fmt::format("-DUSB_PRODUCT=\"{}\"", board.usb_product)});
   if (!toolchain.target.chip) append(words, host_definitions(toolchain.board));
+  append(words, toolchain.rules.flags);
   return words;
 }
 

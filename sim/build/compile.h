@@ -18,7 +18,8 @@ struct Unit {
   std::filesystem::path input;   ///< the joined .ino files; `source` is then empty
   bool archived = false;         ///< goes into an archive of its library's objects
   std::string place;             ///< what `folder` is called in debug information: "libraries/Servo"
-  std::vector<std::filesystem::path> includes;  ///< for -I, besides the core's
+  std::vector<std::filesystem::path> searched;  ///< folders for -I, besides its libraries'
+  std::vector<std::filesystem::path> includes;  ///< both
 };
 
 /// An object file and all that it was made of.

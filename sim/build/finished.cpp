@@ -63,7 +63,7 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
     key += fmt::format("{}\n", fmt::join(*names, "\n"));
   for (const std::string& name : sketch.assembler) key += fmt::format("{}\n", name);
-  return key + join_paths(folders);
+  return key + join_paths(sketch.includes) + join_paths(folders);
 }
 
 }  // namespace robosim::build

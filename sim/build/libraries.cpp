@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/source.h"
+#include "sim/project/project.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -48,11 +49,15 @@ void take_sources(Library& library, const fs::path& folder, bool deep) {
   }
 }
 
-bool is_library(const fs::path& folder) {
-  if (is_file(folder / "library.properties")) return true;
+bool holds_headers(const fs::path& folder) {
   const std::vector<fs::path> files = children(folder);
   return std::any_of(files.begin(), files.end(),
                      [](const fs::path& file) { return is_library_header(file); });
+}
+
+bool is_library(const fs::path& folder) {
+  return is_file(folder / "library.properties") || holds_headers(folder) || holds_headers(folder / "src") ||
+         holds_headers(folder / "include");
 }
 
 /// The value of a key in a file such as library.properties; empty if there is none.
@@ -75,10 +80,8 @@ void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
   const auto add = [&](const fs::path& folder) {
     if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
   };
-  for (const fs::path& root : {home, snap}) {
-    const fs::path book = property(root / ".arduino15/preferences.txt", "sketchbook.path");
-    if (book.is_absolute() && is_folder(book / "libraries")) add(book / "libraries");
-  }
+  for (const fs::path& book : project::sketchbooks())
+    if (is_folder(book / "libraries")) add(book / "libraries");
   add(home / "Arduino/libraries");
   if (is_folder(snap / "Arduino/libraries")) add(snap / "Arduino/libraries");
 }
@@ -88,10 +91,13 @@ Library read_library(const fs::path& folder) {
   library.name = property(folder / "library.properties", "name");
   library.named = !library.name.empty();
   if (!library.named) library.name = folder.filename().string();
+  library.version = property(folder / "library.properties", "version");
   library.archive = property(folder / "library.properties", "dot_a_linkage") == "true";
   library.folder = folder;
-  if (is_file(folder / "library.properties") && is_folder(folder / "src")) {
-    library.includes = {folder / "src"};
+  const bool is_arduino = is_file(folder / "library.properties");
+  if (is_folder(folder / "src") && (is_arduino || !holds_headers(folder))) {
+    if (!is_arduino && is_folder(folder / "include")) library.includes = {folder / "include"};
+    library.includes.push_back(folder / "src");
     library.listed = {folder};
     take_sources(library, folder / "src", true);
   } else {
@@ -125,6 +131,15 @@ std::vector<Library> libraries_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::vector<Library> libraries_called(const std::string& name, const std::vector<fs::path>& folders) {
+  std::vector<Library> found;
+  for (const fs::path& folder : folders)
+    for (Library& library :
+         is_library(folder) ? std::vector<Library>{read_library(folder)} : libraries_in(folder))
+      if (library.named && library.name == name) found.push_back(std::move(library));
+  return found;
+}
 
 std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<fs::path>& chosen,
                                       const std::vector<fs::path>& core) {

@@ -7,11 +7,13 @@
 
 namespace robosim::build {
 
-/// A library in one of Arduino's two layouts: with `src/` (library.properties names it; sources at any
-/// depth), or flat (sources in its root and in `utility/`).
+/// A library in one of Arduino's two layouts: with `src/` (sources at any depth), or flat (sources in its
+/// root and in `utility/`). One with `src/` has a library.properties, or no header in its root, as PlatformIO
+/// allows; then it may have its headers in `include/`.
 struct Library {
-  std::string name;    ///< as library.properties says, else its folder's name
-  bool named = false;  ///< library.properties says it
+  std::string name;     ///< as library.properties says, else its folder's name
+  bool named = false;   ///< library.properties says it
+  std::string version;  ///< as library.properties says; empty = it does not
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
@@ -20,6 +22,10 @@ struct Library {
   bool archive =
       false;  ///< library.properties has dot_a_linkage=true: for a chip only what is needed is linked
 };
+
+/// The libraries in `folders` that library.properties calls so.
+std::vector<Library> libraries_called(const std::string& name,
+                                      const std::vector<std::filesystem::path>& folders);
 
 /// Where the libraries of a sketch are: in its own folder, in the folders that the user has `chosen`, in
 /// Robosim, where Arduino's IDE keeps them, and the `core`'s. Throws InputError for a chosen one that is no

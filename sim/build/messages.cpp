@@ -175,6 +175,13 @@ Place first_error(const std::string& messages) {
   return find_error(messages, match) ? place_of(match) : Place();
 }
 
+bool is_about_library(const std::string& messages, const std::vector<Library>& libraries) {
+  const std::string file = first_error(messages).file;
+  return std::any_of(libraries.begin(), libraries.end(), [&](const Library& library) {
+    return file.rfind(library.folder.string() + "/", 0) == 0;
+  });
+}
+
 void fail(const Target& target, const std::string& messages) {
   fail_at_walls(messages);
   check_machine("the compiler", messages);

@@ -35,6 +35,9 @@ std::string readable(const Toolchain& toolchain, const std::filesystem::path& sk
 /// Where the first error is; without a file if no message names one.
 Place first_error(const std::string& messages);
 
+/// Whether that is in one of the libraries.
+bool is_about_library(const std::string& messages, const std::vector<Library>& libraries);
+
 /// Throws CompileError for a failed compilation, or ToolMissing where the machine is to blame.
 [[noreturn]] void fail(const Target& target, const std::string& messages);
 

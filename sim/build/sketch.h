@@ -13,6 +13,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
+#include "sim/build/rules.h"
 
 namespace robosim::build {
 
@@ -32,6 +33,7 @@ struct Request {
   bool coverage = false;  ///< the sketch's own lines are counted (coverage.h); for the host only
   /// Of what lies outside of the sketch's folder it sees its libraries alone: not what it shares (project.h).
   bool untrusted = false;
+  ProjectRules rules = {};
 };
 
 struct Image {

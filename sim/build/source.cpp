@@ -35,16 +35,36 @@ void take(Sketch& sketch, const fs::path& file) {
   if (file.extension() == ".S" || file.extension() == ".s") sketch.assembler.push_back(name);
 }
 
+void take_all_below(Sketch& sketch, const fs::path& folder) {
+  std::error_code none;
+  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; ++entry) {
+    if (hidden(entry->path())) {
+      entry.disable_recursion_pending();
+      continue;
+    }
+    if (entry->is_regular_file()) take(sketch, entry->path());
+  }
+}
+
+void take_headers(Sketch& sketch, const fs::path& folder) {
+  std::error_code none;
+  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; ++entry)
+    if (entry->is_regular_file() && is_header(entry->path()))
+      sketch.headers.push_back(entry->path().lexically_relative(sketch.folder).string());
+}
+
+void sort(Sketch& sketch) {
+  std::sort(sketch.sources.begin(), sketch.sources.end());
+  std::sort(sketch.assembler.begin(), sketch.assembler.end());
+  std::sort(sketch.headers.begin(), sketch.headers.end());
+}
+
 // The folder itself and, below it, src/.
 void take_folder(Sketch& sketch) {
   for (const auto& entry : fs::directory_iterator(sketch.folder))
     if (entry.is_regular_file() && !hidden(entry.path())) take(sketch, entry.path());
-  std::error_code none;
-  for (fs::recursive_directory_iterator entry(sketch.folder / "src", none), end; entry != end; ++entry)
-    if (entry->is_regular_file() && !hidden(entry->path())) take(sketch, entry->path());
-  std::sort(sketch.sources.begin(), sketch.sources.end());
-  std::sort(sketch.assembler.begin(), sketch.assembler.end());
-  std::sort(sketch.headers.begin(), sketch.headers.end());
+  take_all_below(sketch, sketch.folder / "src");
+  sort(sketch);
 }
 
 std::vector<std::string> inos_in(const fs::path& folder) {
@@ -82,12 +102,46 @@ std::string unix_text(std::string text) {
 
 }  // namespace
 
-Sketch read_sketch(const fs::path& path) {
+namespace {
+
+/// As PlatformIO has it: its folder of sources; the .ino file with setup() is the first of them.
+Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
+  std::error_code error;
+  const fs::path sources = fs::canonical(rules.sources, error);
+  if (error) throw InputError({rules.sources.string()}, "there is no such folder");
+  Sketch sketch;
+  sketch.name = folder.filename().string();
+  const fs::path relative = sources.lexically_relative(folder);
+  sketch.folder = relative.empty() || *relative.begin() == ".." ? sources : folder;
+  take_all_below(sketch, sources);
+  for (const std::string& name : inos_in(sources))
+    sketch.inos.push_back((sources / name).lexically_relative(sketch.folder).string());
+  std::stable_partition(sketch.inos.begin(), sketch.inos.end(), [&](const std::string& name) {
+    return read_file(sketch.folder / name).find("void setup") != std::string::npos;
+  });
+  if (sketch.inos.empty() && sketch.sources.empty())
+    throw InputError({rules.sources.string()}, "holds no sources: neither a .cpp nor an .ino file");
+  for (const fs::path& include : rules.includes) {
+    const fs::path real = fs::canonical(include, error);
+    if (error) continue;
+    if (real != sources) take_headers(sketch, real);
+    sketch.includes.push_back(real);
+  }
+  sketch.includes.insert(sketch.includes.begin(), sources);
+  sort(sketch);
+  return sketch;
+}
+
+}  // namespace
+
+Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
   std::error_code error;
   const fs::path absolute = fs::canonical(path, error);
   if (error) throw InputError({path.string()}, "there is no such sketch");
+  if (!rules.sources.empty()) return read_project(absolute, rules);
 
   Sketch sketch;
+  sketch.includes = {fs::is_regular_file(absolute) ? absolute.parent_path() : absolute};
   if (fs::is_regular_file(absolute)) {
     if (!is_ino(absolute) && !is_source(absolute))
       throw InputError({path.string()}, "is no sketch: a folder, an .ino or a .cpp file is");

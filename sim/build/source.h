@@ -5,15 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "sim/build/rules.h"
+
 namespace robosim::build {
 
 struct Sketch {
   std::string name;               ///< "PidFollower"
   std::filesystem::path folder;   ///< absolute; all names below are relative to it
   std::vector<std::string> inos;  ///< in the order in which Arduino joins them; empty for a plain .cpp sketch
-  std::vector<std::string> sources;    ///< .cpp and .c files compiled beside them, sorted
-  std::vector<std::string> assembler;  ///< .S files, for a chip only, sorted
-  std::vector<std::string> headers;    ///< further files that count as the sketch's own, sorted
+  std::vector<std::string> sources;             ///< .cpp and .c files compiled beside them, sorted
+  std::vector<std::string> assembler;           ///< .S files, for a chip only, sorted
+  std::vector<std::string> headers;             ///< further files that count as the sketch's own, sorted
+  std::vector<std::filesystem::path> includes;  ///< folders for -I
 };
 
 /// Whether the file is compiled by itself: C or C++.
@@ -21,8 +24,8 @@ bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
 
-/// Reads the folder by Arduino's rules. Throws InputError.
-Sketch read_sketch(const std::filesystem::path& path);
+/// Reads the folder by Arduino's rules, and the project's. Throws InputError.
+Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
 /// SHA-256 over names and contents of all files of the sketch.
 std::string content_sha256(const Sketch& sketch);

@@ -76,6 +76,7 @@ struct Toolchain {
   bool coverage = false;
   Registers registers = Registers::objects;
   bool untrusted = false;
+  ProjectRules rules = {};
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

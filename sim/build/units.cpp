@@ -7,7 +7,7 @@ Unit sketch_unit(const Sketch& sketch) {
   Unit unit;
   unit.folder = sketch.folder;
   unit.place = ".";
-  unit.includes = {sketch.folder};
+  unit.searched = sketch.includes;
   return unit;
 }
 
@@ -18,6 +18,7 @@ Unit library_unit(const Toolchain& toolchain, const Library& library, const std:
   unit.place = "libraries/" + library.name;
   unit.archived = library.archive && toolchain.target.chip;
   unit.source = (library.folder / source).string();
+  unit.searched = toolchain.rules.includes;
   return unit;
 }
 
@@ -28,8 +29,7 @@ std::string name_of(const Sketch& sketch, const Unit& unit) {
 }
 
 std::vector<fs::path> include_folders(const Unit& unit, const std::vector<Library>& libraries) {
-  std::vector<fs::path> folders;
-  if (unit.kind == Unit::Kind::sketch) folders.push_back(unit.folder);
+  std::vector<fs::path> folders = unit.searched;
   for (const Library& library : libraries)
     folders.insert(folders.end(), library.includes.begin(), library.includes.end());
   return folders;

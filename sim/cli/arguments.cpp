@@ -49,6 +49,7 @@ Command parse_run(const Words& words) {
   options.text("--profile", run.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
+  options.text("--env", run.environment, "NAME", kEnvironment);
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.texts("--record", run.record, "FILE",
                 "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
@@ -60,6 +61,7 @@ Command parse_run(const Words& words) {
   options.flag("--untrusted", run.untrusted, kUntrusted);
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
+  options.flag("--serial", run.serial, "print what the sketch sends, and the result to standard error");
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
   if (const auto help = options.parse(words)) return PrintText{*help};
@@ -69,8 +71,8 @@ Command parse_run(const Words& words) {
   if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
   check_choice("--profile", run.request.profile, {"ideal", "typical"});
-  if (run.view && run.json)
-    throw InputError("--view and --json both want the standard output; give one of them");
+  if (run.view + run.json + run.serial > 1)
+    throw InputError("--view, --json and --serial want the standard output; give one of them");
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
   return run;
 }
@@ -95,6 +97,7 @@ Command parse_build(const Words& words) {
   options.text("--robot", build.robot, "ROBOT", "file or name: its board is compiled for");
   options.text("--target", build.target, "TARGET", "host, avr or stm32");
   options.text("--out", build.out, "DIR", "put the compiled files there, under the sketch's name");
+  options.text("--env", build.environment, "NAME", kEnvironment);
   options.texts("--libraries", build.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.text("--warnings", build.warnings, "LEVEL", "none, default, more or all");
   options.flag("--sanitize", build.sanitize, "with the checks of run --sanitize");
@@ -111,6 +114,7 @@ Command parse_flash(const Words& words) {
   options.text("--port", flash.port, "PORT", "where the board is, as /dev/ttyACM0 or /dev/ttyUSB0");
   options.text("--robot", flash.robot, "ROBOT", "file or name: its board is compiled for");
   options.text("--baud", baud, "N", "of the boot loader; default: the board's; an old Nano's has 57600");
+  options.text("--env", flash.environment, "NAME", kEnvironment);
   options.texts("--libraries", flash.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.flag("--dry-run", flash.dry_run, "print the command and the image's SHA-256, write nothing");
   if (const auto help = options.parse(words)) return PrintText{*help};
@@ -271,6 +275,7 @@ Command parse_wire(const Words& words) {
   options.text("--board", wire.board, "BOARD", "that the robot carries; default: uno");
   options.text("--map", wire.map, "MAP", "file or name: the draft is tried on it; default: oval");
   options.text("--target", wire.target, "TARGET", "host, or the chip's: avr or stm32");
+  options.text("--env", wire.environment, "NAME", kEnvironment);
   options.texts("--libraries", wire.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.text("--out", wire.out, "FILE", "is written; default: standard output");
   if (const auto help = options.parse(words)) return PrintText{*help};

@@ -21,7 +21,8 @@ struct RunArguments : launch::Launch {
   std::string coverage;             ///< a folder; empty = nothing is counted
   bool chip_only = false;           ///< no target named is that of the robot's board, not the host
   bool view = false;
-  double speed = 1.0;  ///< of the view: simulated seconds a wall second; 0 = as fast as possible
+  double speed = 1.0;   ///< of the view: simulated seconds a wall second; 0 = as fast as possible
+  bool serial = false;  ///< the standard output is the sketch's serial text
   bool json = false;
   bool timing = false;
 };
@@ -65,6 +66,7 @@ struct CompareArguments {
 /// `robosim build`
 struct BuildArguments {
   std::string sketch;
+  std::string environment;
   std::string robot;
   std::string target = "host";
   std::string out;  ///< a folder; empty = the files stay in the cache
@@ -76,6 +78,7 @@ struct BuildArguments {
 /// `robosim flash`
 struct FlashArguments {
   std::string sketch;
+  std::string environment;
   std::string robot;
   std::string port;
   std::optional<std::uint64_t> baud;  ///< of the boot loader; without it what the board's has
@@ -110,7 +113,8 @@ struct RobotArguments {
 /// `robosim wire`
 struct WireArguments {
   std::string sketch;
-  std::string board;         ///< empty = the first there is
+  std::string environment;
+  std::string board;         ///< empty = the project's, else the first there is
   std::string map = "oval";  ///< that the draft is tried on
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;

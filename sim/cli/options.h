@@ -37,6 +37,9 @@ class Options {
   std::unique_ptr<App> app_;
 };
 
+/// Of --env.
+constexpr const char* kEnvironment = "of platformio.ini, or a profile of sketch.yaml";
+
 /// Of --untrusted.
 constexpr const char* kUntrusted = "somebody else's sketch: go on only where this machine can confine it";
 

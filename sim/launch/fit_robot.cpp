@@ -36,9 +36,24 @@ const BoardSpec& board_of(const wire::RobotInfo& robot) {
   return *board;
 }
 
-Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe) {
-  FittedRobot fitted = fit_robot(robot.path.string(), build::boards_of(target), describe);
-  Carrier carrier{robot, std::move(fitted.info), ""};
+Carrier on_its_board(const Choice& robot, const Describe& describe) {
+  Carrier carrier{robot, describe(robot.path.string()), ""};
+  if (!robot.board || carrier.info.board.name == robot.board->name) return carrier;
+  carrier.robot.name = robot_with_board(robot.name, robot.board->name);
+  carrier.robot.path = robot_with_board(robot.path.string(), robot.board->name);
+  carrier.info = describe(carrier.robot.path.string());
+  carrier.announcement = fmt::format("the robot is {}: {}", carrier.robot.name, robot.board_said);
+  return carrier;
+}
+
+Carrier fit_to_target(const Choice& own, const std::string& target, const Describe& describe) {
+  const std::vector<std::string> boards = build::boards_of(target);
+  const bool serves = own.board && (boards.empty() ||
+                                    std::find(boards.begin(), boards.end(), own.board->name) != boards.end());
+  const Carrier wanted = serves ? on_its_board(own, describe) : Carrier{own, {}, ""};
+  const Choice& robot = wanted.robot;
+  FittedRobot fitted = fit_robot(robot.path.string(), boards, describe);
+  Carrier carrier{robot, std::move(fitted.info), wanted.announcement};
   if (fitted.own_board.empty()) return carrier;
   const std::string& board = carrier.info.board.name;
   carrier.robot.path = fitted.robot;

@@ -25,13 +25,16 @@ struct FittedRobot {
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 
-/// A robot that a sketch for this target can drive.
+/// A robot that a sketch for this target can drive, or that its project is for.
 struct Carrier {
   Choice robot;
   wire::RobotInfo info;
   std::string announcement;  ///< that another board takes the place of its own; empty = none does
 };
-/// Throws InputError where no board of the target has all pins that the robot uses.
+/// The robot on the board that its project is for.
+Carrier on_its_board(const Choice& robot, const Describe& describe);
+/// The same where that has the chip. Throws InputError where no board of the target
+/// has all pins that the robot uses.
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe);
 
 /// The board a robot carries.

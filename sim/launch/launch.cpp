@@ -11,12 +11,12 @@ namespace robosim::launch {
 
 Chosen choose(const Launch& launch) {
   Chosen chosen;
-  chosen.sketch = choose_sketch(launch.sketch);
+  chosen.sketch = choose_sketch(launch.sketch, launch.environment);
   if (launch.untrusted) check_folder(chosen.sketch);
   chosen.target = choose_target(launch.target, chosen.sketch);
   if (launch.sanitize) name_flag("--sanitize", [&] { build::check_can_sanitize(chosen.target); });
   chosen.map = choose_map(launch.map, chosen.sketch.folder);
-  chosen.robot = choose_robot(launch.robot, chosen.sketch.folder, chosen.target);
+  chosen.robot = choose_robot(launch.robot, chosen.sketch, chosen.target);
   return chosen;
 }
 
@@ -31,6 +31,7 @@ bool compiles_for_avr(const build::Request& request) try {
   if (!build::missing_tool("avr").empty()) return false;
   build::Request other{request.sketch, request.board, "avr"};
   other.libraries = request.libraries;
+  other.rules = request.rules;
   build::build(other);
   return true;
 } catch (const std::exception&) {
@@ -72,6 +73,7 @@ void Launcher::tell(const std::function<void(const std::string&)>& to, const std
 const build::Image& Launcher::image(const SketchChoice& sketch, const build::Request& request) {
   std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", sketch.path.string(), request.board.name,
                                 request.target, request.sanitize, request.coverage, request.untrusted);
+  key += "\n" + sketch.project.file.string() + "\n" + sketch.project.environment;
   for (const std::filesystem::path& folder : request.libraries) key += "\n" + folder.string();
   const auto known = images_.find(key);
   if (known != images_.end()) return known->second;
@@ -81,12 +83,13 @@ const build::Image& Launcher::image(const SketchChoice& sketch, const build::Req
 Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& describe,
                            const wire::Hello& runner) {
   for (const std::string& sentence : lacks(launch, chosen, runner)) tell(listener_.lacking, sentence);
+  for (const std::string& sentence : remarks_on_project(chosen.sketch, launch.libraries))
+    tell(listener_.chosen, sentence);
   tell(listener_.chosen, chosen.map.announcement);
   tell(listener_.chosen, chosen.robot.announcement);
   Carrier carrier = fit_to_target(chosen.robot, chosen.target, describe);
   tell(listener_.chosen, carrier.announcement);
-  build::Request wanted{chosen.sketch.path, board_of(carrier.info), chosen.target};
-  wanted.libraries.assign(launch.libraries.begin(), launch.libraries.end());
+  build::Request wanted = request_of(chosen.sketch, board_of(carrier.info), chosen.target, launch.libraries);
   wanted.sanitize = launch.sanitize;
   wanted.coverage = launch.count_lines;
   wanted.untrusted = launch.untrusted;

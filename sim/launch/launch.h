@@ -28,6 +28,7 @@ struct Launch {
   std::string map;
   std::string robot;
   std::string target;
+  std::string environment;             ///< of platformio.ini, or a profile of sketch.yaml
   std::vector<std::string> libraries;  ///< folders
   bool sanitize = false;               ///< the sketch checks itself
   bool count_lines = false;            ///< which of the sketch's lines run

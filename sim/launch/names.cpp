@@ -10,7 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "sim/base/spelling.h"
-#include "sim/build/sketch.h"
+#include "sim/build/source.h"
 #include "sim/client/runner.h"
 #include "sim/elf/elf_file.h"
 
@@ -32,9 +32,14 @@ void check_exists(const std::string& target) {
 bool has_sketch(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".ino") return true;
+    if (build::is_ino(entry.path())) return true;
   }
   return false;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
 }
 
 void check_path(const std::string& what, const std::string& path) {
@@ -76,10 +81,31 @@ fs::path stock_robot_folder() {
 
 fs::path stock_map_folder() { return data_folder() / "maps"; }
 
-SketchChoice choose_sketch(const std::string& name) {
-  SketchChoice choice{name.empty() ? "." : name, {}, {}};
+namespace {
+
+/// The image in a folder that holds one and nothing to build; empty if it is no such folder.
+fs::path image_in(const fs::path& folder) {
+  if (has_sketch(folder)) return {};
+  std::vector<fs::path> images;
+  for (const std::string& name : names_in(folder, ".elf")) images.push_back(folder / (name + ".elf"));
+  return images.size() == 1 ? images[0] : fs::path();
+}
+
+bool is_project(const fs::path& folder) { return is_there(folder / "platformio.ini"); }
+
+void take_image(SketchChoice& choice) {
+  choice.elf_target = choice.path.extension() == ".hex" ? "avr" : target_of_elf(choice.path);
+  choice.project = project::project_of_image(choice.path);
+}
+
+}  // namespace
+
+SketchChoice choose_sketch(const std::string& name, const std::string& environment) {
+  SketchChoice choice{name.empty() ? "." : name, {}, {}, {}, {}};
   if (name.empty()) {
-    if (!has_sketch(".")) {
+    const fs::path image = is_project(".") ? fs::path() : image_in(".");
+    if (!image.empty()) return choose_sketch(image.string());
+    if (!has_sketch(".") && !is_project(".")) {
       throw InputError(
           "the current folder holds no sketch (a file that ends with .ino); name one, as in “robosim run "
           "PidFollower” (there are " +
@@ -89,8 +115,10 @@ SketchChoice choose_sketch(const std::string& name) {
   } else if (is_path(name)) {
     check_path("sketch", name);
     choice.path = name;
-    if (fs::path(name).extension() == ".elf") choice.elf_target = target_of_elf(name);
-    if (fs::path(name).extension() == ".hex") choice.elf_target = "avr";
+    if (const fs::path image = is_project(name) ? fs::path() : image_in(name); !image.empty())
+      choice.path = image;
+    if (const fs::path ending = choice.path.extension(); ending == ".elf" || ending == ".hex")
+      take_image(choice);
   } else {
     const auto stock = build::stock_sketches();
     if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
@@ -105,7 +133,23 @@ SketchChoice choose_sketch(const std::string& name) {
   std::error_code error;
   choice.folder = fs::is_directory(choice.path, error) ? choice.path : choice.path.parent_path();
   if (choice.folder.empty()) choice.folder = ".";
+  if (choice.elf_target.empty())
+    choice.project =
+        project::read_project(choice.folder == fs::current_path() ? "." : choice.folder, environment);
+  else if (const fs::path sketch = project::sketch_of_image(choice.path);
+           !sketch.empty() && !is_there(choice.folder / "robot.toml"))
+    choice.folder = sketch;
   return choice;
+}
+
+build::Request request_of(const SketchChoice& sketch, const BoardSpec& board, const std::string& target,
+                          const std::vector<std::string>& libraries) {
+  const project::Project& project = sketch.project;
+  build::Request request{sketch.path, board, target};
+  request.libraries.assign(libraries.begin(), libraries.end());
+  request.libraries.insert(request.libraries.end(), project.libraries.begin(), project.libraries.end());
+  request.rules = {project.sources, project.includes, project.flags};
+  return request;
 }
 
 Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
@@ -130,7 +174,35 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
   return {"oval", stock_map_folder() / "oval.map", "the map is oval" + why + "; choose another with --map"};
 }
 
-Choice choose_robot(const std::string& name, const fs::path& sketch_folder, const std::string& target) {
+namespace {
+
+/// A stock robot that carries the board, by its name: "mega5"; else uno5.
+std::string stock_robot_for(const BoardSpec* board) {
+  std::string found = "uno5";
+  if (!board) return found;
+  const std::string begin = board->name;
+  for (const std::string& name : names_in(stock_robot_folder(), ".toml"))
+    if (name.rfind(begin, 0) == 0 && name.find_first_not_of("0123456789", begin.size()) == name.npos)
+      found = name;
+  return found;
+}
+
+}  // namespace
+
+Choice choose_robot(const std::string& name, const SketchChoice& sketch, const std::string& target) {
+  const bool named = !parse_robot_name(name).board.empty();
+  if (!named) project::check_board(sketch.project);
+  const BoardSpec* const board = named ? nullptr : sketch.project.board;
+  Choice choice = choose_robot(name, sketch.folder, target, board);
+  choice.board = board;
+  if (board)
+    choice.board_said =
+        fmt::format("{} says {}", sketch.project.file.filename().string(), sketch.project.board_name);
+  return choice;
+}
+
+Choice choose_robot(const std::string& name, const fs::path& sketch_folder, const std::string& target,
+                    const BoardSpec* board) {
   const std::string robot_alone = parse_robot_name(name).robot;
   if (is_path(robot_alone)) {
     check_path("robot", robot_alone);
@@ -147,7 +219,7 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder, cons
   if (fs::exists(sketch_folder / "robot.toml", error)) {
     return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml beside the sketch"};
   }
-  const std::string robot = target == "stm32" ? "bluepill5" : "uno5";
+  const std::string robot = target == "stm32" ? "bluepill5" : stock_robot_for(board);
   return {
       robot, robot,
       "the robot is " + robot +

@@ -32,12 +32,22 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
   return sentences;
 }
 
-void check_folder(const SketchChoice& sketch) { build::check_links(sketch.folder); }
+void check_folder(const SketchChoice& sketch) {
+  build::check_links(sketch.folder);
+  const project::Project& project = sketch.project;
+  for (const auto* folders : {&project.libraries, &project.includes})
+    for (const std::filesystem::path& folder : *folders)
+      if (!build::lies_in(folder, sketch.folder))
+        throw InputError(
+            {project.file.string()},
+            fmt::format("{} is outside of the sketch's folder; --untrusted follows no such folder",
+                        folder.string()));
+}
 
 std::string chip_target(const Launch& launch, const Describe& describe) {
-  const SketchChoice sketch = choose_sketch(launch.sketch);
+  const SketchChoice sketch = choose_sketch(launch.sketch, launch.environment);
   if (!sketch.elf_target.empty()) return sketch.elf_target;
-  const Choice robot = choose_robot(launch.robot, sketch.folder);
+  const Choice robot = choose_robot(launch.robot, sketch, "host");
   return board_of(describe(robot.path.string())).chip->target;
 }
 

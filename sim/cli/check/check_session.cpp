@@ -118,7 +118,8 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
     const launch::SketchChoice choice = launch::choose_sketch(sketch);
     folder = choice.folder;
     if (untrusted_) launch::check_folder(choice);
-    if (choice.elf_target.empty()) build::read_sketch(choice.path);
+    if (choice.elf_target.empty())
+      build::read_sketch(choice.path, {choice.project.sources, choice.project.includes, {}});
     const fs::path beside =
         choice.folder == fs::current_path() ? "checks.toml" : choice.folder / "checks.toml";
     result.checks = file.empty() ? beside.string() : file;

@@ -28,14 +28,23 @@ struct Flag {
   Text text;
 };
 constexpr Flag kFlags[] = {
-    {"map", Kind::list, Text::name_or_path},    {"robot", Kind::list, Text::name_or_path},
-    {"target", Kind::list, Text::plain},        {"start", Kind::value, Text::plain},
-    {"goal", Kind::value, Text::plain},         {"for", Kind::value, Text::plain},
-    {"clock", Kind::value, Text::plain},        {"seeds", Kind::value, Text::plain},
-    {"profile", Kind::value, Text::plain},      {"script", Kind::value, Text::path},
-    {"send", Kind::list, Text::sent},           {"libraries", Kind::list, Text::path},
-    {"sanitize", Kind::yes_or_no, Text::plain}, {"min-rate", Kind::value, Text::plain},
-    {"sure", Kind::yes_or_no, Text::plain},     {"stop-early", Kind::yes_or_no, Text::plain},
+    {"map", Kind::list, Text::name_or_path},
+    {"robot", Kind::list, Text::name_or_path},
+    {"target", Kind::list, Text::plain},
+    {"start", Kind::value, Text::plain},
+    {"goal", Kind::value, Text::plain},
+    {"for", Kind::value, Text::plain},
+    {"clock", Kind::value, Text::plain},
+    {"seeds", Kind::value, Text::plain},
+    {"profile", Kind::value, Text::plain},
+    {"script", Kind::value, Text::path},
+    {"send", Kind::list, Text::sent},
+    {"libraries", Kind::list, Text::path},
+    {"env", Kind::value, Text::plain},
+    {"sanitize", Kind::yes_or_no, Text::plain},
+    {"min-rate", Kind::value, Text::plain},
+    {"sure", Kind::yes_or_no, Text::plain},
+    {"stop-early", Kind::yes_or_no, Text::plain},
 };
 
 const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "hung",

@@ -29,6 +29,7 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.text("--profile", compare.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", compare.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", compare.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
+  options.text("--env", compare.each.environment, "NAME", kEnvironment);
   options.texts("--libraries", compare.each.libraries, "DIR",
                 "a folder of Arduino libraries; may be repeated");
   options.flag("--untrusted", compare.each.untrusted, kUntrusted);

@@ -60,7 +60,7 @@ class CompareCommand {
     launch.sketch = arguments.sketch;
     launch.map = arguments.map;
     launch.robot = arguments.robot;
-    const launch::SketchChoice sketch = launch::choose_sketch(launch.sketch);
+    const launch::SketchChoice sketch = launch::choose_sketch(launch.sketch, launch.environment);
     if (!sketch.elf_target.empty())
       throw InputError({sketch.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
     launch::Launcher launcher(listener_of(progress, {true, false}));

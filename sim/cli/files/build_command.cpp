@@ -118,23 +118,24 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   launch::check_build_target(arguments.target);
   if (arguments.sanitize)
     launch::name_flag("--sanitize", [&] { build::check_can_sanitize(arguments.target); });
-  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch);
+  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
-  const launch::Choice choice = launch::choose_robot(arguments.robot, sketch.folder, arguments.target);
+  const launch::Choice choice = launch::choose_robot(arguments.robot, sketch, arguments.target);
   // The robot is the same for all targets, so the runner that is always there tells of it.
   client::Runner describer("host");
   const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
-  launch::Carrier carrier = boards == Boards::own
-                                ? launch::Carrier{choice, describe(choice.path.string()), ""}
-                                : fit_to_target(choice, arguments.target, describe);
+  launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)
+                                                  : fit_to_target(choice, arguments.target, describe);
   tui::Progress progress(true);
   const launch::Listener listener = listener_of(progress);
+  for (const std::string& sentence : remarks_on_project(sketch, arguments.libraries))
+    listener.chosen(sentence);
   if (!carrier.announcement.empty()) listener.chosen(carrier.announcement);
   wire::RobotInfo& robot = carrier.info;
   const BoardSpec& board = launch::board_of(robot);
-  build::Request request{sketch.path,       board, arguments.target, {}, warnings_of(arguments.warnings),
-                         arguments.sanitize};
-  for (const std::string& folder : arguments.libraries) request.libraries.emplace_back(folder);
+  build::Request request = request_of(sketch, board, arguments.target, arguments.libraries);
+  request.warnings = warnings_of(arguments.warnings);
+  request.sanitize = arguments.sanitize;
   return {image_of(sketch, request, listener), board, std::move(robot)};
 }
 

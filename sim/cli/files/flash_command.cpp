@@ -28,6 +28,7 @@ BuildArguments build_arguments(const FlashArguments& arguments) {
   build.sketch = arguments.sketch;
   build.robot = arguments.robot;
   build.target = "avr";
+  build.environment = arguments.environment;
   build.libraries = arguments.libraries;
   return build;
 }
@@ -94,8 +95,9 @@ std::string older_boot_loaders() {
   return text;
 }
 
-/// Through whose boot loader a finished image goes: the robot's, if one is named.
-const BoardSpec& board_of_image(const std::string& robot) {
+/// Through whose boot loader a finished image goes: the robot's, if one is named, else its project's.
+const BoardSpec& board_of_image(const std::string& robot, const project::Project& project) {
+  if (robot.empty() && project.board) return *project.board;
   if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());
   const launch::Choice choice = launch::choose_robot(robot, ".", "avr");
   const BoardSpec& board = launch::board_of(client::Runner("host").describe_robot(choice.path.string()));
@@ -134,7 +136,7 @@ std::vector<std::string> avrdude_words(const FlashArguments& arguments, const Bo
 }
 
 int flash_command(const FlashArguments& arguments) {
-  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch);
+  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
   if (!sketch.elf_target.empty() && sketch.elf_target != "avr")
     throw InputError({sketch.name}, fmt::format("is an image for {}; robosim flash writes those for avr",
                                                 sketch.elf_target));
@@ -154,7 +156,7 @@ int flash_command(const FlashArguments& arguments) {
           fmt::format("image_sha256: {}, of the image that the .hex is made of, as in robosim run --json\n",
                       sha256_of_file(built.image.image)));
   } else {
-    board = &board_of_image(arguments.robot);
+    board = &board_of_image(arguments.robot, sketch.project);
     print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
   }
   if (!board->upload_protocol)

@@ -94,10 +94,13 @@ class Listeners {
       : recorders_(recorders), progress_(progress), for_s_(static_cast<double>(for_ns) * 1e-9) {}
 
   void watch(tui::LiveView* view) { view_ = view; }
+  void print_serial() { print_serial_ = true; }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
 
   void on_event(const wire::Event& event) {
     recorders_.add(event);
+    if (const auto* serial = std::get_if<wire::SerialText>(&event); serial && print_serial_)
+      print(serial->text);
     if (const auto* started = std::get_if<wire::Started>(&event)) started_ = *started;
     if (const auto* sample = std::get_if<wire::Sample>(&event)) {
       trail_.add(*sample);
@@ -117,6 +120,7 @@ class Listeners {
   record::Recorders& recorders_;
   tui::Progress& progress_;
   tui::LiveView* view_ = nullptr;
+  bool print_serial_ = false;
   std::string debugger_;  ///< what to type to attach one
   wire::Started started_;
   tui::Trail trail_;
@@ -164,9 +168,10 @@ int run_command(const RunArguments& arguments) {
     launch.count_lines = true;
     launch.request.counters = counters->path().string();
   }
-  tui::Progress progress(!arguments.view);
+  tui::Progress progress(!arguments.view && !arguments.serial);
   launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
-  launch.request.serial = launch.request.notes = arguments.view;
+  launch.request.serial = arguments.view || arguments.serial;
+  launch.request.notes = arguments.view;
   recorders.ask(launch.request);
 
   client::Runner runner(chosen.target);
@@ -180,6 +185,7 @@ int run_command(const RunArguments& arguments) {
   recorders.begin({runner.hello().version, run.sketch.name, run.map.name, run.robot.name, run.target,
                    run.robot_info, run.request});
   Listeners listeners(recorders, run.request.for_ns, progress);
+  if (arguments.serial) listeners.print_serial();
   if (run.request.gdb_port > 0)
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));
@@ -210,7 +216,7 @@ int run_command(const RunArguments& arguments) {
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(run.map.path);
     const auto free = free_bytes(result, board);
-    print(
+    (arguments.serial ? complain : print)(
         tui::end_screen({run.sketch.name, run.map.name, run.robot.name, run.target, listeners.started(),
                          result, listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target},
                         drawn.get(), columns, tui::look_from_environment(size.has_value())));
@@ -225,6 +231,8 @@ int run_command(const RunArguments& arguments) {
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
+  // A program that was only to say something has said it.
+  if (arguments.serial && result.verdict == "ended") return static_cast<int>(ExitStatus::ok);
   return result.status;
 }
 

@@ -109,6 +109,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.text("--profile", sweep.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
   options.text("--script", sweep.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", sweep.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
+  options.text("--env", sweep.each.environment, "NAME", kEnvironment);
   options.texts("--libraries", sweep.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.flag("--sanitize", sweep.each.sanitize,
                "the sketch checks itself, as with run --sanitize (host only)");

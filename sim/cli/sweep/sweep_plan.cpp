@@ -37,6 +37,7 @@ std::string options_of(const RunArguments& each) {
   if (each.request.profile != usual.request.profile) add("--profile", each.request.profile);
   if (!each.script.empty()) add("--script", each.script);
   for (const std::string& send : each.send) add("--send", send);
+  if (!each.environment.empty()) add("--env", each.environment);
   for (const std::string& folder : each.libraries) add("--libraries", folder);
   if (each.sanitize) text += " --sanitize";
   if (each.untrusted) text += " --untrusted";

@@ -1,6 +1,7 @@
 #include "sim/cli/wire/try_out.h"
 
 #include "sim/base/file.h"
+#include "sim/base/robot_name.h"
 #include "sim/build/source.h"
 #include "sim/client/interrupts.h"
 
@@ -35,9 +36,10 @@ TryOut::TryOut(launch::Launch launch, const BoardSpec& board, const std::filesys
       launcher_(std::move(listener)),
       runner_(launch_.target),
       history_(board) {
-  const launch::SketchChoice sketch = launch::choose_sketch(launch_.sketch);
-  names_ = wiring::read_names(build::read_sketch(sketch.path), board);
-  launch_.robot = file_.string();
+  const launch::SketchChoice sketch = launch::choose_sketch(launch_.sketch, launch_.environment);
+  const build::ProjectRules rules = request_of(sketch, board, launch_.target, {}).rules;
+  names_ = wiring::read_names(build::read_sketch(sketch.path, rules), board);
+  launch_.robot = robot_with_board(file_.string(), board.name);
 }
 
 wire::RunResult TryOut::run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,

@@ -34,8 +34,12 @@ std::string what_came_of_it(const wire::RunResult& result, const std::string& ma
 int wire_command(const WireArguments& arguments) {
   if (!arguments.out.empty() && fs::exists(arguments.out))
     throw InputError({arguments.out, 0, 0}, "is there already; it is not overwritten");
-  const BoardSpec& board = board_named(arguments.board);
+  const project::Project project = launch::choose_sketch(arguments.sketch, arguments.environment).project;
+  if (arguments.board.empty()) project::check_board(project);
+  const BoardSpec& board =
+      arguments.board.empty() && project.board ? *project.board : board_named(arguments.board);
   launch::Launch launch;
+  launch.environment = arguments.environment;
   launch.sketch = arguments.sketch;
   launch.map = arguments.map;
   launch.target = arguments.target.empty() ? "host" : arguments.target;

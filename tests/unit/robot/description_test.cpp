@@ -312,7 +312,7 @@ TEST_F(AnotherBoard, ThatThereIsNoneOfIsRefusedWithThoseThereAre) {
       refusal("uno5@due"),
       HasSubstr(
           "uno5@due: no board is called \"due\"; there are uno, nano, "
-          "nano168, promini8, promini16, mega, leonardo, micro, digispark, gemma, attiny85, bluepill or "
+          "nano168, promini16, promini8, mega, leonardo, micro, digispark, gemma, attiny85, bluepill or "
           "bluepill8"));
 }
 

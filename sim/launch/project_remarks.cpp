@@ -1,0 +1,32 @@
+#include <fmt/format.h>
+
+#include "sim/build/libraries.h"
+#include "sim/launch/names.h"
+
+namespace robosim::launch {
+
+std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
+                                            const std::vector<std::string>& libraries) {
+  const project::Project& project = sketch.project;
+  std::vector<std::string> remarks = project.remarks;
+  if (project.wanted.empty()) return remarks;
+  std::vector<std::filesystem::path> chosen(libraries.begin(), libraries.end());
+  chosen.insert(chosen.end(), project.libraries.begin(), project.libraries.end());
+  const auto folders = build::library_folders(std::filesystem::absolute(sketch.folder), chosen, {});
+  for (const project::WantedLibrary& wanted : project.wanted) {
+    const std::string name =
+        wanted.version.empty() ? wanted.name : fmt::format("{} {}", wanted.name, wanted.version);
+    const auto found = build::libraries_called(wanted.name, folders);
+    const std::string says = fmt::format("{} wants {}", project.file.filename().string(), name);
+    if (found.empty())
+      remarks.push_back(
+          fmt::format("{}, and no folder of libraries has it: arduino-cli lib install \"{}{}{}\" fetches it",
+                      says, wanted.name, wanted.version.empty() ? "" : "@", wanted.version));
+    else if (!wanted.version.empty() && found[0].version != wanted.version)
+      remarks.push_back(fmt::format("{}; its version {} is in {}, and is taken", says, found[0].version,
+                                    found[0].folder.string()));
+  }
+  return remarks;
+}
+
+}  // namespace robosim::launch

@@ -1,0 +1,18 @@
+// Readers of the single kinds of files; project.h chooses among them.
+#pragma once
+
+#include "sim/project/project.h"
+
+namespace robosim::project {
+
+/// None of them is larger.
+constexpr std::size_t kMostProjectFile_bytes = std::size_t{1} << 20;
+
+Project read_platformio(const std::filesystem::path& folder, const std::string& environment);
+Project read_sketch_yaml(const std::filesystem::path& file, const std::string& profile);
+
+/// Throws: there is no such environment, or profile.
+[[noreturn]] void refuse_environment(const std::filesystem::path& file, const std::string& what,
+                                     const std::string& name, const std::vector<std::string>& all);
+
+}  // namespace robosim::project

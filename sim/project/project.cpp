@@ -1,0 +1,146 @@
+#include "sim/project/project.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "sim/base/file.h"
+#include "sim/base/spelling.h"
+#include "sim/project/board_names.h"
+#include "sim/project/files.h"
+#include "sim/project/yaml.h"
+
+namespace robosim::project {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_file(const fs::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(path, none);
+}
+
+/// What arduino-cli writes beside what it builds; null if there is no such file.
+nlohmann::json build_options(const fs::path& folder) {
+  const fs::path file = folder / "build.options.json";
+  if (!is_file(file)) return nullptr;
+  return nlohmann::json::parse(read_file(file, kMostProjectFile_bytes), nullptr, false);
+}
+
+std::string text_in(const nlohmann::json& object, const char* key) {
+  if (!object.is_object()) return {};
+  const auto value = object.find(key);
+  return value != object.end() && value->is_string() ? value->get<std::string>() : "";
+}
+
+/// PlatformIO's folder that the image is in, PROJECT/.pio/build/ENVIRONMENT/firmware.elf; else empty.
+fs::path platformio_of(const fs::path& image) {
+  const fs::path build = image.parent_path().parent_path();
+  if (build.filename() != "build" || build.parent_path().filename() != ".pio") return {};
+  const fs::path project = build.parent_path().parent_path();
+  return is_file(project / "platformio.ini") ? project : fs::path();
+}
+
+fs::path full_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+
+}  // namespace
+
+void refuse_environment(const fs::path& file, const std::string& what, const std::string& name,
+                        const std::vector<std::string>& all) {
+  throw InputError({file.string()}, "--env: " + (all.empty() ? fmt::format("there is no {} at all", what)
+                                                             : unknown_name(what, name, all)));
+}
+
+Project read_project(const fs::path& folder, const std::string& environment) {
+  if (is_file(folder / "platformio.ini")) return read_platformio(folder, environment);
+  for (const char* name : {"sketch.yaml", "sketch.yml"})
+    if (is_file(folder / name)) return read_sketch_yaml(folder / name, environment);
+  if (!environment.empty())
+    throw InputError(fmt::format(
+        "--env: {} has neither a platformio.ini with environments nor a sketch.yaml with profiles",
+        folder == "." ? "the current folder" : folder.string()));
+  return {};
+}
+
+Project project_of_image(const fs::path& given) {
+  const fs::path image = full_path(given);
+  if (const fs::path folder = platformio_of(image); !folder.empty()) {
+    Project found = read_platformio(folder, image.parent_path().filename().string());
+    Project project;
+    project.file = found.file;
+    project.environment = found.environment;
+    project.board = found.board;
+    project.board_name = found.board_name;
+    project.board_place = found.board_place;
+    return project;
+  }
+  Project project;
+  const fs::path folder = image.parent_path();
+  project.board_name = text_in(build_options(folder), "fqbn");
+  project.file = folder / "build.options.json";
+  if (project.board_name.empty() && folder.parent_path().filename() == "build") {
+    // Exported binaries: SKETCH/build/arduino.avr.uno
+    std::string name = folder.filename().string();
+    for (char& c : name) c = c == '.' ? ':' : c;
+    if (!board_of_fqbn(name)) return {};
+    project.board_name = name;
+    project.file = folder;
+  }
+  if (project.board_name.empty()) return {};
+  project.board = board_of_fqbn(project.board_name);
+  project.board_place = {project.file.string()};
+  return project;
+}
+
+fs::path sketch_of_image(const fs::path& given) {
+  const fs::path image = full_path(given);
+  if (const fs::path folder = platformio_of(image); !folder.empty()) return folder;
+  const fs::path folder = image.parent_path();
+  fs::path sketch = text_in(build_options(folder), "sketchLocation");
+  if (is_file(sketch)) sketch = sketch.parent_path();
+  if (sketch.empty() && folder.parent_path().filename() == "build")
+    sketch = folder.parent_path().parent_path();
+  std::error_code none;
+  return fs::is_directory(sketch, none) ? sketch : fs::path();
+}
+
+void check_board(const Project& project) {
+  if (project.board || project.board_name.empty()) return;
+  throw InputError(
+      project.board_place,
+      fmt::format("Robosim has no board {}; it simulates Arduino boards with an AVR chip, and the Blue Pill: "
+                  "{}. --robot ROBOT@BOARD runs the sketch on another, as in --robot uno5@nano",
+                  project.board_name, project.platformio ? all_platformio_ids() : all_fqbns()));
+}
+
+std::vector<fs::path> sketchbooks() {
+  std::vector<fs::path> books;
+  const auto add = [&](const fs::path& book) {
+    if (book.is_absolute()) books.push_back(book);
+  };
+  if (const char* named = std::getenv("ARDUINO_DIRECTORIES_USER")) add(named);
+  const char* const home_text = std::getenv("HOME");
+  if (!home_text || *home_text != '/') return books;
+  const fs::path home = home_text;
+  for (const fs::path& root : {home, home / "snap/arduino/current"}) {
+    const fs::path preferences = root / ".arduino15/preferences.txt";
+    if (is_file(preferences)) {
+      const std::string text = "\n" + read_file(preferences, kMostProjectFile_bytes);
+      constexpr const char* kKey = "\nsketchbook.path=";
+      if (const std::size_t at = text.find(kKey); at != text.npos) {
+        const std::size_t begin = at + std::char_traits<char>::length(kKey);
+        add(text.substr(begin, text.find_first_of("\r\n", begin) - begin));
+      }
+    }
+    for (const char* name : {".arduino15/arduino-cli.yaml", ".arduinoIDE/arduino-cli.yaml"})
+      if (is_file(root / name)) {
+        const YamlFile file(root / name);
+        add(file.root()["directories"]["user"].text());
+      }
+  }
+  return books;
+}
+
+}  // namespace robosim::project
