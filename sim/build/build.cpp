@@ -15,6 +15,8 @@
 #include "sim/build/finished.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
+#include "sim/build/narrow_ints.h"
+#include "sim/build/pin_warnings.h"
 #include "sim/build/project.h"
 #include "sim/build/prototypes.h"
 #include "sim/build/sketch.h"
@@ -117,6 +119,11 @@ class Build {
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw TryAgain{Registers::memory};
+    if (!toolchain_.target.chip && !toolchain_.narrow_ints && wants_narrow_ints(messages)) try {
+        fail(toolchain_.target, messages);
+      } catch (const InputError&) {
+        throw TryAgain{toolchain_.registers, std::current_exception(), true};
+      }
     fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages, libraries_));
   }
 
@@ -150,7 +157,8 @@ class Build {
   // The .ino files, joined and with prototypes. Preprocessing finds the libraries they include, one at a
   // time.
   Unit ino_unit() {
-    const std::string joined = join_inos(sketch_);
+    const std::string whole = join_inos(sketch_);
+    const std::string joined = toolchain_.narrow_ints ? with_narrow_ints(whole) : whole;
     Unit unit = sketch_unit(sketch_);
     unit.input = work_.path() / "joined.cpp";
     write_file(unit.input, joined);
@@ -161,7 +169,10 @@ class Build {
       if (result.status == 0) break;
       if (!add_library_for(result)) fail_or_try_again(text(result));
     }
-    write_file(unit.input, add_prototypes(joined, read_file(preprocessed), sketch_.inos, work_.path()));
+    const std::string text = read_file(preprocessed);
+    if (toolchain_.warnings != Warnings::none)
+      add_message(pin_warnings(own_lines(text, sketch_.inos), toolchain_.board));
+    write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.path()));
     return unit;
   }
 
@@ -310,6 +321,7 @@ std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, c
       return build;
     } catch (const TryAgain& better) {
       toolchain.registers = better.with;
+      toolchain.narrow_ints |= better.narrow_ints;
       otherwise = better.otherwise;
     } catch (const InputError&) {
       if (otherwise) std::rethrow_exception(otherwise);

@@ -304,7 +304,7 @@ std::string recipe(const Toolchain& toolchain) {
   if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
-  text += fmt::format("assembly 3 {}{}", target.own_level, target.core_level);
+  text += fmt::format("assembly 4 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;
 }

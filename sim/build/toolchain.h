@@ -77,6 +77,7 @@ struct Toolchain {
   Registers registers = Registers::objects;
   bool untrusted = false;
   ProjectRules rules = {};
+  bool narrow_ints = false;  ///< those of the sketch have 16 bits (narrow_ints.h)
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

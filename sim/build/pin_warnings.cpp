@@ -1,0 +1,193 @@
+#include "sim/build/pin_warnings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace robosim::build {
+namespace {
+
+struct Word {
+  std::string text;  ///< a name, a number, a string's quote, or one character
+  std::string file;
+  int line = 0;
+};
+
+bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Where the text or character that begins at `at` ends.
+std::size_t end_of_quote(const std::string& text, std::size_t at) {
+  for (std::size_t i = at + 1; i < text.size() && text[i] != '\n'; ++i) {
+    if (text[i] == '\\')
+      ++i;
+    else if (text[i] == text[at])
+      return i + 1;
+  }
+  return at + 1;
+}
+
+std::vector<Word> words_in(const std::string& text) {
+  std::vector<Word> words;
+  std::string file;
+  int line = 1;
+  bool begins = true;  // of a line
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '\n') {
+      ++line, ++i;
+      begins = true;
+    } else if (c == '#' && begins) {  // # 12 "name", #line 12 "name"
+      const std::size_t end = text.find('\n', i);
+      const std::string directive = text.substr(i, end - i);
+      if (const std::size_t digit = directive.find_first_of("0123456789"); digit != std::string::npos)
+        line = std::atoi(directive.c_str() + digit) - 1;
+      if (const std::size_t quote = directive.find('"'); quote != std::string::npos)
+        file = directive.substr(quote + 1, directive.find('"', quote + 1) - quote - 1);
+      i = end == std::string::npos ? text.size() : end;
+    } else if (std::isspace(static_cast<unsigned char>(c))) {
+      ++i;
+    } else {
+      std::size_t end = i + 1;
+      if (c == '"' || c == '\'')
+        end = end_of_quote(text, i);
+      else if (is_of_name(c))
+        while (end < text.size() && is_of_name(text[end])) ++end;
+      words.push_back({text.substr(i, end - i), file, line});
+      i = end;
+      begins = false;
+    }
+  }
+  return words;
+}
+
+std::optional<int> number_of(const std::string& word) {
+  const bool binary = word.rfind("0b", 0) == 0 || word.rfind("0B", 0) == 0;
+  const char* begin = word.c_str() + (binary ? 2 : 0);
+  char* end = nullptr;
+  const long value = std::strtol(begin, &end, binary ? 2 : 0);
+  while (end && (*end == 'u' || *end == 'U' || *end == 'l' || *end == 'L')) ++end;
+  if (end == begin || *end || value < 0 || value > 255) return std::nullopt;
+  return static_cast<int>(value);
+}
+
+bool is_name(const std::string& word) {
+  return is_of_name(word[0]) && !std::isdigit(static_cast<unsigned char>(word[0]));
+}
+
+/// Variables that are set once, to a number.
+std::map<std::string, int> constants_in(const std::vector<Word>& words) {
+  std::map<std::string, int> found;
+  std::set<std::string> several;
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const std::string& name = words[i].text;
+    if (!is_name(name)) continue;
+    const std::string& next = words[i + 1].text;
+    const bool compares = next == "=" && words[i + 2].text == "=";
+    const bool counts =
+        (next == "+" || next == "-") && (words[i + 2].text == next || words[i + 2].text == "=");
+    const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
+                         words[i - 2].text == words[i - 1].text;
+    const bool shared = i > 0 && words[i - 1].text == "&";
+    if (counts || counted || shared) several.insert(name);
+    if (next != "=" || compares) continue;
+    const bool alone = i + 3 < words.size() && (words[i + 3].text == ";" || words[i + 3].text == ",");
+    const auto value = alone ? number_of(words[i + 2].text) : std::nullopt;
+    if (!value || !found.emplace(name, *value).second) several.insert(name);
+  }
+  for (const std::string& name : several) found.erase(name);
+  return found;
+}
+
+enum class Use { digital, analog, pwm };
+struct Function {
+  const char* name;
+  Use use;
+};
+constexpr std::array kFunctions = {
+    Function{"pinMode", Use::digital},     Function{"digitalWrite", Use::digital},
+    Function{"digitalRead", Use::digital}, Function{"pulseIn", Use::digital},
+    Function{"tone", Use::digital},        Function{"analogWrite", Use::pwm},
+    Function{"analogRead", Use::analog},
+};
+
+/// The number of `pin` on the board, as the function takes it; kNoPin = it has none.
+Pin pin_on(const BoardSpec& board, int pin, Use use) {
+  if (use == Use::analog && pin < board.analog_pin_0) return find_pin(board, fmt::format("A{}", pin).c_str());
+  return pin < board.pin_count ? static_cast<Pin>(pin) : kNoPin;
+}
+
+std::string boards_with(int pin, Use use) {
+  std::vector<std::string> names;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i)
+    if (const Pin found = pin_on(*board, pin, use); found != kNoPin && board->pins[found].digital)
+      names.emplace_back(board->name);
+  if (names.empty()) return "no board of Robosim's has one";
+  return fmt::format("of the boards these have one: {}", fmt::join(names, ", "));
+}
+
+std::string pwm_pins(const BoardSpec& board) {
+  std::vector<std::string> names;
+  for (Pin pin = 0; pin < board.pin_count; ++pin)
+    if (board.pins[pin].pwm && first_number(board, pin) == pin) names.emplace_back(board.pins[pin].name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// What is wrong with it; empty = nothing.
+std::string complaint(const BoardSpec& board, int number, Use use) {
+  const Pin pin = pin_on(board, number, use);
+  if (pin == kNoPin)
+    return fmt::format("the {} has no pin {}; {}", board.name,
+                       use == Use::analog && number < board.analog_pin_0 ? fmt::format("A{}", number)
+                                                                         : std::to_string(number),
+                       boards_with(number, use));
+  const PinSpec& spec = board.pins[pin];
+  if (use == Use::analog) return "";
+  if (!spec.digital)
+    return fmt::format("pin {} of the {} can only be read by analogRead()", spec.name, board.name);
+  if (use == Use::pwm && !spec.pwm)
+    return fmt::format("pin {} of the {} has no PWM: it is LOW below 128, else HIGH; these have it: {}",
+                       spec.name, board.name, pwm_pins(board));
+  return "";
+}
+
+}  // namespace
+
+std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
+  const std::vector<Word> words = words_in(own_lines);
+  const std::map<std::string, int> constants = constants_in(words);
+  std::string text;
+  std::set<std::string> told;
+  for (std::size_t i = 1; i + 3 < words.size(); ++i) {
+    // A declaration has a type before the name, a method a . or ->.
+    if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;
+    const std::string& after = words[i + 3].text;
+    if (after != "," && after != ")") continue;
+    for (const Function& function : kFunctions) {
+      if (words[i].text != function.name) continue;
+      const std::string& argument = words[i + 2].text;
+      std::optional<int> pin = number_of(argument);
+      if (const auto known = constants.find(argument); known != constants.end()) pin = known->second;
+      if (!pin && argument[0] == 'A' && number_of(argument.substr(1)))
+        if (const Pin named = find_pin(board, argument.c_str()); named != kNoPin) pin = named;
+      if (!pin) continue;
+      // analogWrite() of all or nothing needs no PWM.
+      const std::string value = i + 4 < words.size() ? words[i + 4].text : "";
+      const bool plain = function.use == Use::pwm && (value == "0" || value == "255");
+      const std::string wrong = complaint(board, *pin, plain ? Use::digital : function.use);
+      if (wrong.empty() || !told.insert(wrong).second) continue;
+      text += fmt::format("{}{}:{}: warning: {}({}{}: {}", text.empty() ? "" : "\n", words[i].file,
+                          words[i].line, function.name, argument, after == "," ? ", …)" : ")", wrong);
+    }
+  }
+  return text;
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,60 @@
+#include "sim/build/pin_warnings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string on(const char* board, const std::string& code) {
+  return pin_warnings("#line 1 \"My.ino\"\nvoid setup() {\n" + code + "\n}\n", *find_board(board));
+}
+
+TEST(PinWarnings, NameAPinThatTheBoardLacksWithItsLineAndTheBoardsThatHaveIt) {
+  EXPECT_EQ(on("uno", "pinMode(50, OUTPUT);"),
+            "My.ino:2: warning: pinMode(50, …): the uno has no pin 50; of the boards these have one: mega");
+  EXPECT_EQ(on("mega", "pinMode(50, OUTPUT);"), "");
+  EXPECT_THAT(on("uno", "int x = digitalRead(99);"), HasSubstr("no board of Robosim's has one"));
+  EXPECT_THAT(on("uno", "analogRead(9);"), HasSubstr("the uno has no pin A9"));
+  EXPECT_EQ(on("uno", "analogRead(5); analogRead(A5); analogRead(19);"), "");
+}
+
+TEST(PinWarnings, FollowAVariableThatIsSetOnce) {
+  EXPECT_THAT(on("uno", "const byte led = 0x32; digitalWrite(led, HIGH);"),
+              StartsWith("My.ino:2: warning: digitalWrite(led, …): the uno has no pin 50"));
+  EXPECT_EQ(on("uno", "int i = 50; i = 3; digitalWrite(i, HIGH);"), "");
+  EXPECT_EQ(on("uno", "int i = 50; i++; digitalWrite(i, HIGH);"), "");
+  EXPECT_EQ(on("uno", "int i = 50; find(&i); digitalWrite(i, HIGH);"), "");
+  EXPECT_EQ(on("uno", "digitalWrite(-1, HIGH); digitalWrite(300, HIGH); digitalWrite(pins[50], 1);"), "");
+  EXPECT_EQ(on("uno", "expander.digitalWrite(50, HIGH); print(\"pinMode(50, 1)\");"), "");
+}
+
+TEST(PinWarnings, SayThatAPinHasNoPwmUnlessItIsAllOrNothing) {
+  EXPECT_EQ(
+      on("uno", "analogWrite(4, speed);"),
+      "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW below 128, else HIGH; "
+      "these have it: D3, D5, D6, D9, D10, D11");
+  EXPECT_EQ(on("uno", "analogWrite(4, 255); analogWrite(4, 0); analogWrite(5, 100);"), "");
+}
+
+TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
+  EXPECT_THAT(on("nano", "pinMode(A6, INPUT_PULLUP);"),
+              HasSubstr("pin A6 of the nano can only be read by analogRead()"));
+  EXPECT_EQ(on("nano", "analogRead(A6); analogRead(7);"), "");
+}
+
+class PinWarningsOf : public SketchTest {};
+
+TEST_F(PinWarningsOf, ASketchAreAmongTheCompilersWithMacrosReplaced) {
+  write("My/My.ino", "#define LAMP 40\nvoid setup() {\n  pinMode(LAMP, OUTPUT);\n}\nvoid loop() {}\n");
+  EXPECT_THAT(build_here("My").messages,
+              HasSubstr("My.ino:3: warning: pinMode(40, …): the uno has no pin 40"));
+}
+
+}  // namespace
+}  // namespace robosim::build
