@@ -15,7 +15,7 @@ install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHI
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
-set(libraries launch analysis record tui client wire build elf cells grid trace board base)
+set(libraries launch analysis record tui client wire build project elf cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -24,10 +24,10 @@ foreach(library ${libraries})
   endif()
 endforeach()
 if(ROBOSIM_PORTABLE)
-  string(APPEND script "addlib ${ROBOSIM_LIBMD}\naddlib ${ROBOSIM_XXHASH}\n")
+  string(APPEND script "addlib ${ROBOSIM_LIBMD}\naddlib ${ROBOSIM_XXHASH}\naddlib ${ROBOSIM_YAML}\n")
   set(ROBOSIM_NOT_MERGED "elf z")
 else()
-  set(ROBOSIM_NOT_MERGED "${ROBOSIM_LIBMD} ${ROBOSIM_XXHASH} ${ROBOSIM_LIBELF} z")
+  set(ROBOSIM_NOT_MERGED "${ROBOSIM_LIBMD} ${ROBOSIM_XXHASH} ${ROBOSIM_YAML} ${ROBOSIM_LIBELF} z")
 endif()
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/librobosim.mri CONTENT "${script}save\nend\n")
 add_custom_command(OUTPUT librobosim.a COMMAND ${CMAKE_COMMAND} -E rm -f librobosim.a
@@ -37,7 +37,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim C
 install(DIRECTORY sim/testing DESTINATION share/robosim/source/sim COMPONENT host
   FILES_MATCHING PATTERN *.h PATTERN *.cpp)
 foreach(folder
-    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/trace sim/tui hal/board)
+    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/project sim/trace sim/tui hal/board)
   install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
 endforeach()
 include(CMakePackageConfigHelpers)
