@@ -1,6 +1,6 @@
-// The sketches of samples/, run as their users run them. A folder there is two tests here: its checks.toml holds on each
-// target that it names, and for its first check `robosim compare` finds no difference between host and AVR, or what the
-// lines of differs.txt say.
+// The sketches of samples/, run as their users run them. A folder there is two tests here: its checks.toml
+// holds on each target that it names, and for its first check `robosim compare` finds no difference between
+// host and AVR, or what the lines of differs.txt say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,8 @@ class Sample : public testing::TestWithParam<std::string> {
   fs::path folder() const { return fs::path(ROBOSIM_SAMPLES) / GetParam(); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Of, Sample, testing::ValuesIn(samples()), [](const auto& name) { return name.param; });
+INSTANTIATE_TEST_SUITE_P(Of, Sample, testing::ValuesIn(samples()),
+                         [](const auto& name) { return name.param; });
 
 TEST_P(Sample, DoesWhatItsChecksAskFor) {
   ROBOSIM_NEEDS_TARGET("avr");
@@ -63,7 +64,8 @@ TEST_P(Sample, DoesTheSameOnHostAndAvrButForWhatItSays) {
   const ConfigValue checks = parse_toml(read_file(file), file);
   const ConfigValue& first = checks.find("check")->items.front();
   if (!runs_on_both(first)) {
-    EXPECT_EQ(as_string(*first.find("target"), "target"), "avr") << "a sample runs on both, or on the chip alone";
+    EXPECT_EQ(as_string(*first.find("target"), "target"), "avr")
+        << "a sample runs on both, or on the chip alone";
     return;
   }
   std::vector<std::string> words = options(first);
