@@ -87,6 +87,13 @@ TEST_F(Machine, SaysThatANameIsNotUtf8) {
   EXPECT_THAT(ended.err, EndsWith("cannot be used: the name of a file must be UTF-8\n"));
 }
 
+TEST_F(Machine, WithAFullDiskStillGivesTheVerdictOfARunThatItCannotRecord) {
+  const Ended ended = after("ln -s /dev/full full.csv;", run_ + " --record full.csv");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.out, HasSubstr("timeout"));
+  EXPECT_THAT(ended.err, EndsWith("full.csv: cannot be written: No space left on device\n"));
+}
+
 TEST_F(Machine, RefusesASecondWriterOfARecording) {
   const Ended ended = after("", run_ + " --record a.csv --record ./a.csv");
   EXPECT_EQ(ended.status, 2);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -195,7 +196,12 @@ int run_command(const RunArguments& arguments) {
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   if (!run.remark.empty()) complain(fmt::format("robosim: {}\n", run.remark));
-  recorders.finish(result);
+  std::exception_ptr unwritten;  // told behind the verdict, which a full disk does not take away
+  try {
+    recorders.finish(result);
+  } catch (const InputError&) {
+    unwritten = std::current_exception();
+  }
   std::optional<Finding> finding;
   std::string next = next_of(result);
   if (is_built && deserves_second_look(run.wanted, result)) {
@@ -231,6 +237,7 @@ int run_command(const RunArguments& arguments) {
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
+  if (unwritten) std::rethrow_exception(unwritten);
   // A program that was only to say something has said it.
   if (arguments.serial && result.verdict == "ended") return static_cast<int>(ExitStatus::ok);
   return result.status;
