@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sim/avr/timer_counter.h"
+#include "tests/support/effort.h"
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
@@ -31,7 +32,7 @@ TEST(Counter, RunsThroughManyTicksAsOneByOne) {
     const TimerSpec& spec = kAtmega328p.timers[timer];
     const std::uint16_t max = timer == 1 ? 0xFFFF : 0xFF;
     Counter at_once;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < test::rounds(4000); ++i) {
       switch (chance.below(6)) {
         case 0:
           at_once.count(counting(spec, static_cast<std::uint8_t>(chance.below(4)),

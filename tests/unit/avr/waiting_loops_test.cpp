@@ -7,6 +7,7 @@
 
 #include "hal/board/atmega328p.h"
 #include "tests/conformance/bench.h"
+#include "tests/support/effort.h"
 #include "tests/unit/avr/random_code.h"
 
 namespace robosim::avr {
@@ -212,7 +213,7 @@ void expect_same(Bench& skips, Bench& runs) {
 
 TEST(WaitingLoops, LeaveTheChipAsItWouldBe) {
   Cycle skipped = 0, all = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (unsigned seed = 1; seed <= test::rounds(200u); ++seed) {
     RandomProgram program(seed);
     program.flash.resize(kAtmega328p.flash_bytes, 0xFF);
     Bench skips(kAtmega328p, program.flash), runs(kAtmega328p, program.flash);
@@ -237,7 +238,7 @@ TEST(WaitingLoops, ThatCountDownAreRunThroughAsOneByOne) {
   program.branch(1, false, 1);
   program.word(0xCFFC);  // rjmp to the start
   std::mt19937 engine(7);
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < test::rounds(3000); ++trial) {
     Cpu at_once(kAtmega328p, program.flash, Address{0x8FF}),
         one_by_one(kAtmega328p, program.flash, Address{0x8FF});
     const unsigned ends[] = {0, 1, 2, 0x7FFF, 0x8000, 0x8001, 0xFFFF};

@@ -17,6 +17,7 @@ extern "C" {
 
 #include "hal/board/atmega328p.h"
 #include "sim/avr/cpu.h"
+#include "tests/support/effort.h"
 
 namespace robosim::avr {
 namespace {
@@ -24,7 +25,7 @@ namespace {
 constexpr std::uint32_t kAt = 0x1000;  // flash address of the instruction
 constexpr Address kLastRam = 0x8FF, kFirstRam = 0x100;
 constexpr std::size_t kFlash = 0x2000;  // the rest is erased
-constexpr int kInstructions = 20000;
+constexpr int kInstructions = test::rounds(20000);
 
 bool is_compared(const Instruction& i) {
   switch (i.op) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/exec/stm32/machine.h"
+#include "tests/support/effort.h"
 
 namespace robosim::exec::stm32 {
 namespace {
@@ -230,7 +231,7 @@ void expect_same(const Machine& skips, const Machine& runs) {
 
 TEST(WaitingLoops, LeaveThePillAsItWouldBe) {
   Cycle skipped = 0, all = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (unsigned seed = 1; seed <= test::rounds(200u); ++seed) {
     const RandomProgram program(seed);
     const Firmware firmware = program.firmware();
     Pill skips(firmware, program.rounds()), runs(firmware, program.rounds());
