@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 8;
+constexpr uint32_t kImageVersion = 9;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -75,6 +75,8 @@ class Host {
   /// without "__ubsan_handle_"; `data` and the values are what gcc hands to that.
   virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,
                          const void* where) = 0;
+  /// Firmware is about to divide by zero, and goes on as on the chip. `data` as above.
+  virtual void divides_by_zero(const void* data, const void* where) = 0;
   /// Of an image with address checks: `count` records of gcc's AddressSanitizer on global variables.
   virtual void globals(const GlobalRecord* records, size_t count) = 0;
   /// Of such an image: an access to memory that is not the sketch's to access; does not return.

@@ -12,6 +12,15 @@ namespace {
 unsigned long random_state = 1;
 unsigned long rand_state = 1;
 
+/// As sim/build/division.h has it.
+long quotient_by_zero(long dividend) {
+#ifdef ROBOSIM_ZERO_BY_ZERO
+  return static_cast<void>(dividend), 0;
+#else
+  return dividend < 0 ? 1 : -1;
+#endif
+}
+
 }  // namespace
 
 extern "C" {
@@ -47,11 +56,14 @@ long random(long least, long below) { return least >= below ? least : random(bel
 
 long map(long x, long in_min, long in_max, long out_min, long out_max) {
   host::spend(cost::kMap);
-  if (in_max == in_min) {
-    host::executor->crash("division by zero in map()", nullptr, 0, __builtin_return_address(0));
-    __builtin_unreachable();
-  }
-  return (x - in_min) * (out_max - out_min) / (in_max - in_min) + out_min;
+  const long product = (x - in_min) * (out_max - out_min);
+  if (in_max != in_min) return product / (in_max - in_min) + out_min;
+#ifdef ROBOSIM_SANITIZE
+  host::executor->crash("division by zero in map()", nullptr, 0, __builtin_return_address(0));
+#else
+  host::executor->divides_by_zero(nullptr, __builtin_return_address(0));
+#endif
+  return quotient_by_zero(product) + out_min;
 }
 
 unsigned int makeWord(unsigned int w) { return w; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/build/division.h"
+
 namespace robosim::build {
 namespace {
 
@@ -92,6 +94,10 @@ std::string with_places_of_asm(std::string_view assembly) {
     result.append("\n");
   }
   return result;
+}
+
+std::string changed_for_host(std::string_view assembly, const BoardSpec& board) {
+  return with_division_of_chip(with_places_of_asm(call_in_endless_loops(assembly)), quotient_by_zero(board));
 }
 
 }  // namespace robosim::build

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "hal/board/board_spec.h"
+
 namespace robosim::build {
 
 /// Replaces each jump to itself by a call of `robosim_endless_loop`, which hal/host defines: it never
@@ -15,5 +17,8 @@ std::string call_in_endless_loops(std::string_view assembly);
 /// place as a comment, which assemblers understand if it begins with '#'; for arm64 and arm it begins
 /// otherwise.
 std::string with_places_of_asm(std::string_view assembly);
+
+/// Both, and divisions as the board's chip has them (division.h).
+std::string changed_for_host(std::string_view assembly, const BoardSpec& board);
 
 }  // namespace robosim::build

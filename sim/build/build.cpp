@@ -241,7 +241,7 @@ class Build {
       const std::string compiled_to = read_file(assembly);
       keeps_address[i] = toolchain_.registers == Registers::objects &&
                          compiled_to.find(kRegisterMemory) != std::string::npos;
-      write_file(assembly, with_places_of_asm(call_in_endless_loops(compiled_to)));
+      write_file(assembly, changed_for_host(compiled_to, toolchain_.board));
       compiled.push_back(i);
       commands.push_back(assemble_command(toolchain_, objects[i]));
     }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/base/file.h"
+#include "sim/build/division.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -70,6 +71,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
                                     fmt::format("-DROBOSIM_ANALOG_INPUTS={}", analog_inputs),
                                     fmt::format("-DROBOSIM_SERIAL_LINES={}", serial_lines),
                                     fmt::format("-DROBOSIM_LED_BUILTIN={}", board.led_builtin)};
+  if (quotient_by_zero(board) == QuotientByZero::zero) words.emplace_back("-DROBOSIM_ZERO_BY_ZERO");
   if (every_pin_interrupts) {
     words.emplace_back("-DROBOSIM_EVERY_PIN_INTERRUPTS");
   } else {

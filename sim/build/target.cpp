@@ -90,7 +90,10 @@ const Target kHost = {
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
              "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
              // Handlers that a sketch does not define are null, whatever the process has.
-             "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack"},
+             "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
+             // Of arm: hal/host/division.cpp.
+             "-Wl,--wrap=__aeabi_idiv,--wrap=__aeabi_idivmod,--wrap=__aeabi_uidiv",
+             "-Wl,--wrap=__aeabi_uidivmod,--wrap=__aeabi_ldivmod,--wrap=__aeabi_uldivmod"},
     .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
     .products = {},
 };

@@ -230,6 +230,9 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
 NextStep next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
   if (e.crash && !e.crash->check.empty()) return {advice(e)};
+  if (!e.divisions_by_zero.empty())
+    return {fmt::format("look first at the division by zero{}: what it gives means nothing",
+                        place_of(e.divisions_by_zero.front().where))};
   if (e.moved) {
     if (e.verdict == Verdict::lost && e.int_bits == 16)
       return {

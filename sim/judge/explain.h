@@ -25,6 +25,7 @@ struct Evidence {
   const Judge* judge = nullptr;
   exec::Activity activity;
   std::optional<exec::Crash> crash;
+  std::vector<exec::DivisionByZero> divisions_by_zero;
   int int_bits = 32;     ///< of the firmware's int
   std::string exceeded;  ///< the budget that was
   std::vector<robot::WiredPin> wiring;

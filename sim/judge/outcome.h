@@ -48,6 +48,7 @@ struct Outcome {
   SimTime time = 0;  ///< simulated, at the end
   Metrics metrics;
   std::optional<exec::Crash> crash;
+  std::vector<exec::DivisionByZero> divisions_by_zero;
   std::optional<exec::Resources> resources;  ///< of a chip
   wire::Usage usage;
   std::vector<wire::RunEvent> events;  ///< the last few

@@ -242,6 +242,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.progress = &progress_;
   e.judge = &judge_;
   e.crash = executor_.crash();
+  e.divisions_by_zero = executor_.divisions_by_zero();
   e.exceeded = state_.exceeded;
   e.int_bits = executor_.int_bits();
   e.wiring = robot_.wiring();
@@ -286,6 +287,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.goal = goal_;
   outcome.time = t;
   outcome.crash = e.crash;
+  outcome.divisions_by_zero = e.divisions_by_zero;
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());

@@ -79,6 +79,7 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   result.time_s = seconds(outcome.time);
   result.metrics = outcome.metrics;
   result.crash = outcome.crash;
+  result.divisions_by_zero = outcome.divisions_by_zero;
   result.resources = outcome.resources;
   result.usage = outcome.usage;
   for (const wire::RunEvent& event : outcome.events)

@@ -139,6 +139,20 @@ std::string usage_text(const wire::Usage& usage) {
   return text;
 }
 
+// "by zero in position, Mean.ino:3 (214 times, first at 0.39 s). …"
+std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
+  std::string text = "by zero";
+  for (const wire::DivisionByZero& division : divisions) {
+    const wire::SourceLine& where = division.where;
+    text += fmt::format("{}{}{}:{} ({}{})", &division == &divisions.front() ? "" : ";",
+                        where.function.empty() ? " at " : fmt::format(" in {}, ", where.function), where.file,
+                        where.line,
+                        division.times == 1 ? "at " : fmt::format("{} times, first at ", division.times),
+                        time_text(division.first_s));
+  }
+  return text + ". A chip goes on there with a number that means nothing, and so did this run.";
+}
+
 void write_figures(Writer& out, const Report& report) {
   const wire::RunResult& r = report.result;
   const wire::Metrics& m = r.metrics;
@@ -175,6 +189,7 @@ void write_figures(Writer& out, const Report& report) {
     out.labelled("processor   ", fmt::format("{}interrupts {:.1f} % · awake {:.1f} %", loop,
                                              100.0 * used.interrupt_share, 100.0 * used.cpu_load));
   }
+  if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,

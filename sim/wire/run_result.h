@@ -49,6 +49,20 @@ void fields(V& v, Same<V, Crash>& c) {
     {.presence = when(!c.registers.empty())});
 }
 
+/// A line of the sketch that divided an integer by zero and went on, as a chip does. Told on the host.
+struct DivisionByZero {
+  SourceLine where;
+  double first_s = 0.0;  ///< simulated, when it did first
+  std::int64_t times = 0;
+};
+
+template <class V>
+void fields(V& v, Same<V, DivisionByZero>& d) {
+  fields(v, d.where);
+  v("first_s", d.first_s, "when it did first", {.unit = "s"});
+  v("times", d.times, "how often it did");
+}
+
 /// What firmware takes of its chip, as measured from power-on.
 struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
@@ -173,6 +187,7 @@ struct RunResult {
   double time_s = 0.0;
   Metrics metrics;
   std::optional<Crash> crash;
+  std::vector<DivisionByZero> divisions_by_zero;
   std::optional<Resources> resources;  ///< on a chip
   Usage usage;
   std::vector<Entry> events;  ///< the last ones
@@ -207,6 +222,9 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
   v("metrics", r.metrics, "figures of the run");
   v("crash", r.crash, "absent unless the firmware crashed");
+  v("divisions_by_zero", r.divisions_by_zero,
+    "on the host: lines that divided an integer by zero, the first 8; the run went on with what a chip gives",
+    {.presence = when(!r.divisions_by_zero.empty())});
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");
   v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
   v("events", r.events, "the last ones, at most 8");

@@ -50,6 +50,19 @@ TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsEachByItsOwnHand) {
   EXPECT_EQ(r.metrics.stations, left);
 }
 
+TEST_P(OnEveryTarget, DivisionsThatHaveNoResultGiveWhatTheyGiveOnTheHost) {
+  const char* const robot = std::string(GetParam()) == "stm32" ? "bluepill5" : "uno5";
+  const auto said = [&](const char* target) {
+    return run({.sketch = "DividesByZeroInAllWidths",
+                .robot = robot,
+                .goal = "none",
+                .for_s = 1.0,
+                .target = target})
+        .serial;
+  };
+  EXPECT_EQ(said(GetParam()), said("host"));
+}
+
 class Paths : public testing::TestWithParam<Trial> {
  protected:
   void SetUp() override { needs_target(GetParam().target); }

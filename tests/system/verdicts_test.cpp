@@ -7,6 +7,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
   const wire::RunResult r = run({.sketch = "SpinsOnPin", .robot = "uno3", .for_s = 60.0});
@@ -33,8 +34,7 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
     const char* function;
     int line;
   };
-  for (const Case& c : {Case{"DividesByZero", "division by zero", "position", 3},
-                        Case{"UsesNullPointer", "null pointer", "report", 6},
+  for (const Case& c : {Case{"UsesNullPointer", "null pointer", "report", 6},
                         Case{"RecursesTooDeep", "stack overflow", "depth", 0},
                         Case{"OverrunsHeap", "", "setup", 4}, Case{"Aborts", "abort()", "giveUp", 1}}) {
     const wire::RunResult r = run({.sketch = c.sketch});
@@ -48,6 +48,17 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
     }
     EXPECT_THAT(r.why, HasSubstr(std::string(c.sketch) + ".ino"));
   }
+}
+
+TEST(Verdicts, ADivisionByZeroIsToldAndTheRunGoesOn) {
+  const wire::RunResult r = run({.sketch = "DividesByZero", .for_s = 1.0});
+  EXPECT_EQ(r.verdict, "timeout") << r.why;
+  EXPECT_THAT(r.serial, StartsWith("-1\r\n-1\r\n"));
+  ASSERT_EQ(r.divisions_by_zero.size(), 1u);
+  EXPECT_EQ(r.divisions_by_zero[0].where.function, "position");
+  EXPECT_EQ(r.divisions_by_zero[0].where.line, 3);
+  EXPECT_GT(r.divisions_by_zero[0].times, 10);
+  EXPECT_THAT(r.next, HasSubstr("division by zero in position, DividesByZero.ino:3"));
 }
 
 TEST(Verdicts, ACrashInALibraryIsToldByTheLibrarysNameAndFile) {

@@ -20,6 +20,7 @@ class Server;
 }
 
 using wire::Crash;
+using wire::DivisionByZero;
 using wire::Resources;
 using wire::SourceLine;
 
@@ -69,6 +70,11 @@ class Executor {
   virtual int int_bits() const { return 32; }
   /// Measured on chip targets only, and not of an image that was built with checks.
   virtual std::optional<Resources> resources() const { return std::nullopt; }
+  /// Where firmware has divided by zero since the first power-on; on the host, whose image tells.
+  virtual const std::vector<DivisionByZero>& divisions_by_zero() const {
+    static const std::vector<DivisionByZero> none;
+    return none;
+  }
   /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
   /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
   virtual std::vector<BundledFile> counters() { return {}; }

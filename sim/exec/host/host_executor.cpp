@@ -64,6 +64,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
     state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
+    owner_.divisions_.forget_addresses();
     catch_faults();
   }
 
@@ -164,6 +165,12 @@ class HostExecutor::Instance final : public host::Host {
     report(explain_undefined(check, data, value, other), where);
   }
 
+  void divides_by_zero(const void* data, const void* where) override {
+    if (owner_.divisions_.count(where)) return;
+    const Undefined found = data ? explain_undefined("divrem_overflow", data, 0, 0) : Undefined{};
+    owner_.divisions_.add(where, place_of(found, where), owner_.clocked_.to_world(state_.now));
+  }
+
   void globals(const host::GlobalRecord* records, std::size_t count) override {
     globals_.insert(globals_.end(), records, records + count);
   }
@@ -189,17 +196,22 @@ class HostExecutor::Instance final : public host::Host {
 
   /// A fault that the firmware has noticed itself, on the fiber.
   void report(const Undefined& fault, const void* where) {
+    Crash crash{fault.reason, place_of(fault, where)};
+    crash.check = fault.check;
+    owner_.crash_ = crash;
+    suspend();
+  }
+
+  SourceLine place_of(const Undefined& fault, const void* where) {
     std::vector<CodeAddress> addresses = {{where, true}};
     calls_.add_callers(addresses);
     addresses.push_back({state_.place, true});
-    Crash crash{fault.reason, image_.locate(addresses)};
-    crash.check = fault.check;
+    SourceLine place = image_.locate(addresses);
     if (!is_own_file(fault.file)) {
-      crash.where.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
-      crash.where.line = fault.line;
+      place.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
+      place.line = fault.line;
     }
-    owner_.crash_ = crash;
-    suspend();
+    return place;
   }
 
   void suspend() {

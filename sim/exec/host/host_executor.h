@@ -13,6 +13,7 @@
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/silence.h"
+#include "sim/exec/host/divisions.h"
 #include "sim/exec/host/image_file.h"
 
 namespace robosim::exec {
@@ -37,6 +38,7 @@ class HostExecutor final : public Executor {
   SourceLine source() override;
   SimTime last_call() const override;
   bool hangs() override;
+  const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
   std::vector<BundledFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
@@ -52,6 +54,7 @@ class HostExecutor final : public Executor {
   bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
+  Divisions divisions_;
   std::vector<BundledFile> counters_;  ///< of the power cycles before
   SimTime reached_ = 0;                ///< until when firmware has run
   Silence silence_;

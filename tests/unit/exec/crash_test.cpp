@@ -26,18 +26,6 @@ class CrashTest : public HostTest {
   }
 };
 
-TEST_F(CrashTest, DivisionByZero) {
-  expect(crash("void faulty() { n = 10 / zero; }"), "division by zero", "faulty", 2);
-}
-
-TEST_F(CrashTest, RemainderByZero) {
-  expect(crash("void faulty() { n = 10 % zero; }"), "division by zero", "faulty", 2);
-}
-
-TEST_F(CrashTest, MapOverAnEmptyRange) {
-  expect(crash("void faulty() { n = map(5, zero, zero, 0, 9); }"), "division by zero", "faulty", 2);
-}
-
 TEST_F(CrashTest, NullPointer) {
   expect(crash("void faulty() { volatile int* p = nullptr; *p = 1; }"), "of address 0x0 (null pointer)",
          "faulty", 2);
@@ -88,8 +76,9 @@ TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
 }
 
 TEST_F(CrashTest, InAnInterruptHandler) {
-  expect(crash("ISR(TIMER1_OVF_vect) { n = 1 / zero; }", "TCCR1B = 1; TIMSK1 = _BV(TOIE1); while (true);"),
-         "division by zero", "__vector_13", 2);
+  expect(
+      crash("ISR(TIMER1_OVF_vect) { if (!zero) abort(); }", "TCCR1B = 1; TIMSK1 = _BV(TOIE1); while (true);"),
+      "abort() called", "__vector_13", 2);
 }
 
 TEST_F(CrashTest, AnInterruptWithoutHandler) {
@@ -99,14 +88,14 @@ TEST_F(CrashTest, AnInterruptWithoutHandler) {
 }
 
 TEST_F(CrashTest, InAConstructorOfAStaticObject) {
-  expect(crash("struct Early { Early() { n = 1 / zero; } } early;", ""), "division by zero", "Early::Early",
-         2);
+  expect(crash("struct Early { Early() { if (!zero) abort(); } } early;", ""), "abort() called",
+         "Early::Early", 2);
 }
 
 TEST_F(CrashTest, ACrashedFirmwareStaysAsItIsUntilItIsSwitchedOnAgain) {
   start(R"(#include <EEPROM.h>
 volatile int zero;
-void setup() { Serial.begin(115200); int runs = EEPROM.read(0) + 1; EEPROM.write(0, runs); Serial.println((uint8_t)runs); pinMode(13, OUTPUT); digitalWrite(13, HIGH); zero = 1 / zero; }
+void setup() { Serial.begin(115200); int runs = EEPROM.read(0) + 1; EEPROM.write(0, runs); Serial.println((uint8_t)runs); pinMode(13, OUTPUT); digitalWrite(13, HIGH); abort(); }
 void loop() {})");
   run(50 * kMillisecond);
   ASSERT_TRUE(host_->crash());
@@ -138,7 +127,7 @@ TEST_F(CrashTest, AFileThatIsNoImageIsAnErrorOfTheUser) {
 }
 
 TEST_F(CrashTest, ManyCrashesLeaveNothingBehind) {
-  start("volatile int zero; void setup() { zero = 1 / zero; } void loop() {}");
+  start("void setup() { abort(); } void loop() {}");
   for (int cycle = 0; cycle < 300; ++cycle) {
     host_->power_on(now_);
     run(kMillisecond);

@@ -185,6 +185,15 @@ TEST_F(Explain, ACrashNamesItsReasonAndPlaceAsFarAsTheyAreKnown) {
   EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero in setup, My.ino:3.");
 }
 
+TEST_F(Explain, ADivisionByZeroIsToLookAtFirstWhereTheRunFails) {
+  e.divisions_by_zero = {{{"mean", "My.ino", 3}, 0.5, 7}};
+  e.verdict = Verdict::lost;
+  EXPECT_EQ(next_step(e).text,
+            "look first at the division by zero in mean, My.ino:3: what it gives means nothing");
+  e.verdict = Verdict::reached;
+  EXPECT_EQ(next_step(e).text, "");
+}
+
 TEST_F(Explain, ASketchThatStopsItselfIsToldApartFromOneThatFallsSilent) {
   e.activity.where = {"loop", "My.ino", 4};
   for (const Verdict verdict : {Verdict::hung, Verdict::ended}) {

@@ -132,7 +132,7 @@ TEST_F(FailedTests, CountTheLinesThatTheyHaveRunWhereCoverageIsAskedFor) {
       "covered.txt");
   const std::string info = text("coverage/coverage.info");
   EXPECT_THAT(info, AllOf(HasSubstr("/TooFast.ino\n"), HasSubstr("/Forgetful.ino\n")));
-  EXPECT_THAT(info, HasSubstr("DA:16,")) << "speedOn() of Forgetful";
+  EXPECT_THAT(info, HasSubstr("DA:17,")) << "speedOn() of Forgetful";
   for (const auto& entry : fs::directory_iterator(path("coverage")))
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".counters"))) << "it is left behind";
 }

@@ -62,6 +62,16 @@ TEST(EndScreen, SaysWhatHappenedAtFirstSight) {
   EXPECT_THAT(screen, Not(HasSubstr("wall time")));
 }
 
+TEST(EndScreen, NamesTheLinesThatDividedByZero) {
+  Report r = report();
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("division")));
+  r.result.divisions_by_zero = {{{"mean", "My.ino", 3}, 0.394, 214}, {{"", "My.ino", 9}, 2.0, 1}};
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
+              HasSubstr("division     by zero in mean, My.ino:3 (214 times, first at 0.39 s); at My.ino:9 "
+                        "(at 2.00 s). A chip "
+                        "goes on there"));
+}
+
 TEST(EndScreen, NamesTheTargetOfTheRobotsChipWhereItRanOnTheHost) {
   Report r = report();
   r.chip_target = "avr";

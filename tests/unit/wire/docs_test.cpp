@@ -151,6 +151,7 @@ std::vector<Table> tables() {
           table<RunResult>("result"),
           table<Metrics>("metrics"),
           table<Crash>("crash"),
+          table<DivisionByZero>("divisions_by_zero"),
           table<Resources>("resources"),
           table<Usage>("usage"),
           table<Usage::Loose>("usage.unwired"),

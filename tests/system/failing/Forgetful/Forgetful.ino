@@ -1,4 +1,4 @@
-// Shares its speed among the lines it has counted; and divides by their number before there are any.
+// Has a speed for each number of lines it may see; and uses it where it sees none.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};
@@ -13,13 +13,14 @@ void setup() {
   Serial.println(F("touring"));
 }
 
-int speedOn(int lines) { return 360 / lines; }
+const int SPEEDS[] = {360, 180, 120};
+const int* speedOn(int lines) { return lines > 0 ? &SPEEDS[lines - 1] : nullptr; }
 
 void loop() {
   sensors.read();
   int lines = 0;
   for (uint8_t i = 0; i < 3; i++) lines += sensors.onLine(i);
-  int speed = speedOn(lines);
+  int speed = *speedOn(lines);
   motors.drive(speed / (sensors.onLine(0) ? 3 : 2), speed / (sensors.onLine(2) ? 3 : 2));
   delay(5);
 }

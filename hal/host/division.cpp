@@ -1,0 +1,32 @@
+// Division where it is a function of the compiler's library (arm): by zero it gives what the chip gives.
+// sim/build/division.h has the table, and what is done where it is an instruction.
+#if defined(__arm__)
+
+#ifdef ROBOSIM_ZERO_BY_ZERO
+#define ROBOSIM_ONES(to) "mov " to ", #0\n"
+#define ROBOSIM_ONES_OR_ONE(to, sign) "mov " to ", #0\n"
+#define ROBOSIM_HIGH_OF_ONES_OR_ONE(to, sign) "mov " to ", #0\n"
+#else
+#define ROBOSIM_ONES(to) "mvn " to ", #0\n"
+#define ROBOSIM_ONES_OR_ONE(to, sign) "mvn " to ", " sign ", lsl #1\n"
+#define ROBOSIM_HIGH_OF_ONES_OR_ONE(to, sign) "mvn " to ", " sign "\n"
+#endif
+
+// The linker puts these before the library's (--wrap, sim/build/target.cpp).
+#define ROBOSIM_BEFORE(function, look_at_divisor, by_zero)                         \
+  extern "C" __attribute__((naked)) void __wrap_##function() {                     \
+    asm(look_at_divisor "\nbeq 1f\nb __real_" #function "\n1:\n" by_zero "bx lr"); \
+  }
+
+// Quotient and remainder are left in r0 and r1; of 64 bits in r0, r1 and r2, r3.
+ROBOSIM_BEFORE(__aeabi_idiv, "cmp r1, #0", "asr r0, r0, #31\n" ROBOSIM_ONES_OR_ONE("r0", "r0"))
+ROBOSIM_BEFORE(__aeabi_idivmod, "cmp r1, #0", "mov r1, r0\nasr r0, r0, #31\n" ROBOSIM_ONES_OR_ONE("r0", "r0"))
+ROBOSIM_BEFORE(__aeabi_uidiv, "cmp r1, #0", ROBOSIM_ONES("r0"))
+ROBOSIM_BEFORE(__aeabi_uidivmod, "cmp r1, #0", "mov r1, r0\n" ROBOSIM_ONES("r0"))
+ROBOSIM_BEFORE(__aeabi_ldivmod, "orrs ip, r2, r3",
+               "mov r2, r0\nmov r3, r1\nasr r1, r1, #31\n" ROBOSIM_ONES_OR_ONE("r0", "r1")
+                   ROBOSIM_HIGH_OF_ONES_OR_ONE("r1", "r1"))
+ROBOSIM_BEFORE(__aeabi_uldivmod, "orrs ip, r2, r3",
+               "mov r2, r0\nmov r3, r1\n" ROBOSIM_ONES("r0") ROBOSIM_ONES("r1"))
+
+#endif
