@@ -96,7 +96,10 @@ std::map<std::string, int> constants_in(const std::vector<Word>& words) {
     const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
                          words[i - 2].text == words[i - 1].text;
     const bool shared = i > 0 && words[i - 1].text == "&";
-    if (counts || counted || shared) several.insert(name);
+    // A parameter, a member or a local variable of the same name may hold anything.
+    const bool declared = i > 0 && is_name(words[i - 1].text) &&
+                          (next == "," || next == ")" || next == ";" || next == ":" || next == "[");
+    if (counts || counted || shared || declared) several.insert(name);
     if (next != "=" || compares) continue;
     const bool alone = i + 3 < words.size() && (words[i + 3].text == ";" || words[i + 3].text == ",");
     const auto value = alone ? number_of(words[i + 2].text) : std::nullopt;

@@ -30,6 +30,8 @@ TEST(PinWarnings, FollowAVariableThatIsSetOnce) {
   EXPECT_EQ(on("uno", "int i = 50; i = 3; digitalWrite(i, HIGH);"), "");
   EXPECT_EQ(on("uno", "int i = 50; i++; digitalWrite(i, HIGH);"), "");
   EXPECT_EQ(on("uno", "int i = 50; find(&i); digitalWrite(i, HIGH);"), "");
+  EXPECT_EQ(on("uno", "int p = 50; } void set(int p) { digitalWrite(p, HIGH);"), "");
+  EXPECT_EQ(on("uno", "int p = 50; for (byte p : pins) digitalWrite(p, HIGH);"), "");
   EXPECT_EQ(on("uno", "digitalWrite(-1, HIGH); digitalWrite(300, HIGH); digitalWrite(pins[50], 1);"), "");
   EXPECT_EQ(on("uno", "expander.digitalWrite(50, HIGH); print(\"pinMode(50, 1)\");"), "");
 }
