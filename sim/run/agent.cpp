@@ -133,7 +133,7 @@ void Agent::tell_events(SimTime t) {
 
 void Agent::observe(SimTime end) {
   state_.cross_track = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
-  if (end > kSettling) {
+  if (end > kSettling && !body_.in_hand()) {
     state_.cross_track_squares += state_.cross_track * state_.cross_track;
     if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
     ++state_.cross_track_ticks;
@@ -144,7 +144,7 @@ void Agent::observe(SimTime end) {
     state_.shown.worst_at = body_.pose().position;
   }
   if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
-  if (!state_.sees_line && !body_.lifted()) ++state_.off_line_ticks;
+  if (!state_.sees_line && !body_.in_hand()) ++state_.off_line_ticks;
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
     state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
@@ -216,7 +216,7 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                        body_.wheel_travel(),
                        state_.sees_line,
                        robot_.driven(),
-                       body_.lifted(),
+                       body_.in_hand(),
                        player_.powered(),
                        player_.powered() ? executor_.last_call() : end};
   now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();

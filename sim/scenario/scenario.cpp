@@ -9,8 +9,10 @@
 namespace robosim::scenario {
 namespace {
 
-constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift", "lower",
-                               "cover", "obstacle", "clear", "fault", "power"};
+constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift",  "lower",
+                               "cover", "obstacle", "clear", "fault", "power", "sweep"};
+
+constexpr SimTime kSweep = 5 * kSecond, kSweepPeriod = kSecond;
 
 constexpr std::uint64_t kMostEvents = 1'000'000'000'000;
 
@@ -98,6 +100,14 @@ void parse_power(ScriptLine& line, Action& action) {
   byte.value = static_cast<std::uint8_t>(value);
 }
 
+// sweep LENGTH [every TIME] [for TIME]
+void parse_sweep(ScriptLine& line, Action& action) {
+  action.reach = line.quantity("how far to each side, from 1mm to 500mm", Dimension::length, 0.001, 0.5);
+  action.period = line.take_if("every") ? line.duration() : kSweepPeriod;
+  if (action.period < kTick) line.refuse("a sweep to and fro takes 1ms at least");
+  action.duration = line.optional_duration().value_or(kSweep);
+}
+
 Action parse_action(ScriptLine& line) {
   Action action;
   const std::string verb = line.take("a verb").text;
@@ -138,6 +148,9 @@ Action parse_action(ScriptLine& line) {
       break;
     case Action::Verb::power:
       parse_power(line, action);
+      break;
+    case Action::Verb::sweep:
+      parse_sweep(line, action);
       break;
   }
   line.end();

@@ -45,7 +45,7 @@ constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
 
 /// What then happens.
 struct Action {
-  enum class Verb { press, release, send, place, lift, lower, cover, obstacle, clear, fault, power };
+  enum class Verb { press, release, send, place, lift, lower, cover, obstacle, clear, fault, power, sweep };
   Verb verb = Verb::press;
   std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
@@ -53,6 +53,8 @@ struct Action {
                      ///< "X,Y"
   SimTime held = 0;  ///< send: for which a remote control's key is held
   double radius = kObstacleRadius;  ///< m, of an obstacle
+  double reach = 0.0;               ///< m, of sweep: so far to each side
+  SimTime period = 0;               ///< of sweep
   HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };

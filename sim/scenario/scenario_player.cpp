@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/scenario/script_line.h"
+#include "sim/scenario/places.h"
 
 namespace robosim::scenario {
 namespace {
 
 wire::ScriptActed acted(const char* verb, const Action& action) {
-  const bool has_bytes = action.verb != Action::Verb::lift && action.verb != Action::Verb::lower;
+  using enum Action::Verb;
+  const bool has_bytes = action.verb != lift && action.verb != lower && action.verb != sweep;
   return {verb, action.part, has_bytes ? action.text : ""};
 }
 
@@ -29,22 +30,11 @@ std::string subject_of(const Action& action) {
     case lift:
     case lower:
     case place:
+    case sweep:
       return "body";
     default:
       return "";
   }
-}
-
-grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
-  const auto width = static_cast<std::uint64_t>(map.width), height = static_cast<std::uint64_t>(map.height);
-  const std::size_t comma = std::min(text.find(','), text.size());
-  const std::string_view row = std::string_view(text).substr(std::min(comma + 1, text.size()));
-  const std::uint64_t x = parse_whole(text.substr(0, comma)).value_or(width);
-  const std::uint64_t y = parse_whole(row).value_or(height);
-  if (x >= width || y >= height)
-    throw InputError(fmt::format("\"{}\" is no cell of the map: allowed are COLUMN,ROW from 0,0 to {},{}",
-                                 text, width - 1, height - 1));
-  return {static_cast<int>(x), static_cast<int>(y)};
 }
 
 }  // namespace
@@ -109,7 +99,7 @@ std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,
     if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_eeprom();
     if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
       parse_cell(stage_.map, action.text);
-    if (action.verb == Action::Verb::place) grid::parse_start(stage_.map, action.text);
+    if (action.verb == Action::Verb::place) parse_place(stage_.map, stage_.stripes, action.text);
     if (action.verb == Action::Verb::press || action.verb == Action::Verb::release)
       stage_.robot.check_press(action.part);
     if (action.verb == Action::Verb::send && !action.part.empty())
@@ -193,6 +183,10 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
     state_.undo.erase(before->second);
     state_.lasting.erase(before);
   }
+  if (subject == "body" && state_.sweep) {  // the hand puts it down where it took it up
+    stage_.body.place(state_.sweep->base);
+    state_.sweep.reset();
+  }
   events.push_back(perform(action, pending.fault, t));
   if (!action.duration) return;
   const std::pair due(t + *action.duration, state_.undos++);
@@ -203,6 +197,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
 // What is due in one tick happens in the order of the script.
 void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
   if (!state_.undo.empty()) end_what_is_over(t, events);
+  if (state_.sweep) carry(t);
   if (state_.awaiting.empty() && (state_.timed.empty() || state_.timed.begin()->first.first > t)) return;
   std::map<std::uint64_t, Pending> due;
   while (!state_.timed.empty() && state_.timed.begin()->first.first <= t) {
@@ -232,6 +227,16 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
   }
   state_.awaiting.erase(state_.awaiting.begin() + static_cast<std::ptrdiff_t>(kept), state_.awaiting.end());
   carry_out_before(std::numeric_limits<std::uint64_t>::max());
+}
+
+// Evenly to the left, to the right as far, and back.
+void ScenarioPlayer::carry(SimTime t) {
+  const Sweep& sweep = *state_.sweep;
+  const double phase =
+      static_cast<double>((t - sweep.began) % sweep.period) / static_cast<double>(sweep.period);
+  const double aside = phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase : 4.0 * phase - 4.0;
+  stage_.body.carry(
+      {sweep.base.position + left_of(sweep.base.heading) * (aside * sweep.reach), sweep.base.heading});
 }
 
 void ScenarioPlayer::put_obstacle(const Action& action) {
@@ -313,17 +318,19 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
         stage_.robot.send(action.part, {action.text, action.held}, t);
       }
       return acted("send", action);
-    case Action::Verb::place: {
-      const grid::Start where = grid::parse_start(stage_.map, action.text);
-      stage_.body.place({stage_.stripes.point_of(where.cell), grid::heading(where.facing)});
+    case Action::Verb::place:
+      stage_.body.place(parse_place(stage_.map, stage_.stripes, action.text));
       return acted("place", action);
-    }
     case Action::Verb::lift:
       stage_.body.lift(true);
       return acted("lift", action);
     case Action::Verb::lower:
       stage_.body.lift(false);
       return acted("lower", action);
+    case Action::Verb::sweep:
+      state_.sweep = Sweep{stage_.body.pose(), t, action.period, action.reach};
+      carry(t);
+      return acted("sweep", action);
     case Action::Verb::obstacle:
       put_obstacle(action);
       return acted("obstacle", action);
@@ -349,6 +356,10 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
       return std::nullopt;
     case Action::Verb::lift:
       stage_.body.lift(false);
+      return acted("lower", action);
+    case Action::Verb::sweep:
+      stage_.body.place(state_.sweep->base);
+      state_.sweep.reset();
       return acted("lower", action);
     case Action::Verb::obstacle:
       clear_obstacle(action.text);

@@ -28,6 +28,7 @@ struct Text {
                             : fmt::format("{} sent to {}", e.text, e.part);
     if (e.verb == "place") return "robot placed at " + e.text;
     if (e.verb == "lift") return "robot lifted";
+    if (e.verb == "sweep") return "robot moved to and fro by hand";
     if (e.verb == "lower") return "robot put down";
     if (e.verb == "cover") return e.part + " covered";
     if (e.verb == "obstacle") return "obstacle put on " + e.text;

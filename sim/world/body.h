@@ -137,7 +137,10 @@ class Body {
   /// Lifted, the body stands still where it is and touches nothing; its wheels turn freely, without what
   /// rolling takes. place() puts it down.
   void lift(bool lifted);
-  bool lifted() const { return lifted_; }
+  /// A hand moves it over the floor: the same, but its sensors see the floor. lift() and place() end it.
+  void carry(const Pose&);
+  bool lifted() const { return lifted_ && !carried_; }
+  bool in_hand() const { return lifted_; }  ///< lifted or carried
 
  private:
   friend class World;
@@ -192,7 +195,7 @@ class Body {
   double way_per_travel_ = 0.0;  // what the circle's centre moves at most, for each m of travel in step()
   double free_way_ = 0.0;        // m that it may move before it can touch a wall, obstacles aside
   bool slips_ = false;
-  bool lifted_ = false;
+  bool lifted_ = false, carried_ = false;
   bool blocked_[2] = {false, false};
   bool touched_ = false, near_ = false, in_contact_ = false;
   bool near_ahead_ = false, pressed_ahead_ = false;

@@ -164,7 +164,14 @@ void Body::block(Side side, bool blocked) {
   rub(side);
 }
 
+void Body::carry(const Pose& pose) {
+  lift(true);
+  carried_ = true;
+  pose_ = pose;
+}
+
 void Body::lift(bool lifted) {
+  carried_ = false;
   if (lifted == lifted_) return;
   lifted_ = lifted;
   v_ = u_ = omega_ = 0.0;

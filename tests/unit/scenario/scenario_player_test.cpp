@@ -101,6 +101,35 @@ TEST_F(Scripts, PutALiftedRobotDownWhereTheySay) {
               ElementsAre("101 script_acted verb=lift", "201 script_acted verb=place argument=13,2,E"));
 }
 
+TEST_F(Scripts, MoveTheRobotToAndFroByHandOverTheLineAndPutItDownWhereItWas) {
+  const auto outcome = play("at 1s sweep 40mm every 400ms for 800ms", 3);
+  const run::Sample& before = seen.at(1.0);
+  const run::Sample& left = seen.at(1.101);
+  const run::Sample& right = seen.at(1.301);
+  const double to_left = dot(left.pose.position - before.pose.position, left_of(before.pose.heading));
+  EXPECT_NEAR(to_left, 0.04, 0.001);
+  EXPECT_NEAR(dot(right.pose.position - before.pose.position, left_of(before.pose.heading)), -0.04, 0.001);
+  EXPECT_EQ(left.pose.heading.x, before.pose.heading.x);
+  double least = 1.0, most = 0.0;
+  for (double t = 1.0; t < 1.8; t += 0.001) {
+    least = std::min(least, s1(t));
+    most = std::max(most, s1(t));
+  }
+  EXPECT_LT(least, 0.1);
+  EXPECT_GT(most, 0.9) << "the outermost sensor comes over the line";
+  EXPECT_NEAR(length(seen.at(1.801).pose.position - before.pose.position), 0.0, 0.002);
+  EXPECT_THAT(seen.happenings, ElementsAre(HasSubstr("sweep"), HasSubstr("lower")));
+  EXPECT_EQ(outcome.verdict, judge::Verdict::reached);
+}
+
+TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {
+  play("at 1s sweep 40mm for 9s\nat 1.35s place 700mm,400mm,NE", 2);
+  EXPECT_NEAR(seen.at(1.351).pose.position.x, 0.7, 0.002);
+  EXPECT_NEAR(seen.at(1.351).pose.position.y, 0.4, 0.002);
+  EXPECT_NEAR(seen.at(1.351).pose.heading.x, 0.7071, 0.001);
+  EXPECT_GT(length(seen.at(1.9).pose.position - seen.at(1.351).pose.position), 0.01) << "it drives on";
+}
+
 TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const grid::CellAt start = grid::default_start(map).cell;
@@ -140,6 +169,12 @@ TEST_F(Scripts, WaitAfterAStation) {
 }
 
 TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
+  for (const char* place : {"9m,1mm,N", "10mm,1mm,NNE", "10mm,1mm", "10mm,-1mm,N", "10mm,x,N"})
+    EXPECT_THAT(error_of(std::string("at 1s place ") + place), HasSubstr("s.txt:1")) << place;
+  EXPECT_THAT(error_of("at 1s place 9m,1mm,N"),
+              HasSubstr("is no place on the floor: allowed are a line cell as "
+                        "X,Y,DIR, and a point as 352mm,118mm,NE"));
+  EXPECT_THAT(error_of("at 1s sweep 2m"), HasSubstr("from 1mm to 500mm"));
   EXPECT_THAT(error_of("at 1s fault S9 dead"),
               HasSubstr("s.txt:1: there is no S9 that can break; there is left, right, S1"));
   EXPECT_THAT(error_of("after eeprom 1 lift"), HasSubstr("s.txt:1: eeprom: on this target"));

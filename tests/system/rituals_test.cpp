@@ -1,0 +1,66 @@
+// What people do to a robot before a run, by a script: on every target.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Calibrates while the robot is moved, and says how far apart black and white are.
+constexpr const char* kCalibrates = R"(int low[5], high[5];
+void wait() { while (digitalRead(4)) {} }
+void setup() {
+  pinMode(4, INPUT_PULLUP);
+  Serial.begin(9600);
+  for (int i = 0; i < 5; i++) { low[i] = 1023; high[i] = 0; }
+  wait();
+  while (millis() < 6000)
+    for (int i = 0; i < 5; i++) {
+      int v = analogRead(A0 + i);
+      if (v < low[i]) low[i] = v;
+      if (v > high[i]) high[i] = v;
+    }
+  int good = 0;
+  for (int i = 0; i < 5; i++) if (high[i] - low[i] > 400) good++;
+  Serial.print("good "); Serial.println(good);
+}
+void loop() { Serial.println(analogRead(A2) > 500 ? "line" : "floor"); delay(200); }
+)";
+
+class Rituals : public ::testing::TestWithParam<const char*> {
+ protected:
+  std::string serial(const std::string& script) const {
+    folder_.write("Mine/Mine.ino", kCalibrates);
+    folder_.write("s.txt", script);
+    const Ended ended = robosim_command({"run", "./Mine", "--map", "oval", "--target", GetParam(), "--goal",
+                                         "none", "--for", "8s", "--serial", "--script", "s.txt"},
+                                        folder_.path());
+    return ended.out + ended.err;
+  }
+  Folder folder_;
+};
+
+TEST_P(Rituals, AHandThatMovesTheRobotOverTheLineCalibratesItsSensors) {
+  if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
+  EXPECT_THAT(serial("at 1s press start 100ms\nat 1.5s sweep 50mm for 4s\n"),
+              AllOf(HasSubstr("good 5"), HasSubstr("line"), Not(HasSubstr("floor")), Not(HasSubstr("lost"))));
+  EXPECT_THAT(serial("at 1s press start 100ms\n"), HasSubstr("good 0"));
+  EXPECT_THAT(serial("at 1s press start 100ms\nat 1.5s sweep 50mm for 4s\n"),
+              HasSubstr("cross-track  0.0 mm RMS, 0.0 mm at most"));
+}
+
+TEST_P(Rituals, TheRobotCanBePutBesideTheLine) {
+  if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
+  EXPECT_THAT(serial("at 1s press start 100ms\nat 6.2s place 1000mm,700mm,NE\n"), HasSubstr("floor"));
+}
+
+INSTANTIATE_TEST_SUITE_P(On, Rituals, ::testing::Values("host", "avr"));
+
+}  // namespace
+}  // namespace robosim::test
