@@ -142,6 +142,13 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
   return choice;
 }
 
+std::string title_of(const SketchChoice& sketch) {
+  if (sketch.name.find_first_not_of("./") != std::string::npos) return sketch.name;
+  std::error_code error;
+  const std::string folder = fs::canonical(sketch.folder, error).filename();
+  return folder.empty() ? sketch.name : folder;
+}
+
 build::Request request_of(const SketchChoice& sketch, const BoardSpec& board, const std::string& target,
                           const std::vector<std::string>& libraries) {
   const project::Project& project = sketch.project;

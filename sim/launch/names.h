@@ -45,6 +45,8 @@ struct SketchChoice {
 /// `environment`: of platformio.ini, or the profile of sketch.yaml; empty = their choice. A folder that
 /// arduino-cli has built in is the image in it.
 SketchChoice choose_sketch(const std::string& name, const std::string& environment = {});
+/// What people are shown of it: its name, or its folder's where that is `.` or `..`.
+std::string title_of(const SketchChoice& sketch);
 
 /// The map named; else the only .map in the sketch's folder; else `oval`. Throws InputError.
 Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);

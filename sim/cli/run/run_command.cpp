@@ -137,7 +137,8 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, co
 
   runner.keep_close();
   const grid::Map floor = grid::read_map(run.map.path);
-  const std::string title = fmt::format("{} · {} on {}", run.sketch.name, run.robot.name, run.map.name);
+  const std::string title =
+      fmt::format("{} · {} on {}", launch::title_of(run.sketch), run.robot.name, run.map.name);
   tui::LiveScene scene(title, floor, run.robot_info);
   tui::LiveView live(scene, {arguments.speed, tui::look_from_environment(true),
                              [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
@@ -182,9 +183,10 @@ int run_command(const RunArguments& arguments) {
       runner.hello());
   const BoardSpec& board = launch::board_of(run.robot_info);
   const bool is_built = run.sketch.elf_target.empty();
+  const std::string sketch = launch::title_of(run.sketch);
 
-  recorders.begin({runner.hello().version, run.sketch.name, run.map.name, run.robot.name, run.target,
-                   run.robot_info, run.request});
+  recorders.begin({runner.hello().version, sketch, run.map.name, run.robot.name, run.target, run.robot_info,
+                   run.request});
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
   if (run.request.gdb_port > 0)
@@ -205,7 +207,7 @@ int run_command(const RunArguments& arguments) {
   std::optional<Finding> finding;
   std::string next = next_of(result);
   if (is_built && deserves_second_look(run.wanted, result)) {
-    progress.say("running " + run.sketch.name + " again, with checks …");
+    progress.say("running " + sketch + " again, with checks …");
     finding = look_again(runner, run.request, run.wanted, result);
     progress.clear();
     next = next_after(result, finding);
@@ -223,8 +225,8 @@ int run_command(const RunArguments& arguments) {
     const auto drawn = map_to_draw(run.map.path);
     const auto free = free_bytes(result, board);
     (arguments.serial ? complain : print)(
-        tui::end_screen({run.sketch.name, run.map.name, run.robot.name, run.target, listeners.started(),
-                         result, listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target},
+        tui::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
+                         listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target},
                         drawn.get(), columns, tui::look_from_environment(size.has_value())));
   }
   if (counters) {

@@ -50,6 +50,15 @@ TEST_F(NamesTest, ASketchWithoutANameIsTheCurrentFolder) {
   EXPECT_TRUE(fs::equivalent(choice.folder, folder_));
 }
 
+TEST_F(NamesTest, OfTheCurrentFolderPeopleAreShownItsName) {
+  touch("My/My.ino");
+  EXPECT_EQ(title_of(choose_sketch("./My")), "./My");
+  EXPECT_EQ(title_of(choose_sketch("PidFollower")), "PidFollower");
+  fs::current_path(folder_ / "My");
+  EXPECT_EQ(title_of(choose_sketch("")), "My");
+  EXPECT_EQ(title_of(choose_sketch("./")), "My");
+}
+
 TEST_F(NamesTest, ASketchsFileStandsInItsFolder) {
   touch("My/My.ino");
   EXPECT_EQ(choose_sketch("My/My.ino").folder, "My");
