@@ -54,6 +54,6 @@ void read_elf(std::string_view content) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   refused_or([&] { read_elf(text); });
-  refused_or([&] { require(exec::read_intel_hex(text, "fuzz", 32768).size() <= 32768, "it fits"); });
+  refused_or([&] { require(exec::read_intel_hex(text, "fuzz", 32256, 32768).size() <= 32256, "it fits"); });
   return 0;
 }

@@ -95,7 +95,7 @@ std::uint16_t end_of_variables(const Firmware& firmware) {
 
 void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware) {
   firmware.named = false;
-  firmware.flash = read_intel_hex(text, firmware.file, board.flash_bytes);
+  firmware.flash = read_intel_hex(text, firmware.file, board.flash_bytes, board.chip->flash_bytes);
   firmware.code_end = static_cast<std::uint32_t>(firmware.flash.size() & ~std::size_t{1});
   firmware.flash.resize((firmware.flash.size() + 1) & ~std::size_t{1}, 0xFF);
   firmware.globals_end = end_of_variables(firmware);

@@ -32,7 +32,8 @@ std::vector<std::uint8_t> bytes_of(std::string_view line) {
 
 }  // namespace
 
-std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::string& file, std::size_t room) {
+std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::string& file, std::size_t room,
+                                         std::size_t flash_bytes) {
   std::vector<std::uint8_t> flash;
   std::size_t base = 0;
   int number = 0;
@@ -48,6 +49,10 @@ std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::strin
     switch (bytes[3]) {
       case kData: {
         const std::size_t at = base + (bytes[1] << 8 | bytes[2]), end = at + bytes[0];
+        if (end > flash_bytes)
+          throw InputError({file, number, 0},
+                           fmt::format("lies behind the {} bytes of flash that the chip has", flash_bytes));
+        if (at >= room) break;
         if (end > room) {
           throw InputError(
               {file, number, 0},

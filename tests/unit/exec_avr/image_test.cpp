@@ -137,9 +137,24 @@ TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
   wrong[10] = wrong[10] == '0' ? '1' : '0';
   EXPECT_THAT(refusal(wrong, "x.hex"), HasSubstr("x.hex:1: is no line of an Intel HEX file"));
   EXPECT_THAT(refusal(":020000040001F9\n:0100000000FF\n:00000001FF\n", "x.hex"),
-              HasSubstr("behind the 32256 bytes"));
+              HasSubstr("behind the 32768 bytes"));
   for (const char* const other : {"", "hello", "\177ELF"})
     EXPECT_THAT(refusal(other, "x.hex"), HasSubstr("Intel HEX file")) << other;
+}
+
+TEST_F(ImageTest, AHexWithItsBootLoaderRunsAsTheSketchBehindIt) {
+  start("void setup() { Serial.begin(115200); Serial.println(\"hello\"); }\nvoid loop() {}");
+  const std::string hex = hex_of(avr::Firmware::read(built_.image, *find_board("uno")).flash);
+  const std::size_t end = hex.find(":00000001FF");
+  write_file(folder_ / "x.hex",
+             hex.substr(0, end) + ":107E0000112484B714BE81FFF0D085E080938100F7\n" + hex.substr(end));
+  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), folder_ / "x.hex");
+  board().watch_serial(*this);
+  serial_.clear();
+  avr_->power_on(0);
+  now_ = 0;
+  run(40 * kMillisecond);
+  EXPECT_EQ(serial_, "hello\r\n");
 }
 
 TEST_F(ImageTest, TheEepromBeginsWithWhatTheImageHasForItAndFusesChangeNothing) {
