@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
+#include "sim/base/whole.h"
 #include "sim/cli/output.h"
 #include "sim/client/runner.h"
+#include "sim/launch/fit_robot.h"
 #include "sim/launch/names.h"
 
 namespace robosim::cli {
@@ -38,6 +41,14 @@ void show(const std::string& robot) {
                                          : launch::stock_robot_folder() / (robot + ".toml")));
 }
 
+/// A pin as people read it: "D5 (PD5)" for its number; that of a shift register as it is.
+std::string pin_name(const BoardSpec& board, const std::string& pin) {
+  const std::optional<std::uint64_t> number = parse_whole(pin);
+  if (!number || *number >= board.pin_count) return pin;
+  const PinSpec& spec = board.pins[*number];
+  return fmt::format("{} ({})", spec.name, spec.chip_name);
+}
+
 void check(const launch::Choice& robot) {
   client::Runner runner(client::available_targets().front());
   const wire::RobotInfo info = runner.describe_robot(robot.path.string());
@@ -48,7 +59,8 @@ void check(const launch::Choice& robot) {
                   info.board.name, info.board.fqbn, info.parts.size(), info.sensors.size());
   for (const auto& part : info.parts) {
     text += fmt::format("  {:<{}}  {:<18}", part.name, longest, part.type);
-    for (const auto& [use, pin] : part.pins) text += fmt::format(" {} {}", use, pin);
+    for (const auto& [use, pin] : part.pins)
+      text += fmt::format(" {} {}", use, pin_name(launch::board_of(info), pin));
     text += '\n';
   }
   print(text);
