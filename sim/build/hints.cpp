@@ -103,6 +103,40 @@ std::string hint_for(const std::string& messages) {
   return "";
 }
 
+std::string library_of_header(const std::string& header) {
+  struct Known {
+    const char* header;
+    const char* library;
+  };
+  static constexpr std::array list = {
+      Known{"Servo.h", "Servo"},
+      Known{"NewPing.h", "NewPing"},
+      Known{"QTRSensors.h", "QTRSensors"},
+      Known{"Encoder.h", "Encoder"},
+      Known{"IRremote.h", "IRremote"},
+      Known{"IRremote.hpp", "IRremote"},
+      Known{"AFMotor.h", "Adafruit Motor Shield library"},
+      Known{"Adafruit_MotorShield.h", "Adafruit Motor Shield V2 Library"},
+      Known{"LiquidCrystal.h", "LiquidCrystal"},
+      Known{"LiquidCrystal_I2C.h", "LiquidCrystal I2C"},
+      Known{"PID_v1.h", "PID"},
+      Known{"Keypad.h", "Keypad"},
+      Known{"Stepper.h", "Stepper"},
+      Known{"TimerOne.h", "TimerOne"},
+      Known{"Adafruit_GFX.h", "Adafruit GFX Library"},
+      Known{"Adafruit_SSD1306.h", "Adafruit SSD1306"},
+      Known{"Adafruit_NeoPixel.h", "Adafruit NeoPixel"},
+      Known{"Adafruit_PWMServoDriver.h", "Adafruit PWM Servo Driver Library"},
+      Known{"Adafruit_TCS34725.h", "Adafruit TCS34725"},
+      Known{"VL53L0X.h", "VL53L0X"},
+      Known{"MPU6050_light.h", "MPU6050_light"},
+      Known{"Arduino_FreeRTOS.h", "FreeRTOS"},
+  };
+  for (const Known& one : list)
+    if (header == one.header) return one.library;
+  return "";
+}
+
 std::string foreign_header(const std::string& header) {
   struct Foreign {
     const char* header;

@@ -96,9 +96,14 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
                     header));
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
+  const std::string known = library_of_header(header);
   throw MissingLibrary(
-      place, fmt::format("there is no header {}: neither in the sketch nor in a library below {}", header,
-                         fmt::join(folders, ", ")));
+      place, fmt::format("there is no header {}: neither in the sketch nor in a library below {}{}", header,
+                         fmt::join(folders, ", "),
+                         known.empty() ? ""
+                                       : fmt::format("; Arduino's library manager has it: arduino-cli lib "
+                                                     "install \"{}\"",
+                                                     known)));
 }
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {

@@ -26,6 +26,8 @@ TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {
     EXPECT_THAT(hint_for(message), HasSubstr("Robosim simulates Arduino boards")) << message;
   EXPECT_THAT(foreign_header("WiFi.h"), HasSubstr("an ESP32"));
   EXPECT_EQ(foreign_header("Servo.h"), "");
+  EXPECT_EQ(library_of_header("PID_v1.h"), "PID");
+  EXPECT_EQ(library_of_header("Mine.h"), "");
 }
 
 TEST(Hints, OnlyTheFirstErrorIsLookedAt) {
