@@ -124,6 +124,7 @@ inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top,
                           : static_cast<double>(value + (longer ? 1 : 0)) / static_cast<double>(top + 1);
   drive.pwm = true;
   drive.duty = com == 3 ? 1.0 - high : high;
+  drive.period_us = static_cast<uint32_t>(1000000 * prescaler * period_of(how, top) / clock_hz);
   return drive;
 }
 

@@ -31,15 +31,16 @@ enum class PinMode : uint8_t { input, input_pullup, output };
 /// How the microcontroller drives one pin. All zero is what a reset leaves: input, no pull-up.
 struct PinDrive {
   PinMode mode = PinMode::input;
-  bool level = false;    ///< output latch; meaningful for `output` without PWM
-  bool pwm = false;      ///< a timer drives the pin: `duty` holds, `level` does not
-  double duty = 0.0;     ///< fraction of time high, 0..1; equals `level` where `pwm` is false
-  uint32_t tone_hz = 0;  ///< square wave by tone(), in Hz; 0 = none
+  bool level = false;      ///< output latch; meaningful for `output` without PWM
+  bool pwm = false;        ///< a timer drives the pin: `duty` holds, `level` does not
+  double duty = 0.0;       ///< fraction of time high, 0..1; equals `level` where `pwm` is false
+  uint32_t tone_hz = 0;    ///< square wave by tone(), in Hz; 0 = none
+  uint32_t period_us = 0;  ///< of PWM; 0 = not known
 };
 
 inline bool operator==(const PinDrive& a, const PinDrive& b) {
   return a.mode == b.mode && a.level == b.level && a.pwm == b.pwm && a.duty == b.duty &&
-         a.tone_hz == b.tone_hz;
+         a.tone_hz == b.tone_hz && a.period_us == b.period_us;
 }
 inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b); }
 

@@ -12,7 +12,9 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::size_t kStream = 20;                // a text that comes more often is a stream
+constexpr std::size_t kStream = 20;    // a text that comes more often is a stream
+constexpr std::size_t kStreamRow = 5;  // so is one that comes so often within kStreamTime_ns
+constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
 constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
 constexpr std::size_t kLongestName = 60;
 
@@ -23,6 +25,14 @@ struct Said {
   LineText parts;
   std::size_t number = 0;
 };
+
+// Lines of one form, by the times at which they came.
+bool is_stream(const std::vector<std::int64_t>& came) {
+  if (came.size() > kStream) return true;
+  for (std::size_t i = kStreamRow; i <= came.size(); ++i)
+    if (came[i - 1] - came[i - kStreamRow] <= kStreamTime_ns) return true;
+  return false;
+}
 
 std::string quoted(const std::string& text) {
   return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
@@ -81,16 +91,16 @@ class Comparer {
 
   void split_lines() {
     std::array<std::vector<Said>, 2> all;
-    std::map<std::string, std::array<std::size_t, 2>> count;
+    std::map<std::string, std::array<std::vector<std::int64_t>, 2>> times;
     for (std::size_t side = 0; side < 2; ++side)
       for (const TimedText& text : sides_[side]->lines) {
         all[side].push_back({text.t_ns, text.text, take_apart(text.text), all[side].size()});
-        ++count[all[side].back().parts.form][side];
+        times[all[side].back().parts.form][side].push_back(text.t_ns);
       }
     for (std::size_t side = 0; side < 2; ++side)
       for (Said& said : all[side]) {
-        const auto& n = count[said.parts.form];
-        if (std::max(n[0], n[1]) > kStream)
+        const auto& came = times[said.parts.form];
+        if (is_stream(came[0]) || is_stream(came[1]))
           streams_[said.parts.form][side].push_back(std::move(said));
         else
           said_[side].push_back(std::move(said));

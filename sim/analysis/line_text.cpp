@@ -88,6 +88,12 @@ LineText take_apart(const std::string& line) {
   return parts;
 }
 
+/// One in the last place that both have: rounding may go either way.
+double last_place(const Number& a, const Number& b) {
+  const auto decimals = [](const Number& n) { return n.text.size() - n.text.find('.') - 1; };
+  return 1.001 * std::pow(10.0, -static_cast<double>(std::min(decimals(a), decimals(b))));
+}
+
 Likeness likeness(const Number& a, const Number& b, double tolerance) {
   if (a.text == b.text) return Likeness::same;
   if (wider(a, b)) return Likeness::known;
@@ -95,6 +101,7 @@ Likeness likeness(const Number& a, const Number& b, double tolerance) {
   const double apart = std::fabs(a.value - b.value);
   const bool fractions = a.form == Number::Form::fraction && b.form == Number::Form::fraction;
   if (fractions && apart <= kFloat * largest) return Likeness::known;
+  if (fractions && apart <= last_place(a, b)) return Likeness::same;
   return apart <= tolerance * largest ? Likeness::same : Likeness::different;
 }
 

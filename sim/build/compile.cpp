@@ -31,8 +31,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
     case Warnings::none:
       return {"-w"};
     case Warnings::standard:  // if (x = 1), if (x); { … }: the compiler's own choice leaves them out
-      return unit.kind == Unit::Kind::sketch ? std::vector<std::string>{"-Wparentheses", "-Wempty-body"}
-                                             : std::vector<std::string>{};
+      if (unit.kind == Unit::Kind::library) return {"-w"};  // nobody who uses one can do anything about them
+      return {"-Wparentheses", "-Wempty-body"};
     case Warnings::more:
       return {"-Wall"};
     case Warnings::all:

@@ -154,6 +154,8 @@ namespace {
 
 std::string sentence(const Evidence& e) {
   const std::string done = e.progress->summary();
+  const std::string undone =
+      e.goal->kind == Goal::Kind::none ? std::string() : fmt::format(", before the goal: {}", done);
   switch (e.verdict) {
     case Verdict::reached:
       return e.goal->kind == Goal::Kind::none
@@ -187,12 +189,11 @@ std::string sentence(const Evidence& e) {
           place_of(e.activity.where), done);
     case Verdict::ended:
       if (!e.activity.stopped_by.empty())
-        return fmt::format("The sketch stopped itself by {}{} with the motors off, before the goal: {}.",
-                           e.activity.stopped_by, place_of(e.activity.where), done);
+        return fmt::format("The sketch stopped itself by {}{} with the motors off{}.", e.activity.stopped_by,
+                           place_of(e.activity.where), undone);
       return fmt::format(
-          "The sketch ended{}: for 2 s it called no Arduino function, with the motors off, before the goal: "
-          "{}{}.",
-          place_of(e.activity.where), done, whereabouts(e));
+          "The sketch ended{}: for 2 s it called no Arduino function, with the motors off{}{}.",
+          place_of(e.activity.where), undone, whereabouts(e));
     case Verdict::crashed:
       return fmt::format("The sketch crashed: {}{}.", e.crash ? e.crash->reason : "for an unknown reason",
                          e.crash ? place_of(e.crash->where) : "");

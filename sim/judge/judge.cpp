@@ -47,7 +47,7 @@ ExitStatus exit_status(Verdict verdict) {
 
 bool Judge::lost(const Situation& now) {
   if (now.lifted) travel_at_line_ = now.wheel_travel_m;
-  if (now.sees_line) {
+  if (senses_ && now.sees_line) {
     line_seen_ = Seen{now.t, now.pose->position};
     travel_at_line_ = now.wheel_travel_m;
   }

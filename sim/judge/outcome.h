@@ -53,6 +53,7 @@ struct Outcome {
   wire::Usage usage;
   std::vector<wire::RunEvent> events;  ///< the last few
   std::string serial;                  ///< all that the firmware sent, up to kSerialKept bytes
+  std::string shown;                   ///< what parts told, a line each, up to kShownKept bytes and a line
   Pose end;                            ///< where the robot is
   std::uint64_t eeprom_writes = 0;     ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
@@ -60,5 +61,6 @@ struct Outcome {
 
 /// More serial output than this is counted in the trace hash but not kept.
 constexpr std::size_t kSerialKept = 1 << 20;
+constexpr std::size_t kShownKept = 1 << 16;
 
 }  // namespace robosim::judge

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/robot/description.h"
+#include "sim/robot/netlist.h"
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
 
@@ -31,7 +32,7 @@ struct Summary {
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
   std::vector<Gauge> gauges;         ///< readings that are numbers with units
   std::vector<PartSummary> parts;
-  std::vector<std::string> registers;  ///< names of the shift registers, in the order of their outputs
+  std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the order of their outputs
 };
 
 Summary describe(const Description&);

@@ -141,16 +141,20 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
 }
 
 // The names that outputs are wired by, before any part is read: parts may name registers further down.
-std::vector<std::string> register_names(const ConfigValue* parts) {
-  std::vector<std::string> names;
-  if (!parts) return names;
+std::vector<Register> registers_of(const ConfigValue* parts) {
+  std::vector<Register> registers;
+  if (!parts) return registers;
   for (const ConfigValue& part : parts->items) {
-    if (text_of(part, "type") != "shift-register") continue;
-    if (names.size() == kMostRegisters)
-      throw InputError(part.place, fmt::format("more than {} shift registers", kMostRegisters));
-    names.push_back(text_of(part, "name"));
+    const std::string type = text_of(part, "type"), name = text_of(part, "name");
+    if (type == "shift-register") registers.push_back({name});
+    for (int first = 0; type == "pca9685" && first < 2 * kRegisterOutputs; first += kRegisterOutputs)
+      registers.push_back({name, first});
+    if (registers.size() > kMostRegisters)
+      throw InputError(
+          part.place,
+          fmt::format("more than {} shift registers, of which a pca9685 counts as two", kMostRegisters));
   }
-  return names;
+  return registers;
 }
 
 std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Terminals& terminals,
@@ -248,7 +252,7 @@ Description parse_description(std::string_view text, const fs::path& file, const
     throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
   if (parts && parts->items.size() > kMostParts)
     throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
-  const Terminals terminals{robot.board, &own_board, register_names(parts)};
+  const Terminals terminals{robot.board, &own_board, registers_of(parts)};
   robot.registers = terminals.registers;
   std::vector<Wire> driver_wires;
   robot.driver = read_driver(reader.require("driver"), terminals, driver_wires);

@@ -11,6 +11,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
+#include "sim/robot/netlist.h"
 #include "sim/robot/number.h"
 #include "sim/world/body.h"
 
@@ -133,7 +134,7 @@ struct Description {
   Chassis chassis;
   Motors motors;
   Driver driver;
-  std::vector<std::string> registers;  ///< names of the shift registers, as netlist.h numbers them
+  std::vector<Register> registers;  ///< of shift registers and PWM drivers, as netlist.h numbers them
   std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
 };
 

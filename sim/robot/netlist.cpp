@@ -1,11 +1,21 @@
 #include "sim/robot/netlist.h"
 
+#include <algorithm>
+
 namespace robosim::robot {
 
-std::string output_name(const std::vector<std::string>& registers, Pin output) {
-  const int number = output - kMaxPins;
-  return registers[static_cast<std::size_t>(number / kRegisterOutputs)] + ".Q" +
-         std::to_string(number % kRegisterOutputs);
+std::string output_name(const std::vector<Register>& registers, Pin output) {
+  const int number = output - kMaxPins, q = number % kRegisterOutputs;
+  const Register& at = registers[static_cast<std::size_t>(number / kRegisterOutputs)];
+  return at.part +
+         (at.first_channel < 0 ? ".Q" + std::to_string(q) : "." + std::to_string(at.first_channel + q));
+}
+
+std::optional<int> register_of(const std::vector<Register>& registers, const std::string& part) {
+  const auto found =
+      std::find_if(registers.begin(), registers.end(), [&](const Register& r) { return r.part == part; });
+  if (found == registers.end()) return std::nullopt;
+  return static_cast<int>(found - registers.begin());
 }
 
 void Netlist::watch(Pin pin, PinWatcher& watcher) {

@@ -1,11 +1,16 @@
 // The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
-// registers. A part that follows a level does not need to know which of the two it is wired to.
+// registers and PWM drivers. A part that follows a level does not need to know which of these it is wired to.
 //
 //   number                 wire
 //   0 .. kMaxPins - 1      the board's pin of that number
-//   kMaxPins + 8 r + q     output Qq of the robot's shift register number r, in the file's order
+//   kMaxPins + 8 r + q     output q of the robot's register number r, in the file's order. A shift register
+//   is one;
+//                          a PWM driver of 16 channels is two
+//
+// A shift register's outputs are called "REG1.Q0" to "REG1.Q7", a PWM driver's "pwm.0" to "pwm.15".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +19,26 @@
 
 namespace robosim::robot {
 
-constexpr int kRegisterOutputs = 8;  ///< of one shift register: Q0 .. Q7
+constexpr int kRegisterOutputs = 8;  ///< of one register
 constexpr int kMostRegisters = 16;   ///< of one robot
 
-/// The wire at output `q` of shift register number `index`.
+/// Eight outputs of a part.
+struct Register {
+  std::string part;
+  int first_channel = -1;  ///< of a PWM driver: the number of its first output; else -1
+
+  friend bool operator==(const Register&, const Register&) = default;
+};
+
+/// The wire at output `q` of register number `index`; `q` may go on into the next ones.
 constexpr Pin output_pin(int index, int q) {
   return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
 }
 constexpr bool is_output(Pin pin) { return pin >= kMaxPins && pin != kNoPin; }
 /// Its name as robot files write it, "REG1.Q4"; `registers` are the robot's, in their order.
-std::string output_name(const std::vector<std::string>& registers, Pin output);
+std::string output_name(const std::vector<Register>& registers, Pin output);
+/// The number of the first register of that part; nothing if it has none.
+std::optional<int> register_of(const std::vector<Register>& registers, const std::string& part);
 static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 
 class Netlist {
@@ -40,7 +55,7 @@ class Netlist {
   }
   /// As RobotPort::watch.
   void watch(Pin pin, PinWatcher& watcher);
-  /// For shift registers: drives an output. Watchers are told if it has changed.
+  /// For shift registers and PWM drivers: drives an output. Watchers are told if it has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);
 
  private:

@@ -29,26 +29,35 @@ std::string written(const ConfigValue& value) {
   return value.kind == ConfigValue::Kind::string ? '"' + value.string + '"' : std::to_string(value.integer);
 }
 
-// "NAME.Qn": an output of a shift register.
+// "NAME.Qn", "NAME.n": an output of a shift register, of a PWM driver.
 Pin as_output(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
-  const std::size_t dot = value.string.rfind(".Q");
-  const std::string name = value.string.substr(0, dot);
-  const std::string number = value.string.substr(dot + 2);
   const auto& registers = terminals.registers;
-  const auto found = std::find(registers.begin(), registers.end(), name);
-  if (found == registers.end())
+  const std::size_t dot = value.string.rfind('.');
+  const std::string name = value.string.substr(0, dot);
+  std::string number = value.string.substr(dot + 1);
+  const auto found = register_of(registers, name);
+  if (!found) {
+    std::vector<std::string> names;
+    for (const Register& r : registers)
+      if (r.first_channel <= 0) names.push_back(r.part);
     throw InputError(
         value.place,
-        fmt::format("{} is {}, but there is no shift register {}; {}", key, written(value), name,
-                    registers.empty() ? "this robot has none" : "there is " + one_of(registers)));
-  if (number.size() != 1 || number[0] < '0' || number[0] >= '0' + kRegisterOutputs)
-    throw InputError(value.place, fmt::format("{} is {}; the outputs of {} are {}.Q0 to {}.Q7", key,
-                                              written(value), name, name, name));
-  if (use != PinUse::driven)
+        fmt::format("{} is {}, but there is no shift register or PWM driver {}; {}", key, written(value),
+                    name, names.empty() ? "this robot has none" : "there is " + one_of(names)));
+  }
+  const bool shifts = registers[static_cast<std::size_t>(*found)].first_channel < 0;
+  const int outputs = shifts ? kRegisterOutputs : 2 * kRegisterOutputs;
+  if (shifts && !number.empty()) number = number[0] == 'Q' ? number.substr(1) : "";
+  const bool digits =
+      !number.empty() && number.size() <= 2 && number.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || std::stoi(number) >= outputs)
     throw InputError(value.place,
-                     fmt::format("{} is {}, an output of a shift register; it must be a pin of the board",
-                                 key, written(value)));
-  return output_pin(static_cast<int>(found - registers.begin()), number[0] - '0');
+                     fmt::format("{} is {}; the outputs of {} are {}.{}0 to {}.{}{}", key, written(value),
+                                 name, name, shifts ? "Q" : "", name, shifts ? "Q" : "", outputs - 1));
+  if (use != PinUse::driven)
+    throw InputError(value.place, fmt::format("{} is {}, an output of a {}; it must be a pin of the board",
+                                              key, written(value), shifts ? "shift register" : "PWM driver"));
+  return output_pin(*found, std::stoi(number));
 }
 
 void check_use(const ConfigValue& value, const char* key, const BoardSpec& board, Pin pin, PinUse use) {
@@ -104,7 +113,7 @@ Vec2 as_point(const ConfigValue& value, const char* key) {
 }
 
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
-  if (value.kind == ConfigValue::Kind::string && value.string.rfind(".Q") != std::string::npos)
+  if (value.kind == ConfigValue::Kind::string && value.string.find('.') != std::string::npos)
     return as_output(value, key, terminals, use);
   const BoardSpec& board = *terminals.written_for;
   Pin pin = kNoPin;

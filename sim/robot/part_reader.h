@@ -9,6 +9,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/config.h"
 #include "sim/robot/description.h"
+#include "sim/robot/netlist.h"
 
 namespace robosim::robot {
 
@@ -17,15 +18,15 @@ constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 /// What a wire needs of its pin.
 enum class PinUse {
   digital,  ///< any pin but an analog input only
-  driven,   ///< what the part follows: a digital pin, or an output of a shift register
+  driven,   ///< what the part follows: a digital pin, or an output of a shift register or PWM driver
   analog,   ///< a pin with an ADC channel
 };
 
 /// What wires may be connected to.
 struct Terminals {
   const BoardSpec* board;
-  const BoardSpec* written_for;        ///< the file's own board, which its pins and volts refer to
-  std::vector<std::string> registers;  ///< names of the shift registers, in the file's order
+  const BoardSpec* written_for;     ///< the file's own board, which its pins and volts refer to
+  std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the file's order
 };
 
 /// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }. The whole range
@@ -35,7 +36,7 @@ Number read_figure(TableReader& reader, const char* key, Dimension dimension, Nu
                    double most);
 /// ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
-/// A pin by number or name, or a shift register's output such as "REG1.Q4". Throws InputError if there is no
+/// A pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if there is no
 /// such pin or it is not fit for `use`.
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals&, PinUse use);
 

@@ -102,7 +102,12 @@ bool merged(const std::string& key) {
 // `own` on top of `base`: tables key by key, parts by name.
 ConfigValue derive(ConfigValue base, ConfigValue own) {
   std::vector<ConfigValue> own_parts = parts_of(own);
-  if (const ConfigValue* list = own.find("remove")) remove_parts(parts_of(base), *list);
+  if (const ConfigValue* list = own.find("remove")) {
+    remove_parts(parts_of(base), *list);
+    ConfigValue* driver = member(base, "driver");
+    if (driver && list->kind == ConfigValue::Kind::string)  // "all": no wire of the base is left
+      driver->members.remove_if([](const auto& item) { return item.first == "standby"; });
+  }
   override_parts(parts_of(base), own_parts);
   for (auto& [key, value] : own.members) {
     ConfigValue* old = member(base, key);

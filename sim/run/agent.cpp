@@ -123,7 +123,10 @@ void Agent::hear_parts(SimTime t) {
 
 void Agent::tell_events(SimTime t) {
   for (wire::RunEvent::What& what : state_.happened) {
+    const bool shows = std::holds_alternative<wire::PartTold>(what);
     state_.events.push_back({t, number_, std::move(what)});
+    if (shows && state_.told.size() < judge::kShownKept)
+      state_.told += wire::text_of(state_.events.back()) + '\n';
     state_.listener->happened(state_.events.back());
     if (setup_.controller) stops_.happened(state_.events.back());
     if (state_.events.size() > kEventsKept) state_.events.pop_front();
@@ -144,7 +147,7 @@ void Agent::observe(SimTime end) {
     state_.shown.worst_at = body_.pose().position;
   }
   if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
-  if (!state_.sees_line && !body_.in_hand()) ++state_.off_line_ticks;
+  if (!state_.sees_line && robot_.has_line_sensors() && !body_.in_hand()) ++state_.off_line_ticks;
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
     state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
@@ -292,6 +295,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());
   outcome.serial = state_.serial;
+  outcome.shown = state_.told;
   outcome.end = body_.pose();
   outcome.eeprom_writes = player_.eeprom_writes();
   outcome.trace_hash = hash_.text();

@@ -82,6 +82,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
     std::string serial;
+    std::string told;  ///< what parts have told, a line each
     run::State shown;
     Sample sample;
     std::vector<bool> went_high, was_output;

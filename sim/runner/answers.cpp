@@ -85,6 +85,7 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   for (const wire::RunEvent& event : outcome.events)
     result.events.push_back({seconds(event.t_ns), wire::text_of(event)});
   result.serial = outcome.serial;
+  result.shown = outcome.shown;
   result.end = {millimetres(outcome.end.position.x), millimetres(outcome.end.position.y), outcome.end.yaw()};
   result.eeprom_writes = outcome.eeprom_writes;
   result.trace_hash = outcome.trace_hash;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "sim/base/escaped.h"
 #include "sim/wire/events.h"
 
 namespace robosim::wire {
@@ -24,7 +25,7 @@ struct Text {
     if (e.verb == "press") return e.part + " pressed";
     if (e.verb == "release") return e.part + " released";
     if (e.verb == "send")
-      return e.part.empty() ? fmt::format("\"{}\" sent to the sketch", e.text)
+      return e.part.empty() ? fmt::format("\"{}\" sent to the sketch", escaped(e.text))
                             : fmt::format("{} sent to {}", e.text, e.part);
     if (e.verb == "place") return "robot placed at " + e.text;
     if (e.verb == "lift") return "robot lifted";

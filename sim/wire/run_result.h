@@ -192,6 +192,7 @@ struct RunResult {
   Usage usage;
   std::vector<Entry> events;  ///< the last ones
   std::string serial;
+  std::string shown;
   Pose end;                         ///< where the robot is
   std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
@@ -229,6 +230,9 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
   v("events", r.events, "the last ones, at most 8");
   v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
+  v("shown", r.shown,
+    "what displays showed and Bluetooth modules received, up to 64 KiB, each on a line: `lcd: \"Lap 2\"`",
+    {.presence = when(!r.shown.empty())});
   v("end", r.end, "where the robot is", {.presence = kOptional});
   v("eeprom_writes", r.eeprom_writes, "bytes that the firmware wrote to its EEPROM", {.presence = kOptional});
   v("trace_hash", r.trace_hash, "fingerprint of the run: equal inputs give equal hashes");

@@ -30,6 +30,20 @@ std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunR
   return std::nullopt;
 }
 
+/// The first of `texts` that is not in `all` behind the one before it: "“b” by its serial port after “a”".
+std::optional<std::string> missing_of(const std::vector<std::string>& texts, const std::string& all,
+                                      const char* by) {
+  std::size_t at = 0;
+  std::string after;
+  for (const std::string& text : texts) {
+    const std::size_t found = all.find(text, at);
+    if (found == std::string::npos) return fmt::format("“{}”{}{}", text, by, after);
+    at = found + text.size();
+    after = fmt::format(" after “{}”", text);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result) {
@@ -39,15 +53,10 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
                                    : " (expected: " + one_of(check.expect) + ")";
     return fmt::format("{}{}: {}", result.verdict, wanted, result.why);
   }
-  std::size_t at = 0;
-  std::string after;
-  for (const std::string& text : check.serial) {
-    const std::size_t found = result.serial.find(text, at);
-    if (found == std::string::npos)
-      return fmt::format("the sketch did not send “{}” by its serial port{}", text, after);
-    at = found + text.size();
-    after = fmt::format(" after “{}”", text);
-  }
+  if (const auto missing = missing_of(check.serial, result.serial, " by its serial port"))
+    return fmt::format("the sketch did not send {}", *missing);
+  if (const auto missing = missing_of(check.shows, result.shown, ""))
+    return fmt::format("no part showed {}", *missing);
   for (const std::string& station : check.stations) {
     const auto& visited = result.metrics.stations;
     if (std::find(visited.begin(), visited.end(), station) == visited.end())

@@ -105,6 +105,7 @@ class CheckReader {
     if (check.expect.empty()) check.expect = {"reached"};
     for (const Figure& figure : figures()) add_limit(figure, check);
     check.serial = words_at(reader_, "serial");
+    check.shows = words_at(reader_, "shows");
     check.stations = words_at(reader_, "stations");
     reader_.finish();
     return check;

@@ -28,6 +28,7 @@ struct Check {
   std::vector<std::string> expect;  ///< verdicts of which a run must end with one
   std::vector<FigureLimit> limits;
   std::vector<std::string> serial;    ///< texts that the sketch must send, one after the other
+  std::vector<std::string> shows;     ///< texts that parts must tell, one after the other
   std::vector<std::string> stations;  ///< that must be visited, in any order
 };
 

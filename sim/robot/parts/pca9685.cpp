@@ -20,6 +20,7 @@ constexpr int kCounts = 4096, kBytesOfChannel = 4;
 std::shared_ptr<const PartSpec> read_pca9685(PartReader& reader) {
   auto spec = std::make_shared<Pca9685Spec>();
   spec->address = read_two_wire(reader, kUsualPcaAddress);
+  spec->index = *register_of(reader.terminals().registers, reader.name());
   return reader.finish(spec);
 }
 
@@ -62,32 +63,47 @@ void Pca9685Part::set(std::uint8_t number, std::uint8_t value, SimTime t) {
   state_.changed_at = t;
 }
 
-// "" while it is off.
-std::string Pca9685Part::channel(int n) const {
-  if (state_.registers[kMode1] & kAsleep) return {};
+PinDrive Pca9685Part::channel(int n) const {
   const auto at = [&](int i) {
     return state_.registers[static_cast<std::size_t>(kFirstChannel + kBytesOfChannel * n + i)];
   };
-  if (at(3) & kAlways) return {};
-  if (at(1) & kAlways) return "on";
+  PinDrive drive;
+  drive.mode = PinMode::output;
+  if (state_.registers[kMode1] & kAsleep || at(3) & kAlways) return drive;
   const int on = at(0) | (at(1) & 0x0F) << 8, off = at(2) | (at(3) & 0x0F) << 8;
   const int counts = (off - on + kCounts) % kCounts;
-  if (counts == 0) return {};
-  return fmt::format("{}us", std::lround(counts * (state_.registers[kPrescale] + 1) / kOscillator * 1e6));
+  drive.level = (at(1) & kAlways) != 0;
+  drive.pwm = !drive.level && counts > 0;
+  drive.duty = drive.level ? 1.0 : static_cast<double>(counts) / kCounts;
+  if (drive.pwm)
+    drive.period_us = static_cast<std::uint32_t>(
+        std::lround(kCounts * (state_.registers[kPrescale] + 1) / kOscillator * 1e6));
+  return drive;
+}
+
+std::string Pca9685Part::pulse(int n) const {
+  const PinDrive drive = channel(n);
+  if (drive.level) return "on";
+  return drive.pwm ? fmt::format("{}us", std::lround(drive.duty * drive.period_us)) : "";
+}
+
+void Pca9685Part::stop(SimTime t) {
+  for (int n = 0; n < kChannels; ++n)
+    context_.netlist.drive_output(output_pin(spec_.index, n), channel(n), t);
 }
 
 std::string Pca9685Part::tell(SimTime t) {
   if (!state_.text.is_due(state_.changed_at, t)) return {};
   std::string text;
   for (int n = 0; n < kChannels; ++n)
-    if (const std::string pulse = channel(n); !pulse.empty())
-      text += fmt::format("{}{}:{}", text.empty() ? "" : " ", n, pulse);
+    if (const std::string given = pulse(n); !given.empty())
+      text += fmt::format("{}{}:{}", text.empty() ? "" : " ", n, given);
   return state_.text.tell(state_.changed_at, text);
 }
 
 void Pca9685Part::read(std::vector<Reading>& readings) const {
   int on = 0;
-  for (int n = 0; n < kChannels; ++n) on += channel(n).empty() ? 0 : 1;
+  for (int n = 0; n < kChannels; ++n) on += pulse(n).empty() ? 0 : 1;
   readings.push_back({spec_.name, static_cast<double>(on)});
 }
 

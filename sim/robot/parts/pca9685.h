@@ -3,10 +3,11 @@
 //   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, written while it sleeps
 //   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
 //
-// What its channels give is told, where it has changed and stayed for 50 ms, as times of those that are not
-// off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), and nothing comes out. Registers follow each
-// other only with the bit AI of MODE1. Nothing hangs on its outputs here. Not modelled: the addresses for
-// several at once, outputs that change at the acknowledge, an external clock.
+// Other parts name its channels as pins: "pwm.12". They change with the STOP of a transfer, at once and not
+// with the next period. What they give is told, where it has changed and stayed for 50 ms, as times of those
+// that are not off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), and nothing comes out.
+// Registers follow each other only with the bit AI of MODE1. Not modelled: the addresses for several at once,
+// outputs that change at the acknowledge (OCH), inverted or open-drain ones (MODE2), an external clock.
 #pragma once
 
 #include "sim/robot/parts/settled_text.h"
@@ -19,6 +20,7 @@ std::shared_ptr<const PartSpec> read_pca9685(PartReader&);
 class Pca9685Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
+  int index = 0;  ///< of its first register: its outputs are output_pin(index, 0 .. 15)
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -33,12 +35,16 @@ class Pca9685Part final : public Part, public RegisterDevice, public Teller {
   /// How many channels are not off.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
+  void stop(SimTime) override;
 
  private:
   void set(std::uint8_t number, std::uint8_t value, SimTime t) override;
   std::uint8_t get(std::uint8_t number, SimTime) override { return state_.registers[number]; }
   std::uint8_t behind(std::uint8_t number) const override;
-  std::string channel(int n) const;
+  /// How channel `n` is driven.
+  PinDrive channel(int n) const;
+  /// "" while it is off.
+  std::string pulse(int n) const;
 
   struct State {
     std::array<std::uint8_t, 256> registers{};

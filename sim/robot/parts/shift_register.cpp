@@ -30,14 +30,19 @@ const ShiftRegisterSpec* behind(const std::vector<const ShiftRegisterSpec*>& reg
   return found == registers.end() ? nullptr : *found;
 }
 
+std::vector<std::string> names_of(const std::vector<const ShiftRegisterSpec*>& registers) {
+  std::vector<std::string> names;
+  for (const ShiftRegisterSpec* each : registers) names.push_back(each->name);
+  return names;
+}
+
 bool is_high(const PinDrive& drive) { return high_share(drive) >= 0.5; }
 
 }  // namespace
 
 std::shared_ptr<const PartSpec> read_shift_register(PartReader& reader) {
   auto spec = std::make_shared<ShiftRegisterSpec>();
-  const auto& names = reader.terminals().registers;
-  spec->index = static_cast<int>(std::find(names.begin(), names.end(), reader.name()) - names.begin());
+  spec->index = *register_of(reader.terminals().registers, reader.name());
   const ConfigValue& table = reader.table().table();
   if (const ConfigValue* after = reader.table().find("after")) {
     spec->after = as_string(*after, "after");
@@ -72,7 +77,7 @@ void check_chains(const Description& robot) {
       if (before == registers.end())
         throw InputError(at->after_place,
                          fmt::format("after is \"{}\", which is no shift register; there is {}", at->after,
-                                     one_of(robot.registers)));
+                                     one_of(names_of(registers))));
       const ShiftRegisterSpec* first = behind(registers, at->after);
       if (first != at)
         throw InputError(at->after_place,

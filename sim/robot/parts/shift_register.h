@@ -28,7 +28,7 @@ void check_chains(const Description&);
 
 class ShiftRegisterSpec final : public PartSpec {
  public:
-  int index = 0;  ///< among the robot's registers: its outputs are output_pin(index, 0 .. 7)
+  int index = 0;  ///< among the robot's registers (netlist.h): its outputs are output_pin(index, 0 .. 7)
   Pin data = kNoPin;
   Pin clock = kNoPin;
   Pin latch = kNoPin;

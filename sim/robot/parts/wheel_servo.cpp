@@ -44,6 +44,7 @@ void WheelServoPart::join(Roster& roster) {
 }
 
 void WheelServoPart::begin_tick(SimTime t) {
+  if (state_.signal.repeats()) state_.last_pulse = t;
   if (state_.last_pulse == kNever || t - state_.last_pulse < kHolds) return;
   state_.last_pulse = kNever;
   set({}, t);

@@ -128,6 +128,22 @@ TEST(Compare, AStreamOfReadingsMayShakeAndDriftButNotBeElsewhere) {
   EXPECT_EQ(kind(stream(20 * kMs, 0), stream(40 * kMs, 0)), Kind::time);
 }
 
+TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
+  const auto readings = [](std::vector<int> values, std::int64_t every) {
+    History history;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      history.lines.push_back({static_cast<std::int64_t>(i) * every, "left " + std::to_string(values[i])});
+    history.end_ns = 10 * kS;
+    return history;
+  };
+  EXPECT_EQ(
+      kind(readings({100, 300, 100, 300, 100}, 400 * kMs), readings({300, 100, 300, 100, 300}, 400 * kMs)),
+      std::nullopt);
+  EXPECT_EQ(
+      kind(readings({100, 300, 100, 300, 100}, 900 * kMs), readings({300, 100, 300, 100, 300}, 900 * kMs)),
+      Kind::number);
+}
+
 TEST(Compare, ALineAmongAStreamIsFoundWhereverItIs) {
   History a = stream(20 * kMs, 0), b = stream(22 * kMs, 0);
   a.lines.insert(a.lines.begin() + 100, {a.lines[100].t_ns, "turning"});

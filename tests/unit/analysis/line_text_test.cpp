@@ -46,6 +46,13 @@ TEST(LineText, NumbersAreAlikeWithinTheTolerance) {
   EXPECT_EQ(alike("0", "0"), Likeness::same);
 }
 
+TEST(LineText, ARoundedFractionMayBeOneMoreOrLessInItsLastPlace) {
+  EXPECT_EQ(alike("0.2", "0.3"), Likeness::same);
+  EXPECT_EQ(alike("0.2", "0.4"), Likeness::different);
+  EXPECT_EQ(alike("0.20", "0.30"), Likeness::different);
+  EXPECT_EQ(alike("-0.1", "0.0"), Likeness::same);
+}
+
 TEST(LineText, ANegativeHexNumberIsAsLongAsItsType) {
   EXPECT_EQ(alike("FFFFFFFFFFFFFFFE", "FFFFFFFE"), Likeness::known);
   EXPECT_EQ(known_cause(number("FFFFFFFFFFFFFFFE"), number("FFFFFFFE")), "width of long");

@@ -80,6 +80,17 @@ TEST(WhyFailed, SerialTextsFollowEachOther) {
               Optional(HasSubstr("did not send “go” by its serial port after “ready”")));
 }
 
+TEST(WhyFailed, WhatPartsShowFollowsEachOther) {
+  Check display = check();
+  display.shows = {"lcd: \"Lap 1", "Lap 2"};
+  wire::RunResult result = run("reached");
+  result.shown = "lcd: \"Lap 1|9.4 s\"\nlcd: \"Lap 2|9.3 s\"\n";
+  EXPECT_EQ(why_failed(display, result), std::nullopt);
+  result.shown = "lcd: \"Lap 1|9.4 s\"\n";
+  EXPECT_THAT(why_failed(display, result),
+              Optional(HasSubstr("no part showed “Lap 2” after “lcd: \"Lap 1”")));
+}
+
 TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
   Check visits = check();
   visits.stations = {"2", "dock"};

@@ -147,6 +147,14 @@ TEST_F(Explain, ARobotThatStandsAfterItsDriveIsSaidToWithWhatItsSketchWaitsFor) 
   EXPECT_THAT(why(Verdict::ended), EndsWith("; the robot has stood near column 3, row 1 since 2.00 s."));
 }
 
+TEST_F(Explain, ASketchThatHasFinishedWithoutAGoalDidNotEndBeforeOne) {
+  EXPECT_THAT(why(Verdict::ended), HasSubstr("with the motors off, before the goal: 0 of 3 stations"));
+  const Goal none = parse_goal("none");
+  e.goal = &none;
+  EXPECT_EQ(why(Verdict::ended),
+            "The sketch ended: for 2 s it called no Arduino function, with the motors off.");
+}
+
 TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {
   lose_the_line();
   e.faults = {{"S2", {"stuck", "1023"}, robot::Failure::stuck, 1700 * kMillisecond, kNever}};

@@ -52,6 +52,12 @@ TEST(Judge, CallsItLostAfterOneMetreOfWheelTravelWithoutALine) {
   EXPECT_EQ(d.judge.line_last_seen()->at, kSecond);
 }
 
+TEST(Judge, HasNotSeenALineWhereARobotHasNoSensorsForIt) {
+  Driver d(false);
+  d.run(kSecond, [&] { d.call(); });
+  EXPECT_FALSE(d.judge.line_last_seen());
+}
+
 TEST(Judge, NeverCallsARobotWithoutLineSensorsLost) {
   Driver d(false);
   d.now.sees_line = false;

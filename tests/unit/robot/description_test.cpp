@@ -202,6 +202,15 @@ TEST(Description, OfABaseNothingButTheBodyMayBeWanted) {
   EXPECT_THAT(message_of("base = \"uno5\"\nremove = \"most\"\n"), HasSubstr("or \"all\""));
 }
 
+TEST(Description, OfABaseWithoutItsPartsTheStandbyIsNotWiredEither) {
+  const std::string uses_its_pin =
+      "base = \"nano8rc\"\nremove = \"all\"\n[[part]]\nname = \"led\"\ntype = \"led\"\npin = 3\n";
+  const Description robot = parse_description(uses_its_pin, "mine.toml");
+  EXPECT_EQ(robot.driver.standby, kNoPin);
+  EXPECT_STREQ(robot.driver.chip->name, load_description("nano8rc").driver.chip->name);
+  EXPECT_EQ(parse_description(uses_its_pin + "[driver]\nstandby = 4\n", "mine.toml").driver.standby, 4);
+}
+
 TEST(Description, APartOfAnotherTypeReplacesTheBasesPart) {
   const Description robot = parse_description(
       "base = \"uno5\"\n[[part]]\nname = \"buzzer\"\ntype = \"led\"\npin = 11\nactive = \"low\"\n",

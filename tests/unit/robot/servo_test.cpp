@@ -42,6 +42,25 @@ TEST(Servo, TurnsToTheAngleThatItsPulsesTell) {
   }
 }
 
+TEST(Servo, FollowsPwmOfATimerWhosePulsesAreOfItsKind) {
+  BenchRobot bench(kPan);
+  const auto pwm = [&](std::uint32_t period_us, double pulse_us) {
+    PinDrive drive;
+    drive.mode = PinMode::output;
+    drive.pwm = true;
+    drive.duty = pulse_us / period_us;
+    drive.period_us = period_us;
+    bench.board.set_drive(9, drive, bench.now);
+    bench.ticks(400);
+  };
+  pwm(20000, 2400);
+  EXPECT_NEAR(reading(bench, "pan"), 180.0, 0.01);
+  pwm(20000, 544);
+  EXPECT_NEAR(reading(bench, "pan"), 0.0, 0.01);
+  pwm(2040, 100);
+  EXPECT_NEAR(reading(bench, "pan"), 0.0, 0.01) << "too short for a pulse";
+}
+
 TEST(Servo, TakesItsTimeToGetThere) {
   BenchRobot bench(kPan);
   pulse(bench, 9, 2400, 3);  // the pulse ends after 2.4 ms

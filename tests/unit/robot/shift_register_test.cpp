@@ -150,7 +150,7 @@ TEST(ShiftRegister, DrivesNothingAndForgetsWhileTheBoardHasNoSupply) {
 TEST(ShiftRegister, IsNamedInTheWiring) {
   const Description robot = parse_description(kBareRobot + kRegister + led("lamp", "REG1.Q4"), "r.toml");
   EXPECT_EQ(pin_text(robot, robot.parts[1]->wires[0].pin), "REG1.Q4");
-  EXPECT_EQ(describe(robot).registers, std::vector<std::string>{"REG1"});
+  EXPECT_EQ(describe(robot).registers, std::vector<Register>{{"REG1"}});
 }
 
 std::string error_of(const std::string& parts) {
@@ -164,8 +164,9 @@ std::string error_of(const std::string& parts) {
 
 TEST(ShiftRegister, MistakesAreExplainedWithTheirLine) {
   const std::string chained = "[[part]]\nname = \"B\"\ntype = \"shift-register\"\nafter = ";
-  EXPECT_THAT(error_of(kRegister + led("lamp", "REG7.Q1")),
-              HasSubstr("pin is \"REG7.Q1\", but there is no shift register REG7; there is REG1"));
+  EXPECT_THAT(
+      error_of(kRegister + led("lamp", "REG7.Q1")),
+      HasSubstr("pin is \"REG7.Q1\", but there is no shift register or PWM driver REG7; there is REG1"));
   EXPECT_THAT(error_of(led("lamp", "REG7.Q1")), HasSubstr("REG7; this robot has none"));
   EXPECT_THAT(error_of(kRegister + led("lamp", "REG1.Q8")),
               HasSubstr("the outputs of REG1 are REG1.Q0 to REG1.Q7"));

@@ -145,6 +145,41 @@ TEST(Pca9685, TellsThePulsesOfItsChannels) {
   EXPECT_THAT(bench.told(60), ElementsAre(" "));
 }
 
+TEST(Pca9685, DrivesWhatHangsOnItsChannels) {
+  TwoWireBench bench("pca9685",
+                     "[[part]]\nname = \"arm\"\ntype = \"servo\"\npin = \"it.15\"\n"
+                     "[[part]]\nname = \"left\"\ntype = \"motor\"\npins = { en = \"it.8\", in1 = \"it.10\", "
+                     "in2 = \"it.9\" }\n");
+  const auto reading = [&](const std::string& part) {
+    for (const Reading& each : bench.robot.readings())
+      if (each.part == part) return each.value;
+    return -1.0;
+  };
+  bench.send(0x40, {0x00, 0x30});
+  bench.send(0x40, {0xFE, 121});                     // 50 Hz
+  bench.send(0x40, {0x42, 0x00, 0x00, 0xEC, 0x01});  // channel 15: 492 of 4096, 2.4 ms
+  bench.ticks(400);
+  EXPECT_NEAR(reading("arm"), 90.0, 1e-9) << "it sleeps";
+  bench.send(0x40, {0x00, 0x20});
+  bench.ticks(400);
+  EXPECT_NEAR(reading("arm"), 180.0, 0.5);
+  bench.send(0x40, {0x2E, 0x00, 0x10, 0x00, 0x00});  // channel 10: on
+  bench.send(0x40, {0x26, 0x00, 0x00, 0x00, 0x04});  // channel 8: 1024 of 4096
+  bench.tick();
+  EXPECT_NEAR(bench.robot.left_command(), 0.25, 1e-9);
+}
+
+TEST(Pca9685, HasSixteenChannelsToBeNamed) {
+  const std::string file = kBareRobot + "[[part]]\nname = \"it\"\ntype = \"pca9685\"\n";
+  const auto led = [&](const std::string& pin) {
+    return error_of(file + "[[part]]\nname = \"led\"\ntype = \"led\"\npin = \"" + pin + "\"\n");
+  };
+  EXPECT_EQ(led("it.15"), "");
+  EXPECT_THAT(led("it.16"), HasSubstr("the outputs of it are it.0 to it.15"));
+  EXPECT_THAT(led("it.Q1"), HasSubstr("the outputs of it are it.0 to it.15"));
+  EXPECT_THAT(led("other.1"), HasSubstr("no shift register or PWM driver other; there is it"));
+}
+
 TEST(Tcs34725, TellsTheLineFromTheFloorAfterItsIntegration) {
   TwoWireBench on_line("tcs34725");
   TwoWireBench beside("tcs34725", "at = [\"0 mm\", \"40 mm\"]\n");

@@ -11,7 +11,7 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(LapDone{2, 8.5449}), "lap 2 in 8.54 s");
   EXPECT_EQ(text(CollisionBegan{}), "collision with a wall, an obstacle or the map's edge");
   EXPECT_EQ(text(CollisionBegan{true}), "collision with another robot");
-  EXPECT_EQ(text(ScriptActed{"send", "", "3\n"}), "\"3\n\" sent to the sketch");
+  EXPECT_EQ(text(ScriptActed{"send", "", "3\n"}), "\"3\\n\" sent to the sketch");
   EXPECT_EQ(text(ScriptActed{"send", "ir", "0b101"}), "0b101 sent to ir");
   EXPECT_EQ(text(ScriptActed{"clear", "", "3,2"}), "obstacle on 3,2 taken away");
   EXPECT_EQ(text(FaultBegan{"power", {"brown-out"}, true}), "fault: power brown-out, which resets the chip");

@@ -1,0 +1,28 @@
+// Two servos for continuous rotation as wheels, pulses made by timer 1 alone: OC1A = 9, OC1B = 10.
+// ICR1 = 39999 at 16 MHz / 8 is 20 ms; 2 counts are a microsecond.
+#include <avr/io.h>
+
+#define STOP_L 3000
+#define STOP_R 3000
+const uint8_t eyeL = A1, eyeM = A2, eyeR = A3;
+
+void wheels(int16_t l, int16_t r) {     // -1000 ... 1000
+  OCR1A = STOP_L + l;
+  OCR1B = STOP_R - r;                   // mounted the other way round
+}
+
+void setup() {
+  DDRB |= _BV(DDB1) | _BV(DDB2);
+  TCCR1A = _BV(COM1A1) | _BV(COM1B1) | _BV(WGM11);
+  TCCR1B = _BV(WGM13) | _BV(WGM12) | _BV(CS11);
+  ICR1 = 39999;
+  wheels(0, 0);
+  delay(500);
+}
+
+void loop() {
+  bool l = digitalRead(eyeL), r = digitalRead(eyeR);
+  if (l == r) wheels(600, 600);
+  else if (l) wheels(-100, 600);
+  else wheels(600, -100);
+}
