@@ -9,6 +9,9 @@
 //
 // The most negative number divided by -1 is itself on both. arm has no instruction to divide: its function is
 // wrapped (hal/host/division.cpp).
+//
+// arm64 has none for 16 bits: gcc takes the one for 32 and does not cut its result, which fits but for a
+// division by zero. So a uint16_t by a uint16_t may be -1 there, in place of 65535, until it is stored.
 #pragma once
 
 #include <string>

@@ -30,7 +30,9 @@ TEST_F(DivisionTest, ByZeroGivesAllOnesAndTheDividendAsAnAvrDoes) {
     EXPECT_THAT(divided(type, "-10"), ElementsAre(1, -10)) << type;
   }
   EXPECT_THAT(divided("uint8_t", "10"), ElementsAre(255, 10));
+#if !defined(__aarch64__)  // sim/build/division.h says why
   EXPECT_THAT(divided("uint16_t", "10"), ElementsAre(65535, 10));
+#endif
   EXPECT_THAT(divided("uint32_t", "10"), ElementsAre(4294967295, 10));
 }
 
