@@ -60,6 +60,24 @@ TEST_P(Rituals, TheRobotCanBePutBesideTheLine) {
   EXPECT_THAT(serial("at 1s press start 100ms\nat 6.2s place 1000mm,700mm,NE\n"), HasSubstr("floor"));
 }
 
+// SoftwareSerial has one handler and names it again for the other ports' pins.
+TEST_P(Rituals, AByteByBluetoothEndsAWaitOnSoftwareSerialOnPinsOfAnyPort) {
+  if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
+  folder_.write("Bt/Bt.ino",
+                "#include <SoftwareSerial.h>\nSoftwareSerial bt(2, 3);\n"
+                "void setup() { Serial.begin(9600); bt.begin(9600); while (bt.read() != 'g') {} "
+                "Serial.println(\"going\"); }\nvoid loop() { delay(10); }\n");
+  folder_.write(
+      "Bt/robot.toml",
+      "base = \"uno2\"\n[[part]]\nname = \"bt\"\ntype = \"bluetooth\"\npins = { txd = 2, rxd = 3 }\n");
+  folder_.write("bt.txt", "at 4s send bt \"g\"\n");
+  const Ended ended = robosim_command({"run", "./Bt", "--target", GetParam(), "--goal", "none", "--for", "5s",
+                                       "--serial", "--script", "bt.txt"},
+                                      folder_.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.out, "going\r\n");
+}
+
 INSTANTIATE_TEST_SUITE_P(On, Rituals, ::testing::Values("host", "avr"));
 
 }  // namespace

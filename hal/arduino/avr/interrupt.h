@@ -14,8 +14,8 @@
 #endif
 
 // Attributes such as ISR_NOBLOCK are accepted; a handler is never interrupted here.
-#define ISR(vector, ...)                                   \
-  ROBOSIM_HANDLER void vector(void) __attribute__((used)); \
+#define ISR(vector, ...)                                               \
+  ROBOSIM_HANDLER void vector(void) __attribute__((used)) __VA_ARGS__; \
   ROBOSIM_HANDLER void vector(void)
 #define SIGNAL(vector) ISR(vector)
 #define EMPTY_INTERRUPT(vector) \
@@ -23,6 +23,8 @@
 #define ISR_ALIAS(vector, target)    \
   ROBOSIM_HANDLER void target(void); \
   ISR(vector) { target(); }
+#define ROBOSIM_NAME_OF(vector) #vector
+#define ISR_ALIASOF(target) __attribute__((alias(ROBOSIM_NAME_OF(target))))
 #define ISR_BLOCK
 #define ISR_NOBLOCK
 #define ISR_NAKED
