@@ -4,6 +4,7 @@
 #include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
 #include "hal/host/tone.h"
+#include "hal/host/watchdog.h"
 
 namespace robosim {
 namespace host {
@@ -23,11 +24,14 @@ void yield_to_executor(SimTime wake) {
   executor->yield();
 }
 
+/// When the next thing happens that does not ask whether interrupts are enabled.
+SimTime next_event() { return watchdog.due() < tone_end() ? watchdog.due() : tone_end(); }
+
 }  // namespace
 
 void refresh_deadline() {
   settle_registers();
-  deadline = state.limit < tone_end() ? state.limit : tone_end();
+  deadline = state.limit < next_event() ? state.limit : next_event();
   if (!interrupts_enabled()) return;
   const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
   if (next < deadline) deadline = next;
@@ -102,7 +106,7 @@ void work(SimTime duration) {
 void idle_until(SimTime time) {
   settle_registers();
   while (state.now < time) {
-    SimTime next = time < tone_end() ? time : tone_end();
+    SimTime next = time < next_event() ? time : next_event();
     if (interrupts_enabled()) {
       const SimTime due = pending_interrupts() ? state.now : next_interrupt(false);
       if (due < next) next = due;
@@ -151,6 +155,7 @@ void wait_for_interrupt(bool timer0_counts) {
 
 void stop_for_ever(const char* how) {
   status_register &= 0x7F;
+  while (watchdog.may_bite()) idle_until(watchdog.due());
   state.stopped_by = how;
   for (;;) yield_to_executor(kNever);
 }

@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 9;
+constexpr uint32_t kImageVersion = 10;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -71,6 +71,8 @@ class Host {
   /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells
   /// the place.
   virtual void crash(const char* reason, const char* file, uint32_t line, const void* where) = 0;
+  /// The watchdog resets the chip; does not return.
+  virtual void bite() = 0;
   /// A check of gcc's UndefinedBehaviorSanitizer has failed; does not return. `check` is its handler's name
   /// without "__ubsan_handle_"; `data` and the values are what gcc hands to that.
   virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,

@@ -9,6 +9,7 @@
 #include "hal/host/tone.h"
 #include "hal/host/two_wire.h"
 #include "hal/host/uart.h"
+#include "hal/host/watchdog.h"
 
 // What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
 #define ROBOSIM_VECTOR(number) __attribute__((weak, visibility("hidden"))) void __vector_##number();
@@ -18,6 +19,7 @@ ROBOSIM_VECTOR(2)
 ROBOSIM_VECTOR(3)
 ROBOSIM_VECTOR(4)
 ROBOSIM_VECTOR(5)
+ROBOSIM_VECTOR(6)
 ROBOSIM_VECTOR(7)
 ROBOSIM_VECTOR(8)
 ROBOSIM_VECTOR(9)
@@ -48,7 +50,8 @@ int depth;
 
 // What the handlers are called goes by number, as what they say.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
-                  kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 && kTwoWire == 24,
+                  kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 &&
+                  kTwoWire == 24 && kWatchdog == 6,
               "the names in this file are those of another chip");
 
 #define ROBOSIM_NO_HANDLER(name) \
@@ -60,7 +63,7 @@ const char* const kNoHandler[kVectors] = {
     ROBOSIM_NO_HANDLER("PCINT0_vect"),
     ROBOSIM_NO_HANDLER("PCINT1_vect"),
     ROBOSIM_NO_HANDLER("PCINT2_vect"),
-    "",
+    ROBOSIM_NO_HANDLER("WDT_vect"),
     ROBOSIM_NO_HANDLER("TIMER2_COMPA_vect"),
     ROBOSIM_NO_HANDLER("TIMER2_COMPB_vect"),
     ROBOSIM_NO_HANDLER("TIMER2_OVF_vect"),
@@ -95,6 +98,8 @@ Handler handler_of(int vector) {
       return __vector_4;
     case 5:
       return __vector_5;
+    case 6:
+      return __vector_6;
     case 7:
       return __vector_7;
     case 8:
@@ -148,6 +153,8 @@ void acknowledge(int vector) {
   constexpr int kOfTimer = 3;
   if (vector < kPinChange0 + kChip.change_count) {
     acknowledge_external(vector);
+  } else if (vector == kWatchdog) {
+    watchdog.acknowledge();
   } else if (vector >= kTimer2 && vector < kTimer2 + kOfTimer) {
     acknowledge_timer(timer2, vector - kTimer2);
   } else if (vector >= kTimer1 && vector < kTimer1 + kOfTimer) {
@@ -176,6 +183,7 @@ void sync_peripherals() {
   adc.sync();
   spi.sync();
   two_wire.sync();
+  watchdog.sync();
   sync_tone();
   Input input;
   while (state.next_input <= state.now && executor->take_input(state.now, input)) {
@@ -190,20 +198,22 @@ void sync_peripherals() {
 uint32_t pending_interrupts() {
   return pending_external() | pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) |
          pending_timer(timer2, kTimer2) | uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u) |
-         (spi.pending() ? 1u << kSpi : 0u) | (two_wire.pending() ? 1u << kTwoWire : 0u);
+         (spi.pending() ? 1u << kSpi : 0u) | (two_wire.pending() ? 1u << kTwoWire : 0u) |
+         (watchdog.pending() ? 1u << kWatchdog : 0u);
 }
 
 SimTime next_interrupt(bool with_timer0_overflow) {
   SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
-  next = earlier(next, earlier(spi.next(), two_wire.next()));
+  next = earlier(next, earlier(watchdog.due(), earlier(spi.next(), two_wire.next())));
   next = earlier(next, with_timer0_overflow ? timer0.due() : timer0.due_to_match());
   return earlier(next, earlier(timer1.due(), timer2.due()));
 }
 
 bool may_interrupt() {
+  if (watchdog.may_bite()) return true;
   if (!interrupts_enabled()) return false;
   const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
-  if (spi.may_interrupt() || two_wire.may_interrupt()) return true;
+  if (spi.may_interrupt() || two_wire.may_interrupt() || watchdog.may_interrupt()) return true;
   return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();
 }
 

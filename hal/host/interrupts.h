@@ -13,7 +13,8 @@ namespace host {
 enum Vector : uint8_t {
   kExternal0 = kChip.external_vector,  // the others follow
   kPinChange0 = kChip.change_vector,   // the other groups follow
-  kTimer2 = kChip.timers[2].vector,    // compare A; +1 compare B; +2 overflow
+  kWatchdog = kChip.watchdog_vector,
+  kTimer2 = kChip.timers[2].vector,  // compare A; +1 compare B; +2 overflow
   kTimer1 = kChip.timers[1].vector,
   kTimer0 = kChip.timers[0].vector,
   kTimer0Overflow = kTimer0 + 2,

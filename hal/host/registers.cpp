@@ -10,12 +10,13 @@
 #include "hal/host/timers.h"
 #include "hal/host/two_wire.h"
 #include "hal/host/uart.h"
+#include "hal/host/watchdog.h"
 
 namespace robosim {
 namespace host {
 namespace {
 
-// Registers that only keep what is written: watchdog, clock and power settings, GPIOR.
+// Registers that only keep what is written: clock and power settings, GPIOR.
 uint8_t plain[256];
 
 // Of ports, timers and UARTs the chip says where they are.
@@ -205,6 +206,8 @@ uint8_t read(uint8_t address) {
       return two_wire.data();
     case reg::kTwcr:
       return two_wire.control();
+    case reg::kWdtcsr:
+      return watchdog.control();
     default:
       return plain[address];
   }
@@ -289,6 +292,8 @@ void write(uint8_t address, uint8_t value) {
       return two_wire.set_data(value);
     case reg::kTwcr:
       return two_wire.set_control(value);
+    case reg::kWdtcsr:
+      return watchdog.set_control(value);
     default:
       plain[address] = value;
   }
@@ -377,6 +382,9 @@ void robosim_sleep() {
   host::wait_for_interrupt(idle);
 }
 
-void robosim_watchdog_reset() { host::spend(1); }
+void robosim_watchdog_reset() {
+  host::spend(1);
+  host::watchdog.restart();
+}
 
 }  // extern "C"

@@ -1,4 +1,5 @@
 #include "sim/exec/avr/diagnosis.h"
+#include "sim/exec/core/bites.h"
 
 #include <cxxabi.h>
 #include <fmt/format.h>
@@ -96,8 +97,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::flash_write:
       return fmt::format("write to the sketch's own flash at 0x{:04X} (instruction spm)", fault.address);
     case Fault::Kind::watchdog:
-      return fmt::format("the watchdog has reset the chip {} times, each time within 10 s of the one before",
-                         machine_.chip().watchdog_resets());
+      return Bites::reason();
     default:
       return jump_text(fault);
   }

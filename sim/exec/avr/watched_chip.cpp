@@ -1,4 +1,5 @@
 #include "sim/exec/avr/watched_chip.h"
+#include "sim/exec/core/bites.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,8 +17,6 @@ constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
 constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // WDCE and WDE
-constexpr int kIntervalsToRepeat = 3;
-constexpr Cycle kRepeatWithin_s = 10;
 // Between the writes of the two halves of the stack pointer lies at most a write of SREG.
 constexpr Cycle kHalvesApart = 6;
 // How far in front of a write to the stack pointer its value is computed, in instructions.
@@ -127,9 +126,10 @@ void WatchedChip::look_at_code(std::uint32_t pc) {
 
 void WatchedChip::was_reset() {
   const Cycle now = cycle();
-  state_.watchdog_resets = state_.watchdog_resets > 0 && now - state_.last_bite < kRepeatWithin_s * clock_hz_
-                               ? state_.watchdog_resets + 1
-                               : 1;
+  state_.watchdog_resets =
+      state_.watchdog_resets > 0 && now - state_.last_bite < Bites::kRow / kSecond * clock_hz_
+          ? state_.watchdog_resets + 1
+          : 1;
   state_.last_bite = now;
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   chip_.core().at(reg::kMcusr) = 0;
@@ -139,7 +139,7 @@ void WatchedChip::was_reset() {
   state_.handlers_of_stacks.clear();
   chip_.cpu().state.sp_watch = state_.lowest_sp;
   start();
-  if (state_.watchdog_resets >= kIntervalsToRepeat) fail(Fault::Kind::watchdog, bitten_at, 0);
+  if (state_.watchdog_resets >= Bites::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
 // --- traps

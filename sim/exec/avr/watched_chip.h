@@ -92,7 +92,6 @@ class WatchedChip final : robosim::avr::Visitor {
   std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
   Cycle handler_cycles() const { return cpu().handler_cycles(); }
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
-  int watchdog_resets() const { return state_.watchdog_resets; }
   /// Where the firmware was when the handler that runs now, or ran last, interrupted it.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
 

@@ -15,6 +15,7 @@
 #include "sim/base/file.h"
 #include "sim/exec/host/bad_access.h"
 #include "sim/exec/host/confinement.h"
+#include "sim/exec/host/counters.h"
 #include "sim/exec/host/fiber.h"
 #include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/image_file.h"
@@ -31,19 +32,6 @@ constexpr std::size_t kHeapBytes = 64 * 1024;
 constexpr std::size_t kNullPage = 4096;
 constexpr SimTime kWatch = 10 * kMillisecond;
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGSYS};
-
-class Counters final : public host::CounterSink {
- public:
-  explicit Counters(std::vector<BundledFile> files) : files_(std::move(files)) {}
-  void begin(const char* file) override { files_.push_back({file, ""}); }
-  void add(const void* bytes, std::size_t count) override {
-    files_.back().content.append(static_cast<const char*>(bytes), count);
-  }
-  const std::vector<BundledFile>& files() const { return files_; }
-
- private:
-  std::vector<BundledFile> files_;
-};
 
 }  // namespace
 
@@ -91,6 +79,7 @@ class HostExecutor::Instance final : public host::Host {
 
   /// Runs the firmware to `t`; false if it has crashed.
   bool run_until(SimTime t) {
+    if (owner_.crash_) return false;
     state_.limit = owner_.clocked_.begin_tick(t);
     state_.next_input = owner_.clocked_.next_input();
     if (std::min(state_.wake, state_.next_input) >= state_.limit) return true;
@@ -103,6 +92,9 @@ class HostExecutor::Instance final : public host::Host {
     running_ = nullptr;
     return !owner_.crash_;
   }
+
+  /// Whether its watchdog has reset it; it runs no further then.
+  bool bitten() const { return bitten_; }
 
   SourceLine place() const {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
@@ -158,6 +150,11 @@ class HostExecutor::Instance final : public host::Host {
     found.file = file ? file : "";
     found.line = static_cast<int>(line);
     report(found, where);
+  }
+
+  void bite() override {
+    bitten_ = true;
+    suspend();
   }
 
   void undefined(const char* check, const void* data, std::uintptr_t value, std::uintptr_t other,
@@ -243,16 +240,12 @@ class HostExecutor::Instance final : public host::Host {
     // A processor that gets an impossible address does not say which.
     if (fault.signal == SIGSEGV && fault.code == SI_KERNEL) return "access through a wild pointer";
     if (heap_.in_guard_before(fault.address) || is_behind_heap(fault.address))
-      return fmt::format("{} outside the heap", access(fault));
-    return fmt::format("{} of address {:#x}{}", access(fault), address, hint);
+      return fmt::format("{} outside the heap", fault.access());
+    return fmt::format("{} of address {:#x}{}", fault.access(), address, hint);
   }
 
   bool is_behind_heap(const std::byte* address) const {
     return address >= heap_.end() && address < heap_.end() + kNullPage;
-  }
-
-  static const char* access(const HostFault& fault) {
-    return fault.known_write ? "write" : fault.known_read ? "read" : "access";
   }
 
   static thread_local Instance* running_;
@@ -267,7 +260,7 @@ class HostExecutor::Instance final : public host::Host {
   std::vector<host::GlobalRecord> globals_;
   OpenCalls calls_{image_, stack_};
   RoundFinder round_finder_;
-  bool goes_round_ = false;
+  bool goes_round_ = false, bitten_ = false;
   const void* suspended_at_ = nullptr;
   std::map<std::vector<const void*>, SourceLine> sources_;
   HostFault fault_;
@@ -338,6 +331,7 @@ void HostExecutor::power_off(SimTime t) {
   counters_ = counters();
   instance_.reset();
   crash_.reset();
+  bites_ = {};
   board_.reset(t);
   reached_ = t;
 }
@@ -345,8 +339,20 @@ void HostExecutor::power_off(SimTime t) {
 void HostExecutor::run_until(SimTime t) {
   if (!instance_ || crash_) return;
   look_at_silence();
-  if (instance_->run_until(t)) reached_ = t;
+  while (instance_->run_until(t) && instance_->bitten()) restart();
+  if (!crash_) reached_ = t;
   board_.forget_edges(t);
+}
+
+void HostExecutor::restart() {
+  const SimTime now = clocked_.to_world(instance_->state().now);
+  if (bites_.add(now)) {
+    crash_ = Crash{Bites::reason(), instance_->place()};
+    return;
+  }
+  const Bites bites = bites_;
+  power_on(now);
+  bites_ = bites;
 }
 
 void HostExecutor::look_at_silence() {

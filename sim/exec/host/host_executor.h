@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "hal/board/board_spec.h"
+#include "sim/exec/core/bites.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/silence.h"
@@ -47,6 +48,7 @@ class HostExecutor final : public Executor {
   class Instance;
 
   void look_at_silence();
+  void restart();
 
   BoardState board_;
   ClockedBoard clocked_{board_};
@@ -54,6 +56,7 @@ class HostExecutor final : public Executor {
   bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
+  Bites bites_;
   Divisions divisions_;
   std::vector<BundledFile> counters_;  ///< of the power cycles before
   SimTime reached_ = 0;                ///< until when firmware has run

@@ -18,6 +18,8 @@ struct HostFault {
   bool known_write = false;
   bool known_read = false;
   int call = -1;  // SIGSYS: the system call that was refused
+
+  const char* access() const { return known_write ? "write" : known_read ? "read" : "access"; }
 };
 
 HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context);

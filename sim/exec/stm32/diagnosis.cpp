@@ -1,4 +1,5 @@
 #include "sim/exec/stm32/diagnosis.h"
+#include "sim/exec/core/bites.h"
 
 #include <fmt/format.h>
 
@@ -83,8 +84,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
                           : fmt::format("read of {}, which Robosim does not model", access.what);
     }
     case Fault::Kind::watchdog:
-      return fmt::format("the watchdog has reset the chip {} times, each time within 10 s of the one before",
-                         machine_.watchdog_resets());
+      return Bites::reason();
     case Fault::Kind::exception_return:
       return "return from an interrupt that has not begun, or whose stack was overwritten";
     default:

@@ -66,14 +66,9 @@ void Machine::look_at_heap() {
 }
 
 void Machine::restart() {
-  constexpr int kMostInARow = 3;
-  constexpr SimTime kRow = 10 * kSecond;
   const SimTime now = bus_.link().clock.time_of(bus_.link().clock.now);
-  if (bus_.link().reset_cause != Reset::software) {
-    watchdog_resets_ = watchdog_resets_ > 0 && now - last_bite_ < kRow ? watchdog_resets_ + 1 : 1;
-    last_bite_ = now;
-    if (watchdog_resets_ == kMostInARow) return cpu_.fail(Fault::Kind::watchdog, cpu_.pc());
-  }
+  if (bus_.link().reset_cause != Reset::software && bites_.add(now))
+    return cpu_.fail(Fault::Kind::watchdog, cpu_.pc());
   bus_.reset();
   cpu_.reset();
 }

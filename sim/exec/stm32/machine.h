@@ -1,6 +1,7 @@
 // The chip with everything around it that firmware can touch.
 #pragma once
 
+#include "sim/exec/core/bites.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/written_bytes.h"
 #include "sim/exec/stm32/cpu.h"
@@ -27,8 +28,6 @@ class Machine {
 
   /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
-  /// The watchdog's, each within 10 s of the one before.
-  int watchdog_resets() const { return watchdog_resets_; }
 
   Cpu& cpu() { return cpu_; }
   const Cpu& cpu() const { return cpu_; }
@@ -48,8 +47,7 @@ class Machine {
   std::uint32_t stack_top_;
   Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
   bool off_ = false;
-  int watchdog_resets_ = 0;  ///< one soon behind the other
-  SimTime last_bite_ = 0;
+  Bites bites_;
   DebugPort* debug_port_ = nullptr;
 };
 

@@ -1,0 +1,43 @@
+// The watchdog. As on the chip, of whose modes sim/avr/watchdog.h has the table. It bites as Uno's boot
+// loader hands it on: the sketch begins again, with MCUSR cleared and the watchdog off. Unlike on the chip
+// its variables begin afresh, .noinit too.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim {
+namespace host {
+
+class Watchdog {
+ public:
+  /// WDTCSR.
+  uint8_t control() const;
+  void set_control(uint8_t value);
+  /// The instruction WDR.
+  void restart();
+
+  /// Brings it up to the present moment; does not return if it bites.
+  void sync();
+  bool pending() const;
+  void acknowledge();
+  /// When its time is over; kNever if it stands.
+  SimTime due() const { return due_; }
+  /// Whether it may bite, if firmware does nothing any more.
+  bool may_bite() const;
+  bool may_interrupt() const;
+
+ private:
+  SimTime period() const;
+  void schedule();
+
+  uint8_t control_ = 0;
+  SimTime origin_ = 0;  ///< when it began to count
+  SimTime due_ = kNever, unlocked_until_ = -1;
+};
+
+extern Watchdog watchdog;
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,25 @@
+// What an image that counts its lines hands over: files for gcov.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hal/host/image.h"
+#include "sim/exec/core/executor.h"
+
+namespace robosim::exec {
+
+class Counters final : public host::CounterSink {
+ public:
+  explicit Counters(std::vector<BundledFile> files) : files_(std::move(files)) {}
+  void begin(const char* file) override { files_.push_back({file, ""}); }
+  void add(const void* bytes, std::size_t count) override {
+    files_.back().content.append(static_cast<const char*>(bytes), count);
+  }
+  const std::vector<BundledFile>& files() const { return files_; }
+
+ private:
+  std::vector<BundledFile> files_;
+};
+
+}  // namespace robosim::exec
