@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "sim/project/board_names.h"
@@ -84,7 +84,7 @@ class Settings {
 
   /// Of an environment, of those that it extends, or of [env].
   const IniValue* find(const std::string& environment, const std::string& key) const {
-    const IniValue* value = find_in(kEnvironment + environment, key, 0);
+    const IniValue* value = find_in(kEnvironment + environment, key);
     return value ? value : ini_.find("env", key);
   }
 
@@ -94,7 +94,15 @@ class Settings {
   }
 
  private:
-  const IniValue* find_in(const std::string& section, const std::string& key, int depth) const {
+  const IniValue* find_in(const std::string& section, const std::string& key) const {
+    std::set<std::string> without;
+    return find_in(section, key, 0, without);
+  }
+
+  /// `without`: sections that are known to lack it, so that none is looked through twice.
+  const IniValue* find_in(const std::string& section, const std::string& key, int depth,
+                          std::set<std::string>& without) const {
+    if (without.count(section)) return nullptr;
     if (const IniValue* value = ini_.find(section, key)) return value;
     const IniValue* extends = ini_.find(section, "extends");
     if (!extends) return nullptr;
@@ -102,7 +110,8 @@ class Settings {
       throw InputError({path_.string(), extends->line},
                        "extends: the sections extend each other in a circle");
     for (const std::string& other : list_of(extends->text))
-      if (const IniValue* value = find_in(other, key, depth + 1)) return value;
+      if (const IniValue* value = find_in(other, key, depth + 1, without)) return value;
+    without.insert(section);
     return nullptr;
   }
 
@@ -115,13 +124,9 @@ class Settings {
     if (dot == std::string::npos) return std::nullopt;
     std::string in = name.substr(0, dot);
     const std::string key = name.substr(dot + 1);
-    if (in == "sysenv") {
-      const char* value = std::getenv(key.c_str());
-      return value ? value : "";
-    }
     if (in == "this") in = section;
     if (key == "__env__") return in.substr(in.rfind(':') + 1);
-    const IniValue* value = in.rfind(kEnvironment, 0) == 0 ? find(in.substr(4), key) : find_in(in, key, 0);
+    const IniValue* value = in.rfind(kEnvironment, 0) == 0 ? find(in.substr(4), key) : find_in(in, key);
     if (!value) return std::nullopt;
     if (depth == kDeepest)
       throw InputError({path_.string(), line}, fmt::format("${{{}}} stands for itself", name));

@@ -1,6 +1,9 @@
 #include "sim/project/yaml.h"
 
+#include <fmt/format.h>
 #include <yaml.h>
+
+#include <new>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -16,6 +19,46 @@ std::string text_of(const yaml_node_t* node) {
   return {reinterpret_cast<const char*>(node->data.scalar.value), node->data.scalar.length};
 }
 
+struct Parser {
+  explicit Parser(const std::string& content) {
+    if (!yaml_parser_initialize(&yaml)) throw std::bad_alloc();
+    yaml_parser_set_input_string(&yaml, reinterpret_cast<const unsigned char*>(content.data()),
+                                 content.size());
+  }
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
+  ~Parser() { yaml_parser_delete(&yaml); }
+  int line() const { return static_cast<int>(yaml.problem_mark.line) + 1; }
+
+  yaml_parser_t yaml;
+};
+
+/// How many lists and mappings an event opens, or closes.
+int depth_of(yaml_event_type_t type) {
+  if (type == YAML_SEQUENCE_START_EVENT || type == YAML_MAPPING_START_EVENT) return 1;
+  return type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT ? -1 : 0;
+}
+
+// libyaml's time grows with the square of the depth. What is no YAML is left to the reader.
+void check_depth(const std::string& content, const std::filesystem::path& path) {
+  constexpr int kDeepestYaml = 64;
+  Parser parser(content);
+  yaml_event_type_t type = YAML_NO_EVENT;
+  for (int depth = 0; type != YAML_STREAM_END_EVENT;) {
+    yaml_event_t event;
+    if (!yaml_parser_parse(&parser.yaml, &event)) return;
+    type = event.type;
+    const int line = static_cast<int>(event.start_mark.line) + 1;
+    yaml_event_delete(&event);
+    depth += depth_of(type);
+    if (depth > kDeepestYaml)
+      throw InputError({path.string(), line},
+                       fmt::format("is nested too deep: at most {} lists and mappings are "
+                                   "read in one another",
+                                   kDeepestYaml));
+  }
+}
+
 }  // namespace
 
 struct YamlFile::Document {
@@ -25,15 +68,12 @@ struct YamlFile::Document {
 
 YamlFile::YamlFile(const std::filesystem::path& path) : document_(std::make_unique<Document>()) {
   const std::string content = read_file(path, kMostProjectFile_bytes);
-  yaml_parser_t parser;
-  if (!yaml_parser_initialize(&parser)) throw std::bad_alloc();
-  yaml_parser_set_input_string(&parser, reinterpret_cast<const unsigned char*>(content.data()),
-                               content.size());
-  const bool good = yaml_parser_load(&parser, &document_->yaml) != 0;
-  const Place place{path.string(), static_cast<int>(parser.problem_mark.line) + 1};
-  const std::string problem = parser.problem ? parser.problem : "";
-  yaml_parser_delete(&parser);
-  if (!good) throw InputError(place, "is no YAML: " + problem);
+  check_depth(content, path);
+  Parser parser(content);
+  if (!yaml_parser_load(&parser.yaml, &document_->yaml))
+    throw InputError(
+        {path.string(), parser.line()},
+        std::string("is no YAML: ") + (parser.yaml.problem ? parser.yaml.problem : "it cannot be read"));
 }
 
 YamlFile::~YamlFile() { yaml_document_delete(&document_->yaml); }

@@ -185,6 +185,32 @@ TEST_F(ProjectTest, ASketchWithoutProfilesMayStillSayItsBoard) {
   EXPECT_THAT(refusal([&] { sketch_yaml("default_profile: x\n"); }), HasSubstr("there is no profile x"));
 }
 
+TEST_F(ProjectTest, SectionsThatExtendEachOtherInManyWaysAreLookedThroughOnce) {
+  std::string ini = "[env:a]\nboard = uno\nextends = s0, s0, s0, s0, s0, s0, s0, s0, s0, s0\n[s14]\n";
+  for (int i = 0; i < 14; ++i) {
+    const std::string next = "s" + std::to_string(i + 1);
+    ini += "[s" + std::to_string(i) + "]\nextends = " + next;
+    for (int k = 0; k < 9; ++k) ini += ", " + next;
+    ini += "\n";
+  }
+  EXPECT_EQ(board(platformio(ini).board), "uno");
+}
+
+TEST_F(ProjectTest, NothingOfThisMachinesEnvironmentReachesASketch) {
+  ::setenv("ROBOSIM_SECRET", "hunter2", 1);
+  const Project project = platformio("[env:a]\nboard = uno\nbuild_flags = -DA=${sysenv.ROBOSIM_SECRET}\n");
+  EXPECT_THAT(project.flags, ElementsAre("-DA=${sysenv.ROBOSIM_SECRET}"));
+}
+
+TEST_F(ProjectTest, NestingHasALimitForItsTimeGrowsWithTheSquare) {
+  EXPECT_THAT(refusal([&] { sketch_yaml("default_fqbn: arduino:avr:uno\na: " + std::string(200'000, '[')); }),
+              HasSubstr("sketch.yaml:2: is nested too deep: at most 64 "));
+  EXPECT_EQ(board(sketch_yaml("default_fqbn: arduino:avr:uno\na: " + std::string(60, '[') +
+                              std::string(60, ']') + "\n")
+                      .board),
+            "uno");
+}
+
 TEST_F(ProjectTest, AnchorsThatStandForEachOtherAMillionTimesCostNothing) {
   std::string yaml = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
   for (int i = 1; i < 30; ++i) {
