@@ -2,10 +2,10 @@
 
 #include <cctype>
 
+#include "sim/build/words.h"
+
 namespace robosim::build {
 namespace {
-
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 /// The end of the comment, text or character that begins at `at`; `at` if none does.
 std::size_t end_of_passage(std::string_view source, std::size_t at) {
@@ -15,15 +15,8 @@ std::size_t end_of_passage(std::string_view source, std::size_t at) {
   };
   if (source.substr(at, 2) == "//") return behind("\n", at);
   if (source.substr(at, 2) == "/*") return behind("*/", at + 2);
-  const char quote = source[at];
-  if (quote != '"' && quote != '\'') return at;
-  for (std::size_t i = at + 1; i < source.size() && source[i] != '\n'; ++i) {
-    if (source[i] == '\\')
-      ++i;
-    else if (source[i] == quote)
-      return i + 1;
-  }
-  return at + 1;
+  if (source[at] != '"' && source[at] != '\'') return at;
+  return end_of_quote(source, at);
 }
 
 }  // namespace
@@ -55,8 +48,8 @@ std::string with_narrow_ints(std::string_view source) {
       continue;
     }
     std::size_t end = at + 1;
-    if (is_of_word(source[at])) {
-      while (end < source.size() && is_of_word(source[end])) ++end;
+    if (is_of_name(source[at])) {
+      while (end < source.size() && is_of_name(source[end])) ++end;
       const std::string_view word = source.substr(at, end - at);
       const bool wide = last == "long" || last == "short";
       result += word == "int" && !wide ? "short" : word;

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/build/words.h"
+
 namespace robosim::build {
 namespace {
 
@@ -20,19 +22,6 @@ struct Word {
   std::string file;
   int line = 0;
 };
-
-bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// Where the text or character that begins at `at` ends.
-std::size_t end_of_quote(const std::string& text, std::size_t at) {
-  for (std::size_t i = at + 1; i < text.size() && text[i] != '\n'; ++i) {
-    if (text[i] == '\\')
-      ++i;
-    else if (text[i] == text[at])
-      return i + 1;
-  }
-  return at + 1;
-}
 
 std::vector<Word> words_in(const std::string& text) {
   std::vector<Word> words;

@@ -1,0 +1,23 @@
+// What the readers of C++ text here have in common: where a name, a text or a character ends.
+#pragma once
+
+#include <cctype>
+#include <string_view>
+
+namespace robosim::build {
+
+inline bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Where the text or character ends whose quote stands at `at`; behind that quote if its line does not end
+/// it.
+inline std::size_t end_of_quote(std::string_view source, std::size_t at) {
+  for (std::size_t i = at + 1; i < source.size() && source[i] != '\n'; ++i) {
+    if (source[i] == '\\')
+      ++i;
+    else if (source[i] == source[at])
+      return i + 1;
+  }
+  return at + 1;
+}
+
+}  // namespace robosim::build
