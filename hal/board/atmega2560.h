@@ -142,7 +142,7 @@ constexpr ChipSpec kAtmega2560 = {
             .control_b_bits = 0x4F},
     .spi = {0x4C, 24, "PB0", "PB2", "PB3", "PB1", atmega2560::kPrr0, 2},  // 21
     .twi = {0xB8, 39, "PD1", "PD0", atmega2560::kPrr0, 7},                // 24
-    .comparator = {0x50, 28, "PE2", "PE3"},                               // 25
+    .comparator = {0x50, 28, "PE2", "PE3", 16, 1},                        // 25
 };
 
 }  // namespace robosim

@@ -80,7 +80,7 @@ constexpr ChipSpec kAtmega328p = {
             .references = {0.0, 0.0, 0.0, 1.1}},             // table 24-3
     .spi = {0x4C, 17, "PB2", "PB3", "PB4", "PB5", 0x64, 2},  // 19
     .twi = {0xB8, 24, "PC4", "PC5", 0x64, 7},                // 21
-    .comparator = {0x50, 23, "PD6", "PD7"},                  // 23
+    .comparator = {0x50, 23, "PD6", "PD7", 8, 1},            // 23
 };
 
 }  // namespace robosim

@@ -107,7 +107,7 @@ constexpr ChipSpec kAtmega32u4 = {
             .control_b_bits = 0xF7},
     .spi = {0x4C, 24, "PB0", "PB2", "PB3", "PB1", atmega32u4::kPrr0, 2},  // 17
     .twi = {0xB8, 36, "PD1", "PD0", atmega32u4::kPrr0, 7},                // 20
-    .comparator = {0x50, 28, "PE6", ""},                                  // 23
+    .comparator = {0x50, 28, "PE6", "", 8, 1},                            // 23
     .usb = {0xD8, 0x49, 10, atmega32u4::kPrr1, 7},                        // 21, 22
 };
 

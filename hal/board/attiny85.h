@@ -91,9 +91,9 @@ constexpr ChipSpec kAttiny85 = {
             .references = {0.0, 0.0, 1.1, 0.0, 0.0, 0.0, 2.56, 2.56},  // table 17-3
             .reference_bit = 0x10,
             .control_b_bits = 0xE7},
-    .comparator = {0x28, 7, "PB0", "PB1"},  // 16
-    .at = {.external_sense = 0x55,          // MCUCR: 9.3.1, 7.5.1, 10.4.1
-           .external_enables = 0x5B,        // GIMSK, GIFR: 9.3.2, 9.3.3
+    .comparator = {0x28, 7, "PB0", "PB1", 4},  // 16
+    .at = {.external_sense = 0x55,             // MCUCR: 9.3.1, 7.5.1, 10.4.1
+           .external_enables = 0x5B,           // GIMSK, GIFR: 9.3.2, 9.3.3
            .external_flags = 0x5A,
            .external_bit = 6,
            .change_enables = 0x5B,

@@ -116,8 +116,10 @@ struct TwiSpec {
 struct ComparatorSpec {
   uint16_t address = 0;  ///< of an AVR's ACSR; 0 = none that we know
   uint8_t vector = 0;
-  const char* positive = "";  ///< pins: AIN0, AIN1
+  const char* positive = "";  ///< pins: AIN0, AIN1; without one, the bandgap
   const char* negative = "";
+  uint8_t channels = 0;     ///< of the ADC, so many from 0 on may take AIN1's place; a power of two
+  int8_t captured_by = -1;  ///< index of the timer that can note when its output changes
 };
 
 /// Where an AVR's registers are, in data memory, that belong to none of the others: an ATmega's, unless told.

@@ -11,9 +11,10 @@ constexpr Cycle kAutoTriggerCycles = 3;
 
 }  // namespace
 
-Adc::Adc(Core& core) : core_(core), at_(core.chip.at) {
+Adc::Adc(Core& core, Pins& pins) : core_(core), at_(core.chip.at), pins_(pins) {
   core.cpu.on_read<&Adc::read_control>(at_.adc_control, this);
   core.cpu.on_write<&Adc::write_control>(at_.adc_control, this);
+  core.cpu.on_write_bit<&Adc::write_control_bit>(at_.adc_control, this);
   core.cpu.on_read<&Adc::read_plain>(at_.adc_control_b, this);
   core.cpu.on_write<&Adc::write_control_b>(at_.adc_control_b, this);
   core.cpu.on_read<&Adc::read_plain>(at_.adc_multiplexer, this);
@@ -94,6 +95,12 @@ void Adc::write_control(Address address, std::uint8_t value) {
   request();
 }
 
+// SBI and CBI, where an ATtiny85 has ADCSRA in their reach: they leave ADIF as it is (2586Q, the register
+// summary's notes).
+void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bit) {
+  write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
+}
+
 // 24.4: the flags reach the converter by one line, whose rising edge starts it, be it by another choice.
 void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
@@ -137,7 +144,7 @@ void Adc::start(Cycle edge) {
 
 void Adc::sample(Cycle at) {
   state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
-                              [&](int channel) { return core_.outside.volts(channel, at); });
+                              [&](int channel) { return pins_.volts(pins_.analog(channel), at); });
 }
 
 void Adc::end(Cycle at) {

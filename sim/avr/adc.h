@@ -15,12 +15,13 @@
 #include <cstdint>
 
 #include "sim/avr/core.h"
+#include "sim/avr/pins.h"
 
 namespace robosim::avr {
 
 class Adc final : public Peripheral {
  public:
-  explicit Adc(Core& core);
+  Adc(Core& core, Pins& pins);
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
@@ -44,6 +45,7 @@ class Adc final : public Peripheral {
   std::uint8_t read_data(Address address);
   std::uint8_t read_plain(Address address);
   void write_control(Address address, std::uint8_t value);
+  void write_control_bit(Address address, std::uint8_t value, std::uint8_t bit);
   void write_control_b(Address address, std::uint8_t value);
   void write_multiplexer(Address address, std::uint8_t value);
   void select();
@@ -60,6 +62,7 @@ class Adc final : public Peripheral {
 
   Core& core_;
   const AvrRegisters& at_;
+  Pins& pins_;
   Events::Id sample_ = 0, end_ = 0;
   State state_;
 };

@@ -50,6 +50,7 @@ void Chip::make_peripherals() {
   Prescalers& prescalers = add(std::make_unique<Prescalers>(core_));
   power_.supply(prescalers, Power::Clock::io, 0, -1);
   SharedTimerFlags* shared = nullptr;
+  Timer* captures = nullptr;  // what the comparator does
   for (int index = 0; index < core_.chip.timer_count; ++index) {
     const TimerSpec& spec = core_.chip.timers[index];
     const auto supply = [&](Peripheral& timer) {
@@ -61,6 +62,7 @@ void Chip::make_peripherals() {
     }
     Timer& timer = add(std::make_unique<Timer>(core_, pins_, prescalers, index));
     supply(timer);
+    if (index == core_.chip.comparator.captured_by) captures = &timer;
     if (!shares_flags(spec)) continue;
     if (!shared) shared = &add(std::make_unique<SharedTimerFlags>(core_, spec.flags, spec.enables));
     shared->add(timer);
@@ -71,9 +73,10 @@ void Chip::make_peripherals() {
     power_.supply(*usarts_.back(), Power::Clock::io, spec.reduction, spec.reduction_bit);
   }
   const AdcSpec& adc = core_.chip.adc;
-  power_.supply(add(std::make_unique<Adc>(core_)), Power::Clock::adc, adc.reduction, adc.reduction_bit);
+  power_.supply(add(std::make_unique<Adc>(core_, pins_)), Power::Clock::adc, adc.reduction,
+                adc.reduction_bit);
   if (core_.chip.comparator.address)
-    power_.supply(add(std::make_unique<Comparator>(core_, pins_)), Power::Clock::io, 0, -1);
+    power_.supply(add(std::make_unique<Comparator>(core_, pins_, captures)), Power::Clock::io, 0, -1);
   if (const SpiSpec& spi = core_.chip.spi; spi.address)
     power_.supply(add(std::make_unique<Spi>(core_, pins_)), Power::Clock::io, spi.reduction,
                   spi.reduction_bit);

@@ -1,51 +1,58 @@
 #include "sim/avr/comparator.h"
 
 #include "hal/board/avr_adc.h"
+#include "sim/avr/timer.h"
 
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kAcd = 0x80, kAcbg = 0x40, kAco = 0x20, kAci = 0x10, kAcie = 0x08, kAcisMask = 0x03;
+constexpr std::uint8_t kAcd = 0x80, kAcbg = 0x40, kAco = 0x20, kAci = 0x10, kAcie = 0x08, kAcic = 0x04,
+                       kAcisMask = 0x03;
 constexpr std::uint8_t kAcisAny = 0, kAcisFalling = 2, kAcisRising = 3;
-constexpr std::uint8_t kAcme = 0x40, kAdcEnabled = 0x80, kMuxMask = 0x07;
+constexpr std::uint8_t kAcme = 0x40, kAdcEnabled = 0x80, kMuxMask = 0x07, kHighChannels = 8;
 constexpr Cycle kLookEvery = 64;
 
 }  // namespace
 
-Comparator::Comparator(Core& core, Pins& pins)
+Comparator::Comparator(Core& core, Pins& pins, Timer* captures)
     : core_(core),
       pins_(pins),
+      captures_(captures),
       control_(core.chip.comparator.address),
       positive_(pins.named(core.chip.comparator.positive)),
       negative_(pins.named(core.chip.comparator.negative)) {
   core.cpu.on_read<&Comparator::read>(control_, this);
   core.cpu.on_write<&Comparator::write>(control_, this);
+  core.cpu.on_write_bit<&Comparator::write_bit>(control_, this);
   core.interrupts.on_entry<&Comparator::entered>(core.chip.comparator.vector, this);
   core.triggers.offer<&Comparator::awaited>(core.chip.comparator.vector, this);
+  if (positive_ >= 0) listeners_[0] = pins.add_listener<&Comparator::heard>(positive_, this);
+  if (negative_ >= 0) listeners_[1] = pins.add_listener<&Comparator::heard>(negative_, this);
   look_ = core.events.add<&Comparator::look_again>(this);
   core.keep(state_);
 }
 
 void Comparator::reset(Cycle) { state_ = {}; }
 
-double Comparator::volts_at(int pin) { return pin >= 0 && pins_.level(pin) ? core_.supply_volts : 0.0; }
+bool Comparator::is_on() const { return !(core_.cpu.data[control_] & kAcd) && state_.runs; }
 
 double Comparator::negative_volts(Cycle at) {
   const std::uint8_t control_b = core_.at(core_.chip.at.adc_control_b);
-  if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAdcEnabled) return volts_at(negative_);
-  const AdcSpec& adc = core_.chip.adc;
-  const int channel =
-      adc_channel(adc, adc_selection(adc, core_.at(core_.chip.at.adc_multiplexer) & kMuxMask, control_b));
-  return channel >= 0 ? core_.outside.volts(channel, at) : 0.0;
+  if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAdcEnabled)
+    return negative_ >= 0 ? pins_.volts(negative_, at) : core_.chip.adc.bandgap_volts;
+  const int chosen = (core_.at(core_.chip.at.adc_multiplexer) & kMuxMask) +
+                     (control_b & core_.chip.adc.high_channels ? kHighChannels : 0);
+  return pins_.volts(pins_.analog(chosen & (core_.chip.comparator.channels - 1)), at);
 }
 
 void Comparator::look(Cycle at) {
+  if (!is_on()) return;
   std::uint8_t& control = core_.at(control_);
-  if (control & kAcd || !state_.runs) return;
-  const double positive = control & kAcbg ? core_.chip.adc.bandgap_volts : volts_at(positive_);
+  const double positive = control & kAcbg ? core_.chip.adc.bandgap_volts : pins_.volts(positive_, at);
   const bool output = positive > negative_volts(at);
   if (output == state_.output) return;
   state_.output = output;
+  if (captures_) captures_->comparator_changed(output, at);
   const int sense = control & kAcisMask;
   if (sense != kAcisAny && sense != (output ? kAcisRising : kAcisFalling)) return;
   const bool rises = !(control & kAci);
@@ -59,9 +66,11 @@ void Comparator::look_again(Cycle at) {
   core_.schedule(look_, at + kLookEvery);
 }
 
+void Comparator::heard(int, bool, Cycle at) { look(at); }
+
 void Comparator::watch_or_not() {
   const std::uint8_t control = core_.at(control_);
-  const bool watches = !(control & kAcd) && (control & kAcie || state_.awaited);
+  const bool watches = is_on() && (control & (kAcie | kAcic) || state_.awaited);
   if (watches == (core_.events.due(look_) != kNoCycle)) return;
   core_.schedule(look_, watches ? core_.now() + kLookEvery : kNoCycle);
 }
@@ -95,9 +104,20 @@ std::uint8_t Comparator::read(Address address) {
 void Comparator::write(Address address, std::uint8_t value) {
   look(core_.now());
   const auto flag = static_cast<std::uint8_t>(core_.at(address) & kAci & ~value);
-  core_.at(address) = static_cast<std::uint8_t>((value & ~(kAco | kAci)) | flag);
+  const int kept = ~(kAco | kAci | (captures_ ? 0 : kAcic));
+  core_.at(address) = static_cast<std::uint8_t>((value & kept) | flag);
+  for (const int listener : listeners_)
+    if (listener >= 0) pins_.listen(listener, is_on());
+  if (captures_) captures_->capture_comparator(value & kAcic, state_.output, core_.now());
+  look(core_.now());
   watch_or_not();
   request();
+}
+
+// SBI and CBI, where an ATtiny85 has ACSR in their reach: they leave ACI as it is (2586Q, the register
+// summary's notes).
+void Comparator::write_bit(Address address, std::uint8_t value, std::uint8_t bit) {
+  write(address, bit == kAci ? value : static_cast<std::uint8_t>(value & ~kAci));
 }
 
 void Comparator::clock_runs(bool runs, Cycle at) {

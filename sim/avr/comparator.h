@@ -1,23 +1,32 @@
 // The analog comparator. Data sheet DS40002061B, chapter 23.
 //
 //   +   AIN0, or the bandgap (ACBG)
-//   -   AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0)
+//   -   AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without AIN1
+//       has the bandgap there (ATmega32U4, 7766J, 23.2)
 //   ACO = + is higher; ACI is set by its edges that ACIS chooses: 0 any, 2 falling, 3 rising
+//   ACIC   timer 1 captures its edges in place of ICP1's
 //
-// AIN0 and AIN1 are at the supply or at 0 V, by their level. Voltages are looked at when ACSR is read, and
-// every 64 cycles while somebody waits for ACI: an interrupt (ACIE), or the ADC's auto trigger. ACIC (timer
-// 1's capture) is not modelled.
+// From the first write to ACSR on, edges of AIN0 and AIN1 are seen at their cycle. Voltages that change by
+// themselves are looked at when ACSR is read or written, and every 64 cycles while somebody waits: an
+// interrupt (ACIE), timer 1 (ACIC), or the ADC's auto trigger.
+//
+// Not modelled: the 1 to 2 cycles of ACO's synchroniser, the comparator's offset and hysteresis, PWM at AIN0
+// or AIN1, which counts as the level in PORTx.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "sim/avr/pins.h"
 
 namespace robosim::avr {
 
+class Timer;
+
 class Comparator final : public Peripheral {
  public:
-  Comparator(Core& core, Pins& pins);
+  /// `captures`: the timer that captures its edges; may be null.
+  Comparator(Core& core, Pins& pins, Timer* captures);
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
@@ -33,19 +42,23 @@ class Comparator final : public Peripheral {
 
   std::uint8_t read(Address address);
   void write(Address address, std::uint8_t value);
+  void write_bit(Address address, std::uint8_t value, std::uint8_t bit);
   void look(Cycle at);
   void look_again(Cycle at);
+  void heard(int pin, bool level, Cycle at);
   void watch_or_not();
   bool awaited(int vector, bool is);
   void entered(int vector);
   void request();
+  bool is_on() const;
   double negative_volts(Cycle at);
-  double volts_at(int pin);
 
   Core& core_;
   Pins& pins_;
+  Timer* const captures_;
   Address control_;
-  int positive_, negative_;  ///< pins
+  int positive_, negative_;  ///< pins; -1 = none
+  std::array<int, 2> listeners_{-1, -1};
   Events::Id look_ = 0;
   State state_;
 };

@@ -15,9 +15,11 @@ constexpr std::uint8_t mask_of(int bit) { return static_cast<std::uint8_t>(1 << 
 
 Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
   for (auto& bits : pin_at_) bits.fill(-1);
+  analog_at_.fill(-1);
   for (int pin = 0; pin < core.chip.pin_count; ++pin) {
     const ChipPin& place = core.chip.pins[pin];
     if (place.port >= 0) pin_at_[static_cast<std::size_t>(place.port)][place.bit] = pin;
+    if (place.analog_channel >= 0) analog_at_[static_cast<std::size_t>(place.analog_channel)] = pin;
   }
   for (int port = 0; port < core.chip.port_count; ++port) {
     for (std::size_t i = 0; i < 3; ++i) port_at_[core.chip.ports[port].address + i] = port;
@@ -75,9 +77,19 @@ bool Pins::output_level(int pin) const {
 
 bool Pins::level(int pin) {
   if (is_output(pin)) return output_level(pin);
+  return core_.outside.level(pin, is_pulled_up(pin), core_.now());
+}
+
+double Pins::volts(int pin, Cycle at) {
+  if (pin < 0) return 0.0;
+  const bool in_port = core_.chip.pins[pin].port >= 0;
+  const bool high = in_port && (is_output(pin) ? output_level(pin) : is_pulled_up(pin));
+  return core_.outside.volts(pin, high, at);
+}
+
+bool Pins::is_pulled_up(int pin) const {
   const ChipPin& place = core_.chip.pins[pin];
-  const bool latch = core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
-  return core_.outside.level(pin, latch && has_pull_ups(), core_.now());
+  return core_.cpu.data[latch_register(place.port)] & mask_of(place.bit) && has_pull_ups();
 }
 
 bool Pins::has_pull_ups() const { return !(core_.cpu.data[reg::kMcucr] & core_.chip.at.pull_ups_off); }

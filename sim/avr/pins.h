@@ -55,6 +55,8 @@ class Pins final : public Peripheral {
 
   /// The level of a pin now, whoever drives it.
   bool level(int pin);
+  /// Volts at a pin, whoever drives it; -1 = no pin, 0 V.
+  double volts(int pin, Cycle at);
   /// From outside: the level of a pin that somebody listens to has changed.
   void edge(int pin, bool level, Cycle at);
 
@@ -66,9 +68,11 @@ class Pins final : public Peripheral {
   int at(char port, int bit) const;
   /// The same by the data sheet's name for it.
   int named(std::string_view name) const;
+  /// The one that is an analog input; -1 = none.
+  int analog(int channel) const { return analog_at_[static_cast<std::size_t>(channel)]; }
 
  private:
-  static constexpr std::size_t kMostListeners = 64, kMostPorts = 16, kMostPins = 100;
+  static constexpr std::size_t kMostListeners = 64, kMostPorts = 16, kMostPins = 100, kMostChannels = 16;
   struct Heard {
     int pin;
     Listener listener;
@@ -108,6 +112,7 @@ class Pins final : public Peripheral {
   void changed(int port, std::uint8_t bits);
   bool is_heard(int pin) const;
   bool is_output(int pin) const;
+  bool is_pulled_up(int pin) const;
   bool output_level(int pin) const;
   void tell_drive(int pin);
   void tell_listeners(int pin, bool level, Cycle at);
@@ -119,6 +124,7 @@ class Pins final : public Peripheral {
   Core& core_;
   std::vector<int> port_at_;                             ///< by register address; -1 = none
   std::array<std::array<int, 8>, kMostPorts> pin_at_{};  ///< by port and bit; -1 = none
+  std::array<int, kMostChannels> analog_at_{};           ///< by channel; -1 = none
   std::vector<Heard> listeners_;
   State state_;
 };

@@ -18,8 +18,9 @@ class Surroundings {
   /// Until which cycle, exclusive, level() surely gives what it gives at `at`, and may be asked less often
   /// without a difference; `at` = that is not known.
   virtual Cycle level_until(int pin, Cycle at) = 0;
-  /// Volts at an analog input, when the converter samples it. `channel` is below AdcSpec::pins.
-  virtual double volts(int channel, Cycle at) = 0;
+  /// Volts at a pin, when the converter samples it or the comparator looks. `high`: what the chip itself
+  /// gives it, by its output or its pull-up.
+  virtual double volts(int pin, bool high, Cycle at) = 0;
   /// The chip drives a pin in another way than before.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
   /// From now on changes of the pin's level are wanted as Chip::edge(), or no longer: changes of the level

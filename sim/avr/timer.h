@@ -18,7 +18,7 @@
 // counter without a clock holds its pin at the level that it has.
 //
 // Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
-// at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator captures nothing.
+// at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator takes its place.
 //
 // PRR: without a clock the registers read 0 and are not written (10.10).
 //
@@ -55,6 +55,10 @@ class Timer final : public Peripheral {
 
   const Counter& counter() const { return state_.counter; }
 
+  /// The comparator's output, at `level`, is captured in place of ICPn's edges (ACIC), or no longer.
+  void capture_comparator(bool is, bool level, Cycle at);
+  void comparator_changed(bool level, Cycle at);
+
   // --- for those that share TIFR and TIMSK: bits as these have them
   std::uint8_t flags_in_register();
   void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
@@ -87,7 +91,8 @@ class Timer final : public Peripheral {
     std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
-    bool wants_captures = false;
+    bool wants_captures = false, captures_comparator = false;
+    bool comparator = false;  ///< its output
     Cycle pll_locked_at = kNoCycle;
   };
   // registers
@@ -162,6 +167,9 @@ class Timer final : public Peripheral {
   bool is_external() const { return state_.shift < 0 && (control_b() & 7) >= 6; }
   void pulsed(int pin, bool level, Cycle at);
   void captured(int pin, bool level, Cycle at);
+  void capture_edge(bool level, Cycle at);
+  bool is_captured() const { return state_.counter.how().top != Counting::Top::capture; }
+  bool capture_level() { return state_.captures_comparator ? state_.comparator : pins_.level(capture_pin_); }
   void listen();
   void want_captures();
   bool drives(std::size_t channel) const;

@@ -89,8 +89,7 @@ void Timer::tell_drives() {
 void Timer::listen() {
   if (pulse_listener_ >= 0) pins_.listen(pulse_listener_, is_external());
   if (capture_listener_ >= 0)
-    pins_.listen(capture_listener_,
-                 state_.wants_captures && state_.counter.how().top != Counting::Top::capture);
+    pins_.listen(capture_listener_, state_.wants_captures && is_captured() && !state_.captures_comparator);
 }
 
 void Timer::want_captures() {
@@ -105,7 +104,26 @@ void Timer::pulsed(int, bool level, Cycle at) {
   schedule();
 }
 
-void Timer::captured(int, bool level, Cycle at) {
+// 16.6.1: a change of the source is an edge, if the two differ.
+void Timer::capture_comparator(bool is, bool level, Cycle at) {
+  if (is == state_.captures_comparator) return;
+  const bool before = capture_level();
+  state_.captures_comparator = is;
+  state_.comparator = level;
+  state_.wants_captures = true;
+  listen();
+  if (is_captured() && capture_level() != before) capture_edge(!before, at);
+}
+
+void Timer::comparator_changed(bool level, Cycle at) {
+  if (!state_.captures_comparator) return;
+  state_.comparator = level;
+  if (is_captured()) capture_edge(level, at);
+}
+
+void Timer::captured(int, bool level, Cycle at) { capture_edge(level, at); }
+
+void Timer::capture_edge(bool level, Cycle at) {
   if (!state_.runs) return;
   const bool rising = control_b() & kRisingEdge, cancels = control_b() & kCanceler;
   if (cancels && state_.canceler.change(level, at) == NoiseCanceler::Verdict::takes_back) {

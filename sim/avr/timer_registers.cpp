@@ -66,7 +66,7 @@ void Timer::write_control_b(Address address, std::uint8_t value) {
   const std::uint8_t before = core_.at(address);
   core_.at(address) = state_.control_b = is_wide() ? value : static_cast<std::uint8_t>(value & ~kForceBits);
   if (spec_.capture) {
-    if (value & ~before & kCanceler) state_.canceler.begin(pins_.level(capture_pin_));
+    if (value & ~before & kCanceler) state_.canceler.begin(capture_level());
     if (value & (kCanceler | kRisingEdge)) want_captures();
   }
   set_mode();

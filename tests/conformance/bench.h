@@ -31,9 +31,10 @@ class Bench final : public avr::Surroundings {
     chip.edge(pin, level, chip.cycle());
   }
 
-  std::map<int, bool> levels;      ///< of pins, by number; others have their pull-up's
-  std::map<int, double> voltages;  ///< of channels
-  std::map<int, PinDrive> drives;  ///< how the chip drives its pins
+  std::map<int, bool> levels;          ///< of pins, by number; others have their pull-up's
+  std::map<int, double> voltages;      ///< of channels
+  std::map<int, double> pin_voltages;  ///< of pins that are none; others have those of their level
+  std::map<int, PinDrive> drives;      ///< how the chip drives its pins
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
   std::vector<std::pair<avr::Cycle, int>> samples;        ///< channels whose voltage was asked for, and when
   std::map<int, bool> listens_to;                         ///< pins whose edges the chip wants
@@ -56,7 +57,12 @@ class Bench final : public avr::Surroundings {
     return found == levels.end() ? pull_up : found->second;
   }
   avr::Cycle level_until(int, avr::Cycle) override { return avr::kNoCycle; }
-  double volts(int channel, avr::Cycle at) override {
+  double volts(int pin, bool high, avr::Cycle at) override {
+    const int channel = chip.core().chip.pins[pin].analog_channel;
+    if (channel < 0) {
+      const auto found = pin_voltages.find(pin);
+      return found == pin_voltages.end() ? chip.core().supply_volts * level(pin, high, at) : found->second;
+    }
     samples.emplace_back(at, channel);
     const auto found = voltages.find(channel);
     return found == voltages.end() ? 0.0 : found->second;

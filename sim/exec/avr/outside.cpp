@@ -15,7 +15,6 @@ Outside::Outside(ClockedBoard& board, SimTime began)
     : board_(board),
       pins_(board.spec().chip->pin_count, kNoPin),
       chip_pins_(board.spec().pin_count, -1),
-      analog_pins_(board.spec().chip->adc.pins, kNoPin),
       serial_(board.spec().serial_line),
       state_{Link(board.spec().clock_hz, began)} {
   const BoardSpec& spec = board.spec();
@@ -24,8 +23,6 @@ Outside::Outside(ClockedBoard& board, SimTime began)
       if (first_number(spec, pin) == pin && is_same_place(spec.pins[pin].chip_pin, spec.chip->pins[place])) {
         pins_[static_cast<std::size_t>(place)] = pin;
         chip_pins_[pin] = place;
-        if (const int channel = spec.pins[pin].analog_channel; channel >= 0)
-          analog_pins_[static_cast<std::size_t>(channel)] = pin;
       }
 }
 
@@ -68,9 +65,10 @@ Cycle Outside::level_until(int pin, Cycle at) {
   return cycle > at + kClockRounding ? cycle - kClockRounding : at;
 }
 
-double Outside::volts(int channel, Cycle at) {
-  const Pin pin = analog_pins_[static_cast<std::size_t>(channel)];
-  return pin == kNoPin ? 0.0 : board_.read_volts(pin, state_.link.time_of(at));
+double Outside::volts(int pin, bool high, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  if (number == kNoPin) return high ? board_.spec().supply_volts : 0.0;
+  return board_.read_volts(number, state_.link.time_of(at));
 }
 
 void Outside::driven(int pin, const PinDrive& drive, Cycle at) {

@@ -36,7 +36,7 @@ class Outside : public robosim::avr::Surroundings {
  private:
   bool level(int pin, bool pull_up, Cycle at) override;
   Cycle level_until(int pin, Cycle at) override;
-  double volts(int channel, Cycle at) override;
+  double volts(int pin, bool high, Cycle at) override;
   void driven(int pin, const PinDrive& drive, Cycle at) override;
   bool wants_edges(int pin, bool wanted, Cycle at) override;
   void sent(int line, std::uint16_t data, Cycle at) override;
@@ -58,10 +58,9 @@ class Outside : public robosim::avr::Surroundings {
 
   ClockedBoard& board_;
   robosim::avr::Chip* chip_ = nullptr;
-  std::vector<Pin> pins_;         ///< the board's, by the chip's; kNoPin = not led out
-  std::vector<int> chip_pins_;    ///< the chip's, by the board's; -1 = none
-  std::vector<Pin> analog_pins_;  ///< the board's, by the channel; kNoPin = not led out
-  const int serial_;              ///< the line that leads to the computer
+  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not led out
+  std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
+  const int serial_;            ///< the line that leads to the computer
   State state_;
 };
 
