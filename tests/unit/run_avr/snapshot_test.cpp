@@ -1,6 +1,6 @@
 // A run that goes on from a snapshot is the run that was not interrupted: its trace, its events, its result.
-// At 100 random moments of each stock sketch, with noise, and with a script that does to the robot what
-// scripts can do. ROBOSIM_TEST_MOMENTS=1000 tries more, in longer runs.
+// At 100 random moments of each stock sketch, and of sketches for other chips, with noise, and with a script
+// that does to the robot what scripts can do. ROBOSIM_TEST_MOMENTS=1000 tries more, in longer runs.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -33,6 +33,7 @@ struct Case {
   const char* map;
   const char* ahead;  ///< a cell in front of the robot
   const char* script;
+  bool is_driven = false;  ///< step by step
 };
 
 /// What is the same for each robot: it is in its way, held up, without power, broken.
@@ -81,6 +82,23 @@ struct Told final : Listener {
   std::vector<std::string> lines;
 };
 
+/// Does to the robot what the state asks for, and keeps nothing in mind.
+struct Hands final : StepController {
+  Leg next(Standstill& standstill) override {
+    const State& now = standstill.state();
+    const SimTime ms = now.t / kTick;
+    constexpr const char* kActs[] = {"cover S3 20ms", "fault S2 noisy 0.2 for 60ms", "send \"1\\n\"",
+                                     "press start 30ms", "lift for 20ms"};
+    const auto chosen = static_cast<std::size_t>(ms + now.stop) + now.serial_bytes;
+    if (now.t > 0)
+      standstill.add(
+          scenario::parse_scenario(fmt::format("at {}ms {}", ms, kActs[chosen % std::size(kActs)]), "hands"));
+    return {.until = now.t + (20 + ms % 50) * kTick,
+            .stops = {Stop::motors(!now.driven), Stop::serial("\n", now.serial_bytes),
+                      Stop::event("collision_began"), Stop::reading("S1", ms % 2 == 0)}};
+  }
+};
+
 std::string text_of(const judge::Outcome& o) {
   std::string text = fmt::format("{} {} {} ({}, {}, {}) {}\n{}\n{}\n", o.trace_hash, o.why, o.time,
                                  o.end.position.x, o.end.position.y, o.end.heading.y, o.eeprom_writes,
@@ -105,7 +123,9 @@ class AvrSnapshots : public testing::Test {
   void use(const char* sketch, const char* robot, const char* map) {
     map_ = grid::read_map(grid::find_map(map));
     robot_ = robot::load_description(robot);
-    build::Request request{std::filesystem::path(ROBOSIM_EXAMPLES) / sketch, *robot_.board};
+    std::filesystem::path folder = std::filesystem::path(ROBOSIM_EXAMPLES) / sketch;
+    if (!exists(folder)) folder = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / sketch;
+    build::Request request{folder, *robot_.board};
     request.target = "avr";
     image_ = build::build(request).image;
   }
@@ -142,9 +162,13 @@ class Snapshots : public AvrSnapshots, public testing::WithParamInterface<Case> 
   run::Setup setup(exec::Executor& executor, Listener* listener = nullptr) {
     const std::string script =
         kScript + GetParam().script + fmt::format(kObstacles, GetParam().ahead, GetParam().ahead);
-    return AvrSnapshots::setup({agent(executor, "none", script, listener)},
-                               longer() ? 10 * kSecond : 1600 * kMillisecond);
+    run::Setup setup = AvrSnapshots::setup({agent(executor, "none", script, listener)},
+                                           longer() ? 10 * kSecond : 1600 * kMillisecond);
+    if (GetParam().is_driven) setup.controller = &hands_;
+    return setup;
   }
+
+  Hands hands_;
 };
 
 TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
@@ -208,6 +232,17 @@ INSTANTIATE_TEST_SUITE_P(Stock, Snapshots,
                                          Case{"RightPath", "uno3", "a", "6,4", kThreeSensors.c_str()},
                                          Case{"AiNavigator", "uno5", "b", "6,10", kFiveSensors.c_str()},
                                          Case{"PonyNavigator", "pony", "city", "7,24", kPony.c_str()}),
+                         [](const auto& parameter) { return std::string(parameter.param.sketch); });
+
+INSTANTIATE_TEST_SUITE_P(OfOtherChips, Snapshots,
+                         testing::Values(Case{"MegaFollower", "mega5", "oval", "13,14", kFiveSensors.c_str()},
+                                         Case{"LeonardoFollower", "leonardo5", "oval", "13,14",
+                                              kFiveSensors.c_str()}),
+                         [](const auto& parameter) { return std::string(parameter.param.sketch); });
+
+INSTANTIATE_TEST_SUITE_P(Driven, Snapshots,
+                         testing::Values(Case{"PidFollower", "uno5", "oval", "13,14", "", true},
+                                         Case{"MegaFollower", "mega5", "oval", "13,14", "", true}),
                          [](const auto& parameter) { return std::string(parameter.param.sketch); });
 
 TEST_F(AvrSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
