@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "sim/base/config.h"
+#include "sim/grid/course_reader.h"
 
 namespace robosim::grid {
 namespace {
@@ -35,7 +36,7 @@ CellAt read_cell(const ConfigValue& x, const ConfigValue& y) {
           static_cast<int>(as_integer(y, "the row", 0, kMaxSide - 1))};
 }
 
-FrontMatter::PlacedStart read_start(const ConfigValue& value) {
+FrontMatter::PlacedStart read_start(const ConfigValue& value, const Course& course) {
   TableReader table(value, "[start]");
   FrontMatter::PlacedStart start;
   start.place = value.place;
@@ -43,9 +44,31 @@ FrontMatter::PlacedStart read_start(const ConfigValue& value) {
   const ConfigValue* y = table.find("y");
   if (x || y) start.cell = read_cell(x ? *x : table.require("x"), y ? *y : table.require("y"));
   const std::string facing = table.choice("facing", "", {"E", "S", "W", "N"});
+  if (const ConfigValue* along = table.find("along")) {
+    const auto paths = static_cast<std::int64_t>(course.paths.size());
+    if (paths == 0) throw InputError(along->place, "[start] has along, and there is no [[path]]");
+    if (start.cell || !facing.empty())
+      throw InputError(along->place, "[start] has along, a place on a path; x, y and facing are for cells");
+    OnPath on;
+    on.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
+    on.along = as_quantity(*along, "along", Dimension::length, 0.0,
+                           course.paths[static_cast<std::size_t>(on.path)].length());
+    on.backwards = table.boolean("backwards", false);
+    start.on_path = on;
+  }
   if (!facing.empty()) start.facing = static_cast<Direction>(std::string_view("ESWN").find(facing));
   table.finish();
   return start;
+}
+
+void read_size(const ConfigValue& value, FrontMatter& front) {
+  if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
+    throw InputError(value.place, "size must be [\"WIDTH\", \"HEIGHT\"], such as [\"3.6 m\", \"1.8 m\"]");
+  const double most = kMaxSide * front.settings.cell_m;
+  front.size =
+      Vec2{as_quantity(value.items[0], "the width", Dimension::length, front.settings.cell_m, most),
+           as_quantity(value.items[1], "the height", Dimension::length, front.settings.cell_m, most)};
+  front.size_place = value.place;
 }
 
 bool is_goal(std::string_view goal) {
@@ -142,7 +165,12 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   map.raster = table.choice("floor", "stripes", {"stripes", "raster"}) == "raster";
   map.generator = table.string("generator", "");
   if (const ConfigValue* goal = table.find("goal")) read_goal(*goal, front);
-  if (const ConfigValue* start = table.find("start")) front.start = read_start(*start);
+  map.light_line =
+      table.choice("paint", "black on white", {"black on white", "white on black"}) == "white on black";
+  if (const ConfigValue* size = table.find("size")) read_size(*size, front);
+  if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
+  if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
+  if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);
   if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);
   table.finish();

@@ -20,6 +20,7 @@ struct FrontMatter {
   };
   struct PlacedStart {
     std::optional<CellAt> cell;  ///< absent: the S in the map
+    std::optional<OnPath> on_path;
     std::optional<Direction> facing;
     Place place;
   };
@@ -28,7 +29,9 @@ struct FrontMatter {
     Place place;
   };
 
-  Map settings;  ///< name, cell_m, line_m, corner_m, raster, goal, goal_place and generator are set
+  Map settings;              ///< what does not depend on the cells is set
+  std::optional<Vec2> size;  ///< m; of a floor without rows
+  Place size_place;
   std::optional<PlacedStart> start;
   std::optional<PlacedCell> goal_cell;
   std::vector<PlacedStation> stations;

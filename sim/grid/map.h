@@ -11,6 +11,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
+#include "sim/grid/course.h"
 
 namespace robosim::grid {
 
@@ -52,10 +53,19 @@ constexpr Vec2 heading(Direction d) {
   return of[static_cast<int>(d)];
 }
 
+/// A place on one of a map's paths.
+struct OnPath {
+  int path = 0;            ///< its index in Course::paths
+  double along = 0.0;      ///< m from the path's beginning
+  bool backwards = false;  ///< facing against its direction
+};
+
 /// Where a robot begins.
 struct Start {
   CellAt cell;
   Direction facing = Direction::east;
+  /// Set if it begins on a path; `cell` is then the one that it stands over, and `facing` the nearest.
+  std::optional<OnPath> on_path = std::nullopt;
 };
 
 /// A station named in the map's front matter.
@@ -74,6 +84,8 @@ struct Map {
   double line_m = 0.020;       ///< width of the stripe
   double corner_m = 0.0;       ///< radius that replaces each bend; 0 = square
   bool raster = false;         ///< floor = "raster": whole cells are painted, instead of stripes
+  bool light_line = false;     ///< paint = "white on black"
+  Course course;               ///< paths and marks, beside the cells
   std::optional<Start> start;  ///< from [start] or S
   /// The front matter's goal, "" = none. A map with a goal cell and no goal of its own gets "station:NAME",
   /// NAME being the station on that cell ("goal", unless [stations] names it).
@@ -154,11 +166,18 @@ inline bool is_dead_end(const Map& map, CellAt c) {
 /// How a robot put on a line cell faces: towards its only line neighbour, or the first in the order E S W N.
 Direction default_facing(const Map& map, CellAt cell);
 
-/// "13,2,E" or "13,2" (then the facing rule applies). Throws InputError.
+/// "13,2,E" or "13,2" (then the facing rule applies); on a map with a path "1.2m", so far along the first
+/// one, or "1.2m,back". Throws InputError.
 Start parse_start(const Map& map, std::string_view text);
-/// The start by DESIGN's rule: [start] or S, else the first dead end in row order, else the first line cell;
-/// facing its only line neighbour, or the first in the order E S W N. Throws InputError if the map has no
-/// line.
+/// The start by DESIGN's rule: [start] or S, else the beginning of the first path, else the first dead end in
+/// row order, else the first line cell; facing its only line neighbour, or the first in the order E S W N.
+/// Throws InputError if the map has no line.
 Start default_start(const Map& map);
+/// Where that is, and which way a robot there faces.
+Pose path_pose(const Map& map, const OnPath& on);
+/// A start on a path of the map.
+Start start_on(const Map& map, const OnPath& on);
+/// For what knows cells only. Throws InputError if the start is on a path.
+void require_cells(const Map& map, const Start& start, const char* what);
 
 }  // namespace robosim::grid

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -228,12 +229,53 @@ Map MapParser::finish() {
   if (section_ == Section::front_matter)
     throw InputError({map_.file, 1, 1},
                      "the front matter that begins here never ends; close it with a line +++");
-  if (map_.height == 0)
-    throw InputError({map_.file, line_, 1}, "no cells follow the front matter; a map has at least one row");
+  if (map_.height == 0) make_floor();
+  check_course();
   check_swap();
   settle_start();
   settle_stations();
   return std::move(map_);
+}
+
+// A floor without rows: paths on an empty one.
+void MapParser::make_floor() {
+  if (!front_.size)
+    throw InputError({map_.file, line_, 1},
+                     map_.course.empty()
+                         ? "no cells follow the front matter; a map has at least one row"
+                         : "no cells follow the front matter; say how large the floor is, as in size = "
+                           "[\"3.6 m\", \"1.8 m\"]");
+  const auto cells = [&](double metres) { return static_cast<int>(std::ceil(metres / map_.cell_m - 1e-9)); };
+  map_.width = cells(front_.size->x);
+  map_.height = cells(front_.size->y);
+  const auto all = static_cast<std::size_t>(map_.width) * static_cast<std::size_t>(map_.height);
+  if (all > kMaxCells)
+    throw InputError(front_.size_place, fmt::format("size is {} x {} cells; at most {} cells are allowed",
+                                                    map_.width, map_.height, kMaxCells));
+  map_.cells.assign(all, Cell::floor);
+  front_.size.reset();
+}
+
+void MapParser::check_course() const {
+  if (front_.size)
+    throw InputError(front_.size_place,
+                     "size is for a floor without rows; here the rows say how large it is");
+  if (map_.raster && !map_.course.empty())
+    throw InputError({map_.file}, "floor = \"raster\" paints cells, and this map has paths");
+  const double wide = map_.width * map_.cell_m, high = map_.height * map_.cell_m;
+  for (const Path& path : map_.course.paths)
+    for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+      const PathPiece& piece = path.pieces()[i];
+      const int steps = 1 + static_cast<int>(std::abs(piece.turn) * 20.0);
+      for (int step = 0; step <= steps; ++step) {
+        const Vec2 p = piece.at(piece.length * step / steps).position;
+        if (p.x >= 0.0 && p.y >= 0.0 && p.x <= wide && p.y <= high) continue;
+        throw InputError(
+            path.place, fmt::format("segment {} of this path leaves the floor at {:.0f} mm, {:.0f} mm; it is "
+                                    "{:.10g} x {:.10g} mm",
+                                    i + 1, 1e3 * p.x, 1e3 * p.y, 1e3 * wide, 1e3 * high));
+      }
+    }
 }
 
 CellAt MapParser::first_cell_of(Cell kind) const {
@@ -260,6 +302,12 @@ void MapParser::settle_start() {
                                    "{}, column {}; remove one of them",
                                    front_.start->cell->x, front_.start->cell->y, place.line, place.column));
     place = front_.start->place;
+    if (front_.start->on_path) {
+      if (start_mark_)
+        throw InputError(place, "[start] is on a path, but the map has an `S`; remove one of them");
+      map_.start = start_on(map_, *front_.start->on_path);
+      return;
+    }
     if (front_.start->cell) cell = front_.start->cell;
     if (!cell)
       throw InputError(place, "[start] needs x and y (column and row from 0), as the map has no `S`");

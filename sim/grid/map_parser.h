@@ -40,6 +40,8 @@ class MapParser {
   void count_for_swap(std::string_view row);
   [[noreturn]] void refuse_character(std::string_view row, std::size_t column) const;
   [[noreturn]] void refuse_length(std::string_view row) const;
+  void make_floor();
+  void check_course() const;
   void check_swap() const;
   void settle_start();
   void settle_stations();

@@ -4,16 +4,10 @@
 
 #include <algorithm>
 
-#include "sim/base/units.h"
+#include "sim/grid/course_writer.h"
 
 namespace robosim::grid {
 namespace {
-
-// The length in mm, or in m where millimetres would round.
-std::string length_text(double m) {
-  const std::string mm = fmt::format("{} mm", m * 1e3);
-  return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
-}
 
 // As a TOML basic string.
 std::string toml_string(std::string_view text) {
@@ -35,6 +29,12 @@ char line_character(const Map& map) {
   return lines * 2 > map.cells.size() ? '1' : '.';
 }
 
+// Whether it is written without rows.
+bool is_bare(const Map& map) {
+  return !map.course.paths.empty() &&
+         std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; });
+}
+
 // Keys of the top level, then tables; "" if all is as it is without front matter.
 std::string front_matter(const Map& map, bool mark_goal) {
   const Map defaults;
@@ -45,6 +45,10 @@ std::string front_matter(const Map& map, bool mark_goal) {
     text += fmt::format("line = \"{}\"\n", length_text(map.line_m));
   if (map.corner_m != defaults.corner_m) text += fmt::format("corner = \"{}\"\n", length_text(map.corner_m));
   if (map.raster) text += "floor = \"raster\"\n";
+  if (map.light_line) text += "paint = \"white on black\"\n";
+  if (is_bare(map))
+    text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(map.width * map.cell_m),
+                        length_text(map.height * map.cell_m));
   if (!map.generator.empty()) text += fmt::format("generator = {}\n", toml_string(map.generator));
 
   std::string stations;
@@ -56,7 +60,11 @@ std::string front_matter(const Map& map, bool mark_goal) {
   }
   if (!map.goal.empty() && (!map.goal_cell || map.goal != "station:" + goal_station))
     text += fmt::format("goal = {}\n", toml_string(map.goal));
-  if (map.start)
+  if (map.start && map.start->on_path)
+    text += fmt::format("[start]\npath = {}\nalong = \"{}\"\n{}", map.start->on_path->path + 1,
+                        length_text(map.start->on_path->along),
+                        map.start->on_path->backwards ? "backwards = true\n" : "");
+  else if (map.start)
     text += fmt::format("[start]\nx = {}\ny = {}\nfacing = \"{}\"\n", map.start->cell.x, map.start->cell.y,
                         letter(map.start->facing));
   if (map.goal_cell && !mark_goal)
@@ -64,7 +72,7 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (!stations.empty()) text += "[stations]\n" + stations;
   if (std::find(map.cells.begin(), map.cells.end(), Cell::gap) != map.cells.end())
     text += "[legend]\n3 = \"gap\"\n";
-  return text;
+  return text + course_text(map.course);
 }
 
 }  // namespace
@@ -73,6 +81,7 @@ std::string write_map(const Map& map) {
   const bool mark_goal = map.goal_cell && map.at(*map.goal_cell) == Cell::line;
   std::string text = front_matter(map, mark_goal);
   if (!text.empty()) text = "+++\n" + text + "+++\n";
+  if (is_bare(map)) return text;
   const char symbols[] = {'_', line_character(map), '#', '3', 'x'};
   for (CellAt c; c.y < map.height; ++c.y) {
     for (c.x = 0; c.x < map.width; ++c.x)

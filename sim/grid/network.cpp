@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <unordered_map>
 
 namespace robosim::grid {
 namespace {
+
+constexpr double kLapStep = 0.04;  // m, between two points of a lap on a path
 
 // Ways out of a cell for a robot that faces `d`, in the order in which the right-hand walk takes them.
 std::array<Direction, 4> right_hand_order(Direction d) {
@@ -103,9 +106,27 @@ std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
   return cells;
 }
 
+// Of a closed path, from the start on.
+std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
+  const Path& path = map.course.paths[static_cast<std::size_t>(on.path)];
+  if (!path.is_closed(map.line_m)) return {};
+  const int count = std::max(3, static_cast<int>(std::ceil(path.length() / kLapStep)));
+  std::vector<Vec2> points;
+  for (int i = 0; i < count; ++i) {
+    const double gone = path.length() * i / count;
+    points.push_back(path.at(on.along + (on.backwards ? -gone : gone), true).position);
+  }
+  return points;
+}
+
 }  // namespace
 
 Network trace_network(const Map& map, const Start& start) {
+  if (start.on_path) {
+    Network network;
+    network.lap = lap_of(map, *start.on_path);
+    return network;
+  }
   const Walk walk(map, start);
   Network network;
   const auto add = [&](CellAt cell, std::string name) {

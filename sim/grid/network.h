@@ -22,6 +22,10 @@ struct Network {
   /// If the reachable network is one closed loop (every node of degree 2, or of degree 4 and crossed
   /// straight): its nodes in the order of travel from the start. Otherwise empty.
   std::vector<CellAt> loop;
+  /// If the start is on a closed path: points along it, close together, in the order of travel, m.
+  std::vector<Vec2> lap;
+
+  bool has_laps() const { return !loop.empty() || !lap.empty(); }
 };
 
 Network trace_network(const Map& map, const Start& start);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 
+#include "sim/base/units.h"
 #include "sim/grid/front_matter.h"
 #include "sim/grid/map.h"
 
@@ -41,7 +42,46 @@ Direction default_facing(const Map& map, CellAt cell) {
   return lines ? static_cast<Direction>(std::countr_zero(lines)) : Direction::east;
 }
 
+Start start_on(const Map& map, const OnPath& on) {
+  Pose pose = path_pose(map, on);
+  const auto column = static_cast<int>(pose.position.x / map.cell_m);
+  const auto row = map.height - 1 - static_cast<int>(pose.position.y / map.cell_m);
+  Start start{
+      {std::clamp(column, 0, map.width - 1), std::clamp(row, 0, map.height - 1)}, Direction::east, on};
+  for (int d = 1; d < 4; ++d)
+    if (dot(heading(static_cast<Direction>(d)), pose.heading) > dot(heading(start.facing), pose.heading))
+      start.facing = static_cast<Direction>(d);
+  return start;
+}
+
+Pose path_pose(const Map& map, const OnPath& on) {
+  const Path& path = map.course.paths[static_cast<std::size_t>(on.path)];
+  Pose pose = path.at(on.along, path.is_closed(map.line_m));
+  if (on.backwards) pose.heading = pose.heading * -1.0;
+  return pose;
+}
+
+void require_cells(const Map& map, const Start& start, const char* what) {
+  if (start.on_path)
+    throw InputError({map.file},
+                     fmt::format("{} knows lines of cells only, and the start is on a path; --start "
+                                 "X,Y,DIR chooses a cell of line, if there is one",
+                                 what));
+}
+
 Start parse_start(const Map& map, std::string_view text) {
+  if (!map.course.paths.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view side = text.substr(comma);
+    const auto along = parse_quantity(text.substr(0, comma), Dimension::length);
+    if (along && (side.empty() || side == ",back")) {
+      const double most = map.course.paths.front().length();
+      if (*along < 0.0 || *along > most)
+        throw InputError(
+            fmt::format("the start \"{}\" is not on the path, which is {:.0f} mm long", text, 1e3 * most));
+      return start_on(map, {0, *along, !side.empty()});
+    }
+  }
   const InputError malformed(
       fmt::format("the start is \"{}\"; it must be COLUMN,ROW,DIRECTION such as 13,2,E (the "
                   "direction, one of E, S, W or N, may be left out)",
@@ -64,6 +104,7 @@ Start parse_start(const Map& map, std::string_view text) {
 
 Start default_start(const Map& map) {
   if (map.start) return *map.start;
+  if (!map.course.paths.empty()) return start_on(map, {});
   std::optional<CellAt> first;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     if (!is_line(map.cells[i]) || map.cells[i] == Cell::obstacle) continue;

@@ -34,7 +34,8 @@ void visit_cells(const Map& map, const Stripe& s, double reach, Visit visit) {
       const double dx = std::max({west - (middle.x + c / 2), middle.x - c / 2 - east, 0.0});
       const double dy = std::max({south - (middle.y + c / 2), middle.y - c / 2 - north, 0.0});
       if (dx * dx + dy * dy > reach * reach) continue;
-      if (s.radius > 0.0 && distance(s, middle) > reach + half_diagonal) continue;
+      const bool is_slanted = s.radius > 0.0 || (s.a.x != s.b.x && s.a.y != s.b.y);
+      if (is_slanted && distance(s, middle) > reach + half_diagonal) continue;
       visit(cell);
     }
   }

@@ -1,6 +1,7 @@
 #include "sim/grid/stripes.h"
 
 #include "sim/grid/bend.h"
+#include "sim/grid/path_stripes.h"
 
 namespace robosim::grid {
 namespace {
@@ -162,7 +163,13 @@ Stripes::Stripes(const Map& map, double reach_m) : map_(&map) {
     builder.add_arc(*bend);
     if (is_tight(map, *bend)) tight_.push_back({cell, bend->radius});
   });
+  for (const Path& path : map.course.paths) add_stripes(path, map.line_m, stripes_);
   index_ = StripeIndex(map, stripes_, reach_m);
+}
+
+Pose Stripes::pose_of(const Start& start) const {
+  if (start.on_path) return path_pose(*map_, *start.on_path);
+  return {point_of(start.cell), heading(start.facing)};
 }
 
 Vec2 Stripes::point_of(CellAt cell) const {

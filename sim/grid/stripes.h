@@ -15,9 +15,9 @@ namespace robosim::grid {
 
 /// A piece of centre line, in the world frame (m).
 ///
-/// A segment is parallel to an axis, from its smaller to its larger coordinate; a and b are equal where a
-/// line is a single cell. An arc is at most a quarter of a circle, counter-clockwise from a to b, and tangent
-/// to the segments it joins.
+/// A segment goes from its smaller to its larger x, or y where x is the same; a and b are equal where a line
+/// is a single cell. Those of cells are parallel to an axis. An arc is at most a quarter of a circle,
+/// counter-clockwise from a to b, and tangent to the segments it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
@@ -31,6 +31,11 @@ struct Stripe {
 /// Distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
+    if (s.a.x != s.b.x && s.a.y != s.b.y) {
+      const Vec2 along = s.b - s.a;
+      const double share = std::clamp(dot(p - s.a, along) / dot(along, along), 0.0, 1.0);
+      return length(p - s.a - along * share);
+    }
     const double dx = std::max(std::max(s.a.x - p.x, p.x - s.b.x), 0.0);
     const double dy = std::max(std::max(s.a.y - p.y, p.y - s.b.y), 0.0);
     return std::sqrt(dx * dx + dy * dy);
@@ -67,6 +72,8 @@ class Stripes {
   /// The point of the centre line that stands for a line cell: its centre, or where an arc cuts the corner,
   /// the arc's nearest point to it.
   Vec2 point_of(CellAt cell) const;
+  /// Where a robot is put that starts there.
+  Pose pose_of(const Start& start) const;
   const std::vector<TightBend>& tight_bends() const { return tight_; }
 
  private:

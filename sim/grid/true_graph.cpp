@@ -189,7 +189,10 @@ void for_each_arm(const TrueGraph& graph, Visit visit) {
 
 }  // namespace
 
-TrueGraph true_graph(const Map& map, const Start& start) { return Survey(map, start).take(); }
+TrueGraph true_graph(const Map& map, const Start& start) {
+  require_cells(map, start, "the graph");
+  return Survey(map, start).take();
+}
 
 std::size_t line_count(const TrueGraph& graph) {
   std::size_t ends = 0;

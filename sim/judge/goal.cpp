@@ -83,13 +83,13 @@ std::string to_string(const Goal& goal) {
 Goal default_goal(const grid::Map& map, const grid::Network& network) {
   if (!map.goal.empty()) return parse_goal(map.goal);
   Goal goal;
-  if (!network.loop.empty()) goal.kind = Goal::Kind::laps;
+  if (network.has_laps()) goal.kind = Goal::Kind::laps;
   return goal;
 }
 
 Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes,
                    const grid::Network& network, const grid::Start& start)
-    : goal_(goal), start_(stripes.point_of(start.cell)) {
+    : goal_(goal), start_(stripes.pose_of(start).position) {
   for (const grid::Station& station : network.stations) {
     stations_.push_back({station.name, stripes.point_of(station.cell), false});
     if (goal.kind == Goal::Kind::station &&
@@ -99,6 +99,7 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
   for (const grid::CellAt& cell : network.junctions)
     junctions_.push_back({"", stripes.point_of(cell), false});
   for (const grid::CellAt& cell : network.loop) loop_.push_back(stripes.point_of(cell));
+  loop_.insert(loop_.end(), network.lap.begin(), network.lap.end());
   if (goal.kind == Goal::Kind::station && goal_station_ < 0) {
     std::vector<std::string> names;
     for (const Waypoint& station : stations_) names.push_back(station.name);

@@ -46,7 +46,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
       world_(stage.world),
       body_number_(stage.world.add_body(
           robot::body_params(*own.robot, setup_.seed, setup_.profile, static_cast<std::uint32_t>(number)),
-          {stage.stripes.point_of(start_.cell), grid::heading(start_.facing)})),
+          stage.stripes.pose_of(start_))),
       body_(stage.world.body(body_number_)),
       board_(executor_.board()),
       robot_(*own.robot, stage.world, body_number_, board_, setup_.seed, setup_.profile,

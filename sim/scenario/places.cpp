@@ -30,7 +30,7 @@ Pose parse_place(const grid::Map& map, const grid::Stripes& stripes, const std::
   const auto x = parse_quantity(text.substr(0, first), Dimension::length);
   if (!x || second >= text.size()) {
     const grid::Start where = grid::parse_start(map, text);
-    return {stripes.point_of(where.cell), grid::heading(where.facing)};
+    return stripes.pose_of(where);
   }
   const auto y = parse_quantity(text.substr(first + 1, second - first - 1), Dimension::length);
   constexpr double kHalf = 0.70710678118654752440;

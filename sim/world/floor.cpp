@@ -26,8 +26,10 @@ Floor::Floor(const grid::Map& map)
       per_cell_(1.0 / map.cell_m),
       half_line_(0.5 * map.line_m),
       map_(&map),
+      light_line_(map.light_line),
+      marks_(map),
       kinds_{} {
-  if (map.corner_m > 0.0) {
+  if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
     stripes_ = std::make_unique<grid::Stripes>(map, stripes_reach_);
   } else {

@@ -13,6 +13,7 @@
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
+#include "sim/world/painted_marks.h"
 
 namespace robosim::world {
 
@@ -36,6 +37,14 @@ class Floor {
   /// Exact for the square on an edge along it, within 0.026 for the disc. On a raster floor: the exact share
   /// of a square of side f.
   double coverage(Vec2 p, double footprint_m) const;
+
+  /// The share of a sensor's footprint that is dark, 0..1: that on the line, or where the line is the light
+  /// one that beside it. Marks are painted as the line is.
+  double darkness(Vec2 p, double footprint_m) const {
+    double painted = coverage(p, footprint_m);
+    if (!marks_.empty()) painted = std::max(painted, marks_.coverage(p, std::max(footprint_m, 1e-9)));
+    return light_line_ ? 1.0 - painted : painted;
+  }
 
   /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
   double distance_to_line(Vec2 p) const;
@@ -92,6 +101,8 @@ class Floor {
   double columns_, rows_;
   double cell_, per_cell_, half_line_;
   const grid::Map* map_;
+  const bool light_line_;
+  const PaintedMarks marks_;
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;

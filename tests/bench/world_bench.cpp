@@ -83,6 +83,21 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
+// The same loop, 3.2 by 2.2 m, as a path.
+void floor_coverage_path(benchmark::State& state) {
+  const grid::Map map = grid::parse_map(
+      "+++\nsize = [\"4 m\", \"3 m\"]\n[[path]]\nfrom = [\"550 mm\", \"400 mm\"]\nsegments = [\n"
+      "{ length = \"2.9 m\" }, { radius = \"150 mm\", angle = \"90 deg\" }, { length = \"1.9 m\" }, { radius "
+      "= \"150 mm\", angle = \"90 deg\" },\n"
+      "{ length = \"2.9 m\" }, { radius = \"150 mm\", angle = \"90 deg\" }, { length = \"1.9 m\" }, { radius "
+      "= \"150 mm\", angle = \"90 deg\" }]\n+++\n",
+      "path.map");
+  const world::Floor floor(map);
+  const std::vector<Vec2> at = points();
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(floor.darkness(at[i++ & 4095], 0.003));
+}
+BENCHMARK(floor_coverage_path);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
 BENCHMARK(floor_coverage_raster);
 

@@ -5,16 +5,21 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 
 #include "sim/base/counted.h"
+#include "sim/cli/files/course_picture.h"
 #include "sim/cli/files/graph_text.h"
+#include "sim/cli/files/json_lines.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/cli/output.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
+#include "sim/grid/path_survey.h"
 #include "sim/grid/stripes.h"
 #include "sim/grid/true_graph.h"
 
@@ -51,13 +56,13 @@ double mm(double m) { return m * 1e3; }
 
 std::string describe_goal(const Survey& s) {
   if (!s.map.goal.empty()) return s.map.goal;
-  return s.network.loop.empty() ? "tour (the map names none)"
-                                : "laps:1 (the map names none, and its line is one loop)";
+  return s.network.has_laps() ? "laps:1 (the map names none, and its line is one loop)"
+                              : "tour (the map names none)";
 }
 
 void check_goal(const Survey& s) {
   const std::string& goal = s.map.goal;
-  if (goal.starts_with("laps:") && s.network.loop.empty())
+  if (goal.starts_with("laps:") && !s.network.has_laps())
     throw InputError(s.map.goal_place, fmt::format("goal is {}, but from {} the line is not one single loop",
                                                    goal, at(s.start.cell)));
   if (!goal.starts_with("station:")) return;
@@ -73,9 +78,62 @@ void check_goal(const Survey& s) {
                   at(s.start.cell), names.empty() ? "there are none" : "there are " + one_of(names)));
 }
 
-std::string line_cells(const grid::Map& map) {
-  const auto n = std::count_if(map.cells.begin(), map.cells.end(), grid::is_line);
-  return counted(static_cast<std::size_t>(n), "line cell");
+std::size_t count_line_cells(const grid::Map& map) {
+  return static_cast<std::size_t>(std::count_if(map.cells.begin(), map.cells.end(), grid::is_line));
+}
+
+std::string line_cells(const grid::Map& map) { return counted(count_line_cells(map), "line cell"); }
+
+std::string start_text(const grid::Start& start) {
+  if (!start.on_path) return fmt::format("{},{}", at(start.cell), grid::letter(start.facing));
+  return fmt::format("path {}, {:.10g} mm along{}", start.on_path->path + 1, mm(start.on_path->along),
+                     start.on_path->backwards ? ", backwards" : "");
+}
+
+std::string describe_path(const grid::PathSurvey& path) {
+  return fmt::format(
+      "  path      {:.0f} mm, {}, {}, {}{}\n", mm(path.length_m),
+      path.is_closed ? "closed"
+                     : fmt::format("not closed (its end is {:.0f} mm from its beginning)", mm(path.gap_m)),
+      path.smallest_radius_m > 0.0 ? fmt::format("smallest radius {:.10g} mm", mm(path.smallest_radius_m))
+                                   : "no arcs",
+      counted(static_cast<std::size_t>(path.crossings), "crossing"),
+      path.corners ? ", " + counted(static_cast<std::size_t>(path.corners), "sharp corner") : "");
+}
+
+// Metres as people would write them: to a micrometre.
+double shown(double m) { return std::round(m * 1e6) / 1e6; }
+
+std::string survey_json(const Survey& s) {
+  const auto& [map, start, network] = s;
+  JsonLines lines;
+  lines.add("schema", "robosim.map/1");
+  lines.add("file", map.file);
+  lines.add("name", map.name);
+  lines.add("columns", map.width);
+  lines.add("rows", map.height);
+  lines.add("cell_m", map.cell_m);
+  lines.add("line_m", map.line_m);
+  lines.add("paint", map.light_line ? "white on black" : "black on white");
+  lines.add("line_cells", count_line_cells(map));
+  lines.add("start", start_text(start));
+  lines.add("goal", map.goal.empty() ? JsonLines::Json() : JsonLines::Json(map.goal));
+  lines.add("stations", network.stations.size());
+  lines.add("junctions", network.junctions.size());
+  JsonLines::Json paths = JsonLines::Json::array();
+  for (const grid::Path& path : map.course.paths) {
+    const grid::PathSurvey survey = grid::survey_path(path, map.line_m);
+    paths.push_back({{"length_m", shown(survey.length_m)},
+                     {"closed", survey.is_closed},
+                     {"crossings", survey.crossings},
+                     {"corners", survey.corners},
+                     {"smallest_radius_m", survey.smallest_radius_m > 0.0
+                                               ? JsonLines::Json(shown(survey.smallest_radius_m))
+                                               : JsonLines::Json()}});
+  }
+  lines.add_list("paths", paths);
+  lines.add("marks", map.course.marks.size());
+  return lines.text();
 }
 
 std::string station_text(const grid::Station& station) {
@@ -90,14 +148,20 @@ void describe(const Survey& s, std::ostream& out) {
   out << fmt::format("{}: the map is fine\n", map.file);
   out << fmt::format("  size      {} x {} cells of {:.10g} mm: {:.10g} x {:.10g} mm\n", map.width, map.height,
                      mm(map.cell_m), mm(map.cell_m) * map.width, mm(map.cell_m) * map.height);
-  out << fmt::format("  line      {}, {:.10g} mm wide, {}{}\n", line_cells(map), mm(map.line_m), corners,
-                     map.raster ? "; floor painted in whole cells" : "");
-  out << fmt::format("  start     {},{}\n", at(start.cell), grid::letter(start.facing));
+  const bool paths_only = !map.course.paths.empty() && count_line_cells(map) == 0;
+  out << fmt::format("  line      {}, {:.10g} mm wide{}{}{}\n",
+                     paths_only ? counted(map.course.paths.size(), "path") : line_cells(map), mm(map.line_m),
+                     paths_only ? "" : ", " + corners, map.raster ? "; floor painted in whole cells" : "",
+                     map.light_line ? "; white on black" : "");
+  for (const grid::Path& path : map.course.paths) out << describe_path(grid::survey_path(path, map.line_m));
+  if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
+  out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
-  out << fmt::format(
-      "  network   {}, {}, {}\n", counted(network.stations.size(), "station"),
-      counted(network.junctions.size(), "junction"),
-      network.loop.empty() ? "not a single loop" : fmt::format("one loop of {} steps", network.loop.size()));
+  if (!start.on_path)
+    out << fmt::format("  network   {}, {}, {}\n", counted(network.stations.size(), "station"),
+                       counted(network.junctions.size(), "junction"),
+                       network.loop.empty() ? "not a single loop"
+                                            : fmt::format("one loop of {} steps", network.loop.size()));
   if (!network.stations.empty()) out << fmt::format("  stations  {}\n", list(network.stations, station_text));
   if (!network.unreachable.empty())
     out << fmt::format("  note: {} cannot be reached from the start: {}\n",
@@ -125,13 +189,16 @@ grid::PictureOptions screen() {
 }  // namespace
 
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
-                      std::ostream& errors) {
+                      std::ostream& errors, bool json) {
   ExitStatus status = ExitStatus::ok;
   for (const std::string& name : maps) {
     try {
       const Survey s = survey(name, start);
       check_goal(s);
-      describe(s, out);
+      if (json)
+        out << survey_json(s);
+      else
+        describe(s, out);
     } catch (const InputError& error) {
       errors << "robosim: " << error.what() << '\n';
       status = ExitStatus::bad_input;
@@ -143,7 +210,8 @@ ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& s
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
                     std::ostream& out) {
   const Survey s = survey(map, start);
-  out << grid::draw(s.map, s.network, s.start, options);
+  out << (s.map.course.empty() ? grid::draw(s.map, s.network, s.start, options)
+                               : draw_course(s.map, s.start, options));
   return ExitStatus::ok;
 }
 
@@ -162,9 +230,10 @@ int map_command(const MapArguments& arguments) {
     return static_cast<int>(ExitStatus::ok);
   }
   std::ostringstream text;
-  const ExitStatus status = arguments.action == "show"
-                                ? show_map(arguments.map, arguments.start, screen(), text)
-                                : check_maps({arguments.map}, arguments.start, text, std::cerr);
+  const ExitStatus status =
+      arguments.action == "show"
+          ? show_map(arguments.map, arguments.start, screen(), text)
+          : check_maps({arguments.map}, arguments.start, text, std::cerr, arguments.json);
   print(text.str());
   return static_cast<int>(status);
 }

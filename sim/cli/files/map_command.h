@@ -1,4 +1,4 @@
-// `robosim map check|show|graph|generate`
+// `robosim map check|show|graph`
 #pragma once
 
 #include <iosfwd>
@@ -13,9 +13,10 @@ namespace robosim::cli {
 
 /// Reads each map (a path, or the name of a sample) and says what was found: size, line, start, goal,
 /// stations, and what is odd about it. What is wrong goes to `errors`, and the other maps are still checked.
-/// `start` as on the command line; "" = the map's. ok, or bad_input if any map is wrong.
+/// `start` as on the command line; "" = the map's. `json`: the same for programs, an object each. ok, or
+/// bad_input if any map is wrong.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
-                      std::ostream& errors);
+                      std::ostream& errors, bool json = false);
 
 /// Draws one map with its stations as numbered from `start` ("" = the map's). Throws InputError.
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,

@@ -120,6 +120,7 @@ int classic_command(const ClassicArguments& arguments) {
   const grid::Map map = grid::read_map(grid::find_map(arguments.map));
   const grid::Start start =
       arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
+  grid::require_cells(map, start, "classic");
   if (map.at(start.cell) == grid::Cell::obstacle)
     throw InputError(
         fmt::format("{}: an obstacle stands on the start, {},{}", map.file, start.cell.x, start.cell.y));

@@ -86,7 +86,7 @@ class Host final : public play::SessionHost {
   grid::Map open_map(const std::string& name) override {
     const auto quoted_path = launch::is_path(name) ? fs::path(name) : grid::find_map(name);
     grid::Map map = grid::read_map(quoted_path);
-    grid::default_start(map);  // throws if there is no line
+    grid::require_cells(map, grid::default_start(map), "play");  // throws, too, if there is no line
     return map;
   }
   std::unique_ptr<play::CellDriver> cells(const grid::Map& map, const grid::Start& start,

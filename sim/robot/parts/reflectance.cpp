@@ -183,8 +183,7 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
-  return clamp01(1.0 - state_.now.light * emitter_.brightness() * (1.0 - (dark() ? 1.0 : coverage())) +
-                 state_.now.shift);
+  return clamp01(1.0 - state_.now.light * emitter_.brightness() * (1.0 - darkness()) + state_.now.shift);
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }

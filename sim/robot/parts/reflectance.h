@@ -81,6 +81,11 @@ class Sensor : public Breakable {
     if (context_.view.body->lifted()) return 0.0;
     return context_.view.floor->coverage(context_.view.body->pose().to_world(state_.at), footprint_);
   }
+  /// The share of it that is dark.
+  double darkness() const {
+    if (dark()) return 1.0;
+    return context_.view.floor->darkness(context_.view.body->pose().to_world(state_.at), footprint_);
+  }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
   virtual void join(RobotPort&, Pin) = 0;
@@ -93,7 +98,7 @@ class Sensor : public Breakable {
   /// Takes a sample of noise.
   double blackness(SimTime t) {
     const Pose pose = context_.view.pose_at(t);
-    const double c = dark() ? 1.0 : context_.view.floor->coverage(pose.to_world(state_.at), footprint_);
+    const double c = dark() ? 1.0 : context_.view.floor->darkness(pose.to_world(state_.at), footprint_);
     double b = 1.0 - state_.now.light * emitter_.brightness() * (1.0 - c) + state_.now.shift;
     if (state_.now.noise > 0.0) b += state_.now.noise * stream_.gauss(state_.samples++);
     return b;

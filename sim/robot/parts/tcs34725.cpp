@@ -64,7 +64,7 @@ void Tcs34725Part::measure(SimTime t) {
   const Pose pose = context_.view.pose_at(t);
   const Vec2 left{-pose.heading.y, pose.heading.x};
   const Vec2 place = pose.position + pose.heading * spec_.at.x + left * spec_.at.y;
-  const double covered = context_.view.floor->coverage(place, spec_.footprint);
+  const double covered = context_.view.floor->darkness(place, spec_.footprint);
   const double full = std::min(kMostCounts, kCountsOfCycle * (256 - state_.registers[kAtime]));
   const double share = kOfWhite * (1.0 - covered * (1.0 - kOfLine));
   const double gain = kGains[state_.registers[kControl] & 3];

@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"text on the fence", "+++ x\n", "m.map:1:4: ", "after +++"},
         Refused{"CR only", "+++\r+++\r11\r", "m.map:1:4: ", "carriage return"},
         Refused{"broken TOML", "+++\nname = \n+++\n11\n", "m.map:2:", "TOML"},
-        Refused{"an unknown key", "+++\nname = \"a\"\nsize = 3\n+++\n11\n", "m.map:3:", "unknown key size"},
+        Refused{"an unknown key", "+++\nname = \"a\"\nsizes = 3\n+++\n11\n", "m.map:3:", "unknown key sizes"},
         Refused{"no unit", "+++\ncell = 50\n+++\n11\n", "m.map:2:", "without a unit"},
         Refused{"a cell of no size", "+++\ncell = \"0 mm\"\n+++\n11\n", "m.map:2:", "must be"},
         Refused{"a line wider than a cell", "+++\ncell = \"20 mm\"\nline = \"30 mm\"\n+++\n11\n",

@@ -10,9 +10,22 @@
 namespace robosim::run {
 namespace {
 
-judge::Outcome follow(const char* map_name, robot::Profile profile, std::uint64_t seed,
+// An eight of arcs and slanted straights that cross.
+constexpr const char* kCourse = R"(+++
+line = "19 mm"
+size = ["2.8 m", "1.4 m"]
+[[path]]
+from = ["1.4 m", "700 mm"]
+heading = "30 deg"
+segments = [
+  { length = "519.6152422706632 mm" }, { radius = "300 mm", angle = "-240 deg" }, { length = "1039.2304845413264 mm" },
+  { radius = "300 mm", angle = "240 deg" }, { length = "519.6152422706632 mm" },
+]
++++
+)";
+
+judge::Outcome follow(const grid::Map& map, robot::Profile profile, std::uint64_t seed,
                       SimTime samples_every = 0) {
-  const grid::Map map = grid::read_map(grid::find_map(map_name));
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
   Setup setup;
@@ -23,6 +36,19 @@ judge::Outcome follow(const char* map_name, robot::Profile profile, std::uint64_
   setup.seed = seed;
   setup.samples_every = samples_every;
   return simulate(setup).front();
+}
+
+judge::Outcome follow(const char* map, robot::Profile profile, std::uint64_t seed,
+                      SimTime samples_every = 0) {
+  return follow(grid::read_map(grid::find_map(map)), profile, seed, samples_every);
+}
+
+TEST(Golden, TheBuiltInDriverLapsACourseOfArcs) {
+  const grid::Map map = grid::parse_map(kCourse, "eight.map");
+  const judge::Outcome typical = follow(map, robot::Profile::typical, 1);
+  EXPECT_EQ(typical.verdict, judge::Verdict::reached) << typical.why;
+  EXPECT_EQ(typical.trace_hash, "1:b5c120d3da4273c0");
+  EXPECT_EQ(follow(map, robot::Profile::ideal, 1).trace_hash, "1:bf5066c0c29aa4b9");
 }
 
 TEST(Golden, TheBuiltInDriverLapsTheOval) {

@@ -142,5 +142,51 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   }
 }
 
+// The oracle lays a fine grid of points over the footprint.
+TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
+  const grid::Map map = grid::parse_map(
+      "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"
+      "segments = [{ length = \"800 mm\" }]\n"
+      "[[mark]]\nalong = \"400 mm\"\nwidth = \"19 mm\"\n[[mark]]\nalong = \"420 mm\"\nside = "
+      "\"right\"\n+++\n",
+      "m.map");
+  const Floor floor(map);
+  const auto is_marked = [](Vec2 p) {
+    const bool left = std::abs(p.x - 0.5) <= 0.0095 && std::abs(p.y - 0.57) <= 0.02;
+    const bool right = std::abs(p.x - 0.52) <= 0.0005 && std::abs(p.y - 0.43) <= 0.02;
+    return left || right;
+  };
+  constexpr double kFootprint = 0.006;
+  int counted = 0;
+  for (double x = 0.47; x < 0.54; x += 0.0013)
+    for (double y = 0.40; y < 0.60; y += 0.0017) {
+      if (std::abs(y - 0.5) < 0.02) continue;
+      double share = 0.0;
+      for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 60; ++j)
+          share +=
+              is_marked(Vec2{x, y} + Vec2{(i + 0.5) / 60 - 0.5, (j + 0.5) / 60 - 0.5} * kFootprint) / 3600.0;
+      ASSERT_NEAR(floor.darkness({x, y}, kFootprint), share, 0.018) << x << " " << y;
+      EXPECT_EQ(floor.coverage({x, y}, kFootprint), 0.0) << "a mark is no line";
+      counted += share > 0.0;
+    }
+  EXPECT_GT(counted, 100);
+}
+
+TEST(Floor, OfALightLineIsDarkBesideIt) {
+  const std::string course =
+      "size = [\"1 m\", \"1 m\"]\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\nsegments = [{ length = \"800 "
+      "mm\" }]\n+++\n";
+  const grid::Map light = grid::parse_map("+++\npaint = \"white on black\"\n" + course, "m.map");
+  const grid::Map dark = grid::parse_map("+++\n" + course, "m.map");
+  const Floor on_light(light), on_dark(dark);
+  for (double y = 0.45; y < 0.55; y += 0.001) {
+    EXPECT_DOUBLE_EQ(on_light.darkness({0.5, y}, 0.006), 1.0 - on_dark.darkness({0.5, y}, 0.006));
+    EXPECT_EQ(on_light.coverage({0.5, y}, 0.006), on_dark.coverage({0.5, y}, 0.006));
+  }
+  EXPECT_EQ(on_light.darkness({0.5, 0.5}, 0.006), 0.0);
+  EXPECT_EQ(on_light.darkness({0.5, 0.2}, 0.006), 1.0);
+}
+
 }  // namespace
 }  // namespace robosim::world

@@ -1,0 +1,34 @@
+// What a map has besides its cells: paths, and marks beside them.
+#pragma once
+
+#include <vector>
+
+#include "sim/grid/path.h"
+
+namespace robosim::grid {
+
+/// A painted bar, of the line's colour: Robotrace's corner, start and goal markers.
+struct Mark {
+  int path = 0;              ///< that it stands beside, an index
+  double along = 0.0;        ///< m from that path's beginning
+  double away = 0.0;         ///< m from the path to its middle, positive to the left
+  Pose middle;               ///< m; the heading is that of its long side, across the path
+  double half_length = 0.0;  ///< m
+  double half_width = 0.0;   ///< m
+};
+
+/// `length_m`: of its long side.
+inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, double away, double length_m,
+                        double width_m) {
+  const Pose on = paths[static_cast<std::size_t>(path)].at(along, false);
+  return {path,           along,        away, {on.position + left_of(on.heading) * away, left_of(on.heading)},
+          0.5 * length_m, 0.5 * width_m};
+}
+
+struct Course {
+  std::vector<Path> paths;
+  std::vector<Mark> marks;
+  bool empty() const { return paths.empty() && marks.empty(); }
+};
+
+}  // namespace robosim::grid

@@ -1,0 +1,100 @@
+#include "sim/grid/course_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "sim/base/angle.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kLeastPiece = 1e-4;  // m
+constexpr double kMostRadius = 1000.0;
+// Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
+constexpr double kMarkLength = 0.040;
+constexpr double kMarkAway = 0.070;
+
+const std::vector<ConfigValue>& tables(const ConfigValue& value, const char* name) {
+  if (value.kind != ConfigValue::Kind::array)
+    throw InputError(value.place, fmt::format("{0} is {1}; write [[{0}]], with two brackets", name,
+                                              to_string(value.kind)));
+  return value.items;
+}
+
+Vec2 read_point(const ConfigValue& value, const char* key) {
+  if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
+    throw InputError(value.place,
+                     fmt::format("{} must be [\"X\", \"Y\"], metres to the right and up from the map's lower "
+                                 "left corner, such as [\"300 mm\", \"1.2 m\"]",
+                                 key));
+  return {as_quantity(value.items[0], key, Dimension::length, 0.0, Path::kMost),
+          as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
+}
+
+void read_piece(const ConfigValue& value, Path& path) {
+  TableReader table(value, "a segment");
+  const bool is_gap = table.boolean("gap", false);
+  const ConfigValue* const length = table.find("length");
+  const ConfigValue* const radius = table.find("radius");
+  const ConfigValue* const angle = table.find("angle");
+  table.finish();
+  if (length && !radius && !angle) {
+    path.add(as_quantity(*length, "length", Dimension::length, kLeastPiece, Path::kMost), 0.0, is_gap);
+  } else if (radius && angle && !length) {
+    const double r = as_quantity(*radius, "radius", Dimension::length, kLeastPiece, kMostRadius);
+    const double turn = as_quantity(*angle, "angle", Dimension::angle, -kTurn, kTurn);
+    if (turn == 0.0) throw InputError(angle->place, "angle is 0; an arc turns, a straight has a length");
+    path.add(r * std::abs(turn), turn, is_gap);
+  } else if (angle && !radius && !length && !is_gap) {
+    path.add(0.0, as_quantity(*angle, "angle", Dimension::angle, -kTurn / 2.0, kTurn / 2.0), false);
+  } else {
+    throw InputError(
+        value.place,
+        "a segment is a straight, { length = \"300 mm\" }, an arc, { radius = \"200 mm\", angle = "
+        "\"90 deg\" }, or a corner, { angle = \"90 deg\" }; an angle below 0 turns to the right");
+  }
+  if (path.length() > Path::kMost)
+    throw InputError(value.place, fmt::format("the path is longer than {:.0f} km", Path::kMost / 1e3));
+}
+
+}  // namespace
+
+void read_paths(const ConfigValue& value, Course& course) {
+  for (const ConfigValue& item : tables(value, "path")) {
+    TableReader table(item, "[[path]]");
+    const Vec2 from = read_point(table.require("from"), "from");
+    const double heading = table.quantity("heading", Dimension::angle, 0.0, -kTurn, kTurn);
+    const ConfigValue& segments = table.require("segments");
+    table.finish();
+    if (segments.kind != ConfigValue::Kind::array || segments.items.empty())
+      throw InputError(segments.place,
+                       "segments must be a list of straights and arcs, such as [{ length = \"1 m\" }]");
+    Path path({from, unit_vector(heading)});
+    path.place = item.place;
+    for (const ConfigValue& segment : segments.items) read_piece(segment, path);
+    course.paths.push_back(std::move(path));
+  }
+}
+
+void read_marks(const ConfigValue& value, double line_m, Course& course) {
+  for (const ConfigValue& item : tables(value, "mark")) {
+    TableReader table(item, "[[mark]]");
+    const auto paths = static_cast<std::int64_t>(course.paths.size());
+    if (paths == 0) throw InputError(item.place, "[[mark]] is beside a path, and there is no [[path]]");
+    const auto path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
+    const double most = course.paths[static_cast<std::size_t>(path)].length();
+    const double along = as_quantity(table.require("along"), "along", Dimension::length, 0.0, most);
+    const double away = table.quantity("away", Dimension::length, kMarkAway, 0.0, 1.0);
+    const double length = table.quantity("length", Dimension::length, kMarkLength, kLeastPiece, 1.0);
+    const double width = table.quantity("width", Dimension::length, line_m, kLeastPiece, 1.0);
+    const bool left = table.choice("side", "left", {"left", "right"}) == "left";
+    table.finish();
+    course.marks.push_back(mark_beside(course.paths, path, along, left ? away : -away, length, width));
+  }
+}
+
+}  // namespace robosim::grid

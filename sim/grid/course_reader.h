@@ -1,0 +1,15 @@
+// [[path]] and [[mark]] of a map's front matter.
+#pragma once
+
+#include "sim/base/config.h"
+#include "sim/grid/course.h"
+
+namespace robosim::grid {
+
+/// Reads all [[path]] tables. Throws InputError.
+void read_paths(const ConfigValue& value, Course& course);
+
+/// Reads all [[mark]] tables, which are measured along paths that have been read. `line_m`: the line's width.
+void read_marks(const ConfigValue& value, double line_m, Course& course);
+
+}  // namespace robosim::grid

@@ -1,0 +1,55 @@
+#include "sim/grid/course_writer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/angle.h"
+#include "sim/base/units.h"
+
+namespace robosim::grid {
+namespace {
+
+std::string angle_text(double rad) {
+  const std::string degrees = fmt::format("{} deg", std::round(rad * 180.0 / std::numbers::pi * 1e9) / 1e9);
+  return parse_quantity(degrees, Dimension::angle) == rad ? degrees : fmt::format("{} rad", rad);
+}
+
+std::string segment_text(const PathPiece& piece) {
+  const std::string gap = piece.is_gap ? ", gap = true" : "";
+  if (piece.turn == 0.0) return fmt::format("{{ length = \"{}\"{} }}", length_text(piece.length), gap);
+  if (piece.length == 0.0) return fmt::format("{{ angle = \"{}\" }}", angle_text(piece.turn));
+  return fmt::format("{{ radius = \"{}\", angle = \"{}\"{} }}", length_text(piece.radius()),
+                     angle_text(piece.turn), gap);
+}
+
+}  // namespace
+
+std::string length_text(double m) {
+  const std::string mm = fmt::format("{} mm", m * 1e3);
+  return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
+}
+
+std::string course_text(const Course& course) {
+  std::string text;
+  for (const Path& path : course.paths) {
+    const Pose begin = path.begin();
+    text += fmt::format("[[path]]\nfrom = [\"{}\", \"{}\"]\nheading = \"{}\"\nsegments = [\n",
+                        length_text(begin.position.x), length_text(begin.position.y),
+                        angle_text(angle_of(begin.heading)));
+    for (const PathPiece& piece : path.pieces()) text += "  " + segment_text(piece) + ",\n";
+    text += "]\n";
+  }
+  for (const Mark& mark : course.marks) {
+    text += "[[mark]]\n";
+    if (mark.path > 0) text += fmt::format("path = {}\n", mark.path + 1);
+    text += fmt::format("along = \"{}\"\nside = \"{}\"\naway = \"{}\"\nlength = \"{}\"\nwidth = \"{}\"\n",
+                        length_text(mark.along), mark.away < 0.0 ? "right" : "left",
+                        length_text(std::abs(mark.away)), length_text(2.0 * mark.half_length),
+                        length_text(2.0 * mark.half_width));
+  }
+  return text;
+}
+
+}  // namespace robosim::grid

@@ -1,0 +1,43 @@
+#include "sim/grid/path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/angle.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr double kLeastCosine = 0.99619469809174555;  // of 5 degrees
+
+}  // namespace
+
+Pose PathPiece::at(double along) const {
+  if (turn == 0.0) return {begin.position + begin.heading * along, begin.heading};
+  if (length == 0.0) return {begin.position, robosim::turned(begin.heading, unit_vector(turn))};
+  const Vec2 by = unit_vector(turn * (along / length));
+  return {centre() + robosim::turned(begin.position - centre(), by), robosim::turned(begin.heading, by)};
+}
+
+void Path::add(double length, double turn, bool is_gap) {
+  pieces_.push_back({end_, length, turn, is_gap});
+  begins_.push_back(length_);
+  end_ = pieces_.back().at(length);
+  end_.heading = end_.heading * (1.0 / robosim::length(end_.heading));
+  length_ += length;
+}
+
+bool Path::is_closed(double most) const {
+  return !pieces_.empty() && robosim::length(end_.position - begin().position) <= most &&
+         dot(end_.heading, begin().heading) >= kLeastCosine;
+}
+
+Pose Path::at(double along, bool closed) const {
+  if (pieces_.empty()) return end_;
+  if (closed) along -= std::floor(along / length_) * length_;
+  const auto after = std::upper_bound(begins_.begin(), begins_.end(), along);
+  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - begins_.begin() - 1, 0));
+  return pieces_[i].at(std::clamp(along - begins_[i], 0.0, pieces_[i].length));
+}
+
+}  // namespace robosim::grid

@@ -1,0 +1,57 @@
+// Lines that are no rows of cells: straights, arcs and corners, each beginning where the one before ends, in
+// its direction. The map's [[path]] (docs/maps.md); most competitions' courses are of this kind.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+
+namespace robosim::grid {
+
+/// A straight, an arc of a circle, or a corner, which has no length.
+struct PathPiece {
+  Pose begin;           ///< world frame, m; the heading is that of travel
+  double length = 0;    ///< m, along the centre line
+  double turn = 0;      ///< rad, positive to the left; 0 = straight
+  bool is_gap = false;  ///< followed, but not painted
+
+  /// m; 0 = straight, or a corner
+  double radius() const { return turn == 0.0 ? 0.0 : length / (turn < 0.0 ? -turn : turn); }
+  /// Of an arc.
+  Vec2 centre() const {
+    return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius() : radius());
+  }
+  /// Where one is, and which way one looks, so far along, m.
+  Pose at(double along) const;
+};
+
+class Path {
+ public:
+  /// At most this long, m.
+  static constexpr double kMost = 10'000.0;
+
+  explicit Path(Pose begin) : end_(begin) {}
+
+  /// `turn` is 0 for a straight, `length` for a corner.
+  void add(double length, double turn, bool is_gap);
+
+  const std::vector<PathPiece>& pieces() const { return pieces_; }
+  double length() const { return length_; }
+  Pose begin() const { return pieces_.empty() ? end_ : pieces_.front().begin; }
+  Pose end() const { return end_; }
+  /// Whether the end meets the beginning, within `most` m and 5 degrees.
+  bool is_closed(double most) const;
+  /// So far along, m; a closed path goes on at its beginning, an open one stays at its ends.
+  Pose at(double along, bool closed) const;
+
+  Place place;  ///< where the map's file has it
+
+ private:
+  std::vector<PathPiece> pieces_;
+  std::vector<double> begins_;  // of each piece, m along
+  Pose end_;
+  double length_ = 0.0;
+};
+
+}  // namespace robosim::grid

@@ -1,0 +1,73 @@
+#include "sim/grid/path_stripes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace robosim::grid {
+namespace {
+
+constexpr double kLeastStretch = 1e-9;  // m; shorter pieces are rounding
+
+// A stretch along the path that is not painted, m.
+struct Unpainted {
+  double from;
+  double to;
+};
+
+std::vector<Unpainted> gaps_of(const Path& path, double beside) {
+  std::vector<Unpainted> gaps;
+  double along = 0.0;
+  for (const PathPiece& piece : path.pieces()) {
+    if (piece.is_gap) {
+      if (!gaps.empty() && gaps.back().to > along - beside)
+        gaps.back().to = along + piece.length + beside;
+      else
+        gaps.push_back({along - beside, along + piece.length + beside});
+    }
+    along += piece.length;
+  }
+  return gaps;
+}
+
+// A part of a piece that turns by a quarter at most.
+void add_part(const PathPiece& piece, double from, double to, bool painted, std::vector<Stripe>& stripes) {
+  Vec2 a = piece.at(from).position, b = piece.at(to).position;
+  if (piece.turn == 0.0) {
+    if (a.x > b.x || (a.x == b.x && a.y > b.y)) std::swap(a, b);
+    stripes.push_back({a, b, {}, 0.0, painted});
+  } else {
+    if (piece.turn < 0.0) std::swap(a, b);
+    stripes.push_back({a, b, piece.centre(), piece.radius(), painted});
+  }
+}
+
+void add_stretch(const PathPiece& piece, double from, double to, bool painted, std::vector<Stripe>& stripes) {
+  if (to - from <= kLeastStretch) return;
+  const double turned = std::abs(piece.turn) * (to - from) / piece.length;
+  const int parts = std::max(1, static_cast<int>(std::ceil(turned / (std::numbers::pi / 2.0) - 1e-9)));
+  for (int i = 0; i < parts; ++i)
+    add_part(piece, from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts, painted, stripes);
+}
+
+}  // namespace
+
+void add_stripes(const Path& path, double line_m, std::vector<Stripe>& stripes) {
+  const std::vector<Unpainted> gaps = gaps_of(path, line_m / 2.0);
+  double begin = 0.0;
+  for (const PathPiece& piece : path.pieces()) {
+    double at = 0.0;
+    for (const Unpainted& gap : gaps) {
+      const double from = std::clamp(gap.from - begin, at, piece.length);
+      const double to = std::clamp(gap.to - begin, from, piece.length);
+      if (to <= from) continue;
+      add_stretch(piece, at, from, true, stripes);
+      add_stretch(piece, from, to, false, stripes);
+      at = to;
+    }
+    add_stretch(piece, at, piece.length, true, stripes);
+    begin += piece.length;
+  }
+}
+
+}  // namespace robosim::grid
