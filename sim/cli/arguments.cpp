@@ -163,16 +163,33 @@ Command parse_generate(const Words& words) {
   return generate;
 }
 
+Command parse_import(const Words& words) {
+  ImportArguments import;
+  Options options(
+      "map import",
+      "Makes a map of another tool's course: robotrace_course_cad's JSON, lengths with curvatures, "
+      "points, mazes of micromouse (docs/courses.md).");
+  options.positional("FILE", import.file, "the course");
+  options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
+  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (import.file.empty()) throw InputError("robosim map import needs the course's file");
+  return import;
+}
+
 Command parse_map(Words words) {
   MapArguments map;
-  const auto action = take_action("map", words, {"check", "show", "graph", "generate"});
+  const auto action = take_action("map", words, {"check", "show", "graph", "generate", "import"});
   if (action == "generate") return parse_generate(words);
-  Options options("map " + action.value_or("check|show|graph|generate"),
-                  "Checks a map file, draws it with its stations, tells its graph, or makes maps.");
+  if (action == "import") return parse_import(words);
+  Options options(
+      "map " + action.value_or("check|show|graph|generate|import"),
+      "Checks a map file, draws it with its stations, tells its graph, makes maps, or imports them.");
   options.positional("MAP", map.map, "file, or name of a sample map");
   options.text("--start", map.start, "X,Y,DIR", "start: stations are numbered from there");
-  if (action.value_or("graph") == "graph") {
-    options.flag("--json", map.json, "the graph for programs");
+  const bool is_graph = action.value_or("graph") == "graph";
+  if (is_graph || action == "check")
+    options.flag("--json", map.json, is_graph ? "the graph for programs" : "what was found, for programs");
+  if (is_graph) {
     options.flag("--dot", map.dot, "the graph for Graphviz");
   }
   if (const auto help = options.parse(words)) return PrintText{*help};

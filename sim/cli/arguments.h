@@ -91,7 +91,7 @@ struct MapArguments {
   std::string action;
   std::string map;
   std::string start;
-  bool json = false;  ///< of graph
+  bool json = false;  ///< of check and graph
   bool dot = false;   ///< of graph
 };
 
@@ -102,6 +102,12 @@ struct GenerateArguments {
   std::uint64_t count = 1;
   std::uint64_t seed = 1;  ///< of the first map
   std::string out = ".";   ///< a folder
+};
+
+/// `robosim map import`
+struct ImportArguments {
+  std::string file;
+  std::string out;  ///< a file; empty = standard output
 };
 
 /// `robosim robot list|show|check`
@@ -162,9 +168,10 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
-                             ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
-                             GenerateArguments, RobotArguments, TestArguments, NewArguments, PrintText>;
+using Command =
+    std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
+                 ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
+                 GenerateArguments, ImportArguments, RobotArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"run", "--speed", "2"}, "give --view too"},
         Refused{{"run", "--view", "--json"}, "one of them"},
         Refused{{"build", "--warnings", "some"}, "none, default, more or all"},
-        Refused{{"map"}, "robosim map needs to know what to do: check, show, graph or generate"},
+        Refused{{"map"}, "robosim map needs to know what to do: check, show, graph, generate or import"},
         Refused{{"map", "shwo"}, "robosim map cannot “shwo”; did you mean show?"},
         Refused{{"map", "show"}, "robosim map show needs a map"},
         Refused{{"map", "show", "d", "--json"}, "map show has no option --json"},

@@ -1,0 +1,16 @@
+// `robosim map import`: courses of other tools (docs/courses.md).
+#pragma once
+
+#include <iosfwd>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/output.h"
+
+namespace robosim::cli {
+
+/// Writes the map as a file, and says what is in it; without --out to `out`. Nothing is overwritten.
+ExitStatus import_map(const ImportArguments& arguments, std::ostream& out);
+
+int import_command(const ImportArguments& arguments);
+
+}  // namespace robosim::cli

@@ -1,0 +1,51 @@
+// The readers of the single formats; import.h chooses among them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/course/import.h"
+
+namespace robosim::course {
+
+/// robotrace_course_cad (NTF's Robotrace): circles in the order of driving, joined by their tangents.
+///   consecutive circles i, j with signs s (+1 counter-clockwise), D between centres, d = s_j r_j - s_i r_i:
+///   the tangent's length L = sqrt(D^2 - d^2), its direction ((dx L + dy d), (dy L - dx d)) / D^2,
+///   its ends centre + s r (u_y, -u_x)
+/// Its marks: corners to the left where the curvature changes, start and goal to the right, 1 m apart, if
+/// they fit on the straight between the last circle and the first.
+Imported read_robotrace(std::string_view text, const std::string& file);
+
+/// "length[m], curvature[1/m]", a segment a line, curvature above 0 to the left. The course begins at its
+/// start line; what is missing to a lap, if it is straight ahead, is added.
+Imported read_curvature(std::string_view text, const std::string& file);
+
+/// "x y" in metres: straights with corners between them, at most 0.3 mm beside the points.
+Imported read_points(std::string_view text, const std::string& file);
+
+/// A maze as text (mazefiles, mms): passages become lines, dead ends stations.
+Imported read_maze(std::string_view text, const std::string& file);
+/// mms's other form: "x y N E S W" a line, 1 = wall.
+Imported read_maze_numbers(std::string_view text, const std::string& file);
+
+// --- shared by them ---
+
+/// Robotrace's rules 1-3 and 1-6 (NTF): the line's width, and from the line to the board's edge, m.
+inline constexpr double kRobotraceLine = 0.019;
+inline constexpr double kBoardMargin = 0.20;
+
+/// Its lines without line ends, and without those that are blank.
+struct NumberedLine {
+  int number = 0;
+  std::string_view text;
+};
+std::vector<NumberedLine> lines_of(std::string_view text);
+
+/// The numbers of a line, between blanks, commas or semicolons. Throws InputError for what is none.
+std::vector<double> numbers_in(const NumberedLine& line, const std::string& file);
+
+/// A map with this path on a floor that leaves `margin` m around it. The path is moved to fit.
+grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin);
+
+}  // namespace robosim::course

@@ -1,0 +1,39 @@
+#include "sim/course/import.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/course/formats.h"
+
+namespace robosim::course {
+namespace {
+
+Imported read_any(std::string_view text, const std::string& file) {
+  if (text.find('\0') != text.npos) throw InputError({file}, "is no text; courses are read from text files");
+  const std::vector<NumberedLine> lines = lines_of(text);
+  if (lines.empty()) throw InputError({file}, "the file is empty");
+  const std::string_view first = lines.front().text;
+  if (first.front() == '{' || first.front() == '[') return read_robotrace(text, file);
+  if (first.starts_with("#length")) return read_curvature(text, file);
+  if (first.find_first_not_of("0123456789+-.eE,; \t") != first.npos) return read_maze(text, file);
+  const std::size_t columns = numbers_in(lines.front(), file).size();
+  if (columns == 6) return read_maze_numbers(text, file);
+  if (columns == 2)
+    return first.find(',') == first.npos ? read_points(text, file) : read_curvature(text, file);
+  throw InputError(
+      {file, lines.front().number},
+      "has neither two numbers, a point or a segment's length and curvature, nor six, a maze's cell "
+      "with its walls");
+}
+
+}  // namespace
+
+Imported import_course(std::string_view text, const std::string& file, const std::string& name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Imported imported = read_any(text, file);
+  imported.map.name = name;
+  return imported;
+}
+
+}  // namespace robosim::course

@@ -1,0 +1,169 @@
+// Mazes of micromouse as lines: a cell's middle is a node, two that no wall parts are joined.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/error.h"
+#include "sim/course/formats.h"
+#include "sim/grid/network.h"
+
+namespace robosim::course {
+namespace {
+
+constexpr int kMostCells = 256;  // a side
+// Line mazes have 150 mm between lines (LVBots: 5 to 7 inches); a map has a cell of floor between two lines.
+constexpr double kCell = 0.075;  // m
+
+struct Maze {
+  int width = 0, height = 0;
+  std::vector<bool> east, north;  // whether there is a wall on that side, by cell from the south-west
+  std::optional<grid::CellAt> start, goal;
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  void resize(int w, int h) {
+    width = w;
+    height = h;
+    east.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), false);
+    north = east;
+  }
+};
+
+Imported map_of(const Maze& maze) {
+  Imported imported;
+  grid::Map& map = imported.map;
+  map.cell_m = kCell;
+  map.width = 2 * maze.width + 3;
+  map.height = 2 * maze.height + 3;
+  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+                   grid::Cell::floor);
+  const auto at = [&](int x, int y) { return grid::CellAt{2 * x + 2, map.height - 3 - 2 * y}; };
+  const auto paint = [&](grid::CellAt c) { map.cells[map.index_of(c)] = grid::Cell::line; };
+  for (int y = 0; y < maze.height; ++y)
+    for (int x = 0; x < maze.width; ++x) {
+      const grid::CellAt c = at(x, y);
+      const std::size_t i = maze.index(x, y);
+      if (x + 1 < maze.width && !maze.east[i]) {
+        paint(c);
+        paint({c.x + 1, c.y});
+        paint({c.x + 2, c.y});
+      }
+      if (y + 1 < maze.height && !maze.north[i]) {
+        paint(c);
+        paint({c.x, c.y - 1});
+        paint({c.x, c.y - 2});
+      }
+    }
+  const auto on_line = [&](const std::optional<grid::CellAt>& cell) {
+    return cell && grid::is_line(map.at(at(cell->x, cell->y)));
+  };
+  const grid::CellAt start = maze.start.value_or(grid::CellAt{0, 0});
+  if (on_line(start)) {
+    const grid::CellAt c = at(start.x, start.y);
+    map.start = grid::Start{c, grid::default_facing(map, c)};
+  }
+  const grid::CellAt goal = maze.goal.value_or(grid::CellAt{maze.width / 2, maze.height / 2});
+  if (std::none_of(map.cells.begin(), map.cells.end(), grid::is_line))
+    throw InputError("the maze has no passage");
+  if (!on_line(goal) || goal == start) return imported;
+  map.goal_cell = at(goal.x, goal.y);
+  map.stations.push_back({"goal", *map.goal_cell});
+  map.goal = "station:goal";
+  const std::vector<grid::CellAt> lost = grid::trace_network(map, grid::default_start(map)).unreachable;
+  if (std::find(lost.begin(), lost.end(), *map.goal_cell) != lost.end()) {
+    map.goal_cell.reset();
+    map.stations.clear();
+    map.goal.clear();
+    imported.remarks.push_back("no way leads from the maze's start to its goal, so the map has none");
+  }
+  return imported;
+}
+
+}  // namespace
+
+Imported read_maze(std::string_view text, const std::string& file) {
+  const std::vector<NumberedLine> lines = lines_of(text);
+  std::size_t wide = 0;
+  for (const NumberedLine& line : lines) wide = std::max(wide, line.text.size());
+  const int width = static_cast<int>((std::min<std::size_t>(wide, 4 * kMostCells + 1) - 1 + 3) / 4);
+  const int height = static_cast<int>((std::min<std::size_t>(lines.size(), 2 * kMostCells + 1) - 1) / 2);
+  if (wide > 4 * kMostCells + 1 || lines.size() > 2 * kMostCells + 1)
+    throw InputError({file}, fmt::format("is larger than a maze of {0} x {0} cells", kMostCells));
+  if (width < 2 || height < 2 || lines.size() % 2 == 0)
+    throw InputError(
+        {file}, fmt::format("is no course that is known: no JSON, no numbers, and as a maze it would have "
+                            "2 H + 1 lines of 4 W + 1 characters, not {} of {}",
+                            lines.size(), wide));
+  Maze maze;
+  maze.resize(width, height);
+  // Anything that is not blank is a wall; short lines are open at their ends (mackorone/mms, src/Maze.cpp).
+  const auto is_wall = [&](std::size_t row, int column) {
+    const std::string_view line = lines[row].text;
+    const auto at = static_cast<std::size_t>(column);
+    return at < line.size() && line[at] != ' ' && line[at] != '\t';
+  };
+  const char first = lines[0].text[0];
+  if (first != 'o' && first != '+')
+    throw InputError(
+        {file, lines[0].number, 1},
+        fmt::format("is no course that is known: no JSON, no numbers, and a maze begins with o or +, not "
+                    "“{}”",
+                    first >= ' ' && first <= '~' ? std::string(1, first) : "?"));
+  for (int y = 0; y < height; ++y) {
+    const auto row = static_cast<std::size_t>(2 * (height - 1 - y) + 1);
+    for (int x = 0; x < width; ++x) {
+      maze.east[maze.index(x, y)] = is_wall(row, 4 * x + 4);
+      maze.north[maze.index(x, y)] = is_wall(row - 1, 4 * x + 2);
+      const std::string_view line = lines[row].text;
+      const auto middle = static_cast<std::size_t>(4 * x + 2);
+      if (middle >= line.size()) continue;
+      if (line[middle] == 'S') maze.start = grid::CellAt{x, y};
+      if (line[middle] == 'G' && !maze.goal) maze.goal = grid::CellAt{x, y};
+    }
+  }
+  try {
+    return map_of(maze);
+  } catch (const InputError& error) {
+    throw InputError({file}, error.message());
+  }
+}
+
+Imported read_maze_numbers(std::string_view text, const std::string& file) {
+  struct Row {
+    int x, y;
+    bool north, east;
+  };
+  std::vector<Row> rows;
+  Maze maze;
+  int width = 0, height = 0;
+  for (const NumberedLine& line : lines_of(text)) {
+    const std::vector<double> n = numbers_in(line, file);
+    const auto in = [&](std::size_t i, double most) {
+      return n[i] >= 0.0 && n[i] <= most && n[i] == static_cast<int>(n[i]);
+    };
+    if (n.size() != 6 || !in(0, kMostCells - 1) || !in(1, kMostCells - 1) || !in(2, 1) || !in(3, 1) ||
+        !in(4, 1) || !in(5, 1))
+      throw InputError({file, line.number},
+                       fmt::format("a cell of a maze is “x y N E S W”: x and y from 0 to {}, walls 0 or 1",
+                                   kMostCells - 1));
+    rows.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), n[2] > 0.0, n[3] > 0.0});
+    width = std::max(width, rows.back().x + 1);
+    height = std::max(height, rows.back().y + 1);
+  }
+  if (rows.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    throw InputError({file}, fmt::format("has {} cells; a maze of {} x {} has {}", rows.size(), width, height,
+                                         width * height));
+  maze.resize(width, height);
+  for (const Row& row : rows) {
+    maze.east[maze.index(row.x, row.y)] = row.east;
+    maze.north[maze.index(row.x, row.y)] = row.north;
+  }
+  try {
+    return map_of(maze);
+  } catch (const InputError& error) {
+    throw InputError({file}, error.message());
+  }
+}
+
+}  // namespace robosim::course

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/course/formats.h"
+
+namespace robosim::course {
+namespace {
+
+constexpr double kMostMissing = 1.1;  // m, from goal to start line
+constexpr double kAside = 0.05;       // m
+constexpr double kSamePoint = 1e-4;   // m; nearer points are one
+constexpr double kBeside = 3e-4;      // m, of points beside the straight that stands for them
+constexpr std::size_t kMostThinned = 100;
+
+// A course from its start line to its goal line: the straight from there to the start closes it.
+void close(grid::Path& path) {
+  const Pose begin = path.begin(), end = path.end();
+  const Vec2 missing = end.to_body(begin.position);
+  const bool same_way = dot(begin.heading, end.heading) > 0.99;
+  if (same_way && missing.x > kSamePoint && missing.x < kMostMissing && std::fabs(missing.y) < kAside)
+    path.add(missing.x, 0.0, false);
+}
+
+Imported finish(const grid::Path& path, const std::string& file) {
+  if (path.length() < 0.1) throw InputError({file}, "the course is shorter than 100 mm");
+  grid::Map map = map_around({path}, kRobotraceLine, kBoardMargin);
+  map.light_line = true;
+  return {std::move(map), {}};
+}
+
+// What is not needed for the others to be at most kBeside away from the straights between those that are
+// left.
+std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
+  std::vector<Vec2> kept{points.front()};
+  for (std::size_t from = 0; from + 1 < points.size();) {
+    std::size_t to = from + 1;
+    const auto fits = [&](std::size_t last) {
+      const Vec2 along = points[last] - points[from];
+      for (std::size_t i = from + 1; i < last; ++i)
+        if (std::fabs(cross(along, points[i] - points[from])) > kBeside * length(along) ||
+            dot(along, points[i] - points[i - 1]) <= 0.0)
+          return false;
+      return dot(along, points[last] - points[last - 1]) > 0.0;
+    };
+    while (to + 1 < points.size() && to - from < kMostThinned && fits(to + 1)) ++to;
+    kept.push_back(points[to]);
+    from = to;
+  }
+  return kept;
+}
+
+// To micrometres and microradians: each piece begins where the one before really ends, so nothing adds up.
+double rounded(double x) { return std::round(x * 1e6) / 1e6; }
+
+void check_length(const grid::Path& path, const std::string& file, int line) {
+  if (path.length() > grid::Path::kMost)
+    throw InputError({file, line},
+                     fmt::format("the course is longer than {:.0f} km", grid::Path::kMost / 1e3));
+}
+
+}  // namespace
+
+Imported read_curvature(std::string_view text, const std::string& file) {
+  grid::Path path({{0.0, 0.0}, {1.0, 0.0}});
+  for (const NumberedLine& line : lines_of(text)) {
+    if (line.text.starts_with('#')) continue;
+    const std::vector<double> numbers = numbers_in(line, file);
+    if (numbers.size() != 2 || !(numbers[0] >= 0.0))
+      throw InputError({file, line.number},
+                       "a segment is its length in m and its curvature in 1/m, as in 0.5, -2.0");
+    const double turn = numbers[0] * numbers[1];
+    if (std::fabs(turn) > 100.0)
+      throw InputError({file, line.number}, fmt::format("this segment turns by {:.0f} rad", turn));
+    if (numbers[0] > kSamePoint) path.add(numbers[0], turn, false);
+    check_length(path, file, line.number);
+  }
+  close(path);
+  return finish(path, file);
+}
+
+Imported read_points(std::string_view text, const std::string& file) {
+  std::vector<Vec2> points;
+  for (const NumberedLine& line : lines_of(text)) {
+    if (line.text.starts_with('#')) continue;
+    const std::vector<double> numbers = numbers_in(line, file);
+    if (numbers.size() != 2) throw InputError({file, line.number}, "a point is two numbers, x and y in m");
+    const Vec2 p{numbers[0], numbers[1]};
+    if (points.empty() || length(p - points.back()) > kSamePoint) points.push_back(p);
+  }
+  if (points.size() < 2) throw InputError({file}, "has one point only; a course has two at least");
+  const std::vector<Vec2> kept = thinned(points);
+  grid::Path path({kept[0], (kept[1] - kept[0]) * (1.0 / length(kept[1] - kept[0]))});
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const Vec2 step = kept[i] - path.end().position;
+    const double turn = rounded(angle_of({dot(path.end().heading, step), cross(path.end().heading, step)}));
+    if (i > 1 && turn != 0.0) path.add(0.0, turn, false);
+    path.add(rounded(length(step)), 0.0, false);
+    check_length(path, file, 0);
+  }
+  close(path);
+  return finish(path, file);
+}
+
+}  // namespace robosim::course

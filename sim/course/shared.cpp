@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/course/formats.h"
+
+namespace robosim::course {
+namespace {
+
+constexpr std::string_view kBetween = " \t,;";
+
+}  // namespace
+
+std::vector<NumberedLine> lines_of(std::string_view text) {
+  std::vector<NumberedLine> lines;
+  for (int number = 1; !text.empty(); ++number) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.find_first_not_of(" \t") != line.npos) lines.push_back({number, line});
+  }
+  return lines;
+}
+
+std::vector<double> numbers_in(const NumberedLine& line, const std::string& file) {
+  std::vector<double> numbers;
+  std::string_view rest = line.text;
+  while (true) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+    if (rest.empty()) return numbers;
+    const std::string_view word = rest.substr(0, rest.find_first_of(kBetween));
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !(std::fabs(value) <= grid::Path::kMost))
+      throw InputError({file, line.number},
+                       fmt::format("“{}” is no number up to {:.0f}", word.substr(0, 40), grid::Path::kMost));
+    numbers.push_back(value);
+    rest.remove_prefix(word.size());
+  }
+}
+
+grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin) {
+  Vec2 least{1e9, 1e9}, most{-1e9, -1e9};
+  for (const grid::Path& path : paths)
+    for (const grid::PathPiece& piece : path.pieces()) {
+      const int steps = 1 + static_cast<int>(std::fabs(piece.turn) * 50.0);
+      for (int i = 0; i <= steps; ++i) {
+        const Vec2 p = piece.at(piece.length * i / steps).position;
+        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+      }
+    }
+  // Whole millimetres, so that what was in whole millimetres stays so.
+  const Vec2 shift{std::ceil((margin - least.x) * 1e3) / 1e3, std::ceil((margin - least.y) * 1e3) / 1e3};
+  grid::Map map;
+  map.line_m = line_m;
+  map.width = static_cast<int>(std::ceil((most.x + shift.x + margin) / map.cell_m));
+  map.height = static_cast<int>(std::ceil((most.y + shift.y + margin) / map.cell_m));
+  for (const grid::Path& path : paths) {
+    Pose begin = path.begin();
+    begin.position = begin.position + shift;
+    grid::Path moved(begin);
+    for (const grid::PathPiece& piece : path.pieces()) moved.add(piece.length, piece.turn, piece.is_gap);
+    map.course.paths.push_back(std::move(moved));
+  }
+  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+                   grid::Cell::floor);
+  return map;
+}
+
+}  // namespace robosim::course

@@ -1,0 +1,207 @@
+#include "sim/course/import.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "sim/grid/map_writer.h"
+#include "sim/grid/network.h"
+#include "sim/grid/path_survey.h"
+
+namespace robosim::course {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+
+grid::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
+
+grid::PathSurvey survey(const grid::Map& map) {
+  return grid::survey_path(map.course.paths.at(0), map.line_m);
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    import(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string robotrace(const std::string& circles, const std::string& more = "") {
+  return R"({"board":{"width_cm":360,"height_cm":180},"line_width_cm":1.9,)" + more + R"("circles":[)" +
+         circles + "]}";
+}
+
+TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
+  const grid::Map map = import(robotrace(R"({"x":100,"y":60,"r":40},{"x":300,"y":60,"r":40,"turn":"ccw"})"));
+  const grid::PathSurvey found = survey(map);
+  EXPECT_NEAR(found.length_m, 4.0 + 0.8 * kPi, 1e-9);
+  EXPECT_TRUE(found.is_closed);
+  EXPECT_EQ(found.crossings, 0);
+  EXPECT_NEAR(found.smallest_radius_m, 0.4, 1e-9);
+  EXPECT_TRUE(map.light_line);
+  EXPECT_NEAR(map.line_m, 0.019, 1e-12);
+  // Four changes of curvature, a start and a goal.
+  ASSERT_EQ(map.course.marks.size(), 6u);
+  EXPECT_NEAR(map.course.marks[5].along, found.length_m - 1.0, 1e-9);
+  EXPECT_LT(map.course.marks[5].away, 0.0);
+  EXPECT_GT(map.course.marks[0].away, 0.0);
+  ASSERT_TRUE(map.start && map.start->on_path);
+  EXPECT_NEAR(map.start->on_path->along, found.length_m - 0.5, 1e-9);
+  // 20 cm to each edge.
+  EXPECT_NEAR(map.width * map.cell_m, 2.8 + 0.4, 0.1001);
+  EXPECT_NEAR(map.height * map.cell_m, 0.8 + 0.4, 0.1001);
+}
+
+TEST(ImportRobotrace, TwoCirclesOfOppositeSensesAreAnEight) {
+  const grid::Map map = import(robotrace(R"({"x":-100,"y":0,"r":40},{"x":100,"y":0,"r":40,"turn":"cw"})"));
+  const grid::PathSurvey found = survey(map);
+  const double straight = std::sqrt(2.0 * 2.0 - 0.8 * 0.8);
+  EXPECT_NEAR(found.length_m, 2 * straight + 2 * 0.4 * (kPi + 2 * std::asin(0.8 / 2.0)), 1e-9);
+  EXPECT_EQ(found.crossings, 1);
+  EXPECT_TRUE(found.is_closed);
+}
+
+TEST(ImportRobotrace, AStraightThatIsTooShortForStartAndGoalHasNone) {
+  const auto imported =
+      import_course(robotrace(R"({"x":100,"y":60,"r":40},{"x":190,"y":60,"r":40})"), "c.json", "c");
+  EXPECT_EQ(imported.remarks.size(), 1u);
+  EXPECT_EQ(imported.map.course.marks.size(), 4u);
+  EXPECT_NEAR(survey(imported.map).length_m, 1.8 + 0.8 * kPi, 1e-9);
+}
+
+TEST(ImportRobotrace, IsReadBackFromTheMapThatIsWritten) {
+  const grid::Map map =
+      import(robotrace(R"({"x":-100,"y":3.3,"r":40},{"x":100,"y":0,"r":33.3,"turn":"cw"})"));
+  const grid::Map again = grid::parse_map(grid::write_map(map), "again.map");
+  EXPECT_NEAR(survey(again).length_m, survey(map).length_m, 1e-9);
+  EXPECT_TRUE(survey(again).is_closed);
+  EXPECT_EQ(again.course.marks.size(), map.course.marks.size());
+  EXPECT_TRUE(grid::trace_network(again, *again.start).has_laps());
+}
+
+TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded) {
+  const std::string half = fmt::format("{}, 2.0\n", kPi / 2);
+  const grid::Map map = import("#length[m], curvature[rad/m]\n1.0, 0\n" + half + "2.0, 0.0\n" + half);
+  const grid::PathSurvey found = survey(map);
+  EXPECT_TRUE(found.is_closed);
+  EXPECT_NEAR(found.length_m, 4.0 + kPi, 1e-6);
+  EXPECT_NEAR(found.smallest_radius_m, 0.5, 1e-12);
+  // Without a heading line, too.
+  EXPECT_NEAR(survey(import("1.0, 0\n0.5, -1.0\n")).length_m, 1.5, 1e-12);
+}
+
+TEST(ImportPoints, AreStraightsWithCornersBetweenThem) {
+  const grid::PathSurvey found = survey(import("0 0\n0.5 0\n0.5 0.5\n0 0.5\n0 0.01\n"));
+  EXPECT_NEAR(found.length_m, 1.99, 1e-12);
+  EXPECT_EQ(found.corners, 3);
+}
+
+TEST(ImportPoints, ACircleOfManyPointsStaysWithinAThirdOfAMillimetre) {
+  std::string text;
+  for (int i = 0; i <= 2000; ++i)
+    text += fmt::format("{} {}\n", 0.4 * std::cos(i * kPi / 1000), 0.4 * std::sin(i * kPi / 1000));
+  const grid::Map map = import(text);
+  const grid::PathSurvey found = survey(map);
+  EXPECT_TRUE(found.is_closed);
+  EXPECT_NEAR(found.length_m, 0.8 * kPi, 0.002);
+  EXPECT_LT(found.corners, 150);
+  EXPECT_LT(grid::write_map(map).size(), 20'000u);
+}
+
+// Three by three cells; a dead end in the middle, and the way round it is open.
+constexpr const char* kMaze =
+    "o---o---o---o\n"
+    "|           |\n"
+    "o   o---o   o\n"
+    "|   | G |   |\n"
+    "o   o   o   o\n"
+    "| S |   |   |\n"
+    "o---o---o---o\n";
+
+TEST(ImportMaze, PassagesBecomeLines) {
+  const grid::Map map = import(kMaze);
+  ASSERT_TRUE(map.start);
+  const grid::Network network = grid::trace_network(map, *map.start);
+  // The horseshoe's two ends; goal and the cell below it are cut off from them.
+  EXPECT_EQ(network.stations.size(), 2u);
+  EXPECT_EQ(network.unreachable.size(), 2u);
+  const grid::Map crlf = import([] {
+    std::string text;
+    for (const char* c = kMaze; *c; ++c) text += *c == '\n' ? "\r\n" : std::string(1, *c);
+    return text;
+  }());
+  EXPECT_EQ(crlf.cells, map.cells);
+}
+
+TEST(ImportMaze, NumbersSayTheSameAsCharacters) {
+  std::string numbers;
+  // x y N E S W
+  for (const char* row : {"0 0 0 1 1 1", "1 0 0 1 1 1", "2 0 0 1 1 1", "0 1 0 1 0 1", "1 1 1 1 0 1",
+                          "2 1 0 1 0 1", "0 2 1 0 0 1", "1 2 1 0 1 0", "2 2 1 1 0 0"})
+    numbers += std::string(row) + "\n";
+  EXPECT_EQ(import(numbers).cells, import(kMaze).cells);
+}
+
+TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
+  const std::string ok = R"({"x":100,"y":60,"r":40})";
+  struct Refused {
+    std::string text;
+    const char* message;
+  };
+  const Refused refused[] = {
+      {"", "the file is empty"},
+      {"\n \n", "the file is empty"},
+      {std::string("1 2\0 3", 6), "is no text"},
+      {"{", "begins as JSON, but is none"},
+      {"[]", "it has no list “circles”"},
+      {"{}", "it has no list “circles”"},
+      {R"({"tiles":[]})", "RoboCupJunior"},
+      {robotrace(""), "has 0 circles; a course has 2 to 1000"},
+      {robotrace(ok), "has 1 circles"},
+      {robotrace(ok + ",5"), "circle 2 has not x, y and r"},
+      {robotrace(ok + R"(,{"x":300,"y":60})"), "circle 2 has not x, y and r"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":0})"), "circle 2: r is not above 0"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":"40"})"), "“r” is no number"},
+      {robotrace(ok + R"(,{"x":1e300,"y":60,"r":40})"), "“x” is no number of centimetres"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":40,"turn":"left"})"), "turn is neither “cw” nor “ccw”"},
+      {robotrace(ok + R"(,{"x":100,"y":60,"r":20})"), "circles 1 and 2 have no tangent"},
+      {robotrace(ok + R"(,{"x":110,"y":60,"r":20})"), "circles 1 and 2 have no tangent"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":40})", R"("line_width_cm":50,)"), "line_width_cm"},
+      {"1.0, x\n", "is no course that is known"},
+      {"#length[m], curvature[rad/m]\n1.0, x\n", "course.txt:2: “x” is no number"},
+      {"1.0, 2.0\n1.0\n", "course.txt:2: a segment is its length in m and its curvature"},
+      {"-1.0, 2.0\n", "a segment is its length"},
+      {"1.0, 1e3\n", "turns by 1000 rad"},
+      {"1 2 3\n", "course.txt:1: has neither two numbers"},
+      {"0 0\n1 nan\n", "course.txt:2: “nan” is no number"},
+      {"0 0\n1 1 1\n", "course.txt:2: a point is two numbers"},
+      {"0 0\n0 0\n", "has one point only"},
+      {"0 0\n0.01 0\n", "shorter than 100 mm"},
+      {"9999 0\n-9999 0\n", "longer than 10 km"},
+      {"hello\nworld\n", "is no course that is known"},
+      {"xello world\nabcdefghijk\nx\nx\nx\n", "a maze begins with o or +, not “x”"},
+      {"o---o---o\n|   |   |\no---o---o\n|   |   |\no---o---o\n", "the maze has no passage"},
+      {"0 0 1 1 1 2\n", "a cell of a maze is “x y N E S W”"},
+      {"0 0 1 1 1 1\n1 1 1 1 1 1\n", "has 2 cells; a maze of 2 x 2 has 4"},
+  };
+  for (const Refused& one : refused) {
+    EXPECT_THAT(message_of(one.text), HasSubstr(one.message)) << one.text;
+    EXPECT_THAT(message_of(one.text), HasSubstr("course.txt")) << one.text;
+  }
+}
+
+TEST(Import, DepthAndLengthAreNoHarm) {
+  EXPECT_THAT(message_of(std::string(1'000'000, '[')), HasSubstr("begins as JSON, but is none"));
+  EXPECT_THAT(message_of(std::string(1'000'000, '[') + std::string(1'000'000, ']')), HasSubstr("circles"));
+  EXPECT_THAT(message_of(std::string(100'000, 'o')), HasSubstr("larger than a maze"));
+}
+
+}  // namespace
+}  // namespace robosim::course
