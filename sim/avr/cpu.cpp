@@ -34,6 +34,23 @@ Op quick(const Instruction& i) {
   }
 }
 
+constexpr unsigned key_of(Op first, Op second) {
+  return static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
+}
+
+/// The operation that does both; the first, where there is none.
+Op both_of(Op first, Op second) {
+  switch (key_of(first, second)) {
+#define ROBOSIM_AVR_CASE(x, one, other) \
+  case key_of(Op::one, Op::other):      \
+    return Op::one##_##other;
+    ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_CASE, )
+#undef ROBOSIM_AVR_CASE
+    default:
+      return first;
+  }
+}
+
 /// What an AVRe has not: MUL and its kin, JMP and CALL, program memory behind 64 KB.
 bool needs_large_core(Op op) {
   switch (op) {
@@ -74,8 +91,8 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       if (needs_large_core(instruction.op)) instruction = {};
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
-  for (std::size_t pc = 1; pc < code_.size(); ++pc) code_[pc].op = unmarked(static_cast<std::uint32_t>(pc));
   marks_.resize(code_.size());
+  for (std::size_t pc = 0; pc < code_.size(); ++pc) prepare(static_cast<std::uint32_t>(pc));
   state.sp = state.sp_watch = last_ram;
 }
 
@@ -240,13 +257,24 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
-Op Cpu::unmarked(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : quick(original_[pc]); }
+Op Cpu::alone(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : quick(original_[pc]); }
+
+// Not as one with what has a mark: run() stops there.
+Op Cpu::unmarked(std::uint32_t pc) const {
+  const Op first = alone(pc);
+  const std::size_t behind = pc + original_[pc].words;
+  if (behind >= original_.size() || marks_[behind]) return first;
+  return both_of(first, alone(static_cast<std::uint32_t>(behind)));
+}
+
+void Cpu::prepare(std::uint32_t pc) { code_[pc].op = marks_[pc] ? Op::mark : unmarked(pc); }
 
 bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(original_[pc - 1], original_[pc]); }
 
 void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
   marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
-  code_[pc].op = marks_[pc] ? Op::mark : unmarked(pc);
+  for (std::uint32_t before = std::min(pc, 2u); before > 0; --before) prepare(pc - before);
+  prepare(pc);
 }
 
 void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }

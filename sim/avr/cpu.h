@@ -243,6 +243,8 @@ class Cpu {
   static constexpr std::uint8_t kMark = 1, kHead = 2;
 
   Op unmarked(std::uint32_t pc) const;
+  Op alone(std::uint32_t pc) const;
+  void prepare(std::uint32_t pc);
   void put_mark(std::uint32_t pc, std::uint8_t kind, bool set);
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
@@ -270,7 +272,7 @@ class Cpu {
 
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
-  std::vector<Instruction> original_, code_;  ///< code_: with the marks
+  std::vector<Instruction> original_, code_;  ///< code_: as run() has it
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address

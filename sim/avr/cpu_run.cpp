@@ -3,6 +3,7 @@
 
 #include "hal/board/avr_registers.h"
 #include "sim/avr/cpu.h"
+#include "sim/avr/cpu_pairs.h"
 #include "sim/avr/cpu_steps.h"
 #include "sim/avr/flags.h"
 
@@ -152,7 +153,7 @@ choose:
   NEXT(1);
   OPERATION(dec, 1) r[i->a] = flags.counted(r[i->a] - 1u, r[i->a] == 0x80);
   NEXT(1);
-  OPERATION(asr, 1) r[i->a] = flags.shifted(static_cast<unsigned>(s8(i->a) >> 1), r[i->a] & 1u);
+  OPERATION(asr, 1) r[i->a] = flags.shifted((s8(i->a) >> 1) & 0xFFu, r[i->a] & 1u);
   NEXT(1);
   OPERATION(lsr, 1) r[i->a] = flags.shifted(r[i->a] >> 1u, r[i->a] & 1u);
   NEXT(1);
@@ -295,8 +296,8 @@ choose:
   OPERATION(brne, 1) BRANCH_IF(flags.zero != 0);
   OPERATION(brmi, 1) BRANCH_IF(flags.negative & 0x80);
   OPERATION(brpl, 1) BRANCH_IF(!(flags.negative & 0x80));
-  OPERATION(brlt, 1) BRANCH_IF(flags.sign & 0x80);
-  OPERATION(brge, 1) BRANCH_IF(!(flags.sign & 0x80));
+  OPERATION(brlt, 1) BRANCH_IF(flags.sign() & 0x80);
+  OPERATION(brge, 1) BRANCH_IF(!(flags.sign() & 0x80));
   OPERATION(count_down, 1) {
     if (flags.zero == 0) {
       NEXT(1);
@@ -314,6 +315,8 @@ choose:
     }
     DISPATCH;
   }
+  CODE_OF_PAIRS
+
   OPERATION(sbrc, 1) SKIP_IF(!(r[i->a] & i->b));
   OPERATION(sbrs, 1) SKIP_IF(r[i->a] & i->b);
 

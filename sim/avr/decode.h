@@ -10,6 +10,21 @@
 namespace robosim::avr {
 
 // clang-format off
+/// Two that often follow each other, and are then done as one: ONE(X, first, second) for each. It saves the way
+/// from one to the other, and flags that the second makes anew.
+#define ROBOSIM_AVR_PAIRS(ONE, X) \
+  /* bytes of a number */ \
+  ONE(X, add, adc) ONE(X, adc, adc) ONE(X, sub, sbc) ONE(X, sbc, sbc) ONE(X, subi, sbci) ONE(X, sbci, sbci) \
+  ONE(X, cp, cpc) ONE(X, cpc, cpc) ONE(X, cpi, cpc) ONE(X, lsr, ror) ONE(X, asr, ror) ONE(X, ror, ror) \
+  /* comparisons with their branches */ \
+  ONE(X, cp, brcs) ONE(X, cp, brcc) ONE(X, cp, breq) ONE(X, cp, brne) ONE(X, cp, brlt) ONE(X, cp, brge) \
+  ONE(X, cpc, brcs) ONE(X, cpc, brcc) ONE(X, cpc, breq) ONE(X, cpc, brne) ONE(X, cpc, brlt) ONE(X, cpc, brge) \
+  ONE(X, cpi, brcs) ONE(X, cpi, brcc) ONE(X, cpi, breq) ONE(X, cpi, brne) ONE(X, dec, brne) ONE(X, subi, brne) \
+  /* values on their way */ \
+  ONE(X, ldi, ldi) ONE(X, mov, mov) ONE(X, movw, movw) ONE(X, push, push) ONE(X, pop, pop) ONE(X, lds, lds) \
+  ONE(X, ldd_y, ldd_y) ONE(X, ldd_z, ldd_z) ONE(X, std_y, std_y) ONE(X, std_z, std_z)
+#define ROBOSIM_AVR_AS_ONE(X, first, second) X(first##_##second)
+
 /// All operations: X(name) for each.
 #define ROBOSIM_AVR_OPERATIONS(X) \
   /* two registers: a = Rd, b = Rr */ \
@@ -37,7 +52,8 @@ namespace robosim::avr {
   /* BRBS and BRBC, by the flags that compilers branch on */ \
   X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
   /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
-  X(count_down)
+  X(count_down) \
+  ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_AS_ONE, X)
 
 enum class Op : std::uint8_t {
 #define ROBOSIM_AVR_NAME(name) name,

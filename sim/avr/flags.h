@@ -11,11 +11,10 @@ namespace robosim::avr {
 struct Flags {
   unsigned carry = 0;     ///< 0 or 1
   unsigned zero = 0;      ///< Z is set where this is 0
-  unsigned negative = 0;  ///< N in bit 7, and so are V and S
-  unsigned overflow = 0;
-  unsigned sign = 0;    ///< N xor V, unless firmware has set it by itself
-  unsigned half = 0;    ///< H in bit 4
-  unsigned others = 0;  ///< T and I, where they are in SREG
+  unsigned negative = 0;  ///< N in bit 7; bit 15: S, which is N xor V, has been set by itself
+  unsigned overflow = 0;  ///< the carries into each bit: V is that into bit 7, xor that out of it
+  unsigned half = 0;      ///< H in bit 4
+  unsigned others = 0;    ///< T and I, where they are in SREG
 
   void unpack(unsigned sreg) {
     others = sreg & (Cpu::kT | Cpu::kI);
@@ -23,14 +22,15 @@ struct Flags {
     zero = ~sreg & Cpu::kZ;
     negative = sreg << 5 & 0x80;
     overflow = sreg << 4 & 0x80;
-    sign = sreg << 3 & 0x80;
+    negative |= ((sreg << 3 & 0x80) ^ negative ^ overflow) << 8;
     half = sreg >> 1 & 0x10;
   }
   std::uint8_t pack() const {
     return static_cast<std::uint8_t>(others | carry | (zero == 0 ? Cpu::kZ : 0u) | (negative >> 5 & Cpu::kN) |
-                                     (overflow >> 4 & Cpu::kV) | (sign >> 3 & Cpu::kS) |
-                                     (half << 1 & Cpu::kH));
+                                     (v() >> 4 & Cpu::kV) | (sign() >> 3 & Cpu::kS) | (half << 1 & Cpu::kH));
   }
+  /// S in bit 7.
+  unsigned sign() const { return negative ^ negative >> 8 ^ v(); }
   void set(unsigned bits) { unpack(pack() | bits); }
   void clear(unsigned bits) {
     if (bits & (Cpu::kT | Cpu::kI)) {
@@ -41,9 +41,9 @@ struct Flags {
   }
 
   std::uint8_t sum(unsigned d, unsigned s, unsigned c) {
-    const unsigned wide = d + s + c, result = wide & 0xFF;
+    const unsigned wide = d + s + c;
     carry = wide >> 8;
-    return arithmetic(d, s, result, (d ^ result) & (s ^ result));
+    return arithmetic(d, s, wide);
   }
   std::uint8_t difference(unsigned d, unsigned s) { return difference_with(d, s, 0); }
   /// Of the higher bytes of a number: Z is of all of them.
@@ -53,8 +53,26 @@ struct Flags {
     zero |= before;
     return result;
   }
+  // A byte of a number, with higher ones behind it: of the flags, what those look at.
+  std::uint8_t sum_below(unsigned d, unsigned s) {
+    const unsigned wide = d + s + carry;
+    carry = wide >> 8;
+    return static_cast<std::uint8_t>(wide);
+  }
+  std::uint8_t difference_below(unsigned d, unsigned s) {
+    const unsigned wide = d - s - carry;
+    carry = wide >> 8 & 1;
+    zero |= wide & 0xFF;
+    return static_cast<std::uint8_t>(wide);
+  }
+  std::uint8_t shifted_below(unsigned d) {
+    const unsigned result = d >> 1 | carry << 7;
+    carry = d & 1;
+    return static_cast<std::uint8_t>(result);
+  }
+
   std::uint8_t logic(unsigned result) {
-    negative = zero = sign = result;
+    negative = zero = result;
     overflow = 0;
     return static_cast<std::uint8_t>(result);
   }
@@ -62,7 +80,6 @@ struct Flags {
   std::uint8_t counted(unsigned value, bool overflows) {
     negative = zero = value & 0xFF;
     overflow = overflows ? 0x80 : 0;
-    sign = negative ^ overflow;
     return static_cast<std::uint8_t>(value);
   }
   /// To the right; `c` is the bit that fell out.
@@ -70,16 +87,14 @@ struct Flags {
     carry = c;
     negative = zero = result;
     overflow = result ^ c << 7;
-    sign = c << 7;
     return static_cast<std::uint8_t>(result);
   }
   /// ADIW and SBIW: bit 16 of `after` is the carry.
   void added_word(unsigned after, bool overflows) {
     carry = after >> 16 & 1;
     zero = after & 0xFFFF;
-    negative = after >> 8;
+    negative = after >> 8 & 0xFF;
     overflow = overflows ? 0x80 : 0;
-    sign = negative ^ overflow;
   }
   void product(unsigned bits, unsigned result) {
     carry = bits >> 15 & 1;
@@ -88,17 +103,16 @@ struct Flags {
 
  private:
   std::uint8_t difference_with(unsigned d, unsigned s, unsigned c) {
-    const unsigned wide = d - s - c, result = wide & 0xFF;
+    const unsigned wide = d - s - c;
     carry = wide >> 8 & 1;
-    return arithmetic(d, s, result, (d ^ s) & (d ^ result));
+    return arithmetic(d, s, wide);
   }
-  std::uint8_t arithmetic(unsigned d, unsigned s, unsigned result, unsigned v) {
-    negative = zero = result;
-    overflow = v;
-    sign = result ^ v;
-    half = d ^ s ^ result;
-    return static_cast<std::uint8_t>(result);
+  std::uint8_t arithmetic(unsigned d, unsigned s, unsigned wide) {
+    negative = zero = wide & 0xFF;
+    overflow = half = d ^ s ^ wide;
+    return static_cast<std::uint8_t>(wide);
   }
+  unsigned v() const { return overflow ^ overflow >> 1; }
 };
 
 }  // namespace robosim::avr

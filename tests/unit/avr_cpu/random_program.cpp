@@ -48,6 +48,16 @@ bool moves_its_own_register(std::string_view name, unsigned word) {
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
+/// What the processor may do as one with the instruction before, by its name: often the same again.
+std::string_view partner_of(std::string_view name, std::mt19937& random) {
+  constexpr std::string_view kPartners[][2] = {
+      {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},
+      {"LSR", "ROR"}, {"ASR", "ROR"},  {"CP", "BRBS"},   {"CPC", "BRBS"}, {"CPI", "BRBS"},
+      {"CP", "BRBC"}, {"CPC", "BRBC"}, {"CPI", "BRBC"},  {"DEC", "BRBC"}, {"SUBI", "BRBC"}};
+  const auto& [first, second] = kPartners[below(random, std::size(kPartners))];
+  return name == first ? second : name;
+}
+
 /// JMP and CALL with no more of the target's high bits than the flash has.
 std::uint16_t within_flash(std::uint16_t word, bool long_pc) {
   return static_cast<std::uint16_t>(word & ~0x01F0u & (long_pc ? ~0u : ~1u));
@@ -61,10 +71,15 @@ std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc) {
   const auto ldi_16 = [&](unsigned value) {
     return static_cast<std::uint16_t>(0xE000 | value % 16 | value / 16 << 8);
   };
+  const auto& rows = ManualModel::rows();
+  std::string_view before;
   while (flash.size() < size - 4) {
+    const std::string_view wanted = below(random, 3) == 0 ? partner_of(before, random) : "";
+    const auto known =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == wanted; });
     const OpcodeRow& row =
-        ManualModel::rows()[below(random, static_cast<unsigned>(ManualModel::rows().size()))];
-    const std::string_view name = row.name;
+        known != rows.end() ? *known : rows[below(random, static_cast<unsigned>(rows.size()))];
+    const std::string_view name = before = row.name;
     std::uint16_t word = random_word(random, row.pattern);
     if (name == "JMP" || name == "CALL") word = within_flash(word, long_pc);
     if ((is_far(name) && !long_pc) || moves_its_own_register(name, word)) continue;
