@@ -45,7 +45,11 @@ std::vector<NumberedLine> lines_of(std::string_view text);
 /// The numbers of a line, between blanks, commas or semicolons. Throws InputError for what is none.
 std::vector<double> numbers_in(const NumberedLine& line, const std::string& file);
 
-/// A map with this path on a floor that leaves `margin` m around it. The path is moved to fit.
+/// To micrometres.
+double rounded(double m);
+
+/// A map with this path on a floor that leaves `margin` m around it. The path is moved to fit, and its
+/// figures are rounded, to micrometres and millionths of a degree, so that people can read them.
 grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin);
 
 }  // namespace robosim::course

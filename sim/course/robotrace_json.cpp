@@ -139,7 +139,8 @@ class Reader {
     map.light_line = true;
     map.goal = "laps:1";
     const auto mark = [&](double along, double away) {
-      map.course.marks.push_back(grid::mark_beside(map.course.paths, 0, along, away, kMarkLength, line));
+      map.course.marks.push_back(
+          grid::mark_beside(map.course.paths, 0, rounded(along), away, kMarkLength, line));
     };
     double last = -1.0;
     for (const double along : corners) {
@@ -154,8 +155,10 @@ class Reader {
     const double goal = path.length() - start_to_goal;
     mark(0.0, -kMarkAway);
     mark(goal, -kMarkAway);
+    map.course.race = grid::RaceLines{0, 0.0, rounded(goal)};
+    map.goal = "robotrace";
     // In the start and goal area, so far before the start line that a robot's sensors are behind it.
-    map.start = grid::start_on(map, {0, goal + start_to_goal / 2.0, false});
+    map.start = grid::start_on(map, {0, rounded(goal + start_to_goal / 2.0), false});
     return {std::move(map), {}};
   }
 

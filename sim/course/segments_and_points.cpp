@@ -52,9 +52,6 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
   return kept;
 }
 
-// To micrometres and microradians: each piece begins where the one before really ends, so nothing adds up.
-double rounded(double x) { return std::round(x * 1e6) / 1e6; }
-
 void check_length(const grid::Path& path, const std::string& file, int line) {
   if (path.length() > grid::Path::kMost)
     throw InputError({file, line},
@@ -94,6 +91,7 @@ Imported read_points(std::string_view text, const std::string& file) {
   const std::vector<Vec2> kept = thinned(points);
   grid::Path path({kept[0], (kept[1] - kept[0]) * (1.0 / length(kept[1] - kept[0]))});
   for (std::size_t i = 1; i < kept.size(); ++i) {
+    // Each piece begins where the one before really ends, so rounding does not add up.
     const Vec2 step = kept[i] - path.end().position;
     const double turn = rounded(angle_of({dot(path.end().heading, step), cross(path.end().heading, step)}));
     if (i > 1 && turn != 0.0) path.add(0.0, turn, false);

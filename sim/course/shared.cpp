@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "sim/base/error.h"
 #include "sim/course/formats.h"
@@ -11,6 +12,11 @@ namespace robosim::course {
 namespace {
 
 constexpr std::string_view kBetween = " \t,;";
+
+double whole_microdegrees(double rad) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  return std::round(rad / kDegree * 1e6) / 1e6 * kDegree;
+}
 
 }  // namespace
 
@@ -42,6 +48,8 @@ std::vector<double> numbers_in(const NumberedLine& line, const std::string& file
   }
 }
 
+double rounded(double x) { return std::round(x * 1e6) / 1e6; }
+
 grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin) {
   Vec2 least{1e9, 1e9}, most{-1e9, -1e9};
   for (const grid::Path& path : paths)
@@ -60,10 +68,15 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
   map.width = static_cast<int>(std::ceil((most.x + shift.x + margin) / map.cell_m));
   map.height = static_cast<int>(std::ceil((most.y + shift.y + margin) / map.cell_m));
   for (const grid::Path& path : paths) {
-    Pose begin = path.begin();
-    begin.position = begin.position + shift;
-    grid::Path moved(begin);
-    for (const grid::PathPiece& piece : path.pieces()) moved.add(piece.length, piece.turn, piece.is_gap);
+    const Pose begin = path.begin();
+    const Vec2 from = begin.position + shift;
+    grid::Path moved({{rounded(from.x), rounded(from.y)}, begin.heading});
+    for (const grid::PathPiece& piece : path.pieces()) {
+      const double turn = whole_microdegrees(piece.turn);
+      const bool is_arc = piece.radius() > 0.0;
+      moved.add(is_arc ? rounded(piece.radius()) * std::fabs(turn) : rounded(piece.length), turn,
+                piece.is_gap);
+    }
     map.course.paths.push_back(std::move(moved));
   }
   map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),

@@ -1,6 +1,7 @@
 // What a map has besides its cells: paths, and marks beside them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/grid/path.h"
@@ -25,8 +26,16 @@ inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, 
           0.5 * length_m, 0.5 * width_m};
 }
 
+/// Start and goal line of a closed path, m along it; a race goes from the one on to the other.
+struct RaceLines {
+  int path = 0;  ///< an index
+  double start = 0.0;
+  double goal = 0.0;
+};
+
 struct Course {
   std::vector<Path> paths;
+  std::optional<RaceLines> race;
   std::vector<Mark> marks;
   bool empty() const { return paths.empty() && marks.empty(); }
 };

@@ -97,4 +97,21 @@ void read_marks(const ConfigValue& value, double line_m, Course& course) {
   }
 }
 
+void read_race(const ConfigValue& value, double line_m, Course& course) {
+  TableReader table(value, "[race]");
+  const auto paths = static_cast<std::int64_t>(course.paths.size());
+  if (paths == 0) throw InputError(value.place, "[race] is along a path, and there is no [[path]]");
+  RaceLines race;
+  race.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
+  const Path& path = course.paths[static_cast<std::size_t>(race.path)];
+  if (!path.is_closed(line_m))
+    throw InputError(value.place, "[race] is for a closed path, whose end meets its beginning");
+  race.start = table.quantity("start", Dimension::length, 0.0, 0.0, path.length());
+  const ConfigValue& goal = table.require("goal");
+  race.goal = as_quantity(goal, "goal", Dimension::length, 0.0, path.length());
+  table.finish();
+  if (race.goal == race.start) throw InputError(goal.place, "the goal line is the start line");
+  course.race = race;
+}
+
 }  // namespace robosim::grid

@@ -12,4 +12,7 @@ void read_paths(const ConfigValue& value, Course& course);
 /// Reads all [[mark]] tables, which are measured along paths that have been read. `line_m`: the line's width.
 void read_marks(const ConfigValue& value, double line_m, Course& course);
 
+/// Reads [race]. Throws InputError, too, where its path is not closed within `line_m`.
+void read_race(const ConfigValue& value, double line_m, Course& course);
+
 }  // namespace robosim::grid

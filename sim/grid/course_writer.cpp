@@ -13,7 +13,9 @@ namespace {
 
 std::string angle_text(double rad) {
   const std::string degrees = fmt::format("{} deg", std::round(rad * 180.0 / std::numbers::pi * 1e9) / 1e9);
-  return parse_quantity(degrees, Dimension::angle) == rad ? degrees : fmt::format("{} rad", rad);
+  // A billionth of a degree is 1e-9 mm at a radius of 60 m.
+  const auto read = parse_quantity(degrees, Dimension::angle);
+  return std::fabs(*read - rad) < 2e-11 ? degrees : fmt::format("{} rad", rad);
 }
 
 std::string segment_text(const PathPiece& piece) {
@@ -27,7 +29,7 @@ std::string segment_text(const PathPiece& piece) {
 }  // namespace
 
 std::string length_text(double m) {
-  const std::string mm = fmt::format("{} mm", m * 1e3);
+  const std::string mm = fmt::format("{} mm", std::round(m * 1e6) / 1e3);
   return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
 }
 
@@ -41,6 +43,10 @@ std::string course_text(const Course& course) {
     for (const PathPiece& piece : path.pieces()) text += "  " + segment_text(piece) + ",\n";
     text += "]\n";
   }
+  if (course.race)
+    text += fmt::format("[race]\n{}start = \"{}\"\ngoal = \"{}\"\n",
+                        course.race->path > 0 ? fmt::format("path = {}\n", course.race->path + 1) : "",
+                        length_text(course.race->start), length_text(course.race->goal));
   for (const Mark& mark : course.marks) {
     text += "[[mark]]\n";
     if (mark.path > 0) text += fmt::format("path = {}\n", mark.path + 1);

@@ -7,7 +7,7 @@
 
 namespace robosim::grid {
 
-/// "250 mm", or in m where millimetres would round.
+/// "250 mm", or in m where whole micrometres would round.
 std::string length_text(double m);
 
 /// Lengths, angles and places are read back within 1e-12 m.

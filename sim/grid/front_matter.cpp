@@ -72,7 +72,7 @@ void read_size(const ConfigValue& value, FrontMatter& front) {
 }
 
 bool is_goal(std::string_view goal) {
-  for (const char* word : {"tour", "still", "none"})
+  for (const char* word : {"tour", "robotrace", "still", "none"})
     if (goal == word) return true;
   constexpr std::string_view laps = "laps:";
   constexpr std::string_view station = "station:";
@@ -95,9 +95,10 @@ void read_goal(const ConfigValue& value, FrontMatter& front) {
   front.settings.goal = as_string(value, "goal");
   front.settings.goal_place = value.place;
   if (!is_goal(front.settings.goal))
-    throw InputError(value.place,
-                     fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, still or none",
-                                 front.settings.goal));
+    throw InputError(
+        value.place,
+        fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, robotrace, still or none",
+                    front.settings.goal));
 }
 
 bool is_station_name(std::string_view name) {
@@ -170,6 +171,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
+  if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);
   if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/grid/course_writer.h"
 
@@ -29,6 +30,9 @@ char line_character(const Map& map) {
   return lines * 2 > map.cells.size() ? '1' : '.';
 }
 
+// To micrometres.
+double rounded(double m) { return std::round(m * 1e6) / 1e6; }
+
 // Whether it is written without rows.
 bool is_bare(const Map& map) {
   return !map.course.paths.empty() &&
@@ -47,8 +51,8 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (map.raster) text += "floor = \"raster\"\n";
   if (map.light_line) text += "paint = \"white on black\"\n";
   if (is_bare(map))
-    text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(map.width * map.cell_m),
-                        length_text(map.height * map.cell_m));
+    text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(rounded(map.width * map.cell_m)),
+                        length_text(rounded(map.height * map.cell_m)));
   if (!map.generator.empty()) text += fmt::format("generator = {}\n", toml_string(map.generator));
 
   std::string stations;

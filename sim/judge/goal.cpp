@@ -33,7 +33,8 @@ bool wheels_turn(const world::Body& body) {
 
 [[noreturn]] void unknown_goal(std::string_view text) {
   throw InputError(fmt::format(
-      "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), still and none",
+      "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), robotrace, "
+      "still and none",
       text));
 }
 
@@ -47,6 +48,8 @@ Goal parse_goal(std::string_view text) {
   const bool bare = colon == std::string_view::npos;
   if (word == "tour" && bare) {
     goal.kind = Goal::Kind::tour;
+  } else if (word == "robotrace" && bare) {
+    goal.kind = Goal::Kind::robotrace;
   } else if (word == "still" && bare) {
     goal.kind = Goal::Kind::still;
   } else if (word == "none" && bare) {
@@ -72,6 +75,8 @@ std::string to_string(const Goal& goal) {
       return fmt::format("laps:{}", goal.laps);
     case Goal::Kind::station:
       return "station:" + goal.station;
+    case Goal::Kind::robotrace:
+      return "robotrace";
     case Goal::Kind::still:
       return "still";
     case Goal::Kind::none:
@@ -107,6 +112,7 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
                      fmt::format("there is no station {} here; {}", goal.station,
                                  names.empty() ? "the map has none" : "the stations are " + one_of(names)));
   }
+  if (goal.kind == Goal::Kind::robotrace) race_.emplace(map);
   if (goal.kind == Goal::Kind::laps && loop_.empty())
     throw InputError({map.file},
                      fmt::format("the goal {} needs a line that is one closed loop; this one has {} "
@@ -173,6 +179,7 @@ bool Progress::stands_still(const world::Body& body, SimTime t) {
 void Progress::update(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
+  if (race_) reached_ = race_->rests(body, at_rest(body), t);
 
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
@@ -188,7 +195,13 @@ void Progress::update(const world::Body& body, SimTime t, Events& events) {
   checked_at_ = pose.position;
   checked_heading_ = pose.heading;
   visit_places(body, events);
-  if (!loop_.empty()) {
+  if (race_) {
+    // Its time is the lap's; going on for a second one means nothing.
+    if (race_->advance(body, t)) {
+      laps_s_.push_back(race_->time_s());
+      events.push_back(wire::LapDone{1, laps_s_.back()});
+    }
+  } else if (!loop_.empty()) {
     const bool forwards = advance(forwards_, false, body, t, events);
     const bool backwards = advance(backwards_, true, body, t, events);
     if (goal_.kind == Goal::Kind::laps) reached_ = forwards || backwards;
@@ -211,6 +224,8 @@ std::string Progress::summary() const {
                          : stations_[static_cast<std::size_t>(goal_station_)].visited
                              ? "visited, but not at rest there for 0.5 s"
                              : "not visited");
+    case Goal::Kind::robotrace:
+      return race_->summary();
     case Goal::Kind::still:
       return reached_     ? "it moved, and then stood still for 1 s"
              : has_moved_ ? "it moved, but did not stop for 1 s"

@@ -10,6 +10,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
+#include "sim/judge/race.h"
 #include "sim/wire/events.h"
 
 namespace robosim::world {
@@ -20,18 +21,19 @@ namespace robosim::judge {
 
 struct Goal {
   enum class Kind {
-    tour,     ///< all reachable stations visited, then the start's centre covered again
-    laps,     ///< every node of the loop passed in order, `laps` times, either way round
-    station,  ///< `station` visited, and at rest there for 0.5 s
-    still,    ///< no wheel turned for 1 s after having moved
-    none,     ///< the time is up without a failure
+    tour,       ///< all reachable stations visited, then the start's centre covered again
+    laps,       ///< every node of the loop passed in order, `laps` times, either way round
+    station,    ///< `station` visited, and at rest there for 0.5 s
+    robotrace,  ///< from the start line to the goal line of the map's [race], and to rest between them
+    still,      ///< no wheel turned for 1 s after having moved
+    none,       ///< the time is up without a failure
   };
   Kind kind = Kind::tour;
   int laps = 1;
   std::string station;  ///< number or name
 };
 
-/// "tour", "laps:3", "station:2", "still", "none". Throws InputError naming those.
+/// "tour", "laps:3", "station:2", "robotrace", "still", "none". Throws InputError naming those.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
 /// The map's own goal; else laps:1 on a single loop, else tour.
@@ -97,6 +99,7 @@ class Progress {
   std::vector<double> laps_s_;
   Lap forwards_, backwards_;
   int goal_station_ = -1;
+  std::optional<Race> race_;  ///< of the goal robotrace
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
   std::optional<Vec2> origin_;  ///< where the body was at first

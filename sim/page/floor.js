@@ -27,7 +27,7 @@ export class FloorPicture {
     const { floor } = run;
     if (!floor) return;
     this.walls = rectangles(floor.walls);
-    this.dark = rectangles(floor.dark);
+    this.dark = rectangles(floor.dark);  // and what else is painted
     this.lines = new Path2D();
     this.unseen = new Path2D();
     for (const { line: [x, y, toX, toY], arc, painted = true } of floor.stripes) {
@@ -35,6 +35,14 @@ export class FloorPicture {
       path.moveTo(x, y);
       if (arc) path.arc(arc[0], arc[1], arc[2], Math.atan2(y - arc[1], x - arc[0]), Math.atan2(toY - arc[1], toX - arc[0]));
       else path.lineTo(toX, toY);
+    }
+    for (const [x, y, toX, toY, width] of floor.marks ?? []) {
+      const length = Math.hypot(toX - x, toY - y), acrossX = (toY - y) / length * width / 2, acrossY = (x - toX) / length * width / 2;
+      this.dark.moveTo(x + acrossX, y + acrossY);
+      this.dark.lineTo(toX + acrossX, toY + acrossY);
+      this.dark.lineTo(toX - acrossX, toY - acrossY);
+      this.dark.lineTo(x - acrossX, y - acrossY);
+      this.dark.closePath();
     }
   }
 
@@ -71,11 +79,12 @@ export class FloorPicture {
 
   drawFloor(floor) {
     const { ctx } = this;
-    ctx.fillStyle = style('paper');
+    const [paper, paint] = floor.light_line ? ['line', 'paper'] : ['paper', 'line'];
+    ctx.fillStyle = style(paper);
     ctx.fillRect(0, 0, floor.width, floor.height);
     ctx.fillStyle = style('wall');
     ctx.fill(this.walls);
-    ctx.fillStyle = ctx.strokeStyle = style('line');
+    ctx.fillStyle = ctx.strokeStyle = style(paint);
     ctx.fill(this.dark);
     ctx.lineCap = ctx.lineJoin = 'round';  // as the simulation measures: all that is within half a line's width
     ctx.lineWidth = floor.line;

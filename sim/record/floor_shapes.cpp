@@ -55,6 +55,12 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
            s.painted});
     }
   }
+  shapes.light_line = map.light_line;
+  for (const grid::Mark& mark : map.course.marks) {
+    const Vec2 half = mark.middle.heading * mark.half_length;
+    const auto from = millimetres(mark.middle.position - half), to = millimetres(mark.middle.position + half);
+    shapes.marks.push_back({from[0], from[1], to[0], to[1], millimetres(2.0 * mark.half_width)});
+  }
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     if (map.cells[i] == grid::Cell::obstacle)
       shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));

@@ -22,10 +22,12 @@ struct FloorShapes {
   };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
-  double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
+  double line_mm = 0.0;     ///< width of the painted stripes, whose ends and joints are round
+  bool light_line = false;  ///< the line and its marks are light, the floor dark
   std::vector<Stripe> stripes;
-  std::vector<Rectangle> dark;                   ///< of a raster floor: painted cells, joined along rows
-  std::vector<Rectangle> walls;                  ///< joined along rows
+  std::vector<std::array<double, 5>> marks;  ///< bars: from x, y to x, y, and width; their ends are straight
+  std::vector<Rectangle> dark;               ///< of a raster floor: painted cells, joined along rows
+  std::vector<Rectangle> walls;              ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
   std::vector<std::array<double, 2>> junctions;  ///< of three or four ways, that can be reached
 };
@@ -43,7 +45,10 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("height", f.height_mm, "of the map");
   v("cell", f.cell_mm, "side of a cell");
   v("line", f.line_mm, "width of the stripes");
+  v("light_line", f.light_line, "white on black", {.presence = wire::when(f.light_line)});
   v("stripes", f.stripes, "centre lines");
+  v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
+    {.presence = wire::when(!f.marks.empty())});
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
   v("obstacles", f.obstacles, "centres");

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kTolerance_mm = 0.5;
 constexpr double kWidth_px = 960.0;
+constexpr const char* kLight = "#f6f4ee";
+constexpr const char* kDark = "#1f1f1f";
 constexpr std::uintmax_t kLargestDrawnMap_bytes = 1'000'000;
 
 std::string xml(const std::string& text) {
@@ -53,12 +55,13 @@ class Drawing {
         floor_.width_mm, height, kWidth_px, kWidth_px * height / std::max(floor_.width_mm, 1.0), em_);
     put("<title>{}</title>", xml(title));
     put(R"(<rect width="100%" height="100%" fill="#fff"/>)");
-    put(R"(<rect width="{:.1f}" height="{:.1f}" fill="#f6f4ee"/>)", floor_.width_mm, floor_.height_mm);
+    put(R"(<rect width="{:.1f}" height="{:.1f}" fill="{}"/>)", floor_.width_mm, floor_.height_mm,
+        floor_.light_line ? kDark : kLight);
   }
 
   void floor() {
     rectangles(floor_.walls, "#b9b4a8");
-    rectangles(floor_.dark, "#1f1f1f");
+    rectangles(floor_.dark, kDark);
     std::string path;
     auto to = std::back_inserter(path);
     for (const FloorShapes::Stripe& s : floor_.stripes) {
@@ -71,8 +74,12 @@ class Drawing {
       else
         fmt::format_to(to, "L{}", point(to_x, to_y));
     }
-    put(R"(<path d="{}" fill="none" stroke="#1f1f1f" stroke-width="{:.1f}" stroke-linecap="round"/>)", path,
-        floor_.line_mm);
+    const char* const colour = floor_.light_line ? kLight : kDark;
+    put(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", path,
+        colour, floor_.line_mm);
+    for (const auto& [x, y, to_x, to_y, width] : floor_.marks)
+      put(R"(<path d="M{}L{}" stroke="{}" stroke-width="{:.1f}"/>)", point(x, y), point(to_x, to_y), colour,
+          width);
     for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
   }
 

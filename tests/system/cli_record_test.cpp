@@ -88,18 +88,28 @@ TEST(Record, APlotIsAPictureOrIsRefused) {
   EXPECT_THAT(ended.err, AllOf(HasSubstr("--plot"), HasSubstr("must be .svg")));
 }
 
-TEST(Record, ThePictureOfTheReadmeIsWhatTheCommandDraws) {
+TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   const build::Image image = build::build({build::find_sketch("PidFollower"), *find_board("uno")});
   if (image.compiler != kCompiler)
     GTEST_SKIP() << "drawn with " << kCompiler << ", this is " << image.compiler;
-  const std::string picture = ROBOSIM_README_PICTURE;
   const Folder folder;
-  const Ended ended =
-      robosim_command({"run", "PidFollower", "--map", "tight", "--plot", "tight.svg"}, folder.path());
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  const std::string drawn = read_file(folder / "tight.svg");
-  if (::getenv("ROBOSIM_WRITE_DOCS")) write_file(picture, drawn);
-  EXPECT_TRUE(drawn == read_file(picture)) << "write it anew: ROBOSIM_WRITE_DOCS=1 with this test";
+  struct Drawn {
+    const char* picture;
+    std::vector<std::string> run;
+  };
+  const std::string racer = ROBOSIM_SAMPLES "/Robotracer";
+  for (const Drawn& one : {Drawn{"tight.svg", {"PidFollower", "--map", "tight"}},
+                           Drawn{"robotracer.svg", {racer, "--map", racer + "/course.map"}}}) {
+    const std::filesystem::path picture = std::filesystem::path(ROBOSIM_PICTURES) / one.picture;
+    std::vector<std::string> words{"run", "--plot", one.picture};
+    words.insert(words.end(), one.run.begin(), one.run.end());
+    const Ended ended = robosim_command(words, folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const std::string drawn = read_file(folder / one.picture);
+    if (::getenv("ROBOSIM_WRITE_DOCS")) write_file(picture, drawn);
+    EXPECT_TRUE(drawn == read_file(picture))
+        << "write " << picture << " anew: ROBOSIM_WRITE_DOCS=1 with this test";
+  }
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.text("--seeds", seeds, "A..B", "one after the other, until they differ");
   options.text("--start", compare.each.request.start, "X,Y,DIR",
                "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", compare.each.request.goal, "GOAL", "tour, laps:N, station:N, still or none");
+  options.text("--goal", compare.each.request.goal, "GOAL",
+               "tour, laps:N, station:N, robotrace, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with on the chips, as in 49.7d");
   options.text("--profile", compare.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");

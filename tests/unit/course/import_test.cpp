@@ -17,6 +17,8 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
+// Of the figures that are written: a few micrometres over a course.
+constexpr double kRounding = 1e-5;
 
 grid::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
 
@@ -41,19 +43,22 @@ std::string robotrace(const std::string& circles, const std::string& more = "") 
 TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
   const grid::Map map = import(robotrace(R"({"x":100,"y":60,"r":40},{"x":300,"y":60,"r":40,"turn":"ccw"})"));
   const grid::PathSurvey found = survey(map);
-  EXPECT_NEAR(found.length_m, 4.0 + 0.8 * kPi, 1e-9);
+  EXPECT_NEAR(found.length_m, 4.0 + 0.8 * kPi, kRounding);
   EXPECT_TRUE(found.is_closed);
   EXPECT_EQ(found.crossings, 0);
-  EXPECT_NEAR(found.smallest_radius_m, 0.4, 1e-9);
+  EXPECT_NEAR(found.smallest_radius_m, 0.4, kRounding);
   EXPECT_TRUE(map.light_line);
   EXPECT_NEAR(map.line_m, 0.019, 1e-12);
   // Four changes of curvature, a start and a goal.
   ASSERT_EQ(map.course.marks.size(), 6u);
-  EXPECT_NEAR(map.course.marks[5].along, found.length_m - 1.0, 1e-9);
+  EXPECT_NEAR(map.course.marks[5].along, found.length_m - 1.0, kRounding);
   EXPECT_LT(map.course.marks[5].away, 0.0);
   EXPECT_GT(map.course.marks[0].away, 0.0);
+  EXPECT_EQ(map.goal, "robotrace");
+  ASSERT_TRUE(map.course.race);
+  EXPECT_NEAR(map.course.race->goal, found.length_m - 1.0, kRounding);
   ASSERT_TRUE(map.start && map.start->on_path);
-  EXPECT_NEAR(map.start->on_path->along, found.length_m - 0.5, 1e-9);
+  EXPECT_NEAR(map.start->on_path->along, found.length_m - 0.5, kRounding);
   // 20 cm to each edge.
   EXPECT_NEAR(map.width * map.cell_m, 2.8 + 0.4, 0.1001);
   EXPECT_NEAR(map.height * map.cell_m, 0.8 + 0.4, 0.1001);
@@ -63,7 +68,7 @@ TEST(ImportRobotrace, TwoCirclesOfOppositeSensesAreAnEight) {
   const grid::Map map = import(robotrace(R"({"x":-100,"y":0,"r":40},{"x":100,"y":0,"r":40,"turn":"cw"})"));
   const grid::PathSurvey found = survey(map);
   const double straight = std::sqrt(2.0 * 2.0 - 0.8 * 0.8);
-  EXPECT_NEAR(found.length_m, 2 * straight + 2 * 0.4 * (kPi + 2 * std::asin(0.8 / 2.0)), 1e-9);
+  EXPECT_NEAR(found.length_m, 2 * straight + 2 * 0.4 * (kPi + 2 * std::asin(0.8 / 2.0)), kRounding);
   EXPECT_EQ(found.crossings, 1);
   EXPECT_TRUE(found.is_closed);
 }
@@ -73,14 +78,14 @@ TEST(ImportRobotrace, AStraightThatIsTooShortForStartAndGoalHasNone) {
       import_course(robotrace(R"({"x":100,"y":60,"r":40},{"x":190,"y":60,"r":40})"), "c.json", "c");
   EXPECT_EQ(imported.remarks.size(), 1u);
   EXPECT_EQ(imported.map.course.marks.size(), 4u);
-  EXPECT_NEAR(survey(imported.map).length_m, 1.8 + 0.8 * kPi, 1e-9);
+  EXPECT_NEAR(survey(imported.map).length_m, 1.8 + 0.8 * kPi, kRounding);
 }
 
 TEST(ImportRobotrace, IsReadBackFromTheMapThatIsWritten) {
   const grid::Map map =
       import(robotrace(R"({"x":-100,"y":3.3,"r":40},{"x":100,"y":0,"r":33.3,"turn":"cw"})"));
   const grid::Map again = grid::parse_map(grid::write_map(map), "again.map");
-  EXPECT_NEAR(survey(again).length_m, survey(map).length_m, 1e-9);
+  EXPECT_NEAR(survey(again).length_m, survey(map).length_m, kRounding);
   EXPECT_TRUE(survey(again).is_closed);
   EXPECT_EQ(again.course.marks.size(), map.course.marks.size());
   EXPECT_TRUE(grid::trace_network(again, *again.start).has_laps());
@@ -91,10 +96,10 @@ TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded
   const grid::Map map = import("#length[m], curvature[rad/m]\n1.0, 0\n" + half + "2.0, 0.0\n" + half);
   const grid::PathSurvey found = survey(map);
   EXPECT_TRUE(found.is_closed);
-  EXPECT_NEAR(found.length_m, 4.0 + kPi, 1e-6);
+  EXPECT_NEAR(found.length_m, 4.0 + kPi, kRounding);
   EXPECT_NEAR(found.smallest_radius_m, 0.5, 1e-12);
   // Without a heading line, too.
-  EXPECT_NEAR(survey(import("1.0, 0\n0.5, -1.0\n")).length_m, 1.5, 1e-12);
+  EXPECT_NEAR(survey(import("1.0, 0\n0.5, -1.0\n")).length_m, 1.5, kRounding);
 }
 
 TEST(ImportPoints, AreStraightsWithCornersBetweenThem) {

@@ -215,6 +215,9 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"floor = \"raster\"\n[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\nsegments = [{ length = \"0.1 m\" }]",
        "paints cells, and this map has paths"},
       {"[start]\nalong = \"1 m\"", "[start] has along, and there is no [[path]]"},
+      {"[race]\ngoal = \"1 m\"", "[race] is along a path, and there is no [[path]]"},
+      {"[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\nsegments = [{ length = \"0.5 m\" }]\n[race]\ngoal = \"0.1 m\"",
+       "[race] is for a closed path"},
       {"paint = \"red\"", "paint is \"red\"; allowed are black on white or white on black"},
   };
   for (const Refused& one : refused)

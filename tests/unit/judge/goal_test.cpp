@@ -67,13 +67,13 @@ constexpr const char* kRing =
     "_____\n";
 
 TEST(Goal, IsWrittenAsItIsRead) {
-  for (const char* text : {"tour", "laps:3", "station:2", "station:dock", "still", "none"})
+  for (const char* text : {"tour", "laps:3", "station:2", "station:dock", "robotrace", "still", "none"})
     EXPECT_EQ(to_string(parse_goal(text)), text);
 }
 
 TEST(Goal, RefusesWhatItDoesNotKnow) {
-  for (const char* text :
-       {"", "win", "laps", "laps:", "laps:0", "laps:x", "laps:3x", "station:", "tour:2", "still:1"})
+  for (const char* text : {"", "win", "laps", "laps:", "laps:0", "laps:x", "laps:3x", "station:", "tour:2",
+                           "still:1", "robotrace:1"})
     EXPECT_THROW(parse_goal(text), InputError) << text;
 }
 
@@ -106,6 +106,74 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   }
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
 }
+
+// A square of 1.2 m with round corners: the goal line is 0.5 m behind the start line.
+constexpr const char* kRace = R"(+++
+size = ["2 m", "2 m"]
+goal = "robotrace"
+[start]
+along = "4.3 m"
+[[path]]
+from = ["1.2 m", "200 mm"]
+segments = [
+  { length = "200 mm" }, { radius = "200 mm", angle = "90 deg" }, { length = "800 mm" }, { radius = "200 mm", angle = "90 deg" },
+  { length = "800 mm" }, { radius = "200 mm", angle = "90 deg" }, { length = "800 mm" }, { radius = "200 mm", angle = "90 deg" },
+  { length = "600 mm" },
+]
+[race]
+start = "0 mm"
+goal = "3.9566 m"
++++
+)";
+
+// Drives it by hand along the path, 5 mm a millisecond.
+struct RaceCourse : Course {
+  RaceCourse() : Course(kRace, nullptr) {}
+  const grid::Path& path() const { return map.course.paths.front(); }
+  void drive(double from, double to) {
+    for (double at = from; at < to; at += 0.005) {
+      body.place(path().at(at, true));
+      progress.update(body, now += kTick, events);
+    }
+  }
+};
+
+TEST(Goal, RobotraceIsTimedFromTheStartLineToTheGoalLineAndEndsAtRestBetweenThem) {
+  RaceCourse c;
+  const double length = c.path().length();
+  c.drive(length - 0.5, length - 0.1);
+  EXPECT_EQ(c.progress.summary(), "the start line was not passed");
+  c.drive(length - 0.1, length + 2.0);
+  EXPECT_THAT(c.progress.summary(), testing::HasSubstr(" of 3.96 m from the start line to the goal line"));
+  c.drive(length + 2.0, length + 3.0);
+  EXPECT_TRUE(c.progress.laps_s().empty());
+  c.drive(length + 3.0, 2 * length - 0.25);
+  ASSERT_EQ(c.progress.laps_s().size(), 1u);
+  // 3.9566 m at 5 m/s, to the look that is made each 4 mm.
+  EXPECT_NEAR(c.progress.laps_s()[0], 0.7913, 0.002);
+  EXPECT_FALSE(c.wait(1900 * kMillisecond));
+  EXPECT_THAT(c.progress.summary(), testing::HasSubstr("but the robot was not at rest for 2 s"));
+  EXPECT_TRUE(c.wait(100 * kMillisecond));
+  EXPECT_THAT(c.progress.summary(), testing::HasSubstr("and the robot stopped in the area"));
+}
+
+TEST(Goal, RobotraceIsNotReachedBehindTheAreaOrWithoutTheWholeCourse) {
+  RaceCourse beyond;
+  const double length = beyond.path().length();
+  beyond.drive(length - 0.5, 2 * length + 0.5);
+  EXPECT_EQ(beyond.progress.laps_s().size(), 1u);
+  EXPECT_FALSE(beyond.wait(5 * kSecond));
+  RaceCourse cheat;
+  cheat.drive(length - 0.5, length + 1.0);
+  cheat.drive(length + 2.0, 2 * length - 0.25);
+  EXPECT_FALSE(cheat.wait(5 * kSecond));
+  EXPECT_TRUE(cheat.progress.laps_s().empty());
+  RaceCourse still;
+  EXPECT_FALSE(still.wait(5 * kSecond));
+  EXPECT_EQ(still.progress.summary(), "the start line was not passed");
+}
+
+TEST(Goal, RobotraceNeedsItsLines) { EXPECT_THROW(Course(kRing, "robotrace"), InputError); }
 
 TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
   Course c(kRing, "laps:1");

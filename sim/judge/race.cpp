@@ -1,0 +1,69 @@
+#include "sim/judge/race.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+constexpr double kStep = 0.04;  // m, between two points of the course
+constexpr SimTime kRestInArea = 2 * kSecond;
+
+std::vector<Vec2> points_of(const grid::Path& path, double from, double length) {
+  const int count = std::max(1, static_cast<int>(std::ceil(length / kStep)));
+  std::vector<Vec2> points;
+  for (int i = 0; i <= count; ++i) points.push_back(path.at(from + length * i / count, true).position);
+  return points;
+}
+
+}  // namespace
+
+Race::Race(const grid::Map& map) {
+  if (!map.course.race)
+    throw InputError({map.file},
+                     "the goal robotrace needs a map with a path and, in [race], its start and goal lines");
+  const grid::RaceLines& lines = *map.course.race;
+  const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
+  double length = lines.goal - lines.start;
+  if (length <= 0.0) length += path.length();
+  course_ = {points_of(path, lines.start, length), points_of(path, lines.goal, path.length() - length),
+             length};
+}
+
+bool Race::advance(const world::Body& body, SimTime t) {
+  if (ended_ != kNever) return false;
+  while (next_ < course_.points.size() && body.covers(course_.points[next_]))
+    if (next_++ == 0) began_ = t;
+  if (next_ < course_.points.size()) return false;
+  ended_ = t;
+  return true;
+}
+
+bool Race::rests(const world::Body& body, bool at_rest, SimTime t) {
+  const bool there =
+      ended_ != kNever && at_rest &&
+      std::any_of(course_.area.begin(), course_.area.end(), [&](Vec2 p) { return body.covers(p); });
+  if (!there) at_rest_since_ = kNever;
+  if (there && at_rest_since_ == kNever) at_rest_since_ = t;
+  return rested_ = there && t - at_rest_since_ >= kRestInArea;
+}
+
+std::string Race::summary() const {
+  if (next_ == 0) return "the start line was not passed";
+  if (ended_ == kNever)
+    return fmt::format(
+        "{:.2f} of {:.2f} m from the start line to the goal line",
+        course_.length * static_cast<double>(next_ - 1) / static_cast<double>(course_.points.size() - 1),
+        course_.length);
+  return fmt::format("the goal line was passed after {:.2f} s, {}", time_s(),
+                     rested_
+                         ? "and the robot stopped in the area"
+                         : "but the robot was not at rest for 2 s between the goal line and the start line");
+}
+
+}  // namespace robosim::judge
