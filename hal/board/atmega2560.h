@@ -120,6 +120,7 @@ constexpr ChipSpec kAtmega2560 = {
     .change_count = 3,
     .watchdog_vector = 12,
     .eeprom_vector = 30,
+    .linked_relaxed = true,
     .pins = atmega2560::kPins,
     .pin_count = sizeof atmega2560::kPins / sizeof *atmega2560::kPins,
     .ports = atmega2560::kPorts,

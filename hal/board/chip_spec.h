@@ -184,6 +184,7 @@ struct ChipSpec {
   uint8_t watchdog_vector = 0;
   uint8_t eeprom_vector = 0;
   bool small_core = false;           ///< an AVR without MUL, JMP and CALL
+  bool linked_relaxed = false;       ///< Arduino has its linker make short calls and jumps of long ones
   uint16_t start_up_cycles = 16384;  ///< of its oscillator, behind power-down; a crystal's unless told
 
   const ChipPin* pins;

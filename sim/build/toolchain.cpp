@@ -113,6 +113,8 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
   core.linked = {archives / "libc.a", archives / "libm.a",
                  archives / fmt::format("crt{}.o", chip.compiler_name)};
   core.machine = {fmt::format("-mmcu={}", chip.compiler_name)};
+  // Of this chip alone, and by Arduino's builder: no file of its platform says so.
+  if (chip.linked_relaxed) core.link = {"-Wl,--relax"};
   core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}, {core.sources[1], "robosim"}};
   core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
   return core;

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "sim/elf/elf_file.h"
 #include "tests/support/require_target.h"
 #include "tests/unit/build/fixture.h"
 
@@ -29,6 +30,15 @@ class AvrTest : public SketchTest {
   }
   Image build_avr_here(const std::string& name, const char* board = "uno") const {
     return build_avr(folder_ / name, board);
+  }
+  /// CALLs in its flash.
+  static int long_calls_of(const Image& image) {
+    int calls = 0;
+    const ElfFile elf(read_file(image.image), image.image.string());
+    for (const ElfSegment& segment : elf.segments())
+      for (std::size_t i = 0; segment.address < 0x800000 && i + 1 < segment.bytes.size(); i += 2)
+        calls += segment.bytes[i] == '\x0E' && segment.bytes[i + 1] == '\x94';
+    return calls;
   }
   std::string avr_error_of(const std::string& name) const {
     try {
@@ -225,6 +235,14 @@ TEST_F(AvrTest, LimitsAreReadFromTheImageOfEveryTarget) {
       found.push_back(std::to_string(limit.value) + " " + limit.what);
     EXPECT_THAT(found, ElementsAre("64 junctions", "200 nodes of a tree"));
   }
+}
+
+TEST_F(AvrTest, AMegasProgramHasShortCallsAsTheOneThatArduinoFlashes) {
+  write("Calls/Calls.ino",
+        "int next(int) __attribute__((noinline));\nint next(int n) { return analogRead(n); }\n"
+        "void setup() {}\nvoid loop() { digitalWrite(next(3), next(4)); }\n");
+  EXPECT_LE(long_calls_of(build_avr_here("Calls", "mega")), 1);
+  EXPECT_GE(long_calls_of(build_avr_here("Calls", "uno")), 4);
 }
 
 TEST_F(AvrTest, ABoardWithoutAnAvrChipIsRefused) {
