@@ -6,7 +6,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr int kExplored = 600;  // instructions at a time
-constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
+constexpr std::int64_t kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostLandings = 24;
 // What things cost, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
@@ -23,7 +23,7 @@ void Idle::allow(bool allowed) {
 
 void Idle::moved_in_time() {
   recorded_ = nullptr;
-  explore_at_ = std::min(explore_at_, core_.now() + explore_every_);
+  explore_at_ = std::min(explore_at_, executed() + explore_every_);
   for (Head& head : heads_) head.credit.moved_in_time(core_.now());
 }
 
@@ -41,7 +41,7 @@ Idle::Head* Idle::find(std::uint32_t pc) {
 
 bool Idle::watches() {
   if (recorded_ || exploring_ > 0) return true;
-  if (core_.now() < explore_at_ || !allowed_) return false;
+  if (executed() < explore_at_ || !allowed_) return false;
   if (explore_every_ == 0) explore_every_ = kFirstExplored;
   exploring_ = kExplored;
   landings_.clear();
@@ -100,7 +100,7 @@ void Idle::explored() {
     found = true;
   }
   explore_every_ = found ? kFirstExplored : std::min(2 * explore_every_, kLastExplored);
-  explore_at_ = core_.now() + explore_every_;
+  explore_at_ = executed() + explore_every_;
 }
 
 void Idle::pay(Head& head, std::int64_t cycles) {

@@ -41,6 +41,8 @@ class Idle {
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
+  /// The chip has slept for so long.
+  void slept(Cycle cycles) { slept_ += cycles; }
   /// Something came in between: an interrupt, a reset, an input.
   void interrupted() { recorded_ = nullptr; }
   /// It is another cycle now, maybe an earlier one.
@@ -68,6 +70,8 @@ class Idle {
   Cycle passes_before(Cycle horizon, const Path::Pass& pass) const;
   void skip(const Path::Pass& pass, Cycle passes);
   void pay(Head& head, std::int64_t cycles);
+  /// Cycles in which instructions ran: what exploring costs is a share of them. It may go back in time.
+  std::int64_t executed() const { return static_cast<std::int64_t>(core_.now() - skipped_ - slept_); }
 
   Core& core_;
   Path path_;
@@ -77,10 +81,11 @@ class Idle {
   int steps_ = 0;             ///< of that pass
   int exploring_ = 0;         ///< instructions that are left
   std::vector<Landing> landings_;
-  Cycle explore_at_ = 0, explore_every_ = 0;
+  // By executed().
+  std::int64_t explore_at_ = 0, explore_every_ = 0;
   std::uint32_t pc_before_ = 0;
   Cycle cycle_before_ = 0;
-  Cycle skipped_ = 0;
+  Cycle skipped_ = 0, slept_ = 0;
 };
 
 }  // namespace robosim::avr

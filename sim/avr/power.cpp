@@ -101,10 +101,8 @@ bool Power::sleep(Cycle at) {
   state_.asleep = true;
   state_.slept_from = at;
   for (const Supplied& supplied : supplied_) supplied.peripheral->falls_asleep(adc_runs, at);
-  state_.io_runs = mode == kIdle;
-  state_.adc_runs = adc_runs;
   state_.start_up = start_up_of(mode, core_.chip.start_up_cycles);
-  update(at);
+  let_run(mode == kIdle, adc_runs, at);
   return true;
 }
 
@@ -112,8 +110,14 @@ void Power::wake(Cycle at) {
   core_.cpu.skip_to(at + state_.start_up + kWakeCycles);
   state_.asleep = false;
   state_.slept += core_.now() - state_.slept_from;
-  state_.io_runs = state_.adc_runs = true;
-  update(at + state_.start_up);
+  let_run(true, true, at + state_.start_up);
+}
+
+void Power::let_run(bool io, bool adc, Cycle at) {
+  if (io == state_.io_runs && adc == state_.adc_runs) return;
+  state_.io_runs = io;
+  state_.adc_runs = adc;
+  update(at);
 }
 
 }  // namespace robosim::avr

@@ -60,6 +60,7 @@ class Power final : public Peripheral {
   std::uint8_t read_divisor(Address address);
   void write_divisor(Address address, std::uint8_t value);
   void write_reset_flags(Address address, std::uint8_t value);
+  void let_run(bool io, bool adc, Cycle at);
   void update(Cycle at);
   void divide_clock(int divisor, Cycle at);
 
