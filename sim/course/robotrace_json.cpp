@@ -60,22 +60,22 @@ class Reader {
     const double start = fits ? hint + start_to_goal / 2.0 : home.length / 2.0;
     grid::Path path({home.from + home.along * start, home.along});
     std::vector<double> corners;
-    const auto add = [&](double length, double turn) {
-      if (length > kTouching) path.add(length, turn, false);
+    const auto straight = [&](double length) {
+      if (length > kTouching) path.add_straight(length);
     };
-    add(home.length - start, 0.0);
+    straight(home.length - start);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec2 in = out[(i + count - 1) % count].along, next = out[i].along;
       double turn = circles_[i].sign * (angle_of(next) - angle_of(in));
       turn -= std::floor(turn / (2.0 * std::numbers::pi)) * 2.0 * std::numbers::pi;
       if (turn * circles_[i].radius > kTouching) {
         corners.push_back(path.length());
-        add(turn * circles_[i].radius, turn * circles_[i].sign);
+        path.add_arc(circles_[i].radius, turn * circles_[i].sign);
         corners.push_back(path.length());
       }
-      if (i + 1 < count) add(out[i].length, 0.0);
+      if (i + 1 < count) straight(out[i].length);
     }
-    add(start, 0.0);
+    straight(start);
     return finish(path, corners, fits ? start_to_goal : 0.0);
   }
 

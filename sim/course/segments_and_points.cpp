@@ -21,7 +21,7 @@ void close(grid::Path& path) {
   const Vec2 missing = end.to_body(begin.position);
   const bool same_way = dot(begin.heading, end.heading) > 0.99;
   if (same_way && missing.x > kSamePoint && missing.x < kMostMissing && std::fabs(missing.y) < kAside)
-    path.add(missing.x, 0.0, false);
+    path.add_straight(missing.x);
 }
 
 Imported finish(const grid::Path& path, const std::string& file) {
@@ -71,7 +71,8 @@ Imported read_curvature(std::string_view text, const std::string& file) {
     const double turn = numbers[0] * numbers[1];
     if (std::fabs(turn) > 100.0)
       throw InputError({file, line.number}, fmt::format("this segment turns by {:.0f} rad", turn));
-    if (numbers[0] > kSamePoint) path.add(numbers[0], turn, false);
+    if (numbers[0] > kSamePoint && turn == 0.0) path.add_straight(numbers[0]);
+    if (numbers[0] > kSamePoint && turn != 0.0) path.add_arc(1.0 / std::fabs(numbers[1]), turn);
     check_length(path, file, line.number);
   }
   close(path);
@@ -94,8 +95,8 @@ Imported read_points(std::string_view text, const std::string& file) {
     // Each piece begins where the one before really ends, so rounding does not add up.
     const Vec2 step = kept[i] - path.end().position;
     const double turn = rounded(angle_of({dot(path.end().heading, step), cross(path.end().heading, step)}));
-    if (i > 1 && turn != 0.0) path.add(0.0, turn, false);
-    path.add(rounded(length(step)), 0.0, false);
+    if (i > 1 && turn != 0.0) path.add_corner(turn);
+    path.add_straight(rounded(length(step)));
     check_length(path, file, 0);
   }
   close(path);

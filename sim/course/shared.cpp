@@ -73,9 +73,12 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
     grid::Path moved({{rounded(from.x), rounded(from.y)}, begin.heading});
     for (const grid::PathPiece& piece : path.pieces()) {
       const double turn = whole_microdegrees(piece.turn);
-      const bool is_arc = piece.radius() > 0.0;
-      moved.add(is_arc ? rounded(piece.radius()) * std::fabs(turn) : rounded(piece.length), turn,
-                piece.is_gap);
+      if (piece.radius > 0.0)
+        moved.add_arc(rounded(piece.radius), turn, piece.is_gap);
+      else if (piece.length > 0.0)
+        moved.add_straight(rounded(piece.length), piece.is_gap);
+      else
+        moved.add_corner(turn);
     }
     map.course.paths.push_back(std::move(moved));
   }

@@ -43,14 +43,14 @@ void read_piece(const ConfigValue& value, Path& path) {
   const ConfigValue* const angle = table.find("angle");
   table.finish();
   if (length && !radius && !angle) {
-    path.add(as_quantity(*length, "length", Dimension::length, kLeastPiece, Path::kMost), 0.0, is_gap);
+    path.add_straight(as_quantity(*length, "length", Dimension::length, kLeastPiece, Path::kMost), is_gap);
   } else if (radius && angle && !length) {
     const double r = as_quantity(*radius, "radius", Dimension::length, kLeastPiece, kMostRadius);
     const double turn = as_quantity(*angle, "angle", Dimension::angle, -kTurn, kTurn);
     if (turn == 0.0) throw InputError(angle->place, "angle is 0; an arc turns, a straight has a length");
-    path.add(r * std::abs(turn), turn, is_gap);
+    path.add_arc(r, turn, is_gap);
   } else if (angle && !radius && !length && !is_gap) {
-    path.add(0.0, as_quantity(*angle, "angle", Dimension::angle, -kTurn / 2.0, kTurn / 2.0), false);
+    path.add_corner(as_quantity(*angle, "angle", Dimension::angle, -kTurn / 2.0, kTurn / 2.0));
   } else {
     throw InputError(
         value.place,

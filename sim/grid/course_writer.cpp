@@ -22,7 +22,7 @@ std::string segment_text(const PathPiece& piece) {
   const std::string gap = piece.is_gap ? ", gap = true" : "";
   if (piece.turn == 0.0) return fmt::format("{{ length = \"{}\"{} }}", length_text(piece.length), gap);
   if (piece.length == 0.0) return fmt::format("{{ angle = \"{}\" }}", angle_text(piece.turn));
-  return fmt::format("{{ radius = \"{}\", angle = \"{}\"{} }}", length_text(piece.radius()),
+  return fmt::format("{{ radius = \"{}\", angle = \"{}\"{} }}", length_text(piece.radius),
                      angle_text(piece.turn), gap);
 }
 

@@ -19,8 +19,16 @@ Pose PathPiece::at(double along) const {
   return {centre() + robosim::turned(begin.position - centre(), by), robosim::turned(begin.heading, by)};
 }
 
-void Path::add(double length, double turn, bool is_gap) {
-  pieces_.push_back({end_, length, turn, is_gap});
+void Path::add_straight(double length, bool is_gap) { add(length, 0.0, 0.0, is_gap); }
+
+void Path::add_arc(double radius, double turn, bool is_gap) {
+  add(radius * std::fabs(turn), turn, radius, is_gap);
+}
+
+void Path::add_corner(double turn) { add(0.0, turn, 0.0, false); }
+
+void Path::add(double length, double turn, double radius, bool is_gap) {
+  pieces_.push_back({end_, length, turn, radius, is_gap});
   begins_.push_back(length_);
   end_ = pieces_.back().at(length);
   end_.heading = end_.heading * (1.0 / robosim::length(end_.heading));

@@ -14,14 +14,11 @@ struct PathPiece {
   Pose begin;           ///< world frame, m; the heading is that of travel
   double length = 0;    ///< m, along the centre line
   double turn = 0;      ///< rad, positive to the left; 0 = straight
+  double radius = 0;    ///< m; 0 = straight, or a corner
   bool is_gap = false;  ///< followed, but not painted
 
-  /// m; 0 = straight, or a corner
-  double radius() const { return turn == 0.0 ? 0.0 : length / (turn < 0.0 ? -turn : turn); }
   /// Of an arc.
-  Vec2 centre() const {
-    return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius() : radius());
-  }
+  Vec2 centre() const { return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius : radius); }
   /// Where one is, and which way one looks, so far along, m.
   Pose at(double along) const;
 };
@@ -33,8 +30,10 @@ class Path {
 
   explicit Path(Pose begin) : end_(begin) {}
 
-  /// `turn` is 0 for a straight, `length` for a corner.
-  void add(double length, double turn, bool is_gap);
+  void add_straight(double length, bool is_gap = false);
+  /// `turn`: rad, positive to the left.
+  void add_arc(double radius, double turn, bool is_gap = false);
+  void add_corner(double turn);
 
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length() const { return length_; }
@@ -48,6 +47,8 @@ class Path {
   Place place;  ///< where the map's file has it
 
  private:
+  void add(double length, double turn, double radius, bool is_gap);
+
   std::vector<PathPiece> pieces_;
   std::vector<double> begins_;  // of each piece, m along
   Pose end_;

@@ -38,7 +38,7 @@ void add_part(const PathPiece& piece, double from, double to, bool painted, std:
     stripes.push_back({a, b, {}, 0.0, painted});
   } else {
     if (piece.turn < 0.0) std::swap(a, b);
-    stripes.push_back({a, b, piece.centre(), piece.radius(), painted});
+    stripes.push_back({a, b, piece.centre(), piece.radius, painted});
   }
 }
 

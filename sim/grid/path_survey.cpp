@@ -60,9 +60,8 @@ PathSurvey survey_path(const Path& path, double closed_within) {
   survey.gap_m = length(path.end().position - path.begin().position);
   for (const PathPiece& piece : path.pieces()) {
     if (piece.length == 0.0) ++survey.corners;
-    if (piece.radius() > 0.0 &&
-        (survey.smallest_radius_m == 0.0 || piece.radius() < survey.smallest_radius_m))
-      survey.smallest_radius_m = piece.radius();
+    if (piece.radius > 0.0 && (survey.smallest_radius_m == 0.0 || piece.radius < survey.smallest_radius_m))
+      survey.smallest_radius_m = piece.radius;
   }
   survey.crossings = crossings_of(points_along(path), survey.is_closed);
   return survey;

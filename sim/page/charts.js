@@ -196,12 +196,13 @@ export class Chart {
   }
 }
 
-/** The line sensors as stripes: light where they see floor, dark orange where they see the line. */
+/** The line sensors as stripes: pale where what they see is light, dark orange where it is dark. */
 export class SensorStripes {
   constructor(parent, span, run) {
     Object.assign(this, { span, run });
     const box = Object.assign(document.createElement('section'), { className: 'chart' });
-    box.innerHTML = '<div class="legend"><strong>line sensors, left to right</strong><span class="item">floor <i class="scale"></i> line</span></div>';
+    const [pale, dark] = run.floor?.light_line ? ['line', 'floor'] : ['floor', 'line'];
+    box.innerHTML = `<div class="legend"><strong>line sensors, left to right</strong><span class="item">${pale} <i class="scale"></i> ${dark}</span></div>`;
     box.querySelector('.scale').style.background = `linear-gradient(to right, ${seen(0)}, ${seen(1)})`;
     parent.append(box);
     this.sensors = [...run.sensors].sort((a, b) => b.y - a.y || a.x - b.x);

@@ -10,6 +10,7 @@
 #include "sim/grid/map_parser.h"
 #include "sim/grid/map_writer.h"
 #include "sim/grid/network.h"
+#include "sim/grid/path_survey.h"
 #include "sim/grid/picture.h"
 #include "sim/grid/stripes.h"
 #include "sim/grid/true_graph.h"
@@ -32,6 +33,21 @@ std::string outcome(std::string_view text, std::size_t piece) {
   }
 }
 
+// A path's stripes are where the path is.
+void use_course(const Map& map, const Start& start) {
+  const Path& path = map.course.paths.front();
+  if (map.cells.size() > 4096 || map.cell_m < 0.01 || path.length() > 50.0) return;
+  const Stripes stripes(map, 0.1);
+  require(length(stripes.pose_of(start).heading) < 1.0 + 1e-9, "a direction");
+  for (double along = 0.0; along < path.length(); along += path.length() / 16) {
+    double nearest = 1e9;
+    for (const Stripe& stripe : stripes.all())
+      nearest = std::min(nearest, distance(stripe, path.at(along, false).position));
+    require(nearest < 1e-6, "every point of a path is on a stripe");
+  }
+  survey_path(path, map.line_m);
+}
+
 void use(const Map& map) {
   require(map.cells.size() == static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
           "cells");
@@ -42,6 +58,7 @@ void use(const Map& map) {
     return;  // no line
   }
   const Network network = trace_network(map, start);
+  if (start.on_path) return use_course(map, start);
   const TrueGraph graph = true_graph(map, start);
   require(graph.junctions.size() == network.junctions.size(), "the graph has the junctions of the walk");
   require(graph.stations.size() <= network.stations.size(),

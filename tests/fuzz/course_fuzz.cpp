@@ -1,0 +1,43 @@
+// Whatever bytes a course of another tool holds: it is refused with the file's name, or the map that it
+// becomes can be written and read again, and be driven on.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "sim/course/import.h"
+#include "sim/grid/map_writer.h"
+#include "sim/grid/network.h"
+#include "sim/grid/path_survey.h"
+#include "tests/fuzz/require.h"
+
+namespace {
+
+using namespace robosim;
+
+constexpr std::size_t kLargeFloor = 4'000'000;  // cells: allowed, but slow to look at again and again
+
+void drive_on(const grid::Map& map) {
+  if (map.cells.size() > kLargeFloor) return;
+  const std::string written = grid::write_map(map);
+  const grid::Map read = grid::parse_map(written, "written.map");
+  require(read.cells == map.cells, "the cells are those that were written");
+  require(read.course.paths.size() == map.course.paths.size(), "and so are the paths");
+  require(read.course.marks.size() == map.course.marks.size(), "and the marks");
+  grid::trace_network(read, grid::default_start(read));
+  for (const grid::Path& path : read.course.paths)
+    if (path.length() < 100.0) grid::survey_path(path, read.line_m);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    drive_on(course::import_course({reinterpret_cast<const char*>(data), size}, "fuzzed.txt", "fuzzed").map);
+  } catch (const InputError& error) {
+    require(error.place().file == "fuzzed.txt" || error.place().file == "written.map",
+            "errors name the file");
+    require(!error.message().empty(), "errors say something");
+  }
+  return 0;
+}
