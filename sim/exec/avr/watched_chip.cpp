@@ -22,6 +22,8 @@ constexpr Cycle kHalvesApart = 6;
 // How far in front of a write to the stack pointer its value is computed, in instructions.
 constexpr std::uint32_t kLooksBack = 8;
 
+bool is_load(Op op) { return (op >= Op::ld_x && op <= Op::lds) || op == Op::pop; }
+
 std::vector<std::uint8_t> flash_of(const Firmware& firmware) {
   std::vector<std::uint8_t> flash = firmware.flash;
   flash.resize(firmware.needs_larger_chip() ? kLargestFlash : firmware.chip->flash_bytes, kErased);
@@ -225,8 +227,9 @@ bool WatchedChip::is_computed_from_itself() const {
   const std::uint8_t source = cpu.instruction(pc).a;
   for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
     const Instruction& before = cpu.instruction(pc - back);
-    if (before.op == Op::in && before.a == source && (before.k == reg::kSpL || before.k == reg::kSpH))
-      return true;
+    if (before.a != source) continue;
+    if (is_load(before.op)) return false;
+    if (before.op == Op::in && (before.k == reg::kSpL || before.k == reg::kSpH)) return true;
   }
   return false;
 }
@@ -238,7 +241,7 @@ bool WatchedChip::was_loaded() const {
   const std::uint8_t source = cpu.instruction(pc).a;
   for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
     const Instruction& before = cpu.instruction(pc - back);
-    if (before.a == source) return (before.op >= Op::ld_x && before.op <= Op::lds) || before.op == Op::pop;
+    if (before.a == source) return is_load(before.op);
   }
   return false;
 }

@@ -153,6 +153,20 @@ TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
+// ChibiOS does it so: the register that has kept the one stack pointer then loads the other.
+TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
+  std::string sketch = coroutines("");
+  const auto from = sketch.find("\"lds r30, from"), to = sketch.find("\".irp r,29,28");
+  sketch.replace(from, to - from, R"("lds r30, from\n lds r31, from+1\n lds r26, to\n lds r27, to+1\n cli\n"
+      "in r24, 0x3d\n st Z, r24\n in r24, 0x3e\n std Z+1, r24\n movw r30, r26\n"
+      "ld r24, Z\n out 0x3d, r24\n ldd r24, Z+1\n out 0x3e, r24\n sei\n"
+      )");
+  start(sketch);
+  run(95 * kMillisecond);
+  EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_GT(numbers().size(), 7u);
+}
+
 TEST_F(FailuresTest, AStackOfTheSketchsOwnMustStayInItsVariable) {
   start(coroutines("deep(9);"));
   run(95 * kMillisecond);
