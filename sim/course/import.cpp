@@ -31,9 +31,14 @@ Imported read_any(std::string_view text, const std::string& file) {
 
 Imported import_course(std::string_view text, const std::string& file, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Imported imported = read_any(text, file);
-  imported.map.name = name;
-  return imported;
+  try {
+    Imported imported = read_any(text, file);
+    imported.map.name = name;
+    return imported;
+  } catch (const InputError& error) {
+    if (!error.place().file.empty()) throw;
+    throw InputError({file}, error.message());  // of the course as a whole
+  }
 }
 
 }  // namespace robosim::course

@@ -122,11 +122,7 @@ Imported read_maze(std::string_view text, const std::string& file) {
       if (line[middle] == 'G' && !maze.goal) maze.goal = grid::CellAt{x, y};
     }
   }
-  try {
-    return map_of(maze);
-  } catch (const InputError& error) {
-    throw InputError({file}, error.message());
-  }
+  return map_of(maze);
 }
 
 Imported read_maze_numbers(std::string_view text, const std::string& file) {
@@ -159,11 +155,7 @@ Imported read_maze_numbers(std::string_view text, const std::string& file) {
     maze.east[maze.index(row.x, row.y)] = row.east;
     maze.north[maze.index(row.x, row.y)] = row.north;
   }
-  try {
-    return map_of(maze);
-  } catch (const InputError& error) {
-    throw InputError({file}, error.message());
-  }
+  return map_of(maze);
 }
 
 }  // namespace robosim::course

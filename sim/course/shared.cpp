@@ -67,6 +67,11 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
   map.line_m = line_m;
   map.width = static_cast<int>(std::ceil((most.x + shift.x + margin) / map.cell_m));
   map.height = static_cast<int>(std::ceil((most.y + shift.y + margin) / map.cell_m));
+  const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+  if (cells > grid::kMaxBareCells)
+    throw InputError(fmt::format(
+        "the course is {:.0f} x {:.0f} m large; at most {:.0f} square metres are allowed", most.x - least.x,
+        most.y - least.y, static_cast<double>(grid::kMaxBareCells) * map.cell_m * map.cell_m));
   for (const grid::Path& path : paths) {
     const Pose begin = path.begin();
     const Vec2 from = begin.position + shift;
@@ -82,8 +87,7 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
     }
     map.course.paths.push_back(std::move(moved));
   }
-  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
-                   grid::Cell::floor);
+  map.cells.assign(cells, grid::Cell::floor);
   return map;
 }
 

@@ -119,6 +119,8 @@ struct Map {
 /// A map has at most this many columns and rows, and cells in all.
 constexpr int kMaxSide = 100'000;
 constexpr std::size_t kMaxCells = 1'000'000'000;
+/// And so many where it is not written in rows, so that a short file cannot take much memory.
+constexpr std::size_t kMaxBareCells = 4'000'000;
 
 /// Reads a map file, in one pass and at one byte a cell. Throws InputError with file, line, column, what was
 /// found and what is allowed.

@@ -249,9 +249,9 @@ void MapParser::make_floor() {
   map_.width = cells(front_.size->x);
   map_.height = cells(front_.size->y);
   const auto all = static_cast<std::size_t>(map_.width) * static_cast<std::size_t>(map_.height);
-  if (all > kMaxCells)
+  if (all > kMaxBareCells)
     throw InputError(front_.size_place, fmt::format("size is {} x {} cells; at most {} cells are allowed",
-                                                    map_.width, map_.height, kMaxCells));
+                                                    map_.width, map_.height, kMaxBareCells));
   map_.cells.assign(all, Cell::floor);
   front_.size.reset();
 }

@@ -189,6 +189,8 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
       {"0 0\n1 1 1\n", "course.txt:2: a point is two numbers"},
       {"0 0\n0 0\n", "has one point only"},
       {"0 0\n0.01 0\n", "shorter than 100 mm"},
+      {"0 0\n4000 0\n4000 3000\n",
+       "the course is 4000 x 3000 m large; at most 40000 square metres are allowed"},
       {"9999 0\n-9999 0\n", "longer than 10 km"},
       {"hello\nworld\n", "is no course that is known"},
       {"xello world\nabcdefghijk\nx\nx\nx\n", "a maze begins with o or +, not “x”"},

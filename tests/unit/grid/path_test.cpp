@@ -227,6 +227,7 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   EXPECT_THROW(parse_map("+++\n[[path]]\nfrom = [\"1 m\", \"1 m\"]\nsegments = [{ length = \"1 m\" }]\n+++\n",
                          "m.map"),
                InputError);
+  EXPECT_THROW(parse_map("+++\nsize = [\"1000 m\", \"1000 m\"]\n+++\n", "m.map"), InputError);
   EXPECT_THROW(parse_map("+++\nsize = [\"1 m\", \"1 m\"]\n+++\n...\n", "m.map"), InputError);
 }
 
