@@ -23,8 +23,16 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
   const course::Imported imported = course::import_course(text, file.string(), file.stem().string());
   for (const std::string& remark : imported.remarks) std::cerr << "robosim: note: " << remark << '\n';
   const std::string written = grid::write_map(imported.map);
-  // What cannot be read again is not written: the floor may be too large, a name not UTF-8.
-  grid::parse_map(written, file.string());
+  // What cannot be read again is not written.
+  try {
+    grid::parse_map(written, file.string());
+  } catch (const InputError& error) {
+    std::size_t segments = 0;
+    for (const grid::Path& path : imported.map.course.paths) segments += path.pieces().size();
+    throw InputError({file.string()},
+                     fmt::format("its map, of {} segments and {} KB, cannot be read again: {}", segments,
+                                 written.size() / 1000, error.message()));
+  }
   if (arguments.out.empty()) {
     out << written;
     return ExitStatus::ok;
