@@ -13,6 +13,9 @@ class FirmwarePort {
   /// What a digital read of `pin` gives: its source; an output reads back its own level; an unconnected pin
   /// reads high with a pull-up and low without.
   virtual bool read_level(Pin pin, SimTime t) = 0;
+  /// The same of a pin that may have been read only because its whole port was: nobody knows whether the
+  /// firmware looks at it.
+  virtual bool read_along(Pin pin, SimTime t) = 0;
   /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
   virtual double read_volts(Pin pin, SimTime t) = 0;
   virtual void send_byte(uint8_t byte, SimTime t) = 0;

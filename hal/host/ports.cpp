@@ -121,7 +121,7 @@ void set_output(Port port, uint8_t value) {
 uint8_t read_port(Port port) {
   uint8_t value = 0;
   for (int bit = 0; bit < kBits; ++bit)
-    if (port_pins[port][bit] != kNoPin && board->read_level(port_pins[port][bit], state.now))
+    if (port_pins[port][bit] != kNoPin && board->read_along(port_pins[port][bit], state.now))
       value |= static_cast<uint8_t>(1 << bit);
   return value;
 }

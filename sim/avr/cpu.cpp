@@ -8,7 +8,7 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kErased = 0xFF, kAllBits = 0xFF;
+constexpr std::uint8_t kErased = 0xFF;
 // Above this the vectors are two words apart, room for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 bool counts_down(const Instruction& first, const Instruction& second) {

@@ -115,8 +115,9 @@ class Cpu {
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   Outlook outlook(Address address, std::uint8_t bits) const;
   /// Which bits of a register of I/O the instruction at `pc`, which reads it, looks at: it, or the one behind
-  /// it, may drop the others at once.
+  /// it, may drop the others at once. kAllBits: that is not known.
   std::uint8_t bits_read(std::uint32_t pc) const;
+  static constexpr std::uint8_t kAllBits = 0xFF;
 
   /// uint8_t Owner::Method(Address)
   template <auto Method, typename Owner>

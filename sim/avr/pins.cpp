@@ -77,7 +77,7 @@ bool Pins::output_level(int pin) const {
 
 bool Pins::level(int pin) {
   if (is_output(pin)) return output_level(pin);
-  return core_.outside.level(pin, is_pulled_up(pin), core_.now());
+  return core_.outside.level_along(pin, is_pulled_up(pin), core_.now());
 }
 
 double Pins::volts(int pin, Cycle at) {
@@ -143,7 +143,9 @@ std::uint8_t Pins::read_pins(Address address) {
     } else if (taken.taken && is_output(pin)) {
       level = output_level(pin);
     } else if (!(output_then & mask)) {
-      level = core_.outside.level(pin, level && has_pull_ups(), now);
+      const bool pull_up = level && has_pull_ups();
+      level = asked == Cpu::kAllBits ? core_.outside.level_along(pin, pull_up, now)
+                                     : core_.outside.level(pin, pull_up, now);
       state_.last_read = pin;
       state_.last_read_at = now;
     }

@@ -15,6 +15,9 @@ class Surroundings {
   // --- pins
   /// The level of a pin that the chip does not drive; `pull_up`: what it has if nothing else drives it.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
+  /// The same of a pin that a peripheral looks at, or an instruction that reads all of its port: whether the
+  /// program uses it is not known.
+  virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
   /// Until which cycle, exclusive, level() surely gives what it gives at `at`, and may be asked less often
   /// without a difference; `at` = that is not known.
   virtual Cycle level_until(int pin, Cycle at) = 0;

@@ -65,7 +65,7 @@ wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>&
         std::any_of(wiring.begin(), wiring.end(), [&](const auto& wire) { return wire.pin == pin; });
     if (wired || pin == board.led_builtin || is_of_uart(board, pin)) continue;
     const exec::PinUse& use = probe.use(pin);
-    const bool was_read = use.read_alone || use.measured || use.awaited || (use.read && use.pulled_up);
+    const bool was_read = use.looked_at || use.measured || use.awaited || (use.read && use.pulled_up);
     if (!was_output[pin] && !was_read) continue;
     usage.unwired.push_back({board.pins[pin].name, was_output[pin] ? "driven" : "read"});
   }

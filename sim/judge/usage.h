@@ -13,8 +13,8 @@ namespace robosim::judge {
 
 /// `was_output`: per pin of the board, whether the firmware ever drove it.
 ///
-/// On a chip a read of a port reads eight pins, and who meant which of them is not known. So a pin to which
-/// nothing is wired counts as read only where it was read alone, measured, or had its pull-up on; and a part
+/// A read of a port reads eight pins, and who meant which of them is mostly not known. So a pin to which
+/// nothing is wired counts as read only where it was looked at, measured, or had its pull-up on; and a part
 /// counts as used if any of its pins may have been read. What hangs on a shift register, or on the pins of
 /// the UART, is taken for used.
 wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,

@@ -56,6 +56,7 @@ class Bench final : public avr::Surroundings {
     const auto found = levels.find(pin);
     return found == levels.end() ? pull_up : found->second;
   }
+  bool level_along(int pin, bool pull_up, avr::Cycle at) override { return level(pin, pull_up, at); }
   avr::Cycle level_until(int, avr::Cycle) override { return avr::kNoCycle; }
   double volts(int pin, bool high, avr::Cycle at) override {
     const int channel = chip.core().chip.pins[pin].analog_channel;

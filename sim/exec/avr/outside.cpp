@@ -56,6 +56,11 @@ bool Outside::level(int pin, bool pull_up, Cycle at) {
   return number == kNoPin ? pull_up : board_.read_level(number, state_.link.time_of(at));
 }
 
+bool Outside::level_along(int pin, bool pull_up, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  return number == kNoPin ? pull_up : board_.read_along(number, state_.link.time_of(at));
+}
+
 Cycle Outside::level_until(int pin, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   if (number == kNoPin) return robosim::avr::kNoCycle;

@@ -35,6 +35,7 @@ class Outside : public robosim::avr::Surroundings {
 
  private:
   bool level(int pin, bool pull_up, Cycle at) override;
+  bool level_along(int pin, bool pull_up, Cycle at) override;
   Cycle level_until(int pin, Cycle at) override;
   double volts(int pin, bool high, Cycle at) override;
   void driven(int pin, const PinDrive& drive, Cycle at) override;

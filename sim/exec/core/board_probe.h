@@ -11,11 +11,11 @@ namespace robosim::exec {
 
 /// What firmware has done with a pin since the run began, other than driving it.
 struct PinUse {
-  bool read = false;        ///< as a digital input, if only with others of its port
-  bool read_alone = false;  ///< and no other pin at the same time
-  bool measured = false;    ///< by the ADC
-  bool pulled_up = false;   ///< its pull-up was on
-  bool awaited = false;     ///< its edges were wanted: by an interrupt, or a counter
+  bool read = false;       ///< as a digital input, if only along with its port
+  bool looked_at = false;  ///< and not only along with its port
+  bool measured = false;   ///< by the ADC
+  bool pulled_up = false;  ///< its pull-up was on
+  bool awaited = false;    ///< its edges were wanted: by an interrupt, or a counter
   bool was_low = false, was_high = false;
   double lowest_volts = 0.0, highest_volts = 0.0;  ///< where measured
 };

@@ -27,26 +27,19 @@ bool BoardState::level_on(Pin pin, SimTime t) {
   return state.drive.mode == PinMode::input_pullup;
 }
 
-// A read of a port reads its pins at the same time: who has read one alone is known when time has gone on.
-void BoardState::note_read(Pin pin, bool level, SimTime t) {
+bool BoardState::read_along(Pin pin, SimTime t) {
+  if (pin >= spec_.pin_count) return false;
+  const bool level = level_on(pin, t);
   PinUse& use = state_.pins[pin].use;
   use.read = true;
   (level ? use.was_high : use.was_low) = true;
-  if (t == state_.read_last_at) {
-    if (pin != state_.read_last) state_.read_last = kNoPin;
-    return;
-  }
-  if (state_.read_last != kNoPin) state_.pins[state_.read_last].use.read_alone = true;
-  state_.read_last = pin;
-  state_.read_last_at = t;
+  if (input_watcher_) input_watcher_->level_seen(pin, level, t);
+  return level;
 }
 
 bool BoardState::read_level(Pin pin, SimTime t) {
-  if (pin >= spec_.pin_count) return false;
-  const bool level = level_on(pin, t);
-  note_read(pin, level, t);
-  if (input_watcher_) input_watcher_->level_seen(pin, level, t);
-  return level;
+  if (pin < spec_.pin_count) state_.pins[pin].use.looked_at = true;
+  return read_along(pin, t);
 }
 
 SimTime BoardState::same_until(Pin pin, SimTime t) const {
@@ -147,7 +140,7 @@ bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
   state.wants_edges = wanted;
   state.use.awaited |= wanted;
   state_.wanted_pins += wanted ? 1 : -1;
-  const bool level = wanted && read_level(pin, now);
+  const bool level = wanted && read_along(pin, now);
   if (wanted) {
     state.last_level = level;
     std::erase_if(state_.edges, [&](const BoardInput& edge) {

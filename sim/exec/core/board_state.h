@@ -31,6 +31,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   // --- FirmwarePort
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override;
   bool read_level(Pin pin, SimTime t) override;
+  bool read_along(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
   void send_byte(std::uint8_t byte, SimTime t) override;
   bool two_wire_address(std::uint8_t address, SimTime t) override;
@@ -99,8 +100,6 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     SimTime byte_time = 0;          ///< 0 = the receiver is off
     SimTime last_arrival = 0;
     SimTime next_input = kNever;
-    Pin read_last = kNoPin;  ///< kNoPin, too, where several were read at that time
-    SimTime read_last_at = -1;
     std::size_t spoken_to = kNobody;  ///< of the two-wire bus's devices
   };
   const State& save() const { return state_; }
@@ -117,7 +116,6 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   TwoWireDevice* spoken_to() const {
     return state_.spoken_to == kNobody ? nullptr : two_wire_[state_.spoken_to];
   }
-  void note_read(Pin pin, bool level, SimTime t);
   const Byte* next_byte() const;
   SimTime arrival(const Byte& byte) const;
   std::size_t next_edge() const;

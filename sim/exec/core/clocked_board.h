@@ -52,6 +52,7 @@ class ClockedBoard final : public FirmwarePort {
   const BoardSpec& spec() const override { return board_.spec(); }
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override { board_.set_drive(pin, drive, at(t)); }
   bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
+  bool read_along(Pin pin, SimTime t) override { return board_.read_along(pin, at(t)); }
   double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
   bool two_wire_address(std::uint8_t address, SimTime t) override {

@@ -82,15 +82,20 @@ void Ports::reset(Address block) {
 
 bool Ports::level(ChipPin pin) const {
   if (pin == kNoChipPin || number_of(pin) == kNoPin) return false;
-  return link_.board.read_level(number_of(pin), link_.clock.time());
+  return link_.board.read_along(number_of(pin), link_.clock.time());
+}
+
+Pin Ports::note_read(ChipPin pin) {
+  const Pin number = number_of(pin);
+  if (number == kNoPin || configuration(pin) == kAnalog) return kNoPin;
+  last_read_ = number;
+  last_read_at_ = link_.clock.now;
+  return number;
 }
 
 bool Ports::read_input(ChipPin pin) {
-  const Pin number = number_of(pin);
-  if (number == kNoPin || configuration(pin) == kAnalog) return false;
-  last_read_ = number;
-  last_read_at_ = link_.clock.now;
-  return link_.board.read_level(number, link_.clock.time());
+  const Pin number = note_read(pin);
+  return number != kNoPin && link_.board.read_level(number, link_.clock.time());
 }
 
 Cycle Ports::input_same_until(ChipPin pin) const {
@@ -144,7 +149,9 @@ std::uint32_t Ports::read(Address address) {
     case kIdr: {
       std::uint32_t levels = 0;
       for (int bit = 0; bit < kBits; ++bit)
-        if (read_input({number, bit})) levels |= 1u << bit;
+        if (const Pin pin = note_read({number, bit});
+            pin != kNoPin && link_.board.read_along(pin, link_.clock.time()))
+          levels |= 1u << bit;
       return levels;
     }
     default:

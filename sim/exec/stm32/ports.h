@@ -63,6 +63,8 @@ class Ports final : public Peripheral {
   Pin number_of(ChipPin pin) const {
     return numbers_[static_cast<std::size_t>(pin.port)][static_cast<std::size_t>(pin.bit)];
   }
+  /// Its number; kNoPin if nothing can be read there.
+  Pin note_read(ChipPin pin);
   void refresh_port(int port);
   bool write_port(int port, Address offset, std::uint32_t value);
   bool write_exti(Address address, std::uint32_t value);

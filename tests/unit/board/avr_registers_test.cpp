@@ -168,6 +168,7 @@ class Volts final : public FirmwarePort {
   const BoardSpec& spec() const override { return *find_board("uno"); }
   void set_drive(Pin, const PinDrive&, SimTime) override {}
   bool read_level(Pin, SimTime) override { return false; }
+  bool read_along(Pin, SimTime) override { return false; }
   double read_volts(Pin pin, SimTime) override {
     asked = pin;
     return 0.1 * pin;

@@ -50,7 +50,7 @@ class UsageTest : public testing::Test {
 
 TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
-  board.read_level(7, 0);  // with its port, say: a motor is driven
+  board.read_along(7, 0);  // with its port, say: a motor is driven
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
   set(8, PinMode::output);
   board.read_volts(15, 0);
@@ -71,11 +71,14 @@ TEST_F(UsageTest, PinsThatAreUsedWithNothingWiredToThemAreNamed) {
 
 TEST_F(UsageTest, APinThatIsReadWithItsWholePortIsNotBlamed) {
   for (int pass = 0; pass < 3; ++pass)
-    for (Pin pin = 0; pin < 8; ++pin) board.read_level(pin, pass * kMillisecond);
+    for (Pin pin = 0; pin < 8; ++pin) board.read_along(pin, pass * kMillisecond);
   EXPECT_THAT(usage().unwired, IsEmpty());
+}
+
+TEST_F(UsageTest, PinsThatAreLookedAtInOneReadAreAllNamedAndSoIsOneThatIsReadOnce) {
+  for (const Pin pin : {2, 3}) board.read_level(pin, kMillisecond);  // PIND & 0x0C
   board.read_level(5, kSecond);
-  board.read_level(5, 2 * kSecond);
-  EXPECT_THAT(told(usage().unwired), ElementsAre("D5 read"));
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D2 read", "D3 read", "D5 read"));
 }
 
 TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot) {

@@ -50,6 +50,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   bool read_level(Pin pin, SimTime t) override {
     return sources_[pin] ? sources_[pin]->level(t) : pulled_up(pin);
   }
+  bool read_along(Pin pin, SimTime t) override { return read_level(pin, t); }
   SimTime same_until(Pin pin, SimTime t) const { return sources_[pin]->same_until(t); }
   double read_volts(Pin pin, SimTime t) override {
     return sources_[pin] ? sources_[pin]->volts(t) : pulled_up(pin) ? spec_.supply_volts : 0.0;
