@@ -30,7 +30,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard:  // if (x = 1), if (x); { … }: the compiler's own choice leaves them out
+    case Warnings::standard:  // the compiler's own choice leaves these out; slips_of() takes the slips
       if (unit.kind == Unit::Kind::library) return {"-w"};  // nobody who uses one can do anything about them
       return {"-Wparentheses", "-Wempty-body"};
     case Warnings::more:

@@ -7,6 +7,7 @@
 
 #include "sim/base/machine_fault.h"
 #include "sim/build/hints.h"
+#include "sim/build/slips.h"
 #include "sim/build/walls.h"
 #include "sim/elf/avr_addresses.h"
 
@@ -122,7 +123,7 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::st
   output = std::regex_replace(output, here, "$1");
   while (!output.empty() && (output.back() == '\n' || output.back() == ' ')) output.pop_back();
   while (!output.empty() && output.front() == '\n') output.erase(0, 1);
-  return output;
+  return toolchain.warnings == Warnings::standard ? slips_of(output) : output;
 }
 
 constexpr const char* kNotSeen =

@@ -17,8 +17,8 @@
 
 namespace robosim::build {
 
-/// Which of the compiler's warnings are shown: the choices of Arduino's preferences; `standard` has two more,
-/// which find what beginners write: if (x = 1), and if (x);
+/// Which of the compiler's warnings are shown: the choices of Arduino's preferences; `standard` has more,
+/// which find what beginners write: if (x = 1), if (400 < x < 600), and if (x); (slips.h)
 enum class Warnings { none, standard, more, all };
 
 struct Request {
