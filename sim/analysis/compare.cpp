@@ -79,7 +79,8 @@ class Comparer {
 
  private:
   void report(Difference difference) {
-    if (!result_.first || difference.t_ns[0] < result_.first->t_ns[0]) result_.first = std::move(difference);
+    if (!result_.first || difference.first_ns() < result_.first->first_ns())
+      result_.first = std::move(difference);
   }
   void know(KnownDifference known) {
     if (std::find(result_.known.begin(), result_.known.end(), known) == result_.known.end())

@@ -16,6 +16,7 @@
 //   the end   the verdict
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -39,6 +40,9 @@ struct Difference {
   std::array<std::string, 2> sides;                ///< what each did: "\"sum 40000\""
   std::string cause;                               ///< "integer width: …"; empty if it has no name
   std::array<std::optional<std::size_t>, 2> line;  ///< which of History::lines it is about, if any
+
+  /// When the first of the two did it: what comes of a difference may show earlier on the clock of the other.
+  std::int64_t first_ns() const { return std::min(t_ns[0], t_ns[1]); }
 };
 
 /// A known difference that does not matter: the same value, printed differently.
@@ -49,7 +53,7 @@ struct KnownDifference {
 };
 
 struct Comparison {
-  std::optional<Difference> first;  ///< the earliest; nullopt if they behave the same
+  std::optional<Difference> first;  ///< the earliest by first_ns(); nullopt if they behave the same
   std::vector<KnownDifference> known;
 };
 

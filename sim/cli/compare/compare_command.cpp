@@ -92,7 +92,7 @@ class CompareCommand {
         compared.known_targets.push_back({arguments_.targets[0], arguments_.targets[i]});
       }
       auto& first = comparison.first;
-      if (!first || (compared.difference && compared.difference->t_ns[0] <= first->t_ns[0])) continue;
+      if (!first || (compared.difference && compared.difference->first_ns() <= first->first_ns())) continue;
       compared.difference = std::move(first);
       other = i;
     }

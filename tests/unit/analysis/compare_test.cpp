@@ -211,6 +211,14 @@ TEST(Compare, TheVerdictIsComparedAndTheEarliestDifferenceIsTold) {
   EXPECT_EQ(kind(a, lost), Kind::line);
 }
 
+TEST(Compare, WhatCameTooEarlyOnOneSideIsToldBeforeWhatCameOfIt) {
+  History a = with(Manoeuvre::turns_left, 5100 * kMs, 6 * kS);
+  a.lines = {{kS, "ready"}, {5 * kS, "go"}};
+  History b = with(Manoeuvre::turns_left, 2100 * kMs, 3 * kS);
+  b.lines = {{kS, "ready"}, {2 * kS, "go"}};
+  EXPECT_EQ(kind(a, b), Kind::time);
+}
+
 TEST(HistoryRecorder, MakesManoeuvresPlacesAndLinesOfEvents) {
   HistoryRecorder recorder("host", [](const wire::Sample& s) -> std::string {
     return s.x_mm < 100.0 ? "station 1" : "junction 1";
