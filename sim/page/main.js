@@ -84,7 +84,7 @@ class Page {
       show.push((t) => set(run.at(name, t).toFixed(digits)));
     };
     of('speed_mm_s', 'speed', 'mm/s', 0);
-    of('cross_track_mm', 'off the line', 'mm', 1);
+    if (run.signal('cross_track_mm')) of('cross_track_mm', 'off the line', 'mm', 1);
     of('left', 'motor left', '', 2);
     of('right', 'motor right', '', 2);
     if (run.sensors.length) {
@@ -172,7 +172,7 @@ class Page {
       $('speed').append(make('option', { value: speed, textContent: speed < 1 ? `×1/${1 / speed}` : `×${speed}` }));
     $('speed').addEventListener('change', (e) => player.setSpeed(Number(e.target.value)));
     for (const [name, label] of [['speed_mm_s', 'by speed, m/s'], ['cross_track_mm', 'by error, mm']])
-      $('colour-by').append(make('option', { value: name, textContent: label }));
+      if (this.run.signal(name)) $('colour-by').append(make('option', { value: name, textContent: label }));
     $('colour-by').addEventListener('change', (e) => {
       this.floor.colourBy = e.target.value;
       this.drawFloor();

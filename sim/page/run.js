@@ -49,6 +49,7 @@ export class Run {
 
   /** Was it carried from sample i to the next? */
   carried(i) {
+    if (this.hand?.[i + 1]) return true;
     const { x_mm: x, y_mm: y } = this.columns;
     const far = Math.hypot(x[i + 1] - x[i], y[i + 1] - y[i]);
     return far > CARRIED_MM && far > CARRIED_MM_S * (this.t[i + 1] - this.t[i]);
@@ -93,7 +94,7 @@ export function runOf({ header, streams }) {
   const run = new Run(header.sketch, seconds(samples.t_us, 1e6), samples);
   Object.assign(run, { header, result, started, robot, floor: header.floor, thinned: header.thinned_ns / 1e9 });
   run.duration = Math.max(run.duration, result.time_s);
-  run.addSignal('cross_track_mm', 'mm', 'off the line');
+  if (robot.sensors.length) run.addSignal('cross_track_mm', 'mm', 'off the line');
   for (const side of ['left', 'right']) run.addSignal(side, '', `motor ${side}`);
   for (const side of ['left', 'right']) run.addSignal(`wheel_${side}_mm_s`, 'mm/s', `wheel ${side}`);
   const units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
@@ -115,11 +116,26 @@ export function runOf({ header, streams }) {
   run.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 
   addSerial(run, streams.get('serial'));
+  run.hand = handOf(run.t, header.notes);
   for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
   addLineEvents(run);
   run.addEvent(result.time_s, 'end', `${result.verdict}: ${result.why}`);
   run.sortEvents();
   return run;
+}
+
+/** For each sample, whether a script's hand moved the robot to there. */
+function handOf(t, notes) {
+  const moved = new Uint8Array(t.length);
+  const acts = notes.filter(({ verb }) => ['place', 'lift', 'lower', 'sweep'].includes(verb));
+  for (let i = 0, next = 0, sweeps = false; i < t.length; i++) {
+    moved[i] = sweeps;
+    for (; next < acts.length && acts[next].t_ns / 1e9 <= t[i]; next++) {
+      moved[i] = 1;
+      sweeps = acts[next].verb === 'sweep';
+    }
+  }
+  return moved;
 }
 
 function addSerial(run, serial) {

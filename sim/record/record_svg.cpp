@@ -211,8 +211,9 @@ void SvgRecorder::ask(wire::RunRequest& request) const {
 
 void SvgRecorder::add(const wire::Event& event) {
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
-    trail_.push_back({sample->x_mm, sample->y_mm, sample->speed_mm_s});
+    trail_.push_back({sample->x_mm, sample->y_mm, sample->speed_mm_s, hand_.has_moved()});
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
+    hand_.add(*note);
     if (note->is<wire::CollisionBegan>() && !trail_.empty()) collisions_.push_back(trail_.back());
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
     started_ = *started;
@@ -235,8 +236,12 @@ void SvgRecorder::finish(const wire::RunResult& result) {
   drawing.legend(
       fastest,
       fmt::format("{} on {}: {} after {:.2f} s", run_.sketch, run_.map, result.verdict, result.time_s),
-      fmt::format("{:.2f} m driven, its sensors {:.1f} mm off the line at most; robot {}, seed {}",
-                  result.metrics.distance_m, result.metrics.cross_track_max_mm, run_.robot, result.seed));
+      fmt::format("{:.2f} m driven{}; robot {}, seed {}", result.metrics.distance_m,
+                  run_.robot_info.sensors.empty()
+                      ? ""
+                      : fmt::format(", its sensors {:.1f} mm off the line at most",
+                                    result.metrics.cross_track_max_mm),
+                  run_.robot, result.seed));
   write_file(path_, drawing.close());
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/record/recorder.h"
+#include "sim/wire/hand.h"
 
 namespace robosim::record {
 
@@ -20,12 +21,14 @@ class SvgRecorder final : public Recorder {
   /// Only what is drawn is kept of a sample.
   struct Point {
     double x_mm = 0.0, y_mm = 0.0, speed_mm_s = 0.0;
+    bool carried = false;  ///< to here, by a hand
   };
 
  private:
   std::filesystem::path path_;
   RecordedRun run_;
   wire::Started started_;
+  wire::Hand hand_;
   std::vector<Point> trail_;
   std::vector<Point> collisions_;
 };

@@ -9,9 +9,6 @@ namespace {
 
 using TrailPoint = SvgRecorder::Point;
 
-// Between two samples nothing drives so far: it was lifted and put there.
-constexpr double kCarried_mm = 150.0;
-
 double distance_mm(const TrailPoint& p, const TrailPoint& a, const TrailPoint& b) {
   const double dx = b.x_mm - a.x_mm, dy = b.y_mm - a.y_mm;
   const double square = dx * dx + dy * dy;
@@ -32,8 +29,8 @@ std::string speed_colour(int number) {
 std::vector<Stretch> stretches(const std::vector<TrailPoint>& trail, double fastest_mm_s) {
   std::vector<Stretch> all;
   for (std::size_t i = 1; i < trail.size(); ++i) {
-    const TrailPoint &a = trail[i - 1], &b = trail[i];
-    if (std::hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm) > kCarried_mm) continue;
+    const TrailPoint& b = trail[i];
+    if (b.carried) continue;
     const double share = std::fabs(b.speed_mm_s) / std::max(fastest_mm_s, 1.0);
     const int colour = std::min(static_cast<int>(share * kSpeedColours), kSpeedColours - 1);
     if (!all.empty() && all.back().last == i - 1 && all.back().colour == colour)

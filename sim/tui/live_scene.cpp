@@ -36,13 +36,14 @@ void LiveScene::add(const wire::Event& event) {
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
     trail_.add(*sample);
     if (!sample_) drawn_to_ = trail_.last();
-    floor_.add_trail(drawn_to_, trail_.last());
+    if (!trail_.was_carried()) floor_.add_trail(drawn_to_, trail_.last());
     drawn_to_ = trail_.last();
     sample_ = *sample;
   } else if (const auto* serial = std::get_if<wire::SerialText>(&event)) {
     serial_ += serial->text;
     if (serial_.size() > 2 * kSerialKept) serial_.erase(0, serial_.size() - kSerialKept);
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
+    trail_.add(*note);
     note_ = fmt::format("{:.2f} s  {}", static_cast<double>(note->t_ns) * 1e-9, note->text);
     if (const auto* told = note->is<wire::PartTold>()) told_[told->part] = told->text;
     if (const auto* visit = note->is<wire::StationVisited>()) visited_.push_back(visit->station);
@@ -75,12 +76,7 @@ void LiveScene::move_window(Vec2 top_left) {
       std::clamp(snap(top_left.y, 4 * window.dot_m), std::min(size.y, all.most.y), all.most.y);
   if (window == floor_.window()) return;
   floor_.look_at(window);
-  Vec2 before = trail_.empty() ? Vec2{} : trail_.points().front();
-  for (const Vec2 p : trail_.points()) {
-    floor_.add_trail(before, p);
-    before = p;
-  }
-  if (!trail_.empty()) floor_.add_trail(before, trail_.last());
+  trail_.draw(floor_);
 }
 
 void LiveScene::choose_window(int columns, int rows) {

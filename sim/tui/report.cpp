@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "sim/tui/floor_picture.h"
 #include "sim/tui/text.h"
@@ -66,12 +67,7 @@ std::string picture(const Report& report, const grid::Map& map, int columns, Loo
   }
   FloorPicture floor(map);
   floor.look_at(window);
-  Vec2 before = trail.empty() ? Vec2{} : trail.points().front();
-  for (const Vec2 p : trail.points()) {
-    floor.add_trail(before, p);
-    before = p;
-  }
-  if (!trail.empty()) floor.add_trail(before, trail.last());
+  trail.draw(floor);
   auto marks = floor_marks(map, report.started, report.result.metrics.stations);
   if (!trail.empty()) marks.push_back({trail.last(), {arrow(trail.yaw_rad()), Ink::robot}});
   Frame frame(window.columns, window.rows);
@@ -165,8 +161,9 @@ void write_figures(Writer& out, const Report& report) {
     for (std::size_t i = first; i < m.laps_s.size(); ++i) laps += fmt::format(" {:.2f}", m.laps_s[i]);
     out.labelled("laps        ", fmt::format("{}, each{}{} s", m.laps_s.size(), first ? " …" : "", laps));
   }
-  out.labelled("cross-track ", fmt::format("{:.1f} mm RMS, {:.1f} mm at most · off the line {:.2f} s",
-                                           m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
+  if (report.sees_lines)
+    out.labelled("cross-track ", fmt::format("{:.1f} mm RMS, {:.1f} mm at most · off the line {:.2f} s",
+                                             m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));
   out.labelled("collisions  ", std::to_string(m.collisions));
   if (!report.started.stations.empty()) {
     out.labelled("stations    ", fmt::format("{} of {} visited{}{} · junctions {}", m.stations.size(),
@@ -215,12 +212,26 @@ std::int64_t trail_every_ns(std::int64_t for_ns) {
 void Trail::add(const wire::Sample& sample) {
   last_ = {sample.x_mm / 1000.0, sample.y_mm / 1000.0};
   yaw_rad_ = sample.yaw_rad;
+  carried_ = hand_.has_moved();
+  gap_ |= carried_;
   if (seen_++ % every_ != 0) return;
   points_.push_back(last_);
+  gaps_.push_back(std::exchange(gap_, false));
   if (points_.size() < kMostTrailPoints) return;
-  for (std::size_t i = 0; i < points_.size() / 2; ++i) points_[i] = points_[2 * i];
+  for (std::size_t i = 0; i < points_.size() / 2; ++i) {
+    points_[i] = points_[2 * i];
+    gaps_[i] = gaps_[2 * i] || (i > 0 && gaps_[2 * i - 1]);
+  }
+  gap_ |= gaps_.back();
   points_.resize(points_.size() / 2);
+  gaps_.resize(points_.size());
   every_ *= 2;
+}
+
+void Trail::draw(FloorPicture& floor) const {
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!gaps_[i]) floor.add_trail(points_[i == 0 ? 0 : i - 1], points_[i]);
+  if (!points_.empty() && !gap_) floor.add_trail(points_.back(), last_);
 }
 
 std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started,

@@ -9,21 +9,33 @@
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
 #include "sim/tui/frame.h"
+#include "sim/wire/hand.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::tui {
+
+class FloorPicture;
 
 /// Where the robot was, sampled evenly. As events come in, the spacing grows so that memory stays bounded.
 class Trail {
  public:
   void add(const wire::Sample& sample);
+  /// A hand that moves the robot leaves no trail.
+  void add(const wire::Note& note) { hand_.add(note); }
   const std::vector<Vec2>& points() const { return points_; }  ///< m, world frame
+  void draw(FloorPicture& floor) const;
+  /// Whether the last sample's place was not driven to.
+  bool was_carried() const { return carried_; }
   bool empty() const { return points_.empty(); }
   Vec2 last() const { return last_; }
   double yaw_rad() const { return yaw_rad_; }
 
  private:
   std::vector<Vec2> points_;
+  std::vector<bool> gaps_;  ///< whether it was carried on the way to each of them
+  bool gap_ = false;        ///< or since
+  bool carried_ = false;
+  wire::Hand hand_;
   Vec2 last_;
   double yaw_rad_ = 0.0;
   std::size_t every_ = 1, seen_ = 0;
@@ -55,6 +67,7 @@ struct Report {
   std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;
   std::string chip_target;  ///< the target whose chip the robot's board has
+  bool sees_lines = true;   ///< the robot has sensors for them
 };
 
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.

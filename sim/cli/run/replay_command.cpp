@@ -62,8 +62,10 @@ int replay_command(const ReplayArguments& arguments) {
   recording.play([&](const wire::Event& event) {
     const auto* sample = std::get_if<wire::Sample>(&event);
     if (sample && sample->t_us % every_us == 0) report.trail.add(*sample);
+    if (const auto* note = std::get_if<wire::Note>(&event)) report.trail.add(*note);
   });
   const BoardSpec* board = find_board(header.robot_info.board.name.c_str());
+  report.sees_lines = !header.robot_info.sensors.empty();
   report.chip_target = board ? board->chip->target : header.target;
   const auto size = tui::terminal_size(STDOUT_FILENO);
   print(tui::end_screen(report, map ? &*map : nullptr,

@@ -107,6 +107,7 @@ class Listeners {
       trail_.add(*sample);
       if (!view_) progress_.advance(sample->t_us, for_s_);
     }
+    if (const auto* note = std::get_if<wire::Note>(&event)) trail_.add(*note);
     if (std::holds_alternative<wire::DebuggerAwaited>(event)) {
       progress_.clear();
       complain(fmt::format("robosim: waiting for a debugger; in another terminal type: {}\n", debugger_));
@@ -173,7 +174,7 @@ int run_command(const RunArguments& arguments) {
   tui::Progress progress(!arguments.view && !arguments.serial);
   launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
   launch.request.serial = arguments.view || arguments.serial;
-  launch.request.notes = arguments.view;
+  launch.request.notes = true;
   recorders.ask(launch.request);
 
   client::Runner runner(chosen.target);
@@ -224,10 +225,10 @@ int run_command(const RunArguments& arguments) {
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(run.map.path);
     const auto free = free_bytes(result, board);
-    (arguments.serial ? complain : print)(
-        tui::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
-                         listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target},
-                        drawn.get(), columns, tui::look_from_environment(size.has_value())));
+    (arguments.serial ? complain : print)(tui::end_screen(
+        {sketch, run.map.name, run.robot.name, run.target, listeners.started(), result, listeners.trail(),
+         wall_s, free, rooms(run.image, free), board.chip->target, !run.robot_info.sensors.empty()},
+        drawn.get(), columns, tui::look_from_environment(size.has_value())));
   }
   if (counters) {
     // The same run counts once: what went into it, and what came out.

@@ -70,8 +70,38 @@ TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
   EXPECT_THAT(drawn(), HasSubstr(R"(d="M80.0 220.0L120.0 180.0M80.0 180.0L120.0 220.0" stroke="#d55e00")"));
 }
 
+TEST_F(Picture, DrawsNoLineToWhereAScriptPutsTheRobotNorWhereItMovesItToAndFro) {
+  recorder.begin(run);
+  recorder.add(wire::Started{});
+  const auto acts = [&](const char* verb) {
+    recorder.add(wire::note_of({0, 0, wire::ScriptActed{verb, "", ""}}));
+  };
+  recorder.add(wire::Sample{0, 100, 200, 0, 0});
+  acts("place");
+  recorder.add(wire::Sample{10000, 130, 200, 0, 0});
+  recorder.add(wire::Sample{20000, 140, 200, 0, 500});
+  acts("sweep");
+  recorder.add(wire::Sample{30000, 140, 210, 0, 0});
+  recorder.add(wire::Sample{40000, 140, 220, 0, 0});
+  acts("lower");
+  recorder.add(wire::Sample{50000, 140, 200, 0, 0});
+  recorder.add(wire::Sample{60000, 150, 200, 0, 500});
+  EXPECT_THAT(drawn(), HasSubstr("d=\"M130.0 200.0L140.0 200.0M140.0 200.0L150.0 200.0\" stroke=\"#fff\""));
+}
+
+TEST_F(Picture, TellsOfNoDistanceFromTheLineWhereNothingSeesIt) {
+  wire::RunResult result;
+  result.metrics.cross_track_max_mm = 12.0;
+  run.robot_info.sensors.resize(1);
+  recorder.begin(run);
+  EXPECT_THAT(drawn(result), HasSubstr("m driven, its sensors 12.0 mm off the line at most; robot"));
+  run.robot_info.sensors.clear();
+  recorder.begin(run);
+  EXPECT_THAT(drawn(result), HasSubstr("m driven; robot"));
+}
+
 TEST(Trails, AreNotDrawnWhereTheRobotWasCarried) {
-  const auto all = stretches({{0, 0, 100}, {10, 0, 100}, {500, 0, 100}, {510, 0, 100}}, 100);
+  const auto all = stretches({{0, 0, 100}, {10, 0, 100}, {30, 0, 100, true}, {40, 0, 100}}, 100);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].last, 1u);
   EXPECT_EQ(all[1].first, 2u);

@@ -62,6 +62,12 @@ TEST(EndScreen, SaysWhatHappenedAtFirstSight) {
   EXPECT_THAT(screen, Not(HasSubstr("wall time")));
 }
 
+TEST(EndScreen, TellsOfNoDistanceFromTheLineWhereNothingSeesIt) {
+  Report r = report();
+  r.sees_lines = false;
+  EXPECT_THAT(end_screen(r, nullptr, 78, kPlain), Not(HasSubstr("cross-track")));
+}
+
 TEST(EndScreen, NamesTheLinesThatDividedByZero) {
   Report r = report();
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("division")));
@@ -105,6 +111,15 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   const std::string second = screen.substr(screen.find('\n', screen.find('\n') + 1) + 1);
   // One cell is 8 x 4 characters; the stations' centres are in the third row.
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
+}
+
+TEST(EndScreen, DrawsNoTrailToWhereAScriptPutsTheRobot) {
+  const auto map = grid::parse_map("1111\n", "t.map");
+  Report r = report();
+  r.trail.add(at(50, 50));
+  r.trail.add(wire::note_of({0, 0, wire::ScriptActed{"place", "", "2,0 E"}}));
+  r.trail.add(at(250, 50));
+  EXPECT_THAT(end_screen(r, &map, 78, kPlain), Not(HasSubstr("⠉⠉")));
 }
 
 TEST(EndScreen, LeavesOutTheEmptyFloorAround) {

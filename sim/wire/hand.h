@@ -1,0 +1,28 @@
+// Where a script's hand moved the robot: no way that it drove.
+#pragma once
+
+#include <utility>
+
+#include "sim/wire/stream.h"
+
+namespace robosim::wire {
+
+/// Hears the notes and samples of a run, in their order.
+class Hand {
+ public:
+  void add(const Note& note) {
+    const ScriptActed* acted = note.is<ScriptActed>();
+    if (!acted ||
+        (acted->verb != "place" && acted->verb != "lift" && acted->verb != "lower" && acted->verb != "sweep"))
+      return;
+    moved_ = true;
+    sweeps_ = acted->verb == "sweep";
+  }
+  /// For each sample: whether the robot was moved since the one before.
+  bool has_moved() { return std::exchange(moved_, sweeps_); }
+
+ private:
+  bool moved_ = false, sweeps_ = false;
+};
+
+}  // namespace robosim::wire
