@@ -2,17 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "sim/scenario/script_line.h"
 
 namespace robosim::scenario {
 namespace {
 
-constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift",  "lower",
-                               "cover", "obstacle", "clear", "fault", "power", "sweep"};
+constexpr std::array kVerbs = {"press",    "release", "send",  "place", "lift",  "lower", "cover",
+                               "obstacle", "clear",   "fault", "power", "sweep", "tilt"};
 
 constexpr SimTime kSweep = 5 * kSecond, kSweepPeriod = kSecond;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr SimTime kTilt = 3 * kSecond, kTiltWay = 500 * kMillisecond;
 
 constexpr std::uint64_t kMostEvents = 1'000'000'000'000;
 
@@ -108,6 +112,25 @@ void parse_sweep(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration().value_or(kSweep);
 }
 
+// tilt ANGLE ahead|back|left|right [in TIME] [for TIME]
+void parse_tilt(ScriptLine& line, Action& action) {
+  action.angle = line.quantity("an angle from 1deg to 180deg", Dimension::angle, kDegree, 180 * kDegree);
+  const std::string side = line.take("ahead, back, left or right").text;
+  if (side == "ahead" || side == "back")
+    action.side = {side == "ahead" ? 1.0 : -1.0, 0.0};
+  else if (side == "left" || side == "right")
+    action.side = {0.0, side == "left" ? 1.0 : -1.0};
+  else
+    line.refuse(fmt::format("a robot is tilted ahead, back, left or right, not \"{}\"", side));
+  action.period = line.take_if("in") ? line.duration() : kTiltWay;
+  action.duration = line.optional_duration().value_or(std::max(kTilt, 2 * action.period));
+  if (action.period < kTick) line.refuse("it takes 1ms at least to tilt a robot");
+  if (*action.duration < 2 * action.period)
+    line.refuse(
+        "a tilt takes longer than this: over and back again, each in the time behind \"in\" (500ms without "
+        "it)");
+}
+
 Action parse_action(ScriptLine& line) {
   Action action;
   const std::string verb = line.take("a verb").text;
@@ -151,6 +174,9 @@ Action parse_action(ScriptLine& line) {
       break;
     case Action::Verb::sweep:
       parse_sweep(line, action);
+      break;
+    case Action::Verb::tilt:
+      parse_tilt(line, action);
       break;
   }
   line.end();

@@ -13,6 +13,7 @@
 
 #include "hal/board/sim_time.h"
 #include "sim/base/error.h"
+#include "sim/base/vec.h"
 
 namespace robosim::scenario {
 
@@ -45,7 +46,21 @@ constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
 
 /// What then happens.
 struct Action {
-  enum class Verb { press, release, send, place, lift, lower, cover, obstacle, clear, fault, power, sweep };
+  enum class Verb {
+    press,
+    release,
+    send,
+    place,
+    lift,
+    lower,
+    cover,
+    obstacle,
+    clear,
+    fault,
+    power,
+    sweep,
+    tilt
+  };
   Verb verb = Verb::press;
   std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
@@ -54,7 +69,9 @@ struct Action {
   SimTime held = 0;  ///< send: for which a remote control's key is held
   double radius = kObstacleRadius;  ///< m, of an obstacle
   double reach = 0.0;               ///< m, of sweep: so far to each side
-  SimTime period = 0;               ///< of sweep
+  SimTime period = 0;               ///< of sweep: to and fro; of tilt: the way over, or back
+  double angle = 0.0;               ///< rad, of tilt: so far …
+  Vec2 side;                        ///< … to where, in the robot's frame
   HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };

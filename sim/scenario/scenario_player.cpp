@@ -12,7 +12,8 @@ namespace {
 
 wire::ScriptActed acted(const char* verb, const Action& action) {
   using enum Action::Verb;
-  const bool has_bytes = action.verb != lift && action.verb != lower && action.verb != sweep;
+  const bool has_bytes =
+      action.verb != lift && action.verb != lower && action.verb != sweep && action.verb != tilt;
   return {verb, action.part, has_bytes ? action.text : ""};
 }
 
@@ -31,6 +32,7 @@ std::string subject_of(const Action& action) {
     case lower:
     case place:
     case sweep:
+    case tilt:
       return "body";
     default:
       return "";
@@ -187,6 +189,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
     stage_.body.place(state_.sweep->base);
     state_.sweep.reset();
   }
+  if (subject == "body") state_.tilt.reset();
   events.push_back(perform(action, pending.fault, t));
   if (!action.duration) return;
   const std::pair due(t + *action.duration, state_.undos++);
@@ -197,7 +200,8 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
 // What is due in one tick happens in the order of the script.
 void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
   if (!state_.undo.empty()) end_what_is_over(t, events);
-  if (state_.sweep) carry(t);
+  if (state_.sweep) stage_.body.carry(state_.sweep->at(t));
+  if (state_.tilt) stage_.body.tilt(state_.tilt->at(t));
   if (state_.awaiting.empty() && (state_.timed.empty() || state_.timed.begin()->first.first > t)) return;
   std::map<std::uint64_t, Pending> due;
   while (!state_.timed.empty() && state_.timed.begin()->first.first <= t) {
@@ -227,16 +231,6 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
   }
   state_.awaiting.erase(state_.awaiting.begin() + static_cast<std::ptrdiff_t>(kept), state_.awaiting.end());
   carry_out_before(std::numeric_limits<std::uint64_t>::max());
-}
-
-// Evenly to the left, to the right as far, and back.
-void ScenarioPlayer::carry(SimTime t) {
-  const Sweep& sweep = *state_.sweep;
-  const double phase =
-      static_cast<double>((t - sweep.began) % sweep.period) / static_cast<double>(sweep.period);
-  const double aside = phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase : 4.0 * phase - 4.0;
-  stage_.body.carry(
-      {sweep.base.position + left_of(sweep.base.heading) * (aside * sweep.reach), sweep.base.heading});
 }
 
 void ScenarioPlayer::put_obstacle(const Action& action) {
@@ -329,8 +323,12 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
       return acted("lower", action);
     case Action::Verb::sweep:
       state_.sweep = Sweep{stage_.body.pose(), t, action.period, action.reach};
-      carry(t);
+      stage_.body.carry(state_.sweep->at(t));
       return acted("sweep", action);
+    case Action::Verb::tilt:
+      state_.tilt = Tilt{t, action.period, t + *action.duration, action.angle, action.side};
+      stage_.body.tilt(state_.tilt->at(t));
+      return acted("tilt", action);
     case Action::Verb::obstacle:
       put_obstacle(action);
       return acted("obstacle", action);
@@ -355,6 +353,8 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
       stage_.robot.release(action.part, t);
       return std::nullopt;
     case Action::Verb::lift:
+    case Action::Verb::tilt:
+      state_.tilt.reset();
       stage_.body.lift(false);
       return acted("lower", action);
     case Action::Verb::sweep:

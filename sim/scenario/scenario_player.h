@@ -16,6 +16,7 @@
 #include "sim/judge/script_fault.h"
 #include "sim/robot/robot.h"
 #include "sim/scenario/board_faults.h"
+#include "sim/scenario/hand_motion.h"
 #include "sim/scenario/scenario.h"
 #include "sim/world/world.h"
 
@@ -75,12 +76,6 @@ class ScenarioPlayer {
   template <class T>
   using Due = std::map<std::pair<SimTime, std::uint64_t>, T>;
 
-  /// A hand that moves the robot to and fro.
-  struct Sweep {
-    Pose base;
-    SimTime began, period;
-    double reach;  ///< m
-  };
   struct Obstacle {
     grid::CellAt cell;
     int number;  ///< the world's
@@ -95,6 +90,7 @@ class ScenarioPlayer {
     std::map<std::string, std::pair<SimTime, std::uint64_t>> lasting;
     std::vector<Obstacle> obstacles;
     std::optional<Sweep> sweep;
+    std::optional<Tilt> tilt;
     std::set<std::pair<int, int>> obstacle_cells;  ///< that the script names
     std::vector<judge::ScriptFault> faults;
     std::map<std::string, std::size_t> broken;  ///< a part's fault that has not ended, in `faults`
@@ -122,8 +118,6 @@ class ScenarioPlayer {
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
-  /// Moves the robot to where the hand is.
-  void carry(SimTime t);
   void put_obstacle(const Action& action);
   void clear_obstacle(const std::string& cell);
   /// Throws InputError, with the step's place. Gives its fault, if it is one.

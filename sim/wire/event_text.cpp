@@ -29,6 +29,7 @@ struct Text {
                             : fmt::format("{} sent to {}", e.text, e.part);
     if (e.verb == "place") return "robot placed at " + e.text;
     if (e.verb == "lift") return "robot lifted";
+    if (e.verb == "tilt") return "robot held up and tilted";
     if (e.verb == "sweep") return "robot moved to and fro by hand";
     if (e.verb == "lower") return "robot put down";
     if (e.verb == "cover") return e.part + " covered";

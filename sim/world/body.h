@@ -85,6 +85,13 @@ struct BodyParams {
 /// docs/models.md.
 BodyParams default_body_params();
 
+/// How a body leans, and turns as it does so, in its own frame (x ahead, y to the left).
+struct Lean {
+  Vec2 low;            ///< the sine of the angle, in the direction of the side that is lowest
+  double level = 1.0;  ///< the cosine of the angle
+  Vec2 rate;           ///< rad/s by which the angle grows, in that direction
+};
+
 class Body {
  public:
   /// Throws std::invalid_argument for values that have no meaning (see BodyParams), not for unusual ones.
@@ -139,6 +146,9 @@ class Body {
   void lift(bool lifted);
   /// A hand moves it over the floor: the same, but its sensors see the floor. lift() and place() end it.
   void carry(const Pose&);
+  /// Lifted, it leans. lift(), carry() and place() make it level.
+  void tilt(const Lean&);
+  const Lean& lean() const { return lean_; }
   bool lifted() const { return lifted_ && !carried_; }
   bool in_hand() const { return lifted_; }  ///< lifted or carried
 
@@ -196,6 +206,7 @@ class Body {
   double free_way_ = 0.0;        // m that it may move before it can touch a wall, obstacles aside
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;
+  Lean lean_;
   bool blocked_[2] = {false, false};
   bool touched_ = false, near_ = false, in_contact_ = false;
   bool near_ahead_ = false, pressed_ahead_ = false;

@@ -170,8 +170,14 @@ void Body::carry(const Pose& pose) {
   pose_ = pose;
 }
 
+void Body::tilt(const Lean& lean) {
+  lift(true);
+  lean_ = lean;
+}
+
 void Body::lift(bool lifted) {
   carried_ = false;
+  lean_ = {};
   if (lifted == lifted_) return;
   lifted_ = lifted;
   v_ = u_ = omega_ = 0.0;

@@ -90,9 +90,13 @@ void Mpu6050Part::hold(SimTime t) {
   const world::Body& body = *context_.view.body;
   const bool noisy = !context_.individual.ideal();
   const auto noise = [&] { return noisy ? stream_.gauss(state_.samples++) : 0.0; };
-  const double ahead = state_.acceleration / kGravity, left = body.speed() * body.turn_rate() / kGravity;
-  const double g[3] = {ahead * axis_.x + left * axis_.y, left * axis_.x - ahead * axis_.y, 1.0};
-  const double turn[3] = {0.0, 0.0, body.turn_rate()};
+  const world::Lean& lean = body.lean();
+  const auto own = [this](Vec2 v) { return Vec2{dot(v, axis_), dot(v, left_of(axis_))}; };
+  const Vec2 pull = own(
+      {state_.acceleration / kGravity - lean.low.x, body.speed() * body.turn_rate() / kGravity - lean.low.y});
+  const Vec2 tip = own(left_of(lean.rate));  // leaning ahead is a turn about the axis to the left
+  const double g[3] = {pull.x, pull.y, lean.level};
+  const double turn[3] = {tip.x, tip.y, body.turn_rate()};
   const double of_gyro = scale(kGyroScale, at(kGyroConfig)) / kDegree;
   const double of_accel = scale(kAccelScale, at(kAccelConfig));
   for (std::uint8_t i = 0; i < 3; ++i) {

@@ -1,9 +1,10 @@
 // type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00),
 // flat on the robot, its x axis ahead, y to the left, z up.
 //
-//   gyro    z: the robot's turn rate + bias + noise; x, y: bias + noise; 131 LSB/(deg/s) at +-250, halved
-//           with each step of FS_SEL
-//   accel   x: dv/dt; y: v w; z: 1 g; each + noise; 16384 LSB/g at +-2 g, halved with each step of AFS_SEL
+//   gyro    z: the robot's turn rate; x, y: the rate at which a hand tilts it; each + bias + noise;
+//           131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
+//   accel   x: dv/dt; y: v w; z: 1 g, or where a hand holds it tilted, 1 g straight up; each + noise;
+//           16384 LSB/g at +-2 g, halved with each step of AFS_SEL
 //   temperature 25 degrees: (T - 36.53) 340
 //   bias    +-20 deg/s at most (zero rate output, 6.1), one for each axis and robot
 //   noise   0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
@@ -11,7 +12,7 @@
 // dv/dt is that of the last tick. Samples are 8 kHz / (1 + SMPLRT_DIV), 1 kHz with a low-pass filter; each
 // transfer holds the newest. Asleep after power-on (PWR_MGMT_1 = 0x40), it measures nothing. Other registers
 // keep what is written. Not modelled: FIFO (its count stays 0), motion processor, interrupts on the pin INT,
-// the low-pass filter, tilt, vibration.
+// the low-pass filter, vibration.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -133,6 +133,30 @@ TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
   EXPECT_EQ(bench.get(0x68, 0x6B), 0x40);
 }
 
+TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
+  TwoWireBench bench("mpu-6050", "facing = \"90 deg\"\n");  // its x axis points to the robot's left
+  bench.send(0x68, {0x6B, 0x00});
+  const auto at = [&](int number) { return static_cast<std::int16_t>(bench.get16(0x68, number)); };
+  const double degree = std::numbers::pi / 180.0;
+  // The nose goes down, by 30 degrees so far, at 100 degrees a second.
+  bench.body().tilt({{0.5, 0.0}, 0.866025, {100 * degree, 0.0}});
+  bench.ticks(5);
+  EXPECT_NEAR(at(0x3B), 0, 1);
+  EXPECT_NEAR(at(0x3D), 8192, 1) << "its y axis points back, which is up";
+  EXPECT_NEAR(at(0x3F), 14189, 1);
+  EXPECT_NEAR(at(0x43), 13100, 1) << "a turn about the axis to the left, by the right hand";
+  EXPECT_NEAR(at(0x45), 0, 1);
+  bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // on its left side, and still
+  bench.ticks(5);
+  EXPECT_NEAR(at(0x3B), -16384, 1);
+  EXPECT_NEAR(at(0x3F), 0, 1);
+  EXPECT_NEAR(at(0x43), 0, 1);
+  bench.body().lift(false);
+  bench.ticks(5);
+  EXPECT_EQ(at(0x3B), 0);
+  EXPECT_EQ(at(0x3F), 16384);
+}
+
 TEST(Pca9685, TellsThePulsesOfItsChannels) {
   TwoWireBench bench("pca9685");
   bench.send(0x40, {0xFE, 121});  // 25 MHz / 4096 / 122: 50 Hz

@@ -122,6 +122,20 @@ TEST_F(Scripts, MoveTheRobotToAndFroByHandOverTheLineAndPutItDownWhereItWas) {
   EXPECT_EQ(outcome.verdict, judge::Verdict::reached);
 }
 
+TEST_F(Scripts, HoldTheRobotUpAndTiltItForATime) {
+  play("at 1s tilt 30deg back in 200ms for 1s", 3);
+  EXPECT_NEAR(length(seen.at(1.9).pose.position - seen.at(1.0).pose.position), 0.0, 0.001);
+  EXPECT_EQ(s1(1.5), 1.0) << "its sensors see no floor";
+  EXPECT_GT(length(seen.at(2.9).pose.position - seen.at(2.0).pose.position), 0.01) << "it drives on";
+  EXPECT_THAT(seen.happenings, ElementsAre(HasSubstr("tilt"), HasSubstr("lower")));
+}
+
+TEST_F(Scripts, SayWhatATiltIs) {
+  EXPECT_THAT(error_of("at 1s tilt 200deg back"), HasSubstr("from 1deg to 180deg"));
+  EXPECT_THAT(error_of("at 1s tilt 20deg up"), HasSubstr("ahead, back, left or right, not \"up\""));
+  EXPECT_THAT(error_of("at 1s tilt 20deg back in 1s for 1s"), HasSubstr("over and back again"));
+}
+
 TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {
   play("at 1s sweep 40mm for 9s\nat 1.35s place 700mm,400mm,NE", 2);
   EXPECT_NEAR(seen.at(1.351).pose.position.x, 0.7, 0.002);

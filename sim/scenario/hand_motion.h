@@ -1,0 +1,27 @@
+// How a hand moves a robot.
+#pragma once
+
+#include "hal/board/sim_time.h"
+#include "sim/world/body.h"
+
+namespace robosim::scenario {
+
+/// To and fro over the floor: evenly to the left, to the right as far, and back.
+struct Sweep {
+  Pose base;
+  SimTime began, period;
+  double reach;  ///< m
+
+  Pose at(SimTime t) const;
+};
+
+/// Held up and leant: evenly over in the time `way`, and back as fast, so that it is level again at `end`.
+struct Tilt {
+  SimTime began, way, end;
+  double angle;  ///< rad
+  Vec2 side;     ///< of the robot's frame, that goes down; a unit vector
+
+  world::Lean at(SimTime t) const;
+};
+
+}  // namespace robosim::scenario
