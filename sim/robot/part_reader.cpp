@@ -154,6 +154,30 @@ Number PartReader::volts(const char* key, Number fallback, double most) {
   return {volts.value * share, volts.spread * share};
 }
 
+std::vector<Number> PartReader::figures(const char* key, Dimension dimension, Number fallback, double least,
+                                        double most, std::size_t count) {
+  const ConfigValue* value = table_.find(key);
+  if (!value || value->kind != ConfigValue::Kind::array)
+    return std::vector<Number>(count, value ? as_figure(*value, key, dimension, least, most) : fallback);
+  if (value->items.size() != count)
+    throw InputError(value->place,
+                     fmt::format("{} is a list of {}, but {} has {} pins: give one for each, or "
+                                 "one for all without brackets",
+                                 key, value->items.size(), name_, count));
+  std::vector<Number> all;
+  for (const ConfigValue& item : value->items) all.push_back(as_figure(item, key, dimension, least, most));
+  return all;
+}
+
+std::vector<Number> PartReader::volts_of_each(const char* key, Number fallback, std::size_t count) {
+  const double own = terminals_.written_for->supply_volts;
+  const double share = terminals_.board->supply_volts / own;
+  std::vector<Number> all =
+      figures(key, Dimension::voltage, {fallback.value * own, fallback.spread * own}, 0.0, own, count);
+  for (Number& volts : all) volts = {volts.value * share, volts.spread * share};
+  return all;
+}
+
 Vec2 PartReader::point(const char* key, Vec2 fallback) {
   const ConfigValue* value = table_.find(key);
   return value ? as_point(*value, key) : fallback;

@@ -57,6 +57,11 @@ class PartReader {
   /// A voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the supply. With
   /// another board in place of the file's own, it keeps its share of the supply.
   Number volts(const char* key, Number fallback = {}, double most = 1e3);
+  /// The figure of each of `count` elements: one for all of them, or a list of as many.
+  std::vector<Number> figures(const char* key, Dimension dimension, Number fallback, double least,
+                              double most, std::size_t count);
+  /// The same of voltages.
+  std::vector<Number> volts_of_each(const char* key, Number fallback, std::size_t count);
   Vec2 point(const char* key, Vec2 fallback);
   /// rad; the bounds are inclusive.
   double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,

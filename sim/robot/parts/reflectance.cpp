@@ -35,29 +35,39 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.height = reader.figure("height", Dimension::length, {kBestHeight, 0.0}, 0.0005, 0.03);
   spec.footprint = reader.figure("footprint", Dimension::length, {}, 0.0005, 0.03);
   spec.emitter = reader.optional_pin("emitter", PinUse::driven);
-  if (spec.read == Read::rc) {
-    spec.white_time = reader.figure("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1);
-    spec.black_time = reader.figure("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1);
-    if (spec.white_time.value + spec.white_time.spread >= spec.black_time.value - spec.black_time.spread)
-      throw InputError(
-          reader.table().table().place,
-          fmt::format("{}: white_time must be shorter than black_time, spread included", reader.name()));
-    return;
-  }
+  if (spec.read == Read::rc) return;
   spec.black_high = reader.high("black", true);
-  if (spec.read == Read::digital) {
-    spec.threshold = reader.figure("threshold", Dimension::ratio, {0.5, 0.0}, 0.02, 0.98);
-    spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
-    return;
+  if (spec.read == Read::analog) return;
+  spec.threshold = reader.figure("threshold", Dimension::ratio, {0.5, 0.0}, 0.02, 0.98);
+  spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
+}
+
+// What each element gives over white and over black, once their number is known.
+void read_levels(PartReader& reader, ReflectanceSpec& spec) {
+  const std::size_t count = spec.elements.size();
+  std::vector<Number> white(count), black(count);
+  if (spec.read == Read::rc) {
+    white = reader.figures("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1, count);
+    black = reader.figures("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1, count);
+  } else if (spec.read == Read::analog) {
+    const Number light{0.08, 0.0};  // of the supply
+    const Number dark{0.9, 0.0};
+    white = reader.volts_of_each("white_volts", spec.black_high ? light : dark, count);
+    black = reader.volts_of_each("black_volts", spec.black_high ? dark : light, count);
   }
-  const Number light{0.08, 0.0};  // of the supply
-  const Number dark{0.9, 0.0};
-  spec.white_volts = reader.volts("white_volts", spec.black_high ? light : dark);
-  spec.black_volts = reader.volts("black_volts", spec.black_high ? dark : light);
-  if ((spec.black_volts.value > spec.white_volts.value) != spec.black_high)
-    throw InputError(reader.table().table().place,
-                     fmt::format("{}: black = \"{}\" does not go with white_volts and black_volts",
-                                 reader.name(), spec.black_high ? "high" : "low"));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Number &w = white[i], &b = black[i];
+    if (spec.read == Read::rc && w.value + w.spread >= b.value - b.spread)
+      throw InputError(reader.table().table().place,
+                       fmt::format("{}: white_time must be shorter than black_time, spread included",
+                                   spec.elements[i].name));
+    if (spec.read == Read::analog && (b.value > w.value) != spec.black_high)
+      throw InputError(reader.table().table().place,
+                       fmt::format("{}: black = \"{}\" does not go with white_volts and black_volts",
+                                   spec.elements[i].name, spec.black_high ? "high" : "low"));
+    spec.elements[i].white = w;
+    spec.elements[i].black = b;
+  }
 }
 
 PinUse use_of(const ReflectanceSpec& spec) {
@@ -129,7 +139,8 @@ std::shared_ptr<const PartSpec> read_reflectance(PartReader& reader) {
   read_common(reader, *spec);
   reader.table().require("at");
   const Vec2 at = reader.point("at", {});
-  spec->elements.push_back({reader.name(), at, reader.pin("pin", use_of(*spec))});
+  spec->elements.push_back({reader.name(), at, reader.pin("pin", use_of(*spec)), {}, {}});
+  read_levels(reader, *spec);
   return reader.finish(spec);
 }
 
@@ -145,8 +156,9 @@ std::shared_ptr<const PartSpec> read_reflectance_array(PartReader& reader) {
     const double places = 0.5 * static_cast<double>(pins.size() - 1) - static_cast<double>(i);
     const double y = places * pitch;
     spec->elements.push_back(
-        {reader.name() + std::to_string(i + 1), at + Vec2{0.0, from_left ? y : -y}, pins[i]});
+        {reader.name() + std::to_string(i + 1), at + Vec2{0.0, from_left ? y : -y}, pins[i], {}, {}});
   }
+  read_levels(reader, *spec);
   return reader.finish(spec);
 }
 
@@ -216,8 +228,8 @@ void Sensor::fail(const Fault& fault) {
 AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                            const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
-      white_(context.individual.draw(spec.white_volts, name(), "white_volts")),
-      span_(context.individual.draw(spec.black_volts, name(), "black_volts") - white_),
+      white_(context.individual.draw(element.white, name(), "white_volts")),
+      span_(context.individual.draw(element.black, name(), "black_volts") - white_),
       supply_(context.description.board->supply_volts),
       step_volts_(supply_ / context.description.board->adc_steps) {}
 

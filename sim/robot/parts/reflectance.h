@@ -29,20 +29,17 @@ class ReflectanceSpec final : public PartSpec {
     std::string name;
     Vec2 at;  ///< m
     Pin pin;
+    Number white, black;  ///< what it gives: volts (analog), s (rc)
   };
 
   Read read = Read::analog;
   bool black_high = true;
-  Number white_volts;  ///< analog
-  Number black_volts;  ///< analog
-  Number threshold;    ///< digital: of blackness
-  Number hysteresis;   ///< digital: of blackness, full width
-  Number white_time;   ///< rc, s
-  Number black_time;   ///< rc, s
-  Number noise;        ///< standard deviation of blackness
-  Number ambient;      ///< of blackness
-  Number height;       ///< m
-  Number footprint;    ///< m; 0 = twice the height
+  Number threshold;   ///< digital: of blackness
+  Number hysteresis;  ///< digital: of blackness, full width
+  Number noise;       ///< standard deviation of blackness
+  Number ambient;     ///< of blackness
+  Number height;      ///< m
+  Number footprint;   ///< m; 0 = twice the height
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 

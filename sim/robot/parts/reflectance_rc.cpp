@@ -14,8 +14,8 @@ constexpr double kThreshold = 0.5;        // of the supply, at which an input fa
 RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                    const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
-      white_rate_(1.0 / context.individual.draw(spec.white_time, name(), "white_time")),
-      black_rate_(1.0 / context.individual.draw(spec.black_time, name(), "black_time")),
+      white_rate_(1.0 / context.individual.draw(element.white, name(), "white_time")),
+      black_rate_(1.0 / context.individual.draw(element.black, name(), "black_time")),
       supply_(context.description.board->supply_volts) {
   context.kept.add(state_);
 }

@@ -99,6 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{kBareRobot + part(kEye) +
                  "pin = \"A0\"\nblack = \"low\"\nwhite_volts = \"1 V\"\nblack_volts = \"2 V\"\n",
              "does not go with"},
+        Case{kBareRobot + part("name = \"e\"\ntype = \"reflectance-array\"\nat = [\"70 mm\", \"0 "
+                               "mm\"]\npitch = \"9 mm\"\n"
+                               "pins = [\"A0\", \"A1\"]\nwhite_volts = [\"1 V\"]\n"),
+             "white_volts is a list of 1, but e has 2 pins"},
         Case{kBareRobot + part("name = \"e\"\ntype = \"encoder\"\nperiods = 20\npins = { a = 2 }\n"),
              "needs the key wheel"},
         Case{kBareRobot + part("name = \"left\"\ntype = \"motor\"\npins = { in1 = 2 }\n"),
@@ -287,16 +291,15 @@ TEST_F(AnotherBoard, TakesThePlaceOfTheFilesOwn) {
 }
 
 TEST_F(AnotherBoard, BringsItsSupplyToTheSensors) {
-  const ReflectanceSpec own = sensors_of(load_description("uno5"));
-  const ReflectanceSpec sensors = sensors_of(load_description("uno5@bluepill"));
-  const ReflectanceSpec stock = sensors_of(load_description("bluepill5"));
-  const ReflectanceSpec back = sensors_of(load_description("bluepill5@uno"));
-  EXPECT_DOUBLE_EQ(sensors.white_volts.value, own.white_volts.value / 5.0 * 3.3);
-  EXPECT_DOUBLE_EQ(sensors.black_volts.spread, own.black_volts.spread / 5.0 * 3.3);
-  EXPECT_DOUBLE_EQ(sensors.white_volts.value, stock.white_volts.value) << "bluepill5 is this robot";
-  EXPECT_DOUBLE_EQ(sensors.white_volts.spread, stock.white_volts.spread);
-  EXPECT_DOUBLE_EQ(sensors.black_volts.value, stock.black_volts.value);
-  EXPECT_DOUBLE_EQ(back.black_volts.value, own.black_volts.value);
+  const auto first = [](const char* robot) { return sensors_of(load_description(robot)).elements.front(); };
+  const ReflectanceSpec::Element own = first("uno5"), sensors = first("uno5@bluepill"),
+                                 stock = first("bluepill5"), back = first("bluepill5@uno");
+  EXPECT_DOUBLE_EQ(sensors.white.value, own.white.value / 5.0 * 3.3);
+  EXPECT_DOUBLE_EQ(sensors.black.spread, own.black.spread / 5.0 * 3.3);
+  EXPECT_DOUBLE_EQ(sensors.white.value, stock.white.value) << "bluepill5 is this robot";
+  EXPECT_DOUBLE_EQ(sensors.white.spread, stock.white.spread);
+  EXPECT_DOUBLE_EQ(sensors.black.value, stock.black.value);
+  EXPECT_DOUBLE_EQ(back.black.value, own.black.value);
 }
 
 TEST_F(AnotherBoard, OfTheSameNameChangesNothing) {

@@ -33,6 +33,16 @@ TEST(AnalogReflectance, GoesFromWhiteToBlackOverOneFootprint) {
   EXPECT_DOUBLE_EQ(bench.volts(kA0), 0.5);
 }
 
+TEST(AnalogReflectance, EachElementOfAnArrayMayHaveVoltagesOfItsOwn) {
+  BenchRobot bench(
+      "[[part]]\nname = \"eyes\"\ntype = \"reflectance-array\"\npins = [\"A0\", \"A1\"]\n"
+      "at = [\"70 mm\", \"0 mm\"]\npitch = \"2 mm\"\nwhite_volts = [\"0.2 V\", \"0.7 V\"]\n"
+      "black_volts = \"4.5 V\"\n");
+  place_beside_line(bench, 0.03);
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 0.2);
+  EXPECT_DOUBLE_EQ(bench.volts(static_cast<Pin>(kA0 + 1)), 0.7);
+}
+
 TEST(AnalogReflectance, BlackLowSwapsTheDefaults) {
   BenchRobot bench(sensor("black = \"low\"\n"));
   EXPECT_LT(bench.volts(kA0), 1.0);
