@@ -274,6 +274,8 @@ Command parse_robot(Words words) {
   Options options("robot " + action.value_or("list|show|check"),
                   "The robots there are, the text of one, a file checked.");
   if (action != "list") options.positional("ROBOT", robot.robot, "file, or name of a stock robot");
+  if (action == "show")
+    options.flag("--full", robot.full, "with what it has from the robots that it is based on, as one file");
   if (const auto help = options.parse(words)) return PrintText{*help};
   robot.action = *action;
   if (robot.action != "list" && robot.robot.empty()) {

@@ -114,6 +114,7 @@ struct ImportArguments {
 struct RobotArguments {
   std::string action;
   std::string robot;
+  bool full = false;  ///< show: with the robots that it is based on
 };
 
 /// `robosim wire`

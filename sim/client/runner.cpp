@@ -120,9 +120,9 @@ std::optional<Answer> Runner::take(bool wait, const wire::OnEvent& on_event) {
   throw wire::RunnerError("the runner " + name_ + " answered something that was not asked");
 }
 
-wire::RobotInfo Runner::describe_robot(const std::string& robot) {
+wire::RobotInfo Runner::describe_robot(const std::string& robot, bool full) {
   check_name(robot);
-  process_->write(wire::to_line(++last_id_, wire::Request(wire::DescribeRobot{robot})));
+  process_->write(wire::to_line(++last_id_, wire::Request(wire::DescribeRobot{robot, full})));
   return *take<wire::RobotInfo>(true, {});
 }
 

@@ -38,8 +38,8 @@ class Runner {
 
   const wire::Hello& hello() const { return hello_; }
 
-  /// A stock robot's name, or a path. Throws InputError.
-  wire::RobotInfo describe_robot(const std::string& robot);
+  /// A stock robot's name, or a path; `full`: with RobotInfo::text. Throws InputError.
+  wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
   /// Runs to the verdict. Throws InputError for bad input, ToolMissing, and RunnerError when the runner dies
   /// without an answer, breaks the protocol or meets a fault of its own; after a RunnerError this runner is

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "sim/base/config_text.h"
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "sim/robot/netlist.h"
@@ -170,7 +171,8 @@ std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Termin
 }
 
 // Two parts on one pin, two names alike, two motors on one wheel.
-void check_together(const Description& robot, const std::vector<Wire>& driver_wires) {
+void check_together(const Description& robot, const std::vector<Wire>& driver_wires,
+                    const RobotSource& source) {
   struct User {
     const Wire* wire;
     std::string part;
@@ -180,9 +182,9 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
     for (const User& user : users)
       if (user.wire->pin == wire.pin && !(user.wire->shared && wire.shared))
         throw InputError(wire.place,
-                         fmt::format("pin {} is taken: {} of {} uses it ({}:{}); every pin serves one part",
+                         fmt::format("pin {} is taken: {} of {} uses it ({}); every pin serves one part",
                                      pin_text(robot, wire.pin), user.wire->role, user.part,
-                                     user.wire->place.file, user.wire->place.line));
+                                     place_text(source, user.wire->place)));
     users.push_back({&wire, part});
   };
   for (const Wire& wire : driver_wires) take(wire, "[driver]");
@@ -227,8 +229,9 @@ void check_mounts(const Description& robot) {
 
 }  // namespace
 
-Description parse_description(std::string_view text, const fs::path& file, const BoardSpec* instead) {
-  const RobotSource source = read_source(text, file);
+namespace {
+
+Description read_description(const RobotSource& source, const fs::path& file, const BoardSpec* instead) {
   TableReader reader(source.tree, "a robot file");
   Description robot;
   robot.name = file.stem().string();
@@ -259,10 +262,25 @@ Description parse_description(std::string_view text, const fs::path& file, const
   if (parts)
     for (const ConfigValue& part : parts->items) robot.parts.push_back(read_part(part, terminals, robot));
   reader.finish();
-  check_together(robot, driver_wires);
+  check_together(robot, driver_wires, source);
   check_chains(robot);
   check_mounts(robot);
   return robot;
+}
+
+}  // namespace
+
+Description parse_description(std::string_view text, const fs::path& file, const BoardSpec* instead) {
+  const RobotSource source = read_source(text, file);
+  try {
+    return read_description(source, file, instead);
+  } catch (const InputError& error) {
+    const auto base = source.based_on.find(error.place().file);
+    if (base == source.based_on.end()) throw;
+    const Place& extends = base->second;
+    throw InputError(error.place(), fmt::format("{} ({}:{} extends this file)", error.message(), extends.file,
+                                                extends.line));
+  }
 }
 
 std::string pin_text(const Description& robot, Pin pin) {
@@ -279,6 +297,11 @@ Description load_description(const std::string& robot_name) {
         fmt::format("{}: no board is called \"{}\"; there are {}", robot_name, name.board, board_names()));
   const fs::path file = find_robot(name.robot);
   return parse_description(read_file(file), file, board);
+}
+
+std::string full_text(const std::string& robot_name) {
+  const fs::path file = find_robot(parse_robot_name(robot_name).robot);
+  return to_toml(read_source(read_file(file), file).tree, file.string());
 }
 
 }  // namespace robosim::robot

@@ -149,6 +149,10 @@ std::vector<std::string> stock_robots();
 /// (sim/base/robot_name.h). Throws InputError with file and line.
 Description load_description(const std::string& robot_name);
 
+/// Its file with the robots that it is based on, as one file without a base: what is said there, without the
+/// defaults. Lines of the others have a comment with their place. Throws InputError.
+std::string full_text(const std::string& robot_name);
+
 /// The same from text; `file` is for messages, and `base` is looked for beside it. The board `instead`, if
 /// there is one, takes the place of the file's own: pins keep their names (5, A0), the voltages of sensors
 /// their share of the supply. A budget is of the own board's chip, and then none holds.

@@ -142,7 +142,7 @@ fs::path find_base(const ConfigValue& base, const fs::path& from) {
 }
 
 RobotSource read_with_bases(std::string_view text, const fs::path& file, int depth) {
-  RobotSource source{parse_toml(text, file.string()), std::string(text)};
+  RobotSource source{parse_toml(text, file.string()), std::string(text), {}};
   const ConfigValue* base = source.tree.find("base");
   if (!base) {
     if (const ConfigValue* list = source.tree.find("remove"))
@@ -161,12 +161,21 @@ RobotSource read_with_bases(std::string_view text, const fs::path& file, int dep
     throw InputError(base->place, fmt::format("base is \"{}\", but {}", base->string, error.what()));
   }
   RobotSource below = read_with_bases(base_text, path, depth + 1);
+  source.based_on = std::move(below.based_on);
+  source.based_on.emplace(path.string(), base->place);
   source.tree = derive(std::move(below.tree), std::move(source.tree));
   source.bytes += below.bytes;
   return source;
 }
 
 }  // namespace
+
+std::string place_text(const RobotSource& source, const Place& place) {
+  const auto base = source.based_on.find(place.file);
+  const std::string text = fmt::format("{}:{}", place.file, place.line);
+  if (base == source.based_on.end()) return text;
+  return fmt::format("{}, which {}:{} extends", text, base->second.file, base->second.line);
+}
 
 RobotSource read_source(std::string_view text, const fs::path& file) {
   return read_with_bases(text, file, 0);

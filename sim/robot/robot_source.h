@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,12 @@ namespace robosim::robot {
 struct RobotSource {
   ConfigValue tree;
   std::string bytes;  ///< the file's own text, then those of its bases
+  /// Of each base where it is named: by "base" of the file that is based on it.
+  std::map<std::string, Place> based_on;
 };
+
+/// "uno5.toml:12", and of a place in a base "uno5.toml:12, which my.toml:1 extends".
+std::string place_text(const RobotSource& source, const Place& place);
 
 /// Throws InputError: no TOML; a base that is not there, or more than 8 of them; a part to remove that there
 /// is not.

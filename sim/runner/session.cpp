@@ -298,8 +298,10 @@ void serve_line(const ExecutorFactory& factory, const std::string& line) {
     if (!asked.request) throw InputError(asked.fault);
     if (const auto* run = std::get_if<wire::RunRequest>(&*asked.request))
       return serve_run(factory, *run, asked.id);
-    const auto& robot = std::get<wire::DescribeRobot>(*asked.request).robot;
-    return to_wire(robot::describe(robot::load_description(robot)));
+    const auto& [robot, full] = std::get<wire::DescribeRobot>(*asked.request);
+    wire::RobotInfo info = to_wire(robot::describe(robot::load_description(robot)));
+    if (full) info.text = robot::full_text(robot);
+    return info;
   });
   if (answer) write_line(wire::to_line(asked.id, *answer));
 }

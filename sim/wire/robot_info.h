@@ -51,6 +51,7 @@ struct RobotInfo {
   std::vector<Sensor> sensors;
   std::vector<Gauge> gauges;
   std::vector<Part> parts;
+  std::string text;  ///< its file with the robots that it is based on, as one; empty where nobody asked
 };
 
 template <class V>
@@ -105,6 +106,9 @@ void fields(V& v, Same<V, RobotInfo>& r) {
   v("gauges", r.gauges, "readings that are numbers with a unit; other readings are levels, or on and off",
     {.presence = kOptional});
   v("parts", r.parts, "all, with their pins");
+  v("text", r.text,
+    "its file with the robots that it is based on, as one file; only where `full` asks for it",
+    {.presence = when(!r.text.empty())});
 }
 
 }  // namespace robosim::wire

@@ -16,12 +16,14 @@ namespace robosim::wire {
 struct DescribeRobot {
   static constexpr const char* kDo = "describe_robot";
   std::string robot;
+  bool full = false;  ///< with RobotInfo::text
 };
 
 template <class V>
 void fields(V& v, Same<V, DescribeRobot>& d) {
   v("robot", d.robot, "a stock robot's name, or a path, either with `@BOARD` for another board",
     {.not_empty = true});
+  v("full", d.full, "`true`: the answer has the key `text`", {.presence = when(d.full)});
 }
 
 /// One simulation.

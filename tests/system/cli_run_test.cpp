@@ -11,6 +11,7 @@
 namespace robosim::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -157,6 +158,16 @@ TEST(Cli, AStockRobotsOwnTextIsFine) {
     EXPECT_THAT(checked.out, HasSubstr("robot.toml is fine"));
     EXPECT_THAT(checked.out, HasSubstr(" (P")) << "pins have the board's name and the chip's";
   }
+}
+
+TEST(Cli, ARobotIsShownAsOneFileWithWhatItInherits) {
+  const Folder folder;
+  folder.write("my.toml", "base = \"uno5\"\n[chassis]\nwheel = \"42 mm\"\n");
+  const Ended shown = robosim_command({"robot", "show", "./my.toml", "--full"}, folder.path());
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, AllOf(HasSubstr("\nwheel = \"42 mm\"\n"), HasSubstr("# uno5.toml:")));
+  folder.write("one.toml", shown.out);
+  EXPECT_EQ(robosim_command({"robot", "check", "one.toml"}, folder.path()).status, 0);
 }
 
 TEST(Cli, AFullDiskIsNoticed) {

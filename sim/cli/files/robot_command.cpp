@@ -74,7 +74,12 @@ int robot_command(const RobotArguments& arguments) {
     return 0;
   }
   const launch::Choice robot = launch::choose_robot(arguments.robot, ".");
-  arguments.action == "show" ? show(parse_robot_name(robot.name).robot) : check(robot);
+  if (arguments.full) {
+    client::Runner runner(client::available_targets().front());
+    print(runner.describe_robot(robot.path.string(), true).text);
+  } else {
+    arguments.action == "show" ? show(parse_robot_name(robot.name).robot) : check(robot);
+  }
   return 0;
 }
 

@@ -109,6 +109,7 @@ TEST(Arguments, OtherCommandsTakeTheirWords) {
   EXPECT_EQ(generate.out, "maps");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "list"}).action, "list");
   EXPECT_EQ(parsed<RobotArguments>({"robot", "check", "x.toml"}).robot, "x.toml");
+  EXPECT_TRUE(parsed<RobotArguments>({"robot", "show", "x.toml", "--full"}).full);
   EXPECT_THAT(parsed<TestArguments>({"test"}).sketches, testing::IsEmpty());
   const TestArguments test = parsed<TestArguments>({"test", "a/", "b/", "--checks", "c", "--junit", "j"});
   EXPECT_THAT(test.sketches, testing::ElementsAre("a/", "b/"));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/config_text.h"
 #include "sim/base/file.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/parts/reflectance.h"
@@ -19,6 +20,7 @@ namespace robosim::robot {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 std::string message_of(const std::string& text) {
@@ -129,6 +131,31 @@ TEST(Description, TwoPartsOnOnePinAreRefusedNamingBoth) {
   const std::string message = message_of(kBareRobot + part("name = \"x\"\ntype = \"led\"\npin = 13\n") +
                                          part("name = \"y\"\ntype = \"buzzer\"\npin = \"D13\"\n"));
   EXPECT_THAT(message, HasSubstr("robot.toml:23:7: pin 13 is taken: pin of x uses it (robot.toml:19)"));
+}
+
+TEST(Description, ALineThatIsInheritedIsNamedWithTheFileThatExtendsIt) {
+  const std::string uno5 = find_robot("uno5").string();
+  EXPECT_THAT(message_of("base = \"uno5\"\n" + part("name = \"x\"\ntype = \"led\"\npin = 5\n")),
+              AllOf(HasSubstr("robot.toml:5"), HasSubstr("en of left uses it (" + uno5 + ":"),
+                    HasSubstr(", which robot.toml:1 extends)")));
+  EXPECT_THAT(
+      message_of("base = \"uno5\"\nboard = \"gemma\"\n"),
+      AllOf(HasSubstr(uno5 + ":"), HasSubstr("board gemma"), HasSubstr("(robot.toml:1 extends this file)")));
+}
+
+TEST(Description, ItsFullTextIsOneFileThatMeansTheSame) {
+  for (const std::string& name : stock_robots()) {
+    const std::string text = full_text(name);
+    const Description one = parse_description(text, "one.toml"), robot = load_description(name);
+    ASSERT_EQ(one.parts.size(), robot.parts.size()) << name;
+    EXPECT_EQ(one.chassis.mass.value, robot.chassis.mass.value) << name;
+    for (std::size_t i = 0; i < robot.parts.size(); ++i) EXPECT_EQ(one.parts[i]->name, robot.parts[i]->name);
+    EXPECT_EQ(to_toml(parse_toml(text, "one.toml"), "one.toml"),
+              to_toml(parse_toml(to_toml(parse_toml(text, "a"), "a"), "a"), "a"))
+        << name;
+    EXPECT_EQ(text.find("base"), std::string::npos) << name;
+  }
+  EXPECT_THAT(full_text("mega5"), ContainsRegex("\nmass = .* # uno5.toml:[0-9]+\n"));
 }
 
 TEST(Description, TwoPartsOfOneNameAreRefused) {
