@@ -17,24 +17,60 @@ constexpr const char* kBoards =
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
-/// The name between the quotes behind `before`, as in "'A8' was not declared".
-std::string quoted(const std::string& text, const char* behind) {
-  const std::size_t end = text.find(std::string("'") + behind);
-  if (end == std::string::npos || end == 0) return "";
-  const std::size_t begin = text.rfind('\'', end - 1);
-  return begin == std::string::npos ? "" : text.substr(begin + 1, end - begin - 1);
+/// The names between the quotes behind `behind`, as in "'A8' was not declared", each once.
+std::vector<std::string> all_quoted(const std::string& text, const char* behind) {
+  std::vector<std::string> names;
+  const std::string what = std::string("'") + behind;
+  for (std::size_t end = text.find(what); end != std::string::npos; end = text.find(what, end + 1)) {
+    const std::size_t begin = end == 0 ? std::string::npos : text.rfind('\'', end - 1);
+    if (begin == std::string::npos) continue;
+    std::string name = text.substr(begin + 1, end - begin - 1);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  return names;
 }
 
-std::string pin_hint(const std::string& name) {
-  const bool is_pin = name.size() > 1 && name[0] == 'A' &&
-                      std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!is_pin) return "";
+/// The first of them; empty if there is none.
+std::string quoted(const std::string& text, const char* behind) {
+  const std::vector<std::string> names = all_quoted(text, behind);
+  return names.empty() ? "" : names.front();
+}
+
+bool is_letter_and_digits(const std::string& name, char letter) {
+  return name.size() > 1 && name.size() < 4 && name[0] == letter &&
+         std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// "of the boards these have a pin A8: mega …"; `needs` says whether a board has it.
+template <typename Has>
+std::string boards_hint(const std::string& what, Has has) {
   std::vector<std::string> boards;
   for (int i = 0; const BoardSpec* const board = board_at(i); ++i)
-    if (find_pin(*board, name.c_str()) != kNoPin) boards.emplace_back(board->name);
-  if (boards.empty()) return fmt::format("no board has a pin {}", name);
-  return fmt::format("of the boards these have a pin {}: {}; --robot NAME@BOARD runs the sketch on one", name,
+    if (has(*board)) boards.emplace_back(board->name);
+  if (boards.empty()) return fmt::format("no board has {}", what);
+  return fmt::format("of the boards these have {}: {}; --robot NAME@BOARD runs the sketch on one", what,
                      fmt::join(boards, ", "));
+}
+
+/// `missing` are the names that are not declared.
+std::string pin_hint(const std::string& name, const std::vector<std::string>& missing) {
+  if (is_letter_and_digits(name, 'D'))
+    return fmt::format("{} is a pin's name on an ESP8266; on Arduino's boards it is {}", name,
+                       name.substr(1));
+  if (name.size() == 7 && name.rfind("Serial", 0) == 0 && name[6] >= '1' && name[6] <= '9')
+    return boards_hint(name, [&](const BoardSpec& board) {
+      return name[6] - '0' < board.chip->uart_count + (board.chip->usb.address ? 1 : 0);
+    });
+  if (!is_letter_and_digits(name, 'A')) return "";
+  std::vector<std::string> pins;
+  for (const std::string& other : missing)
+    if (is_letter_and_digits(other, 'A')) pins.push_back(other);
+  return boards_hint(fmt::format("{} {}", pins.size() > 1 ? "the pins" : "a pin", fmt::join(pins, ", ")),
+                     [&](const BoardSpec& board) {
+                       return std::all_of(pins.begin(), pins.end(), [&](const std::string& pin) {
+                         return find_pin(board, pin.c_str()) != kNoPin;
+                       });
+                     });
 }
 
 struct Class {
@@ -87,7 +123,8 @@ std::string hint_for(const std::string& messages) {
   if (no_type == "from" || no_type == "import" || no_type == "def")
     return fmt::format("this looks like Python; a sketch is C++, and {}", kBoards);
   for (const std::string& name : {undeclared, no_type}) {
-    if (const std::string hint = pin_hint(name); !hint.empty()) return hint;
+    if (const std::string hint = pin_hint(name, all_quoted(messages, " was not declared")); !hint.empty())
+      return hint;
     if (const std::string hint = class_hint(name); !hint.empty()) return hint;
   }
   if (has(first, "expected ',' or ';' before") || has(first, "expected ';' before") ||
@@ -135,6 +172,13 @@ std::string library_of_header(const std::string& header) {
   for (const Known& one : list)
     if (header == one.header) return one.library;
   return "";
+}
+
+std::string purpose_of_core_library(const std::string& header) {
+  if (header == "Wire.h") return "a two-wire bus (I2C)";
+  if (header == "SPI.h") return "an SPI";
+  if (header == "SoftwareSerial.h") return "serial lines on any pins";
+  return header == "HID.h" ? "USB" : "";
 }
 
 std::string foreign_header(const std::string& header) {

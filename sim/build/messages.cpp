@@ -95,6 +95,17 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
         place,
         fmt::format("there is no header {}: Arduino boards with an AVR chip have no C++ standard library",
                     header));
+  if (const std::string purpose = purpose_of_core_library(header); !purpose.empty()) {
+    if (std::string_view(toolchain.target.name) == "stm32")
+      throw InputError(place,
+                       fmt::format("{} is for {}, which sketches have on the targets host and avr: the "
+                                   "core for the stm32 has none yet",
+                                   header, purpose));
+    throw InputError(place,
+                     fmt::format("there is no header {}: it comes with the AVR core, of which a part is "
+                                 "missing here: sudo apt install --reinstall arduino-core-avr",
+                                 header));
+  }
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
   const std::string known = library_of_header(header);

@@ -16,6 +16,23 @@ TEST(Hints, APinOfOtherBoardsIsToldWithTheBoards) {
               HasSubstr("no board has a pin A99"));
 }
 
+TEST(Hints, OfSeveralPinsTheBoardsHaveAll) {
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'A8' was not declared in this scope\n"
+                       "a.ino:2:2: error: 'A12' was not declared in this scope"),
+              HasSubstr("of the boards these have the pins A8, A12: mega; --robot"));
+}
+
+TEST(Hints, ASerialLineOfOtherBoardsIsToldWithTheBoards) {
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'Serial1' was not declared in this scope"),
+              HasSubstr("these have Serial1: mega, leonardo, micro; --robot"));
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'Serial3' was not declared in this scope"),
+              HasSubstr("these have Serial3: mega; --robot"));
+}
+
+TEST(Hints, APinsNameOnAnEsp8266IsANumberHere) {
+  EXPECT_THAT(hint_for("a.ino:1:2: error: 'D5' was not declared in this scope"), HasSubstr("it is 5"));
+}
+
 TEST(Hints, ALibrarysClassNamesItsHeader) {
   EXPECT_THAT(hint_for("a.ino:4:1: error: 'Servo' does not name a type"), HasSubstr("#include <Servo.h>"));
 }
