@@ -114,6 +114,13 @@ std::vector<const Clue*> Clues::never_used() const {
   return list;
 }
 
+bool Clues::is_given_to(std::initializer_list<const char*> functions, Pin pin) const {
+  return std::any_of(names_.given.begin(), names_.given.end(), [&](const Given& given) {
+    return !given.pins.empty() && given.pins[0] == pin &&
+           std::find(functions.begin(), functions.end(), given.type) != functions.end();
+  });
+}
+
 std::string Clues::toml(Pin pin) const {
   const std::string name = board_.pins[pin].name;
   return name[0] == 'D' ? name.substr(1) : fmt::format("\"{}\"", name);

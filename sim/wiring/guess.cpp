@@ -34,17 +34,11 @@ void add_pin_part(Clues& clues, RobotDraft& draft, const Clue& clue, const char*
   clues.take(clue.pin);
 }
 
-bool is_awaited(const Clues& clues, Pin pin) {
-  return std::any_of(clues.names().given.begin(), clues.names().given.end(), [&](const Given& given) {
-    return (given.type == "attachInterrupt" || given.type == "digitalPinToInterrupt") &&
-           !given.pins.empty() && given.pins[0] == pin;
-  });
-}
-
 void guess_input(Clues& clues, RobotDraft& draft, const Clue& clue) {
   const bool low = clue.facts->pulled_up;
   if (says(clue.words, {"enc"}) ||
-      (is_awaited(clues, clue.pin) && !says(clue.words, {"butt", "btn", "start", "sw"}))) {
+      (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) &&
+       !says(clue.words, {"butt", "btn", "start", "sw"}))) {
     PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
                    "encoder",
                    {{"pins", fmt::format("{{ a = {} }}", clues.toml(clue.pin))}, {"periods", "20"}},

@@ -19,10 +19,13 @@ bool is_motor_like(const Clue& clue) {
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
-// rmf, lf: a side and a direction in one word
+// rmf, lf: a side and a direction in one word. The B of motorB is no direction.
 bool is_short_for(const Clue& clue, char direction) {
   constexpr std::size_t kLongest = 4;
-  return !clue.words.empty() && clue.words.back().size() <= kLongest &&
+  const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
+                          side_of(clue.words) != Side::unknown &&
+                          side_of({clue.words.begin(), clue.words.end() - 1}) == Side::unknown;
+  return !clue.words.empty() && !is_channel && clue.words.back().size() <= kLongest &&
          clue.words.back().back() == direction &&
          (clue.words.back().size() == 1 || side_of({clue.words.back()}) != Side::unknown);
 }

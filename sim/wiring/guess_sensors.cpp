@@ -9,8 +9,10 @@ namespace {
 
 using Pins = std::vector<const Clue*>;
 
-bool is_sensor_like(const Clue& clue) {
+bool is_sensor_like(const Clues& clues, const Clue& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
+  // Of an encoder, a button, a receiver of remote control: a line sensor's edges and pulses are of no use.
+  if (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
   if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
                         "trig",  "enc",   "batt",   "vbat", "volt",  "pot",  "dist", "sharp",
@@ -63,7 +65,7 @@ constexpr std::size_t kMostElements = 16;
 void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft) {
   Pins sensors;
   for (const Clue* clue : clues.left())
-    if (is_sensor_like(*clue)) sensors.push_back(clue);
+    if (is_sensor_like(clues, *clue)) sensors.push_back(clue);
   if (sensors.empty() || sensors.size() > kMostElements) return;
   const bool placed =
       std::any_of(sensors.begin(), sensors.end(), [](const Clue* c) { return place_of(*c) != 0; });

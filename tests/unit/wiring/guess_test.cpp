@@ -110,6 +110,30 @@ TEST(Guess, SensorsStandInTheOrderOfTheirSides) {
   EXPECT_THAT(text, HasSubstr("read = \"digital\"\npins = [4, 3, 2]"));
 }
 
+TEST(Guess, EncodersAndReceiversAreNoLineSensors) {
+  Seen run;
+  for (const char* pin : {"D2", "D4", "D7", "D8", "D11"}) run.look(pin);
+  const std::string text = guessed(
+      "#define stepsLeft 2\n#define steerIn 11\nint ir[] = {4, 7, 8};\n"
+      "void setup() { attachInterrupt(digitalPinToInterrupt(stepsLeft), count, RISING); }\n"
+      "void loop() { pulseIn(steerIn, HIGH); for (int i = 0; i < 3; i++) digitalRead(ir[i]); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = [4, 7, 8]"));
+  EXPECT_THAT(text, HasSubstr("type = \"encoder\"\npins = { a = 2 }"));
+}
+
+TEST(Guess, TheBOfASecondMotorIsNoDirection) {
+  Seen run;
+  run.pwm("D3", 0.5).output("D2", false).pwm("D5", 0.5).output("D4", false);
+  const std::string text = guessed(
+      "const int motorA = 2, motorB = 4, motorA_PWM = 3, motorB_PWM = 5;\n"
+      "void setup() { pinMode(motorA, 1); pinMode(motorB, 1); pinMode(motorA_PWM, 1); pinMode(motorB_PWM, "
+      "1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = { en = 3, phase = 2 }"));
+  EXPECT_THAT(text, HasSubstr("pins = { en = 5, phase = 4 }"));
+}
+
 TEST(Guess, APinThatIsChargedAndThenReadIsAnRcSensor) {
   Seen run;
   for (const char* pin : {"A0", "A1"}) run.output(pin, true).drive({10'000, pin, "input"}).look(pin);
