@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/support/require_target.h"
 #include "tests/system/json_of.h"
@@ -168,6 +170,36 @@ TEST(Cli, ARobotIsShownAsOneFileWithWhatItInherits) {
   EXPECT_THAT(shown.out, AllOf(HasSubstr("\nwheel = \"42 mm\"\n"), HasSubstr("# uno5.toml:")));
   folder.write("one.toml", shown.out);
   EXPECT_EQ(robosim_command({"robot", "check", "one.toml"}, folder.path()).status, 0);
+}
+
+TEST(Cli, TheKitsOfTheDocsTakeTenLinesAndAreFine) {
+  int kits = 0;
+  for (const auto& kit : std::filesystem::directory_iterator(ROBOSIM_EXAMPLES "/kits")) {
+    const Ended checked = robosim_command({"robot", "check", kit.path().string()});
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_THAT(checked.out, AllOf(HasSubstr("left "), HasSubstr("right "), HasSubstr("line sensors")));
+    std::ifstream file(kit.path());
+    int lines = 0;
+    for (std::string line; std::getline(file, line);) lines += line[0] == '#' ? 0 : 1;
+    EXPECT_LE(lines, 10) << kit.path();
+    ++kits;
+  }
+  EXPECT_EQ(kits, 5);
+}
+
+// The Zumo's DIR is low for forward, on both sides.
+TEST(Cli, AKitDrivesAheadAsItsLibraryDrivesIt) {
+  const Folder folder;
+  folder.write(
+      "Ahead/Ahead.ino",
+      "void setup() { pinMode(7, OUTPUT); pinMode(8, OUTPUT); analogWrite(9, 120); analogWrite(10, 120); "
+      "delay(700); analogWrite(9, 0); analogWrite(10, 0); }\nvoid loop() {}\n");
+  const Ended ended =
+      robosim_command({"run", "./Ahead", "--robot", ROBOSIM_EXAMPLES "/kits/zumo-leonardo.toml", "--goal",
+                       "still", "--for", "3s", "--record", "run.csv"},
+                      folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_THAT(read_file(folder.path() / "run.csv"), HasSubstr(",0.47058823529411764,0.47058823529411764,"));
 }
 
 TEST(Cli, AFullDiskIsNoticed) {
