@@ -23,7 +23,7 @@ bool reports(const std::string& type) {
 }
 
 bool obeys(const std::string& type) {
-  return type == "motor" || type == "led" || type == "buzzer" || type == "servo";
+  return type == "motor" || type == "led" || type == "buzzer" || type == "servo" || type == "stepper";
 }
 
 std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {

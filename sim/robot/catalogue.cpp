@@ -25,6 +25,7 @@
 #include "sim/robot/parts/seven_segment.h"
 #include "sim/robot/parts/shift_register.h"
 #include "sim/robot/parts/ssd1306.h"
+#include "sim/robot/parts/stepper.h"
 #include "sim/robot/parts/tcs34725.h"
 #include "sim/robot/parts/ultrasonic.h"
 #include "sim/robot/parts/vl53l0x.h"
@@ -95,6 +96,7 @@ const std::vector<PartType>& part_types() {
       {"vl53l0x", read_vl53l0x},
       {"tcs34725", read_tcs34725},
       {"pca9685", read_pca9685},
+      {"stepper", read_stepper},
   };
   return types;
 }

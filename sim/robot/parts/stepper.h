@@ -1,0 +1,71 @@
+// type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board, which turns a
+// pointer, a turret, a gate. It drives no wheel.
+//
+//   coils     a high pin has its coil on; the field points to where their sum does, in eighths of a period:
+//             IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite coils cancel;
+//             without a field the rotor is held by its gear
+//   rotor     goes to the field by the shorter way, at `speed` at most; a field that leads by half a period
+//             or more pulls it back: steps are lost
+//   angle     360 degrees / `steps` for each eighth, a half step
+//
+// Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, idle out-traction frequency above 1000 Hz;
+// its gear is 63.684 : 1 (25792 / 405), so that a turn has 4075.77 half steps, not 4096. Not modelled: load,
+// inertia, resonance, coils by PWM. At power-on it is at 0.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_stepper(PartReader&);
+
+class StepperSpec final : public PartSpec {
+ public:
+  std::vector<Pin> coils;  ///< IN1 to IN4
+  Number steps;            ///< half steps for a turn of the shaft
+  Number speed;            ///< rad/s of the shaft
+  bool reversed = false;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+  std::vector<Gauge> gauges() const override { return {{name, "deg"}}; }
+};
+
+class StepperPart final : public Part, public PinWatcher, public Breakable {
+ public:
+  StepperPart(const StepperSpec&, PartContext&);
+
+  void join(Roster&) override;
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  /// In degrees from where it began; positive where IN1, IN2, IN3, IN4 follow each other.
+  void read(std::vector<Reading>&) const override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  static constexpr int kNoField = -1;
+  int field() const;
+  /// Where the rotor is, in half steps.
+  double rotor(SimTime t) const;
+
+  struct State {
+    double from = 0.0;  // half steps, at `since`
+    SimTime since = 0;
+    int field = kNoField;  // half steps, 0 to 7
+    bool stuck = false;
+  };
+
+  const StepperSpec& spec_;
+  PartContext& context_;
+  const double steps_;  // for a turn
+  const double rate_;   // half steps for a ns, at most
+  State state_;
+};
+
+}  // namespace robosim::robot
