@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "sim/robot/parts/pixel_text.h"
 
 namespace robosim::robot {
 namespace {
@@ -158,7 +161,12 @@ std::string Ssd1306Part::picture() const {
       bottom = y;
     }
   if (count == 0) return {};
-  return fmt::format("{} lit in {},{} to {},{}", count, left, top, right, bottom);
+  Pixels pixels{kWidth, spec_.height, {}};
+  for (int y = 0; y < spec_.height; ++y)
+    for (int x = 0; x < kWidth; ++x) pixels.lit.push_back(lit(x, y) ? 1 : 0);
+  const std::string text = text_in(std::move(pixels));
+  return fmt::format("{} lit in {},{} to {},{}{}{}", count, left, top, right, bottom,
+                     text.empty() ? "" : ": ", text);
 }
 
 std::string Ssd1306Part::tell(SimTime t) {

@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <initializer_list>
+#include <array>
+#include <vector>
 
 #include "tests/unit/robot/bench_robot.h"
 
@@ -20,7 +21,7 @@ class TwoWireBench : public BenchRobot {
       : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more) {}
 
   /// Whether all was acknowledged.
-  bool send(std::uint8_t address, std::initializer_list<int> bytes) {
+  bool send(std::uint8_t address, const std::vector<int>& bytes) {
     bool heard = board.two_wire_address(static_cast<std::uint8_t>(address << 1), now);
     for (const int byte : bytes) heard &= board.two_wire_write(static_cast<std::uint8_t>(byte), now);
     board.two_wire_stop(now);
@@ -104,6 +105,44 @@ TEST(Ssd1306, TellsWhichPixelsAreLit) {
   EXPECT_THAT(bench.told(60), ElementsAre(" "));
   bench.send(0x3C, {0x80, 0xAF, 0x80, 0xA7});
   EXPECT_THAT(bench.told(60), ElementsAre("4092 lit in 0,0 to 127,31"));
+}
+
+// Columns of "Lap 2" and, below, "-1.5" twice as large; the lowest bit on top.
+TEST(Ssd1306, TellsTheTextThatItsPixelsSpell) {
+  TwoWireBench bench("ssd1306");
+  bench.send(0x3C, {0x00, 0x20, 0x00, 0x21, 0, 127, 0x22, 0, 7, 0xAF});
+  std::vector<int> rows(3 * 128, 0);
+  int x = 3;
+  for (const std::array<int, 5>& letter : std::vector<std::array<int, 5>>{{0x7F, 0x40, 0x40, 0x40, 0x40},
+                                                                          {0x20, 0x54, 0x54, 0x78, 0x40},
+                                                                          {0xFC, 0x18, 0x24, 0x24, 0x18},
+                                                                          {0x00, 0x00, 0x00, 0x00, 0x00},
+                                                                          {0x72, 0x49, 0x49, 0x49, 0x46}}) {
+    for (const int column : letter) rows[static_cast<std::size_t>(x++)] = column;
+    ++x;
+  }
+  x = 0;
+  for (const std::array<int, 5>& letter : std::vector<std::array<int, 5>>{{0x08, 0x08, 0x08, 0x08, 0x08},
+                                                                          {0x00, 0x42, 0x7F, 0x40, 0x00},
+                                                                          {0x00, 0x00, 0x60, 0x60, 0x00},
+                                                                          {0x27, 0x45, 0x45, 0x45, 0x39}}) {
+    for (const int column : letter)
+      for (int twice = 0; twice < 2; ++twice, ++x) {
+        unsigned large = 0;
+        for (int bit = 0; bit < 8; ++bit)
+          if (column >> bit & 1) large |= 3u << 2 * bit;
+        rows[static_cast<std::size_t>(128 + x)] = static_cast<int>(large & 0xFF);
+        rows[static_cast<std::size_t>(256 + x)] = static_cast<int>(large >> 8);
+      }
+    x += 2;
+  }
+  for (std::size_t i = 0; i < rows.size(); i += 16) {
+    std::vector<int> bytes{0x40};
+    bytes.insert(bytes.end(), rows.begin() + static_cast<std::ptrdiff_t>(i),
+                 rows.begin() + static_cast<std::ptrdiff_t>(i) + 16);
+    bench.send(0x3C, bytes);
+  }
+  EXPECT_THAT(bench.told(60), ElementsAre(HasSubstr(": Lap 2|-1.5")));
 }
 
 TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {

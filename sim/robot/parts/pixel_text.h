@@ -1,0 +1,26 @@
+// Text on a display of pixels: letters of 5 columns and 7 or 8 rows, each followed by an empty column, as
+// Adafruit's GFX and most small fonts draw them, once to four times as large. Other fonts, and dark letters
+// on a lit ground, are not read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace robosim::robot {
+
+/// A picture, row by row from the top.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> lit;  ///< 0 or 1
+
+  bool at(int x, int y) const {
+    return x >= 0 && x < width && y >= 0 && y < height && lit[static_cast<std::size_t>(y * width + x)] != 0;
+  }
+};
+
+/// Its lines from top to bottom, joined by '|'; "" if nothing can be read. What has fewer than two letters or
+/// digits in a row is taken for drawing.
+std::string text_in(Pixels pixels);
+
+}  // namespace robosim::robot
