@@ -170,8 +170,12 @@ class Build {
       if (!add_library_for(result)) fail_or_try_again(text(result));
     }
     const std::string text = read_file(preprocessed);
-    if (toolchain_.warnings != Warnings::none)
-      add_message(pin_warnings(own_lines(text, sketch_.inos), toolchain_.board));
+    if (toolchain_.warnings != Warnings::none) {
+      const std::string own = own_lines(text, sketch_.inos);
+      add_message(pin_warnings(own, toolchain_.board));
+      if (sketch_.sources.empty() && libraries_.empty())
+        add_message(serial_warning(own, text, toolchain_.board));
+    }
     write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.path()));
     return unit;
   }

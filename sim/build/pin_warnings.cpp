@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
@@ -150,16 +151,56 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
   return "";
 }
 
+bool is_number(const std::string& word) {
+  return !word.empty() && word.size() < 6 && word.find_first_not_of("0123456789") == word.npos;
+}
+
+/// analogWrite(PIN, 300) and analogWrite(PIN, -100), written so.
+std::string range_warning(const std::vector<Word>& words, std::size_t at) {
+  if (words[at].text != "analogWrite" || words[at + 1].text != "(" || words[at + 3].text != ",") return "";
+  std::size_t i = at + 4;
+  const bool negative = i < words.size() && words[i].text == "-";
+  if (negative) ++i;
+  if (i + 1 >= words.size() || !is_number(words[i].text) || words[i + 1].text != ")") return "";
+  const int value = (negative ? -1 : 1) * std::stoi(words[i].text);
+  if (value >= 0 && value <= 255) return "";
+  return fmt::format(
+      "{}:{}: warning: analogWrite({}, {}): it takes 0 to 255; on most pins {} does what {} does",
+      words[at].file, words[at].line, words[at + 2].text, value, value, value & 255);
+}
+
 }  // namespace
+
+std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board) {
+  if (board.chip->uart_count == 0 || board.chip->usb.address || all.find("Serial.begin") != all.npos)
+    return "";
+  const std::vector<Word> words = words_in(own_lines);
+  const Word* first = nullptr;
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    if (words[i].text != "Serial") continue;
+    if (words[i + 1].text != ".") return "";  // handed on to somebody who may begin it
+    const std::string& call = words[i + 2].text;
+    if (!first && (call == "print" || call == "println" || call == "write")) first = &words[i];
+  }
+  if (!first) return "";
+  return fmt::format(
+      "{}:{}: warning: Serial is never begun: put Serial.begin(9600); into setup(), or nothing is "
+      "sent",
+      first->file, first->line);
+}
 
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
   const std::vector<Word> words = words_in(own_lines);
   const std::map<std::string, int> constants = constants_in(words);
   std::string text;
   std::set<std::string> told;
+  const bool may_have_more_bits = std::any_of(
+      words.begin(), words.end(), [](const Word& word) { return word.text == "analogWriteResolution"; });
   for (std::size_t i = 1; i + 3 < words.size(); ++i) {
     // A declaration has a type before the name, a method a . or ->.
     if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;
+    if (const std::string wrong = may_have_more_bits ? "" : range_warning(words, i); !wrong.empty())
+      text += (text.empty() ? "" : "\n") + wrong;
     const std::string& after = words[i + 3].text;
     if (after != "," && after != ")") continue;
     for (const Function& function : kFunctions) {

@@ -13,4 +13,9 @@ namespace robosim::build {
 /// are set once, to a number.
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 
+/// A warning of the first Serial.print() of a sketch in which nobody begins Serial; `all` is what its .ino
+/// files are preprocessed to, with all headers. Not for boards whose Serial is a USB. For sketches without
+/// other sources and libraries, which may begin it.
+std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
+
 }  // namespace robosim::build

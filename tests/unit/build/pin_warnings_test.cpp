@@ -44,6 +44,28 @@ TEST(PinWarnings, SayThatAPinHasNoPwmUnlessItIsAllOrNothing) {
   EXPECT_EQ(on("uno", "analogWrite(4, 255); analogWrite(4, 0); analogWrite(5, 100);"), "");
 }
 
+TEST(PinWarnings, SayWhatAValueBeyondPwmComesTo) {
+  EXPECT_EQ(on("uno", "analogWrite(5, 300);"),
+            "My.ino:2: warning: analogWrite(5, 300): it takes 0 to 255; on most pins 300 does what 44 does");
+  EXPECT_THAT(on("uno", "analogWrite(en, -100);"), HasSubstr("-100 does what 156 does"));
+  EXPECT_EQ(on("uno", "analogWrite(5, 255); analogWrite(5, speed - 300); analogWrite(5, 2 * 300);"), "");
+  EXPECT_EQ(on("uno", "analogWriteResolution(10); analogWrite(5, 1000);"), "");
+}
+
+TEST(PinWarnings, SayThatSerialIsNeverBegun) {
+  const auto of = [](const char* board, const std::string& code, const std::string& header = "") {
+    const std::string own = "#line 1 \"My.ino\"\n" + code;
+    return serial_warning(own, header + own, *find_board(board));
+  };
+  const std::string prints = "void loop() {\n  Serial.println(1);\n}\n";
+  EXPECT_THAT(of("uno", prints), StartsWith("My.ino:2: warning: Serial is never begun"));
+  EXPECT_EQ(of("uno", prints + "void setup() { Serial.begin(9600); }"), "");
+  EXPECT_EQ(of("uno", prints, "void start() { Serial.begin(9600); }\n"), "");
+  EXPECT_EQ(of("uno", prints + "void setup() { start(Serial); }"), "");
+  EXPECT_EQ(of("leonardo", prints), "") << "its Serial is a USB";
+  EXPECT_EQ(of("uno", "void loop() { if (Serial.read() == 1) stop(); }"), "");
+}
+
 TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
   EXPECT_THAT(on("nano", "pinMode(A6, INPUT_PULLUP);"),
               HasSubstr("pin A6 of the nano can only be read by analogRead()"));
