@@ -129,6 +129,7 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
   draft.base = "uno3";
   draft.driver = "l298n";
   Clues clues(board, names, history);
+  guess_shields(clues, ways, draft);
   guess_by_libraries(clues, draft);
   guess_sensors(clues, ways, draft);
   guess_motors(clues, ways, draft);

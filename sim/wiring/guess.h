@@ -51,6 +51,8 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
 
 /// What a library is given: servos, distance sensors, displays, serial modules, encoders.
 void guess_by_libraries(Clues& clues, RobotDraft& draft);
+/// Motors on the shields that have libraries of their own, and devices on the two-wire bus.
+void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft);
 void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft);
 void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft);
 /// Buttons, encoders, LEDs, buzzers; and a question about each pin that is left.

@@ -126,10 +126,6 @@ class Libraries {
 void guess_by_libraries(Clues& clues, RobotDraft& draft) {
   Libraries libraries(clues, draft);
   for (const Given& given : clues.names().given) libraries.look(given);
-  for (const Given& given : clues.names().given)
-    if (given.type.rfind("AF_", 0) == 0 || given.type.rfind("Adafruit_MotorShield", 0) == 0)
-      draft.questions.push_back(fmt::format("{}, {}:{}: a motor shield is no part that Robosim has",
-                                            given.type, given.spot.file, given.spot.line));
 }
 
 }  // namespace robosim::wiring

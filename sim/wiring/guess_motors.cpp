@@ -205,6 +205,9 @@ Sides divide(const Clues& clues, const Pins& pins) {
 }  // namespace
 
 void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
+  if (std::any_of(draft.parts.begin(), draft.parts.end(),
+                  [](const PartDraft& p) { return p.type == "motor"; }))
+    return;  // a shield's
   Pins pins;
   for (const Clue* clue : clues.left()) {
     if (clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"})) {

@@ -175,6 +175,30 @@ TEST(Guess, LibrariesBringTheirParts) {
   EXPECT_THAT(text, HasSubstr("type = \"servo\"\npin = 9"));
 }
 
+TEST(Guess, MotorShieldsAreKnownByTheirLibraries) {
+  Seen run;
+  for (const char* pin : {"D4", "D7", "D8", "D12"}) run.output(pin, true);
+  run.pwm("D11", 0.5).pwm("D3", 0.5);
+  const std::string first =
+      guessed("AF_DCMotor leftMotor(2, MOTOR12_1KHZ);\nAF_DCMotor rightMotor(1);\n", run);
+  EXPECT_THAT(first,
+              HasSubstr("type = \"shift-register\"\npins = { data = 8, clock = 4, latch = 12, enable = 7 }"));
+  EXPECT_THAT(first, HasSubstr("name = \"left\""));
+  EXPECT_THAT(first, HasSubstr("pins = { en = 3, in1 = \"shield.Q1\", in2 = \"shield.Q4\" }"));
+  EXPECT_THAT(first, HasSubstr("pins = { en = 11, in1 = \"shield.Q2\", in2 = \"shield.Q3\" }"));
+  EXPECT_THAT(first, HasSubstr("chip = \"l293d\""));
+  EXPECT_THAT(first, Not(HasSubstr("No part was found"))) << first;
+
+  const std::string second = guessed(
+      "Adafruit_MotorShield AFMS = Adafruit_MotorShield();\nAdafruit_DCMotor *l = AFMS.getMotor(1);\n"
+      "Adafruit_DCMotor *r = AFMS.getMotor(4);\nLiquidCrystal_I2C lcd(0x3F, 16, 2);\n",
+      Seen());
+  EXPECT_THAT(second, HasSubstr("type = \"pca9685\"\naddress = 0x60"));
+  EXPECT_THAT(second, HasSubstr("pins = { en = \"shield.8\", in1 = \"shield.10\", in2 = \"shield.9\" }"));
+  EXPECT_THAT(second, HasSubstr("pins = { en = \"shield.7\", in1 = \"shield.5\", in2 = \"shield.6\" }"));
+  EXPECT_THAT(second, HasSubstr("type = \"lcd-i2c\"\naddress = 0x3F"));
+}
+
 TEST(Guess, NamesThatAreOnlyHandedOnCountWhereTheirPinsAreUsed) {
   Seen run;
   run.pwm("D3", 0.5)

@@ -1,0 +1,139 @@
+// Motor shields and what hangs on the two-wire bus: a library is given a number, and its wires are known.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "sim/wiring/guess.h"
+#include "sim/wiring/tokens.h"
+
+namespace robosim::wiring {
+namespace {
+
+/// The outputs of one motor, of four.
+struct Outputs {
+  std::array<const char*, 4> en, in1, in2;
+};
+// Adafruit's motor shield v1 and its copies: AFMotor.h. A 74HC595 has the directions.
+constexpr Outputs kFirst{{"11", "3", "6", "5"},
+                         {"\"shield.Q2\"", "\"shield.Q1\"", "\"shield.Q5\"", "\"shield.Q0\""},
+                         {"\"shield.Q3\"", "\"shield.Q4\"", "\"shield.Q7\"", "\"shield.Q6\""}};
+// Its version 2: Adafruit_MotorShield.h. A PCA9685 has all.
+constexpr Outputs kSecond{{"\"shield.8\"", "\"shield.13\"", "\"shield.2\"", "\"shield.7\""},
+                          {"\"shield.10\"", "\"shield.11\"", "\"shield.4\"", "\"shield.5\""},
+                          {"\"shield.9\"", "\"shield.12\"", "\"shield.3\"", "\"shield.6\""}};
+
+/// A motor of a shield.
+struct Numbered {
+  int number;  ///< 0 to 3
+  const Given* given;
+};
+
+/// Those of a type whose first argument is 1 to 4, each number once.
+std::vector<Numbered> motors_of(const Clues& clues, const char* type) {
+  std::vector<Numbered> motors;
+  for (const Given& given : clues.names().given) {
+    if (given.type != type || given.arguments.empty() || given.arguments[0].size() != 1) continue;
+    const int number = given.arguments[0][0] - '1';
+    const bool known =
+        std::any_of(motors.begin(), motors.end(), [&](const Numbered& m) { return m.number == number; });
+    if (number >= 0 && number < 4 && !known) motors.push_back({number, &given});
+  }
+  return motors;
+}
+
+std::string where(const Given& given) {
+  return fmt::format("{}({}), {}:{}", given.type, given.arguments[0], given.spot.file, given.spot.line);
+}
+
+void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>& motors,
+                const Outputs& outputs) {
+  std::vector<Numbered> left, right, unknown;
+  for (const Numbered& motor : motors) {
+    const Side side = side_of(words_of(motor.given->name));
+    (side == Side::left ? left : side == Side::right ? right : unknown).push_back(motor);
+  }
+  const bool named = !left.empty() && !right.empty();
+  if (!named) {
+    left = {motors.begin(), motors.begin() + static_cast<std::ptrdiff_t>((motors.size() + 1) / 2)};
+    right = {motors.begin() + static_cast<std::ptrdiff_t>((motors.size() + 1) / 2), motors.end()};
+    draft.open.sides = true;
+    if (ways.other_sides) std::swap(left, right);
+  }
+  for (const bool is_left : {true, false}) {
+    const std::vector<Numbered>& side = is_left ? left : right;
+    if (side.empty()) continue;
+    const auto i = static_cast<std::size_t>(side.front().number);
+    PartDraft part{is_left ? "left" : "right",
+                   "motor",
+                   {{"pins", fmt::format("{{ en = {}, in1 = {}, in2 = {} }}", outputs.en[i], outputs.in1[i],
+                                         outputs.in2[i])}},
+                   where(*side.front().given),
+                   {}};
+    if (!named) part.doubts.push_back("which motor is the left one is guessed from their numbers");
+    if (side.size() > 1)
+      part.doubts.push_back(
+          fmt::format("{} motors are on this side: they are one part, with {} times the torque and current",
+                      side.size(), side.size()));
+    draft.parts.push_back(std::move(part));
+  }
+}
+
+struct Device {
+  const char* type;  ///< of the library's object
+  const char* part;
+};
+constexpr std::array kDevices = {
+    Device{"LiquidCrystal_I2C", "lcd-i2c"},
+    Device{"Adafruit_SSD1306", "ssd1306"},
+    Device{"MPU6050", "mpu-6050"},
+    Device{"Adafruit_TCS34725", "tcs34725"},
+    Device{"Adafruit_PWMServoDriver", "pca9685"},
+};
+
+bool is_address(const std::string& argument) {
+  return argument.size() == 4 && (argument.rfind("0x", 0) == 0 || argument.rfind("0X", 0) == 0);
+}
+
+}  // namespace
+
+void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft) {
+  const auto take = [&](std::initializer_list<const char*> pins) {
+    for (const char* pin : pins) clues.take(find_pin(clues.board(), pin));
+  };
+  if (const auto motors = motors_of(clues, "AF_DCMotor"); !motors.empty()) {
+    draft.parts.push_back({"shield",
+                           "shift-register",
+                           {{"pins", "{ data = 8, clock = 4, latch = 12, enable = 7 }"}},
+                           "of a motor shield v1",
+                           {}});
+    take({"D8", "D4", "D12", "D7", "D11", "D3", "D6", "D5"});
+    add_motors(ways, draft, motors, kFirst);
+    draft.driver = "l293d";
+  } else if (const auto second = motors_of(clues, "getMotor"); !second.empty()) {
+    draft.parts.push_back({"shield", "pca9685", {{"address", "0x60"}}, "of a motor shield v2", {}});
+    add_motors(ways, draft, second, kSecond);
+    draft.driver = "tb6612";
+  }
+  for (const Given& given : clues.names().given)
+    for (const Device& device : kDevices) {
+      if (given.type != device.type) continue;
+      PartDraft part{part_name(draft, given.name.empty() ? device.part : given.name),
+                     device.part,
+                     {},
+                     fmt::format("{}, {}:{}", given.type, given.spot.file, given.spot.line),
+                     {}};
+      for (const std::string& argument : given.arguments)
+        if (is_address(argument) && part.keys.empty()) part.keys.emplace_back("address", argument);
+      draft.parts.push_back(std::move(part));
+    }
+  const bool has_bus = std::any_of(draft.parts.begin(), draft.parts.end(), [](const PartDraft& part) {
+    return part.type == "pca9685" || std::any_of(kDevices.begin(), kDevices.end(), [&](const Device& device) {
+             return part.type == device.part;
+           });
+  });
+  const TwiSpec& bus = clues.board().chip->twi;
+  if (has_bus && bus.address != 0) take({bus.data, bus.clock});
+}
+
+}  // namespace robosim::wiring
