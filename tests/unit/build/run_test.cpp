@@ -126,8 +126,12 @@ TEST_F(RunTest, ASleepingSketchWakesForTheClockAndParksForGood) {
   EXPECT_LT(executor_->last_call(), 150 * kMillisecond);
 }
 
+TEST_F(RunTest, ASerialThatIsNeverBegunSendsNothing) {
+  EXPECT_EQ(run_code("void setup() {}\nvoid loop() { Serial.println(1); delay(10); }\n"), "");
+}
+
 TEST_F(RunTest, RegistersDriveThePins) {
-  EXPECT_THAT(run_sketch("Registers", 50 * kMillisecond), testing::IsEmpty());  // no Serial.begin
+  EXPECT_THAT(run_sketch("Registers", 50 * kMillisecond), testing::Not(testing::IsEmpty()));
   EXPECT_EQ(executor_->board().drive(5).mode, PinMode::output);
   EXPECT_TRUE(executor_->board().drive(5).level);
   EXPECT_EQ(executor_->board().drive(9).mode, PinMode::output);

@@ -7,6 +7,7 @@ int open, close, send, connect, accept, bind, listen, kill, fork, pipe, sync, ni
 byte getline, memfd_create, socket, shutdown, poll, epoll, mmap, error;
 
 void setup() {
+  Serial.begin(9600);
   wdt_enable(WDTO_1S);
   link();
 }

@@ -2,6 +2,7 @@
 volatile int reading;
 
 void setup() {
+  Serial.begin(9600);
   DDRB |= _BV(PB5) | (1 << DDB1);
   DDRD = B01100000;
   PORTD &= ~(_BV(5) | _BV(6));

@@ -16,6 +16,7 @@ EMPTY_INTERRUPT(TIMER1_COMPB_vect)
 ISR(ADC_vect, ISR_NOBLOCK) { ticks += ADCH; }
 
 void setup() {
+  Serial.begin(9600);
   noInterrupts();
   TCCR1A = 0;
   TCCR1B = 0;
