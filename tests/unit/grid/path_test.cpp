@@ -14,6 +14,7 @@
 #include "sim/grid/map_writer.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
+#include "tests/support/effort.h"
 
 namespace robosim::grid {
 namespace {
@@ -102,7 +103,7 @@ segments = [{ length = "400 mm" }, { radius = "150 mm", angle = "250 deg" }, { l
   const Stripes stripes(map, 0.3);
   const Path& path = map.course.paths[0];
   const NoiseStream noise(7, 0, "path", "test");
-  for (std::uint64_t i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < test::rounds(300u); ++i) {
     const Vec2 p{noise.uniform(2 * i) * 2.0, noise.uniform(2 * i + 1)};
     double truth = std::numeric_limits<double>::infinity();
     for (double along = 0.0; along <= path.length(); along += 1e-4)

@@ -8,6 +8,7 @@
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/effort.h"
 #include "tests/support/event_values.h"
 
 namespace robosim::scenario {
@@ -221,11 +222,12 @@ std::string repeated(const std::string& line, std::size_t times) {
 }
 
 TEST_F(Scripts, OfAHundredThousandEqualLinesTakeNoLongerForEachThanOfAFew) {
-  play(repeated("at 1ms cover S1 for 1ms\n", kMostSteps), 0.01);
-  EXPECT_EQ(seen.happenings.size(), kMostSteps);
+  const std::size_t lines = test::rounds(kMostSteps);
+  play(repeated("at 1ms cover S1 for 1ms\n", lines), 0.01);
+  EXPECT_EQ(seen.happenings.size(), lines);
   seen.happenings.clear();
-  play(repeated("at 1ms fault S1 stuck 3 for 1ms\n", kMostSteps), 0.01);
-  EXPECT_EQ(seen.happenings.size(), kMostSteps + 1);
+  play(repeated("at 1ms fault S1 stuck 3 for 1ms\n", lines), 0.01);
+  EXPECT_EQ(seen.happenings.size(), lines + 1);
 }
 
 TEST_F(Scripts, BeyondTheirLimitsAreRefusedAtTheLineThatIsTooMuch) {
