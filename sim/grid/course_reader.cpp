@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;  // m
+constexpr double kLeastTurn = 1e-8;   // rad; what is written of an angle is within 2e-11
 constexpr double kMostRadius = 1000.0;
 // Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
 constexpr double kMarkLength = 0.040;
@@ -35,6 +36,15 @@ Vec2 read_point(const ConfigValue& value, const char* key) {
           as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
 }
 
+double read_turn(const ConfigValue& value, double most) {
+  const double turn = as_quantity(value, "angle", Dimension::angle, -most, most);
+  if (std::fabs(turn) < kLeastTurn)
+    throw InputError(value.place,
+                     "angle is 0, or nearly; arcs and corners turn, by 0.000001 deg or more, and a straight "
+                     "has a length");
+  return turn;
+}
+
 void read_piece(const ConfigValue& value, Path& path) {
   TableReader table(value, "a segment");
   const bool is_gap = table.boolean("gap", false);
@@ -46,11 +56,9 @@ void read_piece(const ConfigValue& value, Path& path) {
     path.add_straight(as_quantity(*length, "length", Dimension::length, kLeastPiece, Path::kMost), is_gap);
   } else if (radius && angle && !length) {
     const double r = as_quantity(*radius, "radius", Dimension::length, kLeastPiece, kMostRadius);
-    const double turn = as_quantity(*angle, "angle", Dimension::angle, -kTurn, kTurn);
-    if (turn == 0.0) throw InputError(angle->place, "angle is 0; an arc turns, a straight has a length");
-    path.add_arc(r, turn, is_gap);
+    path.add_arc(r, read_turn(*angle, kTurn), is_gap);
   } else if (angle && !radius && !length && !is_gap) {
-    path.add_corner(as_quantity(*angle, "angle", Dimension::angle, -kTurn / 2.0, kTurn / 2.0));
+    path.add_corner(read_turn(*angle, kTurn / 2.0));
   } else {
     throw InputError(
         value.place,
