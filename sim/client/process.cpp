@@ -94,16 +94,13 @@ std::optional<std::string_view> Process::read_line(int timeout_ms) {
     if (polled < 0 && errno == EINTR) continue;
     if (polled < 0 || (polled == 0 && left <= 0)) return std::nullopt;
     if (polled == 0) continue;
-    constexpr std::size_t kChunk = 65536;
-    buffer_.resize(searched + kChunk);
-    const ssize_t n = ::read(answers_.get(), buffer_.data() + searched, kChunk);
-    const int error = errno;
-    buffer_.resize(searched + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    if (n < 0 && error == EINTR) continue;
+    const ssize_t n = ::read(answers_.get(), chunk_.data(), chunk_.size());
+    if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       silent_ = true;
       return std::nullopt;
     }
+    buffer_.append(chunk_.data(), static_cast<std::size_t>(n));
   }
 }
 

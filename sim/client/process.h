@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/base/child.h"
 
@@ -62,6 +63,7 @@ class Process {
   bool finished_ = false;
   volatile sig_atomic_t interrupted_ = 0;
   bool silent_ = false;
+  std::vector<char> chunk_ = std::vector<char>(65536);  // of the pipe
   std::string buffer_;
   std::size_t next_ = 0;  // where in buffer_ the next line begins
 };
