@@ -135,7 +135,11 @@ void Agent::tell_events(SimTime t) {
 }
 
 void Agent::observe(SimTime end) {
-  state_.cross_track = world_.floor().distance_to_line(body_.pose().to_world(sensor_midpoint_));
+  const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
+  if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
+    state_.midpoint = midpoint;
+    state_.cross_track = world_.floor().distance_to_line(midpoint);
+  }
   if (end > kSettling && !body_.in_hand()) {
     state_.cross_track_squares += state_.cross_track * state_.cross_track;
     if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;

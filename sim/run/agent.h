@@ -5,6 +5,7 @@
 #include <any>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,9 +71,10 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- snapshots (simulation.h) ---
   struct State {
-    Listener* listener;    ///< nobody, once the agent has left
-    std::string exceeded;  ///< the budget that was, as a sentence
-    double cross_track = 0.0;
+    Listener* listener;                                               ///< nobody, once the agent has left
+    std::string exceeded;                                             ///< the budget that was, as a sentence
+    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the sensors, where they were
+    double cross_track = 0.0;                                         ///< there
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;
