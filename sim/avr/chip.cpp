@@ -149,7 +149,7 @@ Chip::Stop Chip::run_to(Cycle until) {
       if (!requested) {
         if (!cpu.interrupts_enabled() && !core_.reset_may_come) return Stop::off;
         if (cpu.cycle() >= until) return Stop::reached;
-        const Cycle then = std::min(until, core_.events.next());
+        const Cycle then = std::min(until, core_.events.next_urgent());
         idle_.slept(then - cpu.cycle());
         cpu.skip_to(then);
         if (singly_) return Stop::stopped;

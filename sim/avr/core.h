@@ -35,7 +35,7 @@ class Peripheral {
     (void)at;
   }
   /// The processor falls asleep, in a mode that keeps the ADC's clock running or in another. Its own clock
-  /// may stop next.
+  /// may stop next. Told to what has that clock.
   virtual void falls_asleep(bool adc_clock_runs, Cycle at) {
     (void)adc_clock_runs;
     (void)at;

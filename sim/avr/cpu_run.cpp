@@ -1,7 +1,6 @@
 // The interpreter's loop: each operation ends with a jump to the next one's code.
 #include <bit>
 
-#include "hal/board/avr_registers.h"
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_pairs.h"
 #include "sim/avr/cpu_steps.h"
@@ -60,10 +59,11 @@ Cpu::Stop Cpu::run(Cycle until) {
 #endif
 
 resume:
+  flags.unpack(state.sreg);
+resume_with_flags:
   end = horizon_;
   left = static_cast<std::int64_t>(end - state.cycle);
   i = code + state.pc;
-  flags.unpack(state.sreg);
   sp = state.sp;
   watch = state.sp_watch;
   DISPATCH;
@@ -228,34 +228,37 @@ choose:
       r[i->a] = flags.pack();
       NEXT(1);
     }
-    PUT(1);
+    PUT_PLACE(1);
     r[i->a] = load_elsewhere(static_cast<Address>(i->k));
-    RESUME;
+    RESUME_WITH_FLAGS;
   }
   OPERATION(out, 1) {
-    PUT(1);
+    PUT_PLACE(1);
     store_elsewhere(static_cast<Address>(i->k), r[i->a]);
-    RESUME;
+    if (i->k == reg::kSreg) {
+      RESUME;
+    }
+    RESUME_WITH_FLAGS;
   }
   OPERATION(sbi, 2) {
-    PUT(1);
+    PUT_PLACE(1);
     write_bit(static_cast<Address>(i->k), i->b, true);
-    RESUME;
+    RESUME_WITH_FLAGS;
   }
   OPERATION(cbi, 2) {
-    PUT(1);
+    PUT_PLACE(1);
     write_bit(static_cast<Address>(i->k), i->b, false);
-    RESUME;
+    RESUME_WITH_FLAGS;
   }
   OPERATION(sbic, 1) {
-    PUT(1);
+    PUT_PLACE(1);
     skip_if(!(load_elsewhere(static_cast<Address>(i->k)) & i->b));
-    RESUME;
+    RESUME_WITH_FLAGS;
   }
   OPERATION(sbis, 1) {
-    PUT(1);
+    PUT_PLACE(1);
     skip_if(load_elsewhere(static_cast<Address>(i->k)) & i->b);
-    RESUME;
+    RESUME_WITH_FLAGS;
   }
 
   OPERATION(rjmp, 2) i = code + RELATIVE(i->k);
@@ -281,12 +284,13 @@ choose:
   }
   OPERATION(reti, 2 + pc_bytes) {
     note_jump(static_cast<std::uint32_t>(i - code));
-    PUT(1);
+    PUT_PLACE(1);
     const std::uint32_t to = pop_pc();
     state.pc = target_of(to);
     leave_handler();
-    set_sreg(flags.pack() | kI);
-    RESUME;
+    flags.others |= kI;
+    set_sreg(flags.packed_into(state.sreg));
+    RESUME_WITH_FLAGS;
   }
   OPERATION(brbs, 1) BRANCH_IF(flags.pack() & i->b);
   OPERATION(brbc, 1) BRANCH_IF(!(flags.pack() & i->b));
@@ -322,9 +326,10 @@ choose:
 
   OPERATION(bset, 1) {
     if (i->b == kI && !(flags.others & kI)) {
-      PUT(1);
-      set_sreg(flags.pack() | kI);
-      RESUME;
+      PUT_PLACE(1);
+      flags.others |= kI;
+      set_sreg(flags.packed_into(state.sreg));
+      RESUME_WITH_FLAGS;
     }
     flags.set(i->b);
     NEXT(1);

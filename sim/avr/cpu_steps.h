@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "hal/board/avr_registers.h"
 #include "sim/avr/cpu.h"
 
 namespace robosim::avr {
@@ -43,6 +44,15 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
   state.sreg = flags.pack();                                    \
   state.sp = sp
 #define RESUME goto resume
+// The same for what looks at no flag but I and T: the others stay where they are, and RESUME_WITH_FLAGS
+// takes them up again. `state.sreg` has them at the latest when run() comes back.
+#define PUT_PLACE(words)                                        \
+  state.cycle = end - static_cast<Cycle>(left);                 \
+  state.last_pc = static_cast<std::uint32_t>(i - code);         \
+  state.pc = state.last_pc + static_cast<std::uint32_t>(words); \
+  state.sreg = flags.packed_into(state.sreg);                   \
+  state.sp = sp
+#define RESUME_WITH_FLAGS goto resume_with_flags
 #define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
 
 #define LOAD(to, address, words)  \
@@ -52,9 +62,13 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
       r[to] = r[at];              \
       NEXT(words);                \
     }                             \
-    PUT(words);                   \
+    if (at == reg::kSreg) {       \
+      r[to] = flags.pack();       \
+      NEXT(words);                \
+    }                             \
+    PUT_PLACE(words);             \
     r[to] = load_elsewhere(at);   \
-    RESUME;                       \
+    RESUME_WITH_FLAGS;            \
   }
 #define STORE(address, value, words)     \
   {                                      \
@@ -64,9 +78,12 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
       r[at] = stored;                    \
       NEXT(words);                       \
     }                                    \
-    PUT(words);                          \
+    PUT_PLACE(words);                    \
     store_elsewhere(at, stored);         \
-    RESUME;                              \
+    if (at == reg::kSreg) {              \
+      RESUME;                            \
+    }                                    \
+    RESUME_WITH_FLAGS;                   \
   }
 // The return address is behind the instruction.
 #define CALL(words, target)                                                            \

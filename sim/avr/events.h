@@ -7,7 +7,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 #include "sim/avr/cycle.h"
@@ -23,6 +25,7 @@ class Events {
   struct State {
     std::array<Cycle, kMost> due;
     Cycle next = kNoCycle;
+    std::uint64_t scheduled = 0;  ///< a bit for each that is due some time
     State() { due.fill(kNoCycle); }
   };
 
@@ -38,6 +41,11 @@ class Events {
   void schedule(Id id, Cycle at) {
     const Cycle before = state.due[id];
     state.due[id] = at;
+    if (at == kNoCycle) {
+      state.scheduled &= ~bit(id);
+    } else {
+      state.scheduled |= bit(id);
+    }
     if (at <= state.next) {
       state.next = at;
     } else if (before == state.next) {
@@ -45,10 +53,7 @@ class Events {
     }
   }
   void cancel(Id id) { schedule(id, kNoCycle); }
-  void cancel_all() {
-    state.due.fill(kNoCycle);
-    state.next = kNoCycle;
-  }
+  void cancel_all() { state = {}; }
   /// kNoCycle if it is not scheduled.
   Cycle due(Id id) const { return state.due[id]; }
   /// When the next one is due.
@@ -60,8 +65,9 @@ class Events {
   Cycle next_urgent() const {
     if (waits_ == kNone || state.due[waits_] != state.next) return state.next;
     Cycle next = kNoCycle;
-    for (std::size_t id = 0; id < count_; ++id)
+    each_scheduled([&](std::size_t id) {
       if (id != waits_ && state.due[id] < next) next = state.due[id];
+    });
     return next;
   }
 
@@ -69,9 +75,9 @@ class Events {
   void run(Cycle now) {
     while (state.next <= now) {
       const Cycle at = state.next;
-      std::size_t id = 0;
-      while (state.due[id] != at) ++id;
+      const std::size_t id = first_due(at);
       state.due[id] = kNoCycle;
+      state.scheduled &= ~bit(id);
       find_next();
       actions_[id].call(actions_[id].self, at);
     }
@@ -85,10 +91,24 @@ class Events {
     void* self = nullptr;
   };
 
+  static constexpr std::uint64_t bit(std::size_t id) { return std::uint64_t{1} << id; }
+
+  /// In the order in which they were added.
+  template <typename Visit>
+  void each_scheduled(Visit visit) const {
+    for (std::uint64_t rest = state.scheduled; rest; rest &= rest - 1)
+      visit(static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+  std::size_t first_due(Cycle at) const {
+    std::uint64_t rest = state.scheduled;
+    while (state.due[static_cast<std::size_t>(std::countr_zero(rest))] != at) rest &= rest - 1;
+    return static_cast<std::size_t>(std::countr_zero(rest));
+  }
   void find_next() {
     state.next = kNoCycle;
-    for (std::size_t id = 0; id < count_; ++id)
+    each_scheduled([&](std::size_t id) {
       if (state.due[id] < state.next) state.next = state.due[id];
+    });
   }
 
   static constexpr Id kNone = 0xFF;

@@ -29,6 +29,10 @@ struct Flags {
     return static_cast<std::uint8_t>(others | carry | (zero == 0 ? Cpu::kZ : 0u) | (negative >> 5 & Cpu::kN) |
                                      (v() >> 4 & Cpu::kV) | (sign() >> 3 & Cpu::kS) | (half << 1 & Cpu::kH));
   }
+  /// `sreg` with T and I as they are, and the others as they were.
+  std::uint8_t packed_into(unsigned sreg) const {
+    return static_cast<std::uint8_t>((sreg & ~unsigned{Cpu::kT | Cpu::kI}) | others);
+  }
   /// S in bit 7.
   unsigned sign() const { return negative ^ negative >> 8 ^ v(); }
   void set(unsigned bits) { unpack(pack() | bits); }

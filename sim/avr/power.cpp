@@ -35,6 +35,7 @@ Power::Power(Core& core) : core_(core) {
 
 void Power::supply(Peripheral& peripheral, Clock clock, Address reduction, int bit) {
   supplied_.push_back({&peripheral, clock, reduction, static_cast<std::uint8_t>(bit < 0 ? 0 : 1 << bit)});
+  if (clock == Clock::adc) on_adc_clock_.push_back(&peripheral);
   if (bit >= 0) core_.cpu.on_write<&Power::write_reduction>(reduction, this);
 }
 
@@ -100,7 +101,7 @@ bool Power::sleep(Cycle at) {
   const bool adc_runs = mode == kIdle || mode == kNoiseReduction;
   state_.asleep = true;
   state_.slept_from = at;
-  for (const Supplied& supplied : supplied_) supplied.peripheral->falls_asleep(adc_runs, at);
+  for (Peripheral* peripheral : on_adc_clock_) peripheral->falls_asleep(adc_runs, at);
   state_.start_up = start_up_of(mode, core_.chip.start_up_cycles);
   let_run(mode == kIdle, adc_runs, at);
   return true;

@@ -66,6 +66,7 @@ class Power final : public Peripheral {
 
   Core& core_;
   std::vector<Supplied> supplied_;
+  std::vector<Peripheral*> on_adc_clock_;
   State state_;
 };
 

@@ -95,7 +95,28 @@ Counter::Ran Counter::run(Cycle most, std::uint8_t wanted, int turns) {
   return ran;
 }
 
+std::uint8_t Counter::advance_regularly(unsigned ticks) {
+  const unsigned from = value_, end = top(), to_end = end - from;
+  const bool leaves_end = ticks > to_end;
+  std::uint8_t hits = 0;
+  for (std::size_t channel = 0; channel < channels_; ++channel) {
+    const unsigned match = compare_[channel];
+    const bool is_ahead = match >= from && match - from < ticks;
+    if (match <= end && (is_ahead || (leaves_end && match < ticks - to_end - 1))) hits |= kMatch[channel];
+  }
+  if (leaves_end) hits |= hits_at_end();
+  value_ = static_cast<std::uint16_t>(leaves_end ? ticks - to_end - 1 : from + ticks);
+  return hits;
+}
+
+std::uint8_t Counter::hits_at_end() const {
+  const bool overflows = how_.kind == Counting::Kind::pwm || top() == max_;
+  return static_cast<std::uint8_t>((overflows ? kOverflow : 0) |
+                                   (how_.top == Counting::Top::capture ? kTop : 0));
+}
+
 std::uint8_t Counter::advance(Cycle ticks) {
+  if (is_regular() && ticks <= top() + Cycle{1}) return advance_regularly(static_cast<unsigned>(ticks));
   std::uint8_t hits = 0;
   if (hidden_ || waits() || value_ > top()) {
     const Ran ran = run(ticks, 0, kTurnsUntilRegular);
@@ -111,6 +132,16 @@ std::uint8_t Counter::advance(Cycle ticks) {
 }
 
 Cycle Counter::ticks_to(std::uint8_t wanted) const {
+  if (is_regular()) {
+    const unsigned end = top(), to_end = end - value_;
+    Cycle ticks = wanted & hits_at_end() ? to_end + Cycle{1} : kNoCycle;
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
+      const unsigned match = compare_[channel];
+      if (!(wanted & kMatch[channel]) || match > end) continue;
+      ticks = std::min<Cycle>(ticks, (match >= value_ ? match - value_ : to_end + 1 + match) + Cycle{1});
+    }
+    return ticks;
+  }
   Counter ahead = *this;
   const Ran ran = ahead.run(kNoCycle, wanted, kTurnsUntilRegular);
   return ran.hits & wanted ? ran.ticks : kNoCycle;

@@ -84,6 +84,11 @@ class Counter {
   /// Until something of `wanted` has happened, but at most so many ticks, and so many ticks that leave an
   /// end.
   Ran run(Cycle most, std::uint8_t wanted, int turns);
+  // As most counters are most of the time: up to TOP and around, with nothing that was just written.
+  bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
+  /// Once around at most. The same as run() does in steps.
+  std::uint8_t advance_regularly(unsigned ticks);
+  std::uint8_t hits_at_end() const;
   std::uint8_t tick();
   std::uint16_t straight() const;
   std::uint8_t take_over();

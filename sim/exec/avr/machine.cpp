@@ -1,5 +1,7 @@
 #include "sim/exec/avr/machine.h"
 
+#include <algorithm>
+
 #include "sim/exec/avr/debug_port.h"
 
 namespace robosim::exec::avr {
@@ -38,7 +40,9 @@ void Machine::restore(const Saved& saved) {
 void Machine::look_at_heap(Cycle at) {
   if (!stack_.has_heap()) return;
   stack_.look();
-  chip_.chip().core().schedule(look_, at + kLookEvery);
+  // It may come late, as all of those do that could have come while no instruction ran.
+  const Cycle missed = (chip_.cycle() - std::min(at, chip_.cycle())) / kLookEvery;
+  chip_.chip().core().schedule(look_, at + (missed + 1) * kLookEvery);
 }
 
 void Machine::was_reset(std::uint8_t, Cycle at) {
