@@ -9,6 +9,7 @@
 #include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
 #include "hal/host/timers.h"
+#include "hal/host/uart.h"
 
 // The constructors of static objects, in the order of linking; the loader does not run them.
 extern "C" {
@@ -61,17 +62,20 @@ namespace host = robosim::host;
 extern "C" {
 
 /// As wiring.c: at 16 MHz PWM of 976 Hz on pins 5 and 6 and 490 Hz on the others, millis() by Timer 0, the
-/// ADC at 125 kHz.
+/// ADC at 125 kHz. Bits that the constructors of static objects have set stay, but those of timer 1's
+/// prescaler, and the UART is off.
 void init() {
+  const auto with = [](uint8_t value, int bits) { return static_cast<uint8_t>(value | bits); };
   host::status_register |= 0x80;
-  host::timer0.set_control_a(3);
-  host::timer0.set_control_b(3);
-  host::timer0.set_enabled(host::Timer::overflow);
+  host::timer0.set_control_a(with(host::timer0.control_a(), 3));
+  host::timer0.set_control_b(with(host::timer0.control_b(), 3));
+  host::timer0.set_enabled(with(host::timer0.enabled(), host::Timer::overflow));
   host::timer1.set_control_b(3);
-  host::timer1.set_control_a(1);
-  host::timer2.set_control_b(4);
-  host::timer2.set_control_a(1);
-  host::adc.set_control(static_cast<uint8_t>(0x80 | host::adc_prescaler()));
+  host::timer1.set_control_a(with(host::timer1.control_a(), 1));
+  host::timer2.set_control_b(with(host::timer2.control_b(), 4));
+  host::timer2.set_control_a(with(host::timer2.control_a(), 1));
+  host::adc.set_control(with(host::adc.control(), 0x80 | host::adc_prescaler()));
+  host::uart.set_control(0);
   host::refresh_deadline();
   host::spend(host::cost::kInit);
 }

@@ -93,6 +93,21 @@ void loop() {})");
   EXPECT_FALSE(pins_[2].drive.level);
 }
 
+// AFMotor's motors are static objects, whose constructors connect their pins to timer 2.
+TEST_F(PowerTest, InitLeavesTheBitsOfTimersThatConstructorsHaveSet) {
+  output(R"(struct Shield {
+  Shield() { TCCR1A = 0x80; TCCR1B = 0x10; TCCR2A |= _BV(COM2A1) | _BV(WGM21) | _BV(WGM20); 
+             OCR2A = 64; DDRB |= 8; }
+} shield;
+void setup() {
+  Serial.begin(115200);
+  Serial.println(TCCR1A); Serial.println(TCCR1B); Serial.println(TCCR2A); Serial.println(TCCR2B);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(0x81, 3, 0x83, 4));
+  EXPECT_NEAR(board().drive(11).duty, 65.0 / 256, 1e-6);
+}
+
 TEST_F(PowerTest, SwitchedOffAllPinsAreInputsAndNothingRuns) {
   start("void setup() { pinMode(13, OUTPUT); } void loop() { digitalWrite(13, !digitalRead(13)); }");
   run(kMillisecond);
