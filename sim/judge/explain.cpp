@@ -27,17 +27,29 @@ std::string place_of(const exec::SourceLine& where) {
   return text;
 }
 
-std::string pin_name(Pin pin, const std::vector<robot::WiredPin>& wiring) {
-  for (const robot::WiredPin& wired : wiring)
-    if (wired.pin == pin) return fmt::format("pin {} ({} \"{}\")", pin, wired.type, wired.part);
-  return fmt::format("pin {} (nothing is wired to it)", pin);
+// As sketches write it: "4", "A1".
+std::string number_or_name(const Evidence& e, Pin pin) {
+  const bool analog = e.board && pin < e.board->pin_count && e.board->pins[pin].name[0] == 'A';
+  return analog ? e.board->pins[pin].name : std::to_string(pin);
+}
+
+std::string pin_name(const Evidence& e, Pin pin) {
+  const std::string name = number_or_name(e, pin);
+  for (const robot::WiredPin& wired : e.wiring)
+    if (wired.pin == pin) return fmt::format("pin {} ({} \"{}\")", name, wired.type, wired.part);
+  return fmt::format("pin {} (nothing is wired to it)", name);
+}
+
+// Whether the last call was a read, so that the sketch is at that read.
+bool is_at_read(const exec::Activity& a) {
+  return a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
 }
 
 // The pin that the sketch seems to wait for: the one it read last, where that is all it does.
 Pin awaited_pin(const Evidence& e) {
-  const exec::Activity& a = e.activity;
-  if (a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0) return a.pin;
-  return e.moved ? kNoPin : a.polled;
+  if (is_at_read(e.activity)) return e.activity.pin;
+  const bool drives = e.left_command != 0.0 || e.right_command != 0.0;
+  return e.moved || drives ? kNoPin : e.activity.polled;
 }
 
 bool drives_in_one_place(const Evidence& e) {
@@ -58,7 +70,8 @@ std::string waiting(const Evidence& e) {
   const Pin pin = awaited_pin(e);
   if (pin != kNoPin)
     return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",
-                       pin_name(pin, e.wiring), pin, place_of(a.where), e.pin_level ? "HIGH" : "LOW");
+                       pin_name(e, pin), number_or_name(e, pin), is_at_read(a) ? place_of(a.where) : "",
+                       e.pin_level ? "HIGH" : "LOW");
   if (drives_in_one_place(e)) return "";
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
@@ -269,8 +282,8 @@ NextStep next_step(const Evidence& e) {
     text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
   const Pin pin = awaited_pin(e);
   if (pin == kNoPin) return {text};
-  text += fmt::format("; the sketch waits for {}, which is {}", pin_name(pin, e.wiring),
-                      e.pin_level ? "HIGH" : "LOW");
+  text +=
+      fmt::format("; the sketch waits for {}, which is {}", pin_name(e, pin), e.pin_level ? "HIGH" : "LOW");
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.pin == pin && wired.type == "button")
       return {text + fmt::format(": press it by a script with the line: at 1s press {} 200ms", wired.part),

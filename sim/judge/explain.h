@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/board/board_spec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
 #include "sim/judge/goal.h"
@@ -26,8 +27,9 @@ struct Evidence {
   exec::Activity activity;
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
-  int int_bits = 32;     ///< of the firmware's int
-  std::string exceeded;  ///< the budget that was
+  int int_bits = 32;                 ///< of the firmware's int
+  std::string exceeded;              ///< the budget that was
+  const BoardSpec* board = nullptr;  ///< whose names pins have; null = their numbers
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once

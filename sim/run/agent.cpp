@@ -252,6 +252,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.divisions_by_zero = executor_.divisions_by_zero();
   e.exceeded = state_.exceeded;
   e.int_bits = executor_.int_bits();
+  e.board = &board_.spec();
   e.wiring = robot_.wiring();
   e.went_high = state_.went_high;
   e.was_output = state_.was_output;

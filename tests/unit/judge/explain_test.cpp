@@ -99,6 +99,29 @@ TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(1)."));
 }
 
+TEST_F(Explain, ThePlaceOfAReadIsNotThatOfWhatTheSketchDidAfterIt) {
+  e.activity.polled = 4;
+  e.activity.call = "digitalWrite(12, 0)";
+  e.activity.where = {"latch_tx", "AFMotor.cpp", 64};
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr(" with digitalRead(4), and finds it LOW."));
+}
+
+TEST_F(Explain, ASketchThatDrivesItsMotorsWaitsForNoPinThatItLooksAt) {
+  e.activity.polled = 4;
+  e.activity.call = "analogWrite(5, 20)";
+  e.left_command = 0.08;
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in analogWrite(5, 20)."));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("waits for")));
+}
+
+TEST_F(Explain, AnalogPinsHaveTheirNames) {
+  e.board = find_board("uno");
+  e.activity.call = "digitalRead(15)";
+  e.activity.pin = 15;
+  EXPECT_THAT(why(Verdict::timeout),
+              HasSubstr("keeps reading pin A1 (nothing is wired to it) with digitalRead(A1)"));
+}
+
 TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
   lose_the_line();
   EXPECT_THAT(why(Verdict::lost), HasSubstr("at 2.00 s near column 3, row 1 ("));
