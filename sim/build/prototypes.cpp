@@ -305,7 +305,8 @@ std::string insert_prototypes(const std::string& joined, const std::string& own,
       }
       if (tag.code.find("extern \"C\"") != std::string::npos || inside(c_functions, own_start->second))
         text += "extern \"C\" ";
-      if (tag.code.find("static ") != std::string::npos) text += "static ";
+      // Only before its name: void loop() { static int n; … } is on one line, too.
+      if (tag.code.substr(0, tag.code.find(tag.name)).find("static ") != std::string::npos) text += "static ";
       text += tag.type + ' ' + tag.name + parameters;
     }
     prototypes += fmt::format("#line {} {}\n{};\n", tag.line, c_literal(tag.file), text);

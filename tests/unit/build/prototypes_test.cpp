@@ -46,6 +46,7 @@ TEST_F(PrototypesTest, TakeTheDefaultArgumentsFromTheDefinition) {
 
 TEST_F(PrototypesTest, KeepStaticTemplateAndExternC) {
   EXPECT_THAT(with_prototypes("static int f() { return 1; }\n"), HasSubstr("\nstatic int f();\n"));
+  EXPECT_THAT(with_prototypes("int g() { static int n; return ++n; }\n"), HasSubstr("\nint g();\n"));
   EXPECT_THAT(with_prototypes("extern \"C\" void f(int a) {}\n"),
               HasSubstr("\nextern \"C\" void f(int a);\n"));
   EXPECT_THAT(with_prototypes("template <typename T> T f(T a) { return a; }\n"),
