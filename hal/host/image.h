@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 10;
+constexpr uint32_t kImageVersion = 11;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -148,8 +148,9 @@ struct Image {
   const Clockwork* clockworks;
   size_t clockwork_count;
   /// Whether an interrupt is enabled, other than those of the core's clock and its Serial, that may come
-  /// though firmware calls nothing. To be called outside the fiber, as is the next.
-  bool (*may_interrupt)();
+  /// though firmware calls nothing; or would be, were the I flag set, with `held_back`. It is clear in
+  /// handlers and where firmware reads what handlers write. To be called outside the fiber, as is the next.
+  bool (*may_interrupt)(bool held_back);
   /// Gives what has been counted since the start; may be called at any time outside the fiber. Null: the
   /// image was not built for coverage.
   void (*counters)(CounterSink& sink);

@@ -209,9 +209,9 @@ SimTime next_interrupt(bool with_timer0_overflow) {
   return earlier(next, earlier(timer1.due(), timer2.due()));
 }
 
-bool may_interrupt() {
+bool may_interrupt(bool held_back) {
   if (watchdog.may_bite()) return true;
-  if (!interrupts_enabled()) return false;
+  if (!held_back && !interrupts_enabled()) return false;
   const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
   if (spi.may_interrupt() || two_wire.may_interrupt() || watchdog.may_interrupt()) return true;
   return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();

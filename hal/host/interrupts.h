@@ -45,7 +45,8 @@ uint32_t pending_interrupts();
 SimTime next_interrupt(bool with_timer0_overflow);
 /// Whether an interrupt is enabled that may come though firmware touches no register any more. Those of the
 /// core's clock and of its Serial do not count: they change nothing that a sketch could see without a call.
-bool may_interrupt();
+/// With `held_back` those count that come only once the I flag is set again.
+bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt; false if there is none, or I is clear.
 bool serve_interrupt();
 

@@ -50,6 +50,19 @@ TEST_P(Silence, AWaitForEncoderTicksWhileDrivingIsNoHang) {
   EXPECT_EQ(r.serial, "counted\r\n");
 }
 
+TEST_P(Silence, ALoopThatReadsACountWithInterruptsOffIsNoHang) {
+  const wire::RunResult r = run_for("CountsAtomically", 20.0);
+  EXPECT_EQ(r.verdict, "reached") << r.why;
+  EXPECT_EQ(r.serial, "counted\r\n");
+}
+
+TEST_P(Silence, AHandlerThatLooksAtAPinIsLifeEvenWhileItRuns) {
+  if (GetParam() == std::string("stm32")) GTEST_SKIP() << "the sketch writes registers of an AVR";
+  const wire::RunResult r = run_for("LooksInHandler", 14.0, "at 12s press start 100ms");
+  EXPECT_EQ(r.verdict, "reached") << r.why;
+  EXPECT_THAT(r.serial, HasSubstr("seen"));
+}
+
 TEST_P(Silence, AWaitForAByteIsNoEnd) {
   const wire::RunResult r = run_for("WaitsForByte", 6.0, "at 5s send \"g\"");
   EXPECT_EQ(r.verdict, "reached") << r.why;

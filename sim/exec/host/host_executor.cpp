@@ -66,15 +66,15 @@ class HostExecutor::Instance final : public host::Host {
 
   /// Whether it shall be found out in the next tick if firmware goes round.
   void watch(bool wanted) {
-    const bool watched = wanted && !image_.entry().may_interrupt();
+    const bool watched = wanted && !image_.entry().may_interrupt(false);
     if (watched && !state_.watched) round_finder_.begin();
     state_.watched = watched;
     // What counts how often blocks have run never comes round.
-    if (wanted && image_.entry().counters) goes_round_ = true;
+    if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
   bool hangs() const {
-    return state_.stopped_by || ((goes_round_ || state_.endless) && !image_.entry().may_interrupt());
+    return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
 
   /// Runs the firmware to `t`; false if it has crashed.
@@ -118,8 +118,10 @@ class HostExecutor::Instance final : public host::Host {
 
   void block_begins(const std::uint8_t* stack) override {
     const auto* const begin = reinterpret_cast<const std::byte*>(stack);
-    goes_round_ = round_finder_.sees(state_.place, {begin, stack_.end()});
-    if (goes_round_) state_.watched = false;
+    // Where it was looked at, a handler ran, or the I flag was clear for a moment, to read what one writes.
+    const bool alive = image_.entry().may_interrupt(false);
+    goes_round_ = !alive && round_finder_.sees(state_.place, {begin, stack_.end()});
+    if (goes_round_ || alive) state_.watched = false;
   }
 
   bool take_input(SimTime until, host::Input& input) override {

@@ -1,0 +1,23 @@
+// A handler of timer 2 looks at a pin every 50 us, as a receiver of remote controls does, and a loop waits for it.
+volatile bool seen = false;
+volatile unsigned int times = 0;
+
+ISR(TIMER2_COMPA_vect) {
+  if (!(PIND & _BV(4))) seen = true;
+  for (byte i = 0; i < 10; i++) times = i;
+}
+
+void setup() {
+  Serial.begin(9600);
+  TCCR2A = _BV(WGM21);
+  TCCR2B = _BV(CS21);
+  OCR2A = 99;
+  TIMSK2 = _BV(OCIE2A);
+}
+
+void loop() {
+  if (!seen) return;
+  Serial.println("seen");
+  seen = false;
+  delay(1000);
+}
