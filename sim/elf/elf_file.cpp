@@ -93,6 +93,21 @@ std::vector<ElfSection> ElfFile::sections() const {
   return found;
 }
 
+std::string_view ElfFile::content_of(std::string_view name) const {
+  std::size_t names = 0;
+  if (::elf_getshdrstrndx(elf_.get(), &names) != 0) return {};
+  for (std::size_t i = 0; i < section_count_; ++i) {
+    GElf_Shdr section;
+    if (!::gelf_getshdr(::elf_getscn(elf_.get(), i), &section)) damaged();
+    const char* const own = ::elf_strptr(elf_.get(), names, section.sh_name);
+    if (!own || own != name || section.sh_type == SHT_NOBITS) continue;
+    if (section.sh_offset > content_.size() || section.sh_size > content_.size() - section.sh_offset)
+      damaged();
+    return std::string_view(content_).substr(section.sh_offset, section.sh_size);
+  }
+  return {};
+}
+
 std::vector<ElfSymbol> ElfFile::symbols() const {
   std::vector<ElfSymbol> found;
   for (std::size_t i = 0; i < section_count_; ++i) {

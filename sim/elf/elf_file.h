@@ -58,6 +58,8 @@ class ElfFile {
 
   std::vector<ElfSegment> segments() const;
   std::vector<ElfSection> sections() const;
+  /// What the file holds of the section of this name; empty if it has none. Valid as long as the file is.
+  std::string_view content_of(std::string_view section) const;
   /// Those that are defined, in the file's order.
   std::vector<ElfSymbol> symbols() const;
 

@@ -12,6 +12,7 @@
 #include "sim/base/spelling.h"
 #include "sim/build/source.h"
 #include "sim/client/runner.h"
+#include "sim/elf/avr_device.h"
 #include "sim/elf/elf_file.h"
 
 namespace robosim::launch {
@@ -96,6 +97,8 @@ bool is_project(const fs::path& folder) { return is_there(folder / "platformio.i
 void take_image(SketchChoice& choice) {
   choice.elf_target = choice.path.extension() == ".hex" ? "avr" : target_of_elf(choice.path);
   choice.project = project::project_of_image(choice.path);
+  if (choice.elf_target == "avr" && choice.path.extension() != ".hex")
+    project::find_stand_in(choice.project, avr_device(ElfFile(read_file(choice.path), choice.path.string())));
 }
 
 }  // namespace
@@ -200,8 +203,15 @@ Choice choose_robot(const std::string& name, const SketchChoice& sketch, const s
   const bool named = !parse_robot_name(name).board.empty();
   if (!named) project::check_board(sketch.project);
   const BoardSpec* const board = named ? nullptr : sketch.project.board;
-  Choice choice = choose_robot(name, sketch.folder, target, board);
+  const BoardSpec* const other = named ? nullptr : sketch.project.stand_in;
+  Choice choice = choose_robot(name, sketch.folder, target, other ? other : board);
   choice.board = board;
+  // Whoever has chosen a robot has chosen its board.
+  const bool is_ours = name.empty() && !is_path(choice.path.string());
+  if (other && is_ours) {
+    choice.board = other;
+    choice.board_said = fmt::format("the {} stands in", other->name);
+  }
   if (board)
     choice.board_said =
         fmt::format("{} says {}", sketch.project.file.filename().string(), sketch.project.board_name);

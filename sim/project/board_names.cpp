@@ -76,6 +76,18 @@ const BoardSpec* board_of_fqbn(const std::string& text) {
   return best;
 }
 
+const BoardSpec* board_with_chip(const std::string& chip, const std::string& text) {
+  const auto options = parse(text).options;
+  const auto named = options.find("clock");
+  const std::string clock = named == options.end() ? "" : named->second.substr(0, named->second.find("MHz"));
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
+    const std::string own = board->chip->compiler_name;
+    const bool same_clock = clock.empty() || clock == std::to_string(board->clock_hz / 1'000'000);
+    if (!chip.empty() && (chip == own || chip + "p" == own) && same_clock) return board;
+  }
+  return nullptr;
+}
+
 const BoardSpec* board_of_platformio(const std::string& id) {
   for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
     const std::vector<std::string> ids = ids_of(*board);

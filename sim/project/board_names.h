@@ -12,6 +12,10 @@ namespace robosim::project {
 /// must name their chip ("atmega328old").
 const BoardSpec* board_of_fqbn(const std::string& fqbn);
 
+/// A board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), and the clock that an FQBN of
+/// another vendor's board may name ("clock=8MHz_internal"), or null.
+const BoardSpec* board_with_chip(const std::string& chip, const std::string& fqbn);
+
 /// The board of PlatformIO's id ("nanoatmega328"), or null.
 const BoardSpec* board_of_platformio(const std::string& id);
 

@@ -106,8 +106,19 @@ fs::path sketch_of_image(const fs::path& given) {
   return fs::is_directory(sketch, none) ? sketch : fs::path();
 }
 
-void check_board(const Project& project) {
+void find_stand_in(Project& project, const std::string& chip) {
   if (project.board || project.board_name.empty()) return;
+  project.stand_in = board_with_chip(chip, project.board_name);
+  if (!project.stand_in) return;
+  project.remarks.push_back(
+      fmt::format("{} says {}, a board that Robosim does not have: the program is for an {} at {} MHz, "
+                  "which the {} has",
+                  project.file.filename().string(), project.board_name, project.stand_in->chip->name,
+                  project.stand_in->clock_hz / 1'000'000, project.stand_in->name));
+}
+
+void check_board(const Project& project) {
+  if (project.board || project.stand_in || project.board_name.empty()) return;
   throw InputError(
       project.board_place,
       fmt::format("Robosim has no board {}; it simulates Arduino boards with an AVR chip, and the Blue Pill: "

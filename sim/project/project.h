@@ -21,7 +21,8 @@ struct Project {
   std::filesystem::path file;  ///< empty: there is none
   std::string environment;     ///< which of its environments, or profiles: "uno"; empty = it has none
   const BoardSpec* board = nullptr;
-  std::string board_name;  ///< as the file writes it; empty = it names none
+  const BoardSpec* stand_in = nullptr;  ///< where there is no such board: one with the same chip
+  std::string board_name;               ///< as the file writes it; empty = it names none
   Place board_place;
   bool platformio = false;
   std::filesystem::path sources;                ///< the folder of PlatformIO's sources
@@ -43,7 +44,11 @@ Project project_of_image(const std::filesystem::path& image);
 /// The folder of the sketch that an image was built from by one of them, if it is still there; else empty.
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
-/// Throws InputError for a board that Robosim does not have.
+/// Of an image whose board Robosim does not have: finds one with the chip that it was built for
+/// ("atmega328p") and the clock that an FQBN may name, and remarks it. Nothing where there is none.
+void find_stand_in(Project& project, const std::string& chip);
+
+/// Throws InputError for a board that Robosim does not have, and that has no stand-in.
 void check_board(const Project& project);
 
 /// The sketchbooks that the preferences of Arduino's IDE and arduino-cli's configuration name.

@@ -122,6 +122,27 @@ TEST(CliProject, AFolderThatArduinoCliHasBuiltInRunsOnTheBoardThatItWasBuiltFor)
   EXPECT_THAT(ended.out, AllOf(HasSubstr("16000000"), Not(HasSubstr("crashed"))));
 }
 
+TEST(CliProject, AProgramForABoardOfAnotherCoreRunsOnOneWithItsChip) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  folder.write("My/My.ino",
+               "void setup() { Serial.begin(9600); }\nvoid loop() { Serial.println(F_CPU); delay(100); }\n");
+  for (const auto& [robot, says] : {std::pair{"uno5@promini8", "MiniCore:avr:328:clock=8MHz_external"},
+                                    std::pair{"uno5@mega", "MegaCore:avr:2560"}}) {
+    ASSERT_EQ(
+        robosim_command({"build", "./My", "--target", "avr", "--robot", robot, "--out", "out"}, folder.path())
+            .status,
+        0);
+    folder.write("out/build.options.json", std::string("{\"fqbn\": \"") + says + "\"}");
+    const Ended ended =
+        robosim_command({"run", "out/My.elf", "--goal", "none", "--for", "1s"}, folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(std::string("build.options.json says ") + says +
+                                     ", a board that Robosim does not have: the program is for an ATmega"));
+    EXPECT_THAT(ended.out, HasSubstr(robot == std::string("uno5@mega") ? "16000000" : "8000000"));
+  }
+}
+
 /// What tasks.json's problem matcher finds in a line: file, line, column, severity, message.
 std::vector<std::string> matched(const Folder& folder, const std::string& line) {
   const auto tasks =

@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/elf/avr_device.h"
 
 namespace robosim {
 namespace {
@@ -65,7 +66,7 @@ struct Program {
 std::string read_all(const std::string& bytes) {
   try {
     const ElfFile file(bytes, "x.elf");
-    std::size_t count = file.sections().size();
+    std::size_t count = file.sections().size() + avr_device(file).size();
     for (const ElfSegment& segment : file.segments()) count += std::string(segment.bytes).size();
     for (const ElfSymbol& symbol : file.symbols()) count += std::string(symbol.name).size();
     return std::to_string(count);

@@ -74,6 +74,32 @@ TEST(BoardNames, AnFqbnOfAnotherChipNamesNone) {
   EXPECT_EQ(board(board_of_fqbn("")), "none");
 }
 
+TEST(BoardNames, AnotherBoardWithTheChipAndTheClockStandsIn) {
+  EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:bootloader=uart0,clock=16MHz_external")),
+            "uno");
+  EXPECT_EQ(board(board_with_chip("atmega328", "MiniCore:avr:328")), "uno") << "the same registers";
+  EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:clock=8MHz_internal")), "promini8");
+  EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:clock=20MHz_external")), "none");
+  EXPECT_EQ(board(board_with_chip("atmega2560", "MegaCore:avr:2560:clock=16MHz_external")), "mega");
+  EXPECT_EQ(board(board_with_chip("atmega1284p", "MightyCore:avr:1284")), "none");
+  EXPECT_EQ(board(board_with_chip("", "MiniCore:avr:328")), "none") << "the file does not say";
+}
+
+TEST_F(ProjectTest, AStandInIsRemarkedOnceItIsNeeded) {
+  Project project;
+  project.file = "x/build.options.json";
+  project.board_name = "MiniCore:avr:328";
+  EXPECT_THAT(refusal([&] { check_board(project); }), HasSubstr("Robosim has no board MiniCore:avr:328"));
+  find_stand_in(project, "atmega1284p");
+  EXPECT_THAT(project.remarks, IsEmpty());
+  EXPECT_THROW(check_board(project), InputError);
+  find_stand_in(project, "atmega328p");
+  EXPECT_THAT(project.remarks,
+              ElementsAre("build.options.json says MiniCore:avr:328, a board that Robosim does not have: the "
+                          "program is for an ATmega328P at 16 MHz, which the uno has"));
+  EXPECT_NO_THROW(check_board(project));
+}
+
 TEST(BoardNames, PlatformioMayHaveSeveralNamesForABoard) {
   EXPECT_EQ(board(board_of_platformio("nanoatmega328")), "nano");
   EXPECT_EQ(board(board_of_platformio("nanoatmega328new")), "nano");

@@ -1,0 +1,27 @@
+#include "sim/elf/avr_device.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace robosim {
+
+// Words of 32 bits, the lowest byte first: three of the note's head, "AVR", where flash, RAM and EEPROM begin
+// and how large they are, the size of the table of names (with this word), and where in the names behind that
+// table the chip's is.
+std::string avr_device(const ElfFile& elf) {
+  constexpr std::size_t kTable = 40, kWord = 4;
+  const std::string_view note = elf.content_of(".note.gnu.avr.deviceinfo");
+  const auto word = [note](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = kWord; i-- > 0;) value = value << 8 | static_cast<unsigned char>(note[at + i]);
+    return value;
+  };
+  if (note.size() < kTable + 2 * kWord) return {};
+  const std::uint64_t name = std::uint64_t{kTable} + word(kTable) + word(kTable + kWord);
+  if (name >= note.size()) return {};
+  const std::string_view rest = note.substr(static_cast<std::size_t>(name));
+  return std::string(rest.substr(0, rest.find('\0')));
+}
+
+}  // namespace robosim
