@@ -17,16 +17,21 @@ std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 
 
 double on_line_s(const wire::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
 
-// A lap decides; else how long it stayed on the line while it moved, by much: a little is chance.
-bool is_better(const wire::RunResult& a, const wire::RunResult& b) {
+// How long it stayed on the line while it moved, by much: a little is chance.
+bool is_much_better(const wire::RunResult& a, const wire::RunResult& b) {
   constexpr double kMuch = 1.5, kMoved_m = 0.05;
-  if ((a.verdict == "reached") != (b.verdict == "reached")) return a.verdict == "reached";
   const bool a_moved = a.metrics.distance_m > kMoved_m, b_moved = b.metrics.distance_m > kMoved_m;
   if (a_moved != b_moved) return a_moved;
   return on_line_s(a) > kMuch * on_line_s(b);
 }
 
 }  // namespace
+
+bool follows_a_lap(const wire::RunResult& result, bool sensors_beside) {
+  constexpr double kBeside_mm = 50.0, kMostOff = 0.5;
+  return result.verdict == "reached" && result.metrics.cross_track_rms_mm < kBeside_mm &&
+         (sensors_beside || result.metrics.off_line_s < kMostOff * result.time_s);
+}
 
 TryOut::TryOut(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
                launch::Listener listener)
@@ -78,8 +83,9 @@ wiring::RobotDraft TryOut::draft() {
 wire::RunResult TryOut::choose(wiring::RobotDraft& draft) {
   const wiring::Open open = draft.open;
   wire::RunResult best = run(draft, kDrive_s, kGoal, nullptr);
+  follows_ = follows_a_lap(best, open.distance);
   tried_ = 1;
-  for (int bits = 1; bits < 16 && best.verdict != "reached"; ++bits) {
+  for (int bits = 1; bits < 16 && !follows_; ++bits) {
     const wiring::Ways ways{(bits & 1) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 2) != 0};
     if ((ways.black_low && !open.black) || (ways.other_order && !open.order) ||
         (ways.other_sides && !open.sides) || (ways.close && !open.distance))
@@ -87,7 +93,8 @@ wire::RunResult TryOut::choose(wiring::RobotDraft& draft) {
     const wiring::RobotDraft other = wiring::guess(board_, names_, history_, ways);
     wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
     ++tried_;
-    if (!is_better(result, best)) continue;
+    follows_ = follows_a_lap(result, open.distance && !ways.close);
+    if (!follows_ && !is_much_better(result, best)) continue;
     best = std::move(result);
     draft = other;
   }

@@ -12,6 +12,10 @@
 
 namespace robosim::cli {
 
+/// Whether it has driven its lap along the line. A robot that is half its width off it on average comes round
+/// an easy map, too; so does one whose sensors see it less than half of the time, unless they sit beside it.
+bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
+
 class TryOut {
  public:
   /// `launch` without a robot; its scratch files go below `folder`.
@@ -22,8 +26,9 @@ class TryOut {
   wiring::RobotDraft draft();
   /// `draft` becomes the way that drives best of those that are open in it. Gives what came of its run.
   wire::RunResult choose(wiring::RobotDraft& draft);
-  /// How many ways choose() has tried.
+  /// How many ways choose() has tried, and whether the chosen one follows the line for a lap.
   int tried() const { return tried_; }
+  bool follows() const { return follows_; }
 
  private:
   wire::RunResult run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
@@ -37,6 +42,7 @@ class TryOut {
   wiring::SketchNames names_;
   wiring::PinHistory history_;
   int tried_ = 0;
+  bool follows_ = false;
 };
 
 }  // namespace robosim::cli

@@ -22,7 +22,13 @@ const BoardSpec& board_named(const std::string& name) {
   return *find_board(name.c_str());
 }
 
-std::string what_came_of_it(const wire::RunResult& result, const std::string& map) {
+std::string what_came_of_it(const wire::RunResult& result, bool follows, const std::string& map) {
+  if (result.verdict == "reached" && !follows)
+    return fmt::format(
+        "With this robot the sketch comes round the map {}, but hardly along the line: its sensors are "
+        "{:.0f} "
+        "mm off it on average, and for {:.0f} of {:.0f} s none of them saw it.",
+        map, result.metrics.cross_track_rms_mm, result.metrics.off_line_s, result.time_s);
   if (result.verdict == "reached")
     return fmt::format("With this robot the sketch drives a lap of the map {} in {:.1f} s.", map,
                        result.metrics.laps_s.empty() ? result.time_s : result.metrics.laps_s[0]);
@@ -58,13 +64,13 @@ int wire_command(const WireArguments& arguments) {
       "Drafted by `robosim wire` from the sketch's names and from what it did to its pins in a run.",
       "Look at every line with a question mark. Keys and units: docs/robots.md, \"Your robot, step by "
       "step\"."};
-  if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, arguments.map));
+  if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, try_out.follows(), arguments.map));
   if (try_out.tried() > 1)
     remarks.push_back(fmt::format(
         "{} ways to wire it were tried (polarity and order of the sensors, sides of the motors); {}.",
         try_out.tried(),
-        drive.verdict == "reached" ? "this one drives a lap"
-                                   : "none drives a lap, and none went much better than this one"));
+        try_out.follows() ? "this one drives a lap"
+                          : "none follows the line for a lap, and none went much better than this one"));
   const std::string text = wiring::text_of(draft, remarks);
   if (arguments.out.empty()) {
     print(text);
