@@ -117,11 +117,17 @@ void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain
   for (const auto& [folder, name] : places) map(folder, name);
 }
 
+/// Of a library's folder with its headers: "libraries/Servo", "libraries/Servo/src".
+std::string place_of_headers(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return "libraries/" + (name == "src" ? (folder.parent_path().filename() / name).string() : name);
+}
+
 Core::Names places_of(const Unit& unit) {
   Core::Names places;
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
-      places.emplace_back(folder, "libraries/" + folder.filename().string());
+      places.emplace_back(folder, place_of_headers(folder));
   // Compilers work in the unit's folder: readers put its name before that of a file, so it is left out there.
   const bool core = unit.kind == Unit::Kind::core;
   places.emplace_back(unit.folder, core ? unit.place : ".");

@@ -68,6 +68,13 @@ TEST(Verdicts, ACrashInALibraryIsToldByTheLibrarysNameAndFile) {
   EXPECT_EQ(r.crash->where.line, 3);
 }
 
+TEST(Verdicts, ACrashInALibrarysHeaderIsToldByTheLibrarysName) {
+  const wire::RunResult r = run({.sketch = "HeaderCrashes"});
+  ASSERT_TRUE(r.crash) << r.why;
+  EXPECT_EQ(r.crash->where.file, "libraries/Brittle/src/Brittle.h");
+  EXPECT_EQ(r.crash->where.line, 3);
+}
+
 TEST(Verdicts, ASmallHeapOverrunHarmsNobodyElse) {
   const wire::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
   run({.sketch = "OverrunsHeapALittle", .goal = "none", .for_s = 1.0});

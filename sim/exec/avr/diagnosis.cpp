@@ -181,6 +181,16 @@ std::string Diagnosis::api_call(std::uint32_t pc) const {
   return name.empty() || name == "main" || name.starts_with("__") ? "" : name + "()";
 }
 
+std::string Diagnosis::api_call_now() const {
+  if (machine_.chip().in_handler()) return "";
+  std::string name;
+  for (const SourceLine& frame : call_chain(machine_.chip().pc())) {
+    if (!is_core_file(frame.file)) return name.empty() || frame.file.empty() ? "" : name + "()";
+    name = frame.function;
+  }
+  return "";
+}
+
 std::string Diagnosis::stopped_by() const {
   const WatchedChip& chip = machine_.chip();
   if (chip.is_off()) return "sleeping with interrupts off";
@@ -194,6 +204,8 @@ Activity Diagnosis::activity() const {
   activity.call = api_call(chip.last_io_pc());
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
     activity.pin = machine_.outside().last_read();
+  else if (const std::string call = api_call_now(); !call.empty())
+    activity.call = call;
   const Cycle second = machine_.chip().clock_hz();
   if (machine_.outside().last_read() != kNoPin && chip.cycle() - machine_.outside().last_read_at() <= second)
     activity.polled = machine_.outside().last_read();

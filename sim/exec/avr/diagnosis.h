@@ -26,6 +26,9 @@ class Diagnosis {
   std::string overflow_text() const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
+  /// The core's function that the sketch has called and is in: "delay()", not what delay() calls. Empty if it
+  /// is in none.
+  std::string api_call_now() const;
   std::string stopped_by() const;
   std::vector<SourceLine> call_chain(std::uint32_t pc) const;
   std::string registers() const;

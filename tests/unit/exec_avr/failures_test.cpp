@@ -75,6 +75,12 @@ TEST_F(FailuresTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_EQ(activity.where.file, "ChipHang.ino");
 }
 
+TEST_F(FailuresTest, ACallIsTheOneThatTheSketchMakesNotOneOfTheCore) {
+  start("void rest() { delay(10000); }\nvoid setup() {}\nvoid loop() { rest(); Serial.flush(); }\n");
+  run(kSecond);
+  EXPECT_EQ(avr_->activity().call, "delay()");
+}
+
 // Two coroutines, each on a stack of its own in a variable; BODY is what the second one does each time.
 std::string coroutines(const std::string& body) {
   return R"(uint8_t stack_a[120], stack_b[120];
