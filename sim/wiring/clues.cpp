@@ -116,7 +116,7 @@ std::vector<const Clue*> Clues::never_used() const {
 
 bool Clues::is_given_to(std::initializer_list<const char*> functions, Pin pin) const {
   return std::any_of(names_.given.begin(), names_.given.end(), [&](const Given& given) {
-    return !given.pins.empty() && given.pins[0] == pin &&
+    return !given.each.empty() && std::count(given.each[0].begin(), given.each[0].end(), pin) != 0 &&
            std::find(functions.begin(), functions.end(), given.type) != functions.end();
   });
 }

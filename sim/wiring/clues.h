@@ -47,7 +47,7 @@ class Clues {
   std::vector<const Clue*> left() const;
   /// Those that have a name in the source, and were never used.
   std::vector<const Clue*> never_used() const;
-  /// Whether it is the first pin that one of these functions is given.
+  /// Whether one of these functions is given it, or an array with it, as the first argument.
   bool is_given_to(std::initializer_list<const char*> functions, Pin pin) const;
   bool is_free(Pin pin) const { return pin != kNoPin && taken_.count(pin) == 0; }
   void take(Pin pin) { taken_.insert(pin); }

@@ -89,6 +89,23 @@ std::string shown(const Clues& clues, Pin pin) {
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
 
+// Wire pulls its two pins up, and never reads them as pins.
+void ask_for_the_bus(Clues& clues, RobotDraft& draft) {
+  const TwiSpec& bus = clues.board().chip->twi;
+  if (bus.address == 0) return;
+  const Pin data = find_pin(clues.board(), bus.data), clock = find_pin(clues.board(), bus.clock);
+  for (const Pin pin : {data, clock}) {
+    const PinFacts& facts = *clues.of(pin).facts;
+    if (!clues.is_free(pin) || !facts.pulled_up || facts.looked || facts.driven || facts.measured) return;
+  }
+  clues.take(data);
+  clues.take(clock);
+  draft.questions.push_back(fmt::format(
+      "{} and {} are used as the two-wire bus (Wire): what hangs on it? Parts for it are lcd-i2c, "
+      "ssd1306, mpu-6050, vl53l0x, tcs34725, pca9685",
+      shown(clues, data), shown(clues, clock)));
+}
+
 }  // namespace
 
 std::string part_name(const RobotDraft& draft, const std::string& wanted) {
@@ -102,6 +119,7 @@ std::string part_name(const RobotDraft& draft, const std::string& wanted) {
 }
 
 void guess_the_rest(Clues& clues, RobotDraft& draft) {
+  ask_for_the_bus(clues, draft);
   for (const Clue* clue : clues.left()) {
     if (clue->facts->driven)
       guess_output(clues, draft, *clue);

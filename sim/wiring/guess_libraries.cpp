@@ -47,6 +47,10 @@ class Libraries {
       if (found_ && side_of(words_of(given.name)) == Side::unknown)
         draft_.parts.back().keys.emplace_back("wheel", next_wheel());
       doubt("periods: of one channel, for each turn of the wheel");
+    } else if (type == "Keypad" && given.each.size() >= 3) {
+      keypad(given);
+    } else if (type == "shiftOut" && given.each.size() == 2) {
+      shift_register(given, pin(0), pin(1));
     } else if (type == "IRrecv" && clues_.is_free(pin(0))) {
       one_pin(given, "ir-receiver", pin(0));
     } else if (type == "Adafruit_NeoPixel" && clues_.is_free(pin(1))) {
@@ -102,6 +106,43 @@ class Libraries {
     one_pin(given, "wheel-servo", pin);
     draft_.parts.back().name = side == Side::left ? "left" : "right";
     draft_.driver = "servo";
+  }
+
+  std::string list(const std::vector<Pin>& pins) const {
+    std::string text;
+    for (const Pin pin : pins) text += (text.empty() ? "" : ", ") + clues_.toml(pin);
+    return "[" + text + "]";
+  }
+
+  // Keypad(makeKeymap(keys), rowPins, colPins, ROWS, COLS)
+  void keypad(const Given& given) {
+    const std::vector<Pin>&rows = given.each[1], &columns = given.each[2];
+    if (rows.empty() || columns.empty() || rows.size() > 8 || columns.size() > 8) return;
+    for (const auto* pins : {&rows, &columns})
+      for (const Pin pin : *pins)
+        if (!clues_.is_free(pin)) return;
+    add(given, "keypad", {"rows", list(rows)});
+    draft_.parts.back().keys.emplace_back("columns", list(columns));
+    draft_.parts.back().doubts.push_back("keys: those of the usual keypads, unless given here");
+    for (const auto* pins : {&rows, &columns})
+      for (const Pin pin : *pins) clues_.take(pin);
+  }
+
+  // shiftOut(data, clock, …): the latch is told by its name.
+  void shift_register(const Given& given, Pin data, Pin clock) {
+    if (!clues_.is_free(data) || !clues_.is_free(clock)) return;
+    Pin latch = kNoPin;
+    for (const Clue* clue : clues_.left())
+      if (clue->facts->driven && clue->pin != data && clue->pin != clock && latch == kNoPin &&
+          says(clue->words, {"latch", "rclk", "rck", "st", "stcp", "strobe", "load", "cs", "ss"}))
+        latch = clue->pin;
+    if (latch == kNoPin) return;
+    add(given, "shift-register",
+        {"pins", pins_table(clues_, {{"data", data}, {"clock", clock}, {"latch", latch}})});
+    draft_.parts.back().name = part_name(draft_, "REG");
+    for (const Pin pin : {data, clock, latch}) clues_.take(pin);
+    draft_.questions.push_back(
+        "what hangs on the outputs of REG? Other parts name them as pins: \"REG.Q0\" to \"REG.Q7\"");
   }
 
   // pulseIn() on a pin: the trigger is the pin that gives short pulses.

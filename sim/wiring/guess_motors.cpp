@@ -19,6 +19,19 @@ bool is_motor_like(const Clue& clue) {
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
+// analogWrite(pin, 0) makes a level: what the source says counts, too.
+bool is_pwm(const Clues& clues, const Clue& clue) {
+  return clue.facts->pwm || clues.is_given_to({"analogWrite"}, clue.pin);
+}
+
+// High all the time, by a name that has no side: the driver's enable, or standby.
+bool is_enable_of_both(const Clues& clues, const Clue& clue) {
+  constexpr double kMostly = 0.45;  // of 0.5
+  return clue.facts->driven && !is_pwm(clues, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
+         !says(clue.words, {"enc"}) && side_of(clue.words) == Side::unknown &&
+         clues.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
+}
+
 // rmf, lf: a side and a direction in one word. The B of motorB is no direction.
 bool is_short_for(const Clue& clue, char direction) {
   constexpr std::size_t kLongest = 4;
@@ -61,7 +74,7 @@ int named_order(const Clue& a, const Clue& b) {
 class Motor {
  public:
   Motor(const Clues& clues, Pins pins) : clues_(clues) {
-    for (const Clue* clue : pins) (clue->facts->pwm ? pwm_ : level_).push_back(clue);
+    for (const Clue* clue : pins) (is_pwm(clues, *clue) ? pwm_ : level_).push_back(clue);
     if (pwm_.size() == 1 && level_.size() == 2) {
       en_ = pwm_[0];
       inputs(level_[0], level_[1]);
@@ -196,10 +209,22 @@ Sides divide(const Clues& clues, const Pins& pins) {
   if (!sides.left.empty()) return sides;
   sides = {{}, {}, false};
   Pins pwm, level;
-  for (const Clue* clue : pins) (clue->facts->pwm ? pwm : level).push_back(clue);
+  for (const Clue* clue : pins) (is_pwm(clues, *clue) ? pwm : level).push_back(clue);
   put_half(pwm, sides);
   put_half(level, sides);
   return sides;
+}
+
+// Four inputs by PWM and one pin that stays high: that one enables the driver.
+void take_enable_without_name(Clues& clues, Pins& pins, RobotDraft& draft) {
+  constexpr double kMostly = 0.45;  // of 0.5
+  const auto is_level = [&](const Clue* clue) { return !is_pwm(clues, *clue); };
+  if (pins.size() != 5 || std::count_if(pins.begin(), pins.end(), is_level) != 1) return;
+  const auto enable = std::find_if(pins.begin(), pins.end(), is_level);
+  if (!(*enable)->name.empty() || clues.history().lean(kNoPin, (*enable)->pin, kNoPin) < kMostly) return;
+  draft.standby = clues.toml((*enable)->pin);
+  clues.take((*enable)->pin);
+  pins.erase(enable);
 }
 
 }  // namespace
@@ -209,14 +234,19 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
                   [](const PartDraft& p) { return p.type == "motor"; }))
     return;  // a shield's
   Pins pins;
+  bool has_standby = false;
   for (const Clue* clue : clues.left()) {
-    if (clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"})) {
+    const bool is_standby =
+        clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"});
+    has_standby |= is_standby;
+    if (is_standby || is_enable_of_both(clues, *clue)) {
       draft.standby = clues.toml(clue->pin);
       clues.take(clue->pin);
     } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == clues.board().led_builtin)) {
       pins.push_back(clue);
     }
   }
+  take_enable_without_name(clues, pins, draft);
   const auto has_name = [](const Clue* clue) { return !clue->name.empty(); };
   if (std::count_if(pins.begin(), pins.end(), has_name) >= 2)
     pins.erase(std::stable_partition(pins.begin(), pins.end(), has_name), pins.end());
@@ -230,7 +260,7 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
         "parallel are one part",
         side->size()));
   }
-  if (!left.found() || !right.found()) return;
+  if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
   draft.open.sides = !sides.named;
   const bool backward =
       left.order_is_named() && right.order_is_named() && left.lean() < 0.0 && right.lean() < 0.0;
@@ -246,9 +276,9 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
     draft.parts.push_back(std::move(part));
   }
   for (const Clue* clue : pins) clues.take(clue->pin);
-  const bool toshiba = !draft.standby.empty() || std::any_of(pins.begin(), pins.end(), [](const Clue* clue) {
-    return says(clue->words, {"ain", "bin", "pwma", "pwmb"});
-  });
+  const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const Clue* clue) {
+                         return says(clue->words, {"ain", "bin", "pwma", "pwmb"});
+                       });
   draft.driver = left.is_transistor() ? "transistor"
                  : left.is_phase()    ? "drv8835"
                  : toshiba            ? "tb6612"

@@ -9,6 +9,16 @@ namespace {
 
 using Pins = std::vector<const Clue*>;
 
+// int pins[] = {2, 3, 13}: a name that says nothing.
+bool is_named(const Clue& clue) {
+  const auto says_nothing = [](const std::string& word) {
+    return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
+           word == "inputs" || word == "port" || word == "ports" || word == "all";
+  };
+  return !clue.name.empty() &&
+         !(clue.in_array && std::all_of(clue.words.begin(), clue.words.end(), says_nothing));
+}
+
 bool is_sensor_like(const Clues& clues, const Clue& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
   // Of an encoder, a button, a receiver of remote control: a line sensor's edges and pulses are of no use.
@@ -21,7 +31,7 @@ bool is_sensor_like(const Clues& clues, const Clue& clue) {
   if (clue.facts->measured || clue.facts->discharged) return true;
   const bool named = says(clue.words, {"sens", "ir", "line", "track", "tcrt", "qtr", "left", "right", "mid",
                                        "cent", "s", "l", "r", "c", "m"});
-  return named || (!clue.facts->pulled_up && clue.name.empty());
+  return named || (!clue.facts->pulled_up && !is_named(clue));
 }
 
 // From left to right, as far as names tell: far left, left, middle, right, far right.

@@ -50,7 +50,10 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
                 const Outputs& outputs) {
   std::vector<Numbered> left, right, unknown;
   for (const Numbered& motor : motors) {
-    const Side side = side_of(words_of(motor.given->name));
+    // motor1 says no more than the shield's number does.
+    std::vector<std::string> words = words_of(motor.given->name);
+    std::erase_if(words, [](const std::string& word) { return std::isdigit(word[0]) != 0; });
+    const Side side = side_of(words);
     (side == Side::left ? left : side == Side::right ? right : unknown).push_back(motor);
   }
   const bool named = !left.empty() && !right.empty();
@@ -60,6 +63,11 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
     draft.open.sides = true;
     if (ways.other_sides) std::swap(left, right);
   }
+  if (named)
+    for (const Numbered& motor : unknown)
+      draft.questions.push_back(
+          fmt::format("motor {} of the shield ({}) has no side in its name: which one does it drive?",
+                      motor.number + 1, where(*motor.given)));
   for (const bool is_left : {true, false}) {
     const std::vector<Numbered>& side = is_left ? left : right;
     if (side.empty()) continue;
@@ -73,8 +81,9 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
     if (!named) part.doubts.push_back("which motor is the left one is guessed from their numbers");
     if (side.size() > 1)
       part.doubts.push_back(
-          fmt::format("{} motors are on this side: they are one part, with {} times the torque and current",
-                      side.size(), side.size()));
+          fmt::format("motors {} and {} are taken for this side: they are one part, with {} times the torque "
+                      "and current",
+                      side[0].number + 1, side[1].number + 1, side.size()));
     draft.parts.push_back(std::move(part));
   }
 }
@@ -84,11 +93,10 @@ struct Device {
   const char* part;
 };
 constexpr std::array kDevices = {
-    Device{"LiquidCrystal_I2C", "lcd-i2c"},
-    Device{"Adafruit_SSD1306", "ssd1306"},
-    Device{"MPU6050", "mpu-6050"},
-    Device{"Adafruit_TCS34725", "tcs34725"},
-    Device{"Adafruit_PWMServoDriver", "pca9685"},
+    Device{"LiquidCrystal_I2C", "lcd-i2c"},  Device{"Adafruit_SSD1306", "ssd1306"},
+    Device{"MPU6050", "mpu-6050"},           Device{"Adafruit_MPU6050", "mpu-6050"},
+    Device{"Adafruit_TCS34725", "tcs34725"}, Device{"VL53L0X", "vl53l0x"},
+    Device{"Adafruit_VL53L0X", "vl53l0x"},   Device{"Adafruit_PWMServoDriver", "pca9685"},
 };
 
 bool is_address(const std::string& argument) {

@@ -30,6 +30,14 @@ bool is_number_type(const std::string& word) {
   return names.count(word) != 0;
 }
 
+// Classes of devices on the two-wire bus, whose objects are given no pins.
+bool is_device(const std::string& word) {
+  static const std::set<std::string> names = {
+      "MPU6050",          "Adafruit_MPU6050", "Adafruit_TCS34725", "VL53L0X",
+      "Adafruit_VL53L0X", "Adafruit_SSD1306", "LiquidCrystal_I2C", "Adafruit_PWMServoDriver"};
+  return names.count(word) != 0;
+}
+
 struct Value {
   std::vector<std::string> words;  // what it stands for: one, or an array's
   bool is_array = false;
@@ -70,12 +78,13 @@ class Reader {
     for (Given given : given_) {
       for (const std::string& argument : given.arguments) {
         auto pins = pins_of(argument);
+        given.each.push_back(pins);
         if (pins.empty()) pins.push_back(kNoPin);
         given.pins.insert(given.pins.end(), pins.begin(), pins.end());
       }
       const bool any =
           std::any_of(given.pins.begin(), given.pins.end(), [](Pin pin) { return pin != kNoPin; });
-      if (any) names.given.push_back(std::move(given));
+      if (any || is_device(given.type)) names.given.push_back(std::move(given));
     }
     return names;
   }
@@ -88,7 +97,7 @@ class Reader {
   Spot spot() const { return {file_, tokens_[at_].line}; }
 
   void set(const std::string& name, Value value) {
-    if (name.size() == 1 && name >= "a") return;  // a loop's
+    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // a loop's
     if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
   }
 
@@ -121,6 +130,11 @@ class Reader {
       if (is_number_type(ahead(1).text)) return;  // unsigned int
       ++at_;
       read_variables();
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is("=") && ahead(3).text == token.text &&
+               ahead(4).is("(")) {
+      read_made();
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is(";") && is_device(token.text)) {
+      given_.push_back({token.text, ahead(1).text, {}, {}, spot()});
     } else if (token.is("new") && ahead(2).is("(")) {
       read_new();
     } else if (ahead(1).kind == Token::Kind::word && (ahead(2).is("(") || ahead(2).is("{"))) {
@@ -178,6 +192,16 @@ class Reader {
     return list;
   }
 
+  // How far ahead is what follows the brackets that are `from` ahead.
+  std::size_t behind_brackets(std::size_t from) const {
+    int depth = 0;
+    for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+      if (ahead(i).is("(") || ahead(i).is("{")) ++depth;
+      if ((ahead(i).is(")") || ahead(i).is("}")) && --depth == 0) return i + 1;
+    }
+    return from;
+  }
+
   void note_use(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) used_.insert(argument.substr(0, argument.find(' ')));
   }
@@ -189,6 +213,10 @@ class Reader {
       read_result(list[0]);
     if (is_pin_function && !list.empty()) used_.insert(list[0].substr(0, list[0].find(' ')));
     if (tokens_[at_].is("shiftOut")) note_use(list);
+    if (tokens_[at_].is("shiftOut") && list.size() > 1)
+      given_.push_back({"shiftOut", "", {}, {list[0], list[1]}, spot()});
+    if (tokens_[at_].is("analogWrite") && !list.empty())
+      given_.push_back({"analogWrite", "", {}, {list[0]}, spot()});
     if (tokens_[at_].is("attachInterrupt")) {
       if (const auto pin = pin_of_interrupt(list))
         given_.push_back({"attachInterrupt", "", {}, {*pin}, spot()});
@@ -199,8 +227,18 @@ class Reader {
     if (!tells) return;
     static const std::set<std::string> kTakesPins = {"attach", "setSensorPins", "setEmitterPin", "setPins",
                                                      "setPin", "init",          "begin"};
-    if (!object.empty() && kTakesPins.count(tokens_[at_].text) != 0) note_use(list);
+    const bool takes_pins = kTakesPins.count(tokens_[at_].text) != 0;
+    if (!object.empty() && takes_pins) note_use(list);
+    // Numbers given to other methods are none: lcd.setCursor(0, 14).
+    if (!object.empty() && !takes_pins && !tokens_[at_].is("getMotor")) return;
+    if (tokens_[at_].is("begin") && is_size_of_display(list)) return;
     given_.push_back({tokens_[at_].text, object, {}, list, spot()});
+  }
+
+  // lcd.begin(16, 2)
+  static bool is_size_of_display(const std::vector<std::string>& list) {
+    return list.size() == 2 && (list[0] == "16" || list[0] == "20" || list[0] == "8") &&
+           (list[1] == "1" || list[1] == "2" || list[1] == "4");
   }
 
   // `int leftSensor = analogRead(A1);` names the pin, unless it has a name.
@@ -220,11 +258,25 @@ class Reader {
                                                    "bool",   "boolean", "float",  "double", "String",
                                                    "const",  "static",  "struct", "class"};
     if (no_types.count(tokens_[at_].text) != 0) return;
-    const auto list = arguments(2);
-    if (list.empty()) return;
+    // `Wheel left(5, 7, 8), right(6, 9, 10);`
+    for (std::size_t i = 1;
+         ahead(i).kind == Token::Kind::word && (ahead(i + 1).is("(") || ahead(i + 1).is("{"));) {
+      const auto list = arguments(i + 1);
+      if (list.empty()) return;
+      note_use(list);
+      given_.push_back({tokens_[at_].text, ahead(i).text, {}, list, spot()});
+      for (const std::string& argument : list) read_inner_object(ahead(i).text, argument);
+      i = behind_brackets(i + 1);
+      if (!ahead(i).is(",")) return;
+      ++i;
+    }
+  }
+
+  // `Type name = Type(5, 6);`
+  void read_made() {
+    const auto list = arguments(4);
     note_use(list);
     given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
-    for (const std::string& argument : list) read_inner_object(ahead(1).text, argument);
   }
 
   // `name = new Type(5, 6);`
@@ -269,9 +321,18 @@ class Reader {
     return pin == kNoPin ? std::nullopt : std::optional<Pin>(first_number(board_, pin));
   }
 
-  // An argument's: one, or those of an array; `( const uint8_t [ ] ) { A0 , A1 }` is one too.
+  // An argument's: one, or those of an array; `( const uint8_t [ ] ) { A0 , A1 }` is one too. Of `pins [ 1 ]`
+  // that one, of `pins [ i ]` all.
   std::vector<Pin> pins_of(const std::string& argument) const {
     if (const auto pin = pin_of(argument)) return {*pin};
+    if (const std::size_t bracket = argument.find(" [ ");
+        bracket != std::string::npos && argument[0] != '(') {
+      const std::vector<Pin> all = pins_of(argument.substr(0, bracket));
+      const std::string index = argument.substr(bracket + 3, argument.find(' ', bracket + 3) - bracket - 3);
+      const bool fixed = !index.empty() && index.find_first_not_of("0123456789") == std::string::npos;
+      const std::size_t at = fixed && index.size() < 4 ? std::stoul(index) : all.size();
+      return at < all.size() ? std::vector<Pin>{all[at]} : all;
+    }
     std::vector<std::string> words;
     if (const auto array = values_.find(argument); array != values_.end()) {
       words = array->second.words;

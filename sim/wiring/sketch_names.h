@@ -33,6 +33,7 @@ struct Given {
   std::vector<Pin> pins;  ///< of each argument; all of one that is an array; kNoPin where it cannot be one
   std::vector<std::string> arguments;  ///< all, as they are written
   Spot spot;
+  std::vector<std::vector<Pin>> each = {};  ///< pins of each argument; empty where it cannot be one
 };
 
 struct SketchNames {

@@ -199,6 +199,100 @@ TEST(Guess, MotorShieldsAreKnownByTheirLibraries) {
   EXPECT_THAT(second, HasSubstr("type = \"lcd-i2c\"\naddress = 0x3F"));
 }
 
+TEST(Guess, NumbersOfMotorsOnAShieldAreNoSides) {
+  const std::string two = guessed("AF_DCMotor motor1(1);\nAF_DCMotor motor2(2);\n", Seen());
+  EXPECT_THAT(two, HasSubstr("# ? which motor is the left one is guessed from their numbers"));
+  const std::string four = guessed(
+      "AF_DCMotor motor1(1);\nAF_DCMotor motor2(2);\nAF_DCMotor motor3(3);\nAF_DCMotor motor4(4);\n", Seen());
+  EXPECT_THAT(four, HasSubstr("motors 1 and 2 are taken for this side"));
+  EXPECT_THAT(four, HasSubstr("motors 3 and 4 are taken for this side"));
+  EXPECT_THAT(guessed("AF_DCMotor left(1);\nAF_DCMotor right(2);\nAF_DCMotor arm(4);\n", Seen()),
+              HasSubstr("# ? motor 4 of the shield (AF_DCMotor(4), a.ino:3) has no side in its name"));
+}
+
+TEST(Guess, AnEnablePinThatStaysHighIsNoMotor) {
+  Seen run;
+  run.pwm("D5", 0.5).output("D6", false).pwm("D9", 0.5).output("D10", false).output("D8", true);
+  const std::string motors =
+      "void f() { analogWrite(LF, 1); analogWrite(LB, 0); analogWrite(RF, 1); "
+      "analogWrite(RB, 0); digitalWrite(motorEnable, HIGH); }";
+  const std::string text = guessed(
+      "#define LF 5\n#define LB 6\n#define RF 9\n#define RB 10\nconst int motorEnable = 8;\n" + motors, run);
+  EXPECT_THAT(text, HasSubstr("standby = 8"));
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 5, in2 = 6 }"));
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 9, in2 = 10 }"));
+  const std::string bare = guessed(
+      "void f() { analogWrite(5, 1); analogWrite(6, 0); analogWrite(9, 1); analogWrite(10, 0); }", run);
+  EXPECT_THAT(bare, HasSubstr("standby = 8"));
+  EXPECT_THAT(bare, HasSubstr("pins = { in1 = 9, in2 = 10 }"));
+}
+
+TEST(Guess, ElementsOfAnArrayAreWhatTheyAreGivenTo) {
+  Seen run;
+  run.pwm("D5", 0.5)
+      .output("D6", false)
+      .pwm("D9", 0.5)
+      .output("D10", false)
+      .look("D2")
+      .look("D3")
+      .output("D13", true);
+  const std::string text = guessed(
+      "int motorPins[] = {5, 6, 9, 10};\nconst int pins[] = {2, 3, 13};\n"
+      "void f() { analogWrite(motorPins[0], 1); analogWrite(motorPins[1], 0); analogWrite(motorPins[2], 1); "
+      "analogWrite(motorPins[3], 0); digitalRead(pins[0]); digitalRead(pins[1]); digitalWrite(pins[2], 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 5, in2 = 6 }"));
+  EXPECT_THAT(text, HasSubstr("pins = { in1 = 9, in2 = 10 }"));
+  EXPECT_THAT(text, HasSubstr("read = \"digital\"\npins = [2, 3]"));
+}
+
+TEST(Guess, PinsThatMakeNoTwoMotorsAlikeAreAskedFor) {
+  Seen run;
+  run.pwm("D5", 0.5).output("D7", true).output("D8", false).pwm("D6", 0.5);
+  const std::string text = guessed(
+      "const int leftPwm = 5, leftA = 7, leftB = 8, rightPwm = 6;\n"
+      "void f() { analogWrite(leftPwm, 9); digitalWrite(leftA, 1); digitalWrite(leftB, 0); "
+      "analogWrite(rightPwm, 9); }",
+      run);
+  EXPECT_THAT(text, Not(HasSubstr("type = \"motor\"")))
+      << "no driver has one motor with three inputs and one with one";
+  EXPECT_THAT(text,
+              HasSubstr("# ? pin 6 (rightPwm, a.ino:1) is driven by analogWrite: what is wired to it?"));
+  const std::string both =
+      guessed("Wheel left(5, 7, 8), right(6, 9, 10);", run.output("D9", true).output("D10", false));
+  EXPECT_THAT(both, HasSubstr("pins = { en = 5, in1 = 7, in2 = 8 }"));
+  EXPECT_THAT(both, HasSubstr("pins = { en = 6, in1 = 9, in2 = 10 }"));
+}
+
+TEST(Guess, KeypadsAndShiftRegistersAreKnownByWhatTheyAreGiven) {
+  Seen run;
+  for (const char* pin : {"D6", "D7", "D8", "D9"}) run.pull_up(pin).look(pin);
+  for (const char* pin : {"D3", "D4", "D5", "A0", "A1", "A2"}) run.output(pin, false);
+  const std::string text = guessed(
+      "byte rowPins[4] = {9, 8, 7, 6};\nbyte colPins[3] = {5, 4, 3};\n"
+      "Keypad pad = Keypad(makeKeymap(keys), rowPins, colPins, 4, 3);\n"
+      "int latchPin = A0, clockPin = A1, dataPin = A2;\n"
+      "void loop() { digitalWrite(latchPin, LOW); shiftOut(dataPin, clockPin, MSBFIRST, 7); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("type = \"keypad\"\nrows = [9, 8, 7, 6]\ncolumns = [5, 4, 3]"));
+  EXPECT_THAT(
+      text, HasSubstr("type = \"shift-register\"\npins = { data = \"A2\", clock = \"A1\", latch = \"A0\" }"));
+  EXPECT_THAT(text, HasSubstr("# ? what hangs on the outputs of REG?"));
+}
+
+TEST(Guess, NumbersGivenToADisplayNameNoPins) {
+  Seen run;
+  run.measure("A0").measure("A1").pull_up("A4").pull_up("A5");
+  const std::string text = guessed(
+      "Adafruit_SSD1306 lcd(128, 64, &Wire, -1);\nvoid f() { lcd.setCursor(14, 18); lcd.begin(16, 2); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("type = \"ssd1306\""));
+  EXPECT_THAT(text, HasSubstr("pins = [\"A0\", \"A1\"]"));
+  EXPECT_THAT(text, Not(HasSubstr("type = \"button\"")));
+  EXPECT_THAT(guessed("", Seen().pull_up("A4").pull_up("A5")),
+              HasSubstr("pin A4 and pin A5 are used as the two-wire bus"));
+}
+
 TEST(Guess, NamesThatAreOnlyHandedOnCountWhereTheirPinsAreUsed) {
   Seen run;
   run.pwm("D3", 0.5)
