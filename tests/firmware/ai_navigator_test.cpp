@@ -42,9 +42,7 @@ TEST_P(AiNavigator, FindsAllStationsAndJunctions) {
 
 TEST_P(AiNavigator, DrivesToTheStationThatItIsTold) {
   scan();
-  go_to(3);
-  go_to(2);
-  go_to(1);
+  for (const int station : {3, 2, 1, 3, 2}) go_to(station);
   EXPECT_THAT(robot(), NeverCollides());
 }
 
