@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -47,6 +48,18 @@ void check_path(const std::string& what, const std::string& path) {
   std::error_code error;
   if (fs::exists(path, error)) return;
   throw InputError({path, 0, 0}, "there is no such file (a " + what + " with / or . in its name is a path)");
+}
+
+/// What a linker calls a map, by the headings that GNU ld's begins with: a list of sections, no floor.
+bool is_linkers(const fs::path& map) {
+  std::ifstream file(map);
+  std::string first;
+  while (first.empty() && std::getline(file, first)) {
+  }
+  for (const char* heading : {"Archive member included", "As-needed library included", "Discarded input",
+                              "Allocating common symbols", "There are no discarded", "Memory Configuration"})
+    if (first.starts_with(heading)) return true;
+  return false;
 }
 
 }  // namespace
@@ -174,7 +187,8 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
     }
     return {name, stock_map_folder() / (name + ".map"), ""};
   }
-  const auto beside = names_in(sketch_folder, ".map");
+  auto beside = names_in(sketch_folder, ".map");
+  std::erase_if(beside, [&](const std::string& map) { return is_linkers(sketch_folder / (map + ".map")); });
   if (beside.size() == 1) {
     const std::string file = beside[0] + ".map";
     return {file, sketch_folder / file, fmt::format("the map is {}, the only one beside the sketch", file)};

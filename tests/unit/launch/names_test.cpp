@@ -101,6 +101,14 @@ TEST_F(NamesTest, TheOnlyMapBesideTheSketchIsTaken) {
   EXPECT_THAT(choose_map("", folder_).announcement, HasSubstr("2 maps"));
 }
 
+TEST_F(NamesTest, WhatALinkerCallsAMapIsNone) {
+  std::ofstream(folder_ / "sketch.map") << "Archive member included to satisfy reference by file (symbol)\n";
+  EXPECT_EQ(choose_map("", folder_).name, "oval");
+  std::ofstream(folder_ / "other.map") << "\nMemory Configuration\n";
+  touch("mine.map");
+  EXPECT_EQ(choose_map("", folder_).name, "mine.map");
+}
+
 TEST_F(NamesTest, AMapThatIsNamedIsNotAnnounced) {
   touch("a.map");
   EXPECT_EQ(choose_map("d", folder_).announcement, "");
