@@ -46,7 +46,7 @@ Command parse_run(const Words& words) {
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--seed", number, "N", "of all noise and spread; default: 1");
-  options.text("--profile", run.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", run.request.profile, "PROFILE", kProfiles);
   options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.text("--env", run.environment, "NAME", kEnvironment);
@@ -70,7 +70,7 @@ Command parse_run(const Words& words) {
   if (!number.empty()) run.request.seed = seed_number(number);
   if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
-  check_choice("--profile", run.request.profile, {"ideal", "typical"});
+  check_profile(run.request.profile);
   if (run.view + run.json + run.serial > 1)
     throw InputError("--view, --json and --serial want the standard output; give one of them");
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/profile.h"
 #include "sim/base/spelling.h"
 #include "sim/base/units.h"
 
@@ -112,6 +113,10 @@ void check_choice(const char* option, const std::string& value, const std::vecto
   if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
     refuse_value(option, value, one_of(allowed));
   }
+}
+
+void check_profile(const std::string& value) {
+  check_choice("--profile", value, {kProfileNames.begin(), kProfileNames.end()});
 }
 
 }  // namespace robosim::cli

@@ -37,6 +37,9 @@ class Options {
   std::unique_ptr<App> app_;
 };
 
+/// Of --profile.
+constexpr const char* kProfiles =
+    "ideal (no noise) or typical (default); typical@1 is typical as it was before version 2";
 /// Of --env.
 constexpr const char* kEnvironment = "of platformio.ini, or a profile of sketch.yaml";
 
@@ -54,5 +57,7 @@ std::uint64_t whole_number(const char* option, const std::string& text, std::uin
                            std::uint64_t most);
 std::uint64_t seed_number(const std::string& text);
 void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed);
+/// The same of --profile.
+void check_profile(const std::string& value);
 
 }  // namespace robosim::cli

@@ -1,18 +1,41 @@
 // Numbers that differ from one robot to the next.
 #pragma once
 
+#include <optional>
+
 #include "sim/base/noise.h"
+#include "sim/base/profile.h"
 
 namespace robosim::robot {
 
-/// A figure of a robot file: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`.
-struct Number {
+/// A value, and how far that of a robot may be from it.
+struct Spread {
   double value = 0.0;   ///< SI
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
+};
 
+/// A figure of a robot file: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was found to be
+/// another keeps what it was for `ideal` and older profiles, so that their runs stay what they were:
+/// `{ value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
+struct Number {
+  double value = 0.0;   ///< SI
+  double spread = 0.0;  ///< SI
+  std::optional<Spread> typical_2 = std::nullopt;  ///< what holds from the profile typical@2 on
+
+  /// What holds in a profile.
+  Spread in(Profile profile) const {
+    return typical_2 && profile >= Profile::typical_2 ? *typical_2 : Spread{value, spread};
+  }
   /// The value for the robot that this noise stream belongs to.
-  double drawn(const NoiseStream& stream) const {
-    return spread == 0.0 ? value : value + spread * (2.0 * stream.uniform(0) - 1.0);
+  double drawn(Profile profile, const NoiseStream& stream) const {
+    const Spread now = in(profile);
+    return now.spread == 0.0 ? now.value : now.value + now.spread * (2.0 * stream.uniform(0) - 1.0);
+  }
+  /// The same figure, times a factor.
+  Number scaled(double factor) const {
+    Number all{value * factor, spread * factor};
+    if (typical_2) all.typical_2 = Spread{typical_2->value * factor, typical_2->spread * factor};
+    return all;
   }
 };
 

@@ -24,10 +24,11 @@ class Individual {
   Individual(std::uint64_t seed, Profile profile, std::uint32_t number)
       : seed_(seed), number_(number), profile_(profile) {}
 
+  Profile profile() const { return profile_; }
   bool ideal() const { return profile_ == Profile::ideal; }
   /// This robot's value of the figure `key` of `part` ("" = the robot itself).
   double draw(const Number& number, std::string_view part, std::string_view key) const {
-    return ideal() ? number.value : number.drawn(NoiseStream(seed_, number_, part, key));
+    return ideal() ? number.value : number.drawn(profile_, NoiseStream(seed_, number_, part, key));
   }
   NoiseStream noise(std::string_view part, std::string_view purpose) const {
     return {seed_, number_, part, purpose};

@@ -83,6 +83,12 @@ Number as_figure(const ConfigValue& value, const char* key, Dimension dimension,
   if (value.kind != ConfigValue::Kind::table) return {as_quantity(value, key, dimension, least, most), 0.0};
   TableReader reader(value, key);
   Number number;
+  if (const ConfigValue* newer = reader.find("typical@2")) {
+    const Number now = as_figure(*newer, key, dimension, least, most);
+    if (now.typical_2)
+      throw InputError(newer->place, fmt::format("{}: a \"typical@2\" within a \"typical@2\"", key));
+    number.typical_2 = Spread{now.value, now.spread};
+  }
   number.value = as_quantity(reader.require("value"), key, dimension, least, most);
   if (const ConfigValue* spread = reader.find("spread")) {
     number.spread = as_spread(*spread, fmt::format("the spread of {}", key).c_str(), dimension, number.value);
@@ -148,10 +154,8 @@ PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, con
 
 Number PartReader::volts(const char* key, Number fallback, double most) {
   const double own = terminals_.written_for->supply_volts;
-  const Number usual{fallback.value * own, fallback.spread * own};
-  const Number volts = figure(key, Dimension::voltage, usual, 0.0, std::min(most, own));
-  const double share = terminals_.board->supply_volts / own;
-  return {volts.value * share, volts.spread * share};
+  const Number volts = figure(key, Dimension::voltage, fallback.scaled(own), 0.0, std::min(most, own));
+  return volts.scaled(terminals_.board->supply_volts / own);
 }
 
 std::vector<Number> PartReader::figures(const char* key, Dimension dimension, Number fallback, double least,
@@ -172,9 +176,8 @@ std::vector<Number> PartReader::figures(const char* key, Dimension dimension, Nu
 std::vector<Number> PartReader::volts_of_each(const char* key, Number fallback, std::size_t count) {
   const double own = terminals_.written_for->supply_volts;
   const double share = terminals_.board->supply_volts / own;
-  std::vector<Number> all =
-      figures(key, Dimension::voltage, {fallback.value * own, fallback.spread * own}, 0.0, own, count);
-  for (Number& volts : all) volts = {volts.value * share, volts.spread * share};
+  std::vector<Number> all = figures(key, Dimension::voltage, fallback.scaled(own), 0.0, own, count);
+  for (Number& volts : all) volts = volts.scaled(share);
   return all;
 }
 

@@ -29,8 +29,9 @@ struct Terminals {
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the file's order
 };
 
-/// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }. The whole range
-/// must lie within the inclusive bounds. Throws InputError.
+/// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }, and perhaps one
+/// for newer profiles beside it (number.h). The whole range must lie within the inclusive bounds. Throws
+/// InputError.
 Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
 Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
                    double most);

@@ -9,6 +9,7 @@
 
 #include "hal/board/robot_port.h"
 #include "sim/base/kept.h"
+#include "sim/base/profile.h"
 #include "sim/base/vec.h"
 #include "sim/robot/fault.h"
 
@@ -19,9 +20,7 @@ class Body;
 
 namespace robosim::robot {
 
-/// How realistic the robot is. `ideal`: no noise, no spread; it never changes. `typical`: noise and spread
-/// with sources.
-enum class Profile { ideal, typical };
+using robosim::Profile;
 
 /// A robot file, read and checked (description.h).
 struct Description;

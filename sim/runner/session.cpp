@@ -75,7 +75,7 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
   wire::RunResult result = to_wire(outcome);
   result.for_s = static_cast<double>(request.for_ns) * 1e-9;
   result.seed = request.seed;
-  result.profile = request.profile;
+  result.profile = to_string(profile_of(request.profile));
   result.map_sha256 = inputs.map_sha256;
   result.robot_sha256 = inputs.robot_sha256;
   result.image_sha256 = inputs.image_sha256;
@@ -144,7 +144,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   agent.scenario = scenario::parse_scenario(request.script, request.script_file);
   setup.limit = request.for_ns;
   setup.seed = request.seed;
-  setup.profile = request.profile == "ideal" ? robot::Profile::ideal : robot::Profile::typical;
+  setup.profile = profile_of(request.profile);
   setup.samples_every = std::gcd(request.samples_every_ns, request.columns_every_ns);
   setup.interrupted = &interrupted;
   setup.reached = relay ? &relay->reached() : &reached;

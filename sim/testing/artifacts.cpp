@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/profile.h"
 #include "sim/base/shell_word.h"
 #include "sim/record/recorder.h"
 #include "sim/testing/rehearsal.h"
@@ -47,7 +48,7 @@ std::string replay_command(const Stage& stage, const std::string& folder, bool s
   text += " --robot " + shell_word(stage.robot_is_text ? (kept / "robot.toml").string() : stage.robot_name);
   text += " --target " + stage.target;
   text += fmt::format(" --seed {}", r.seed);
-  if (r.profile != "typical") text += " --profile " + r.profile;
+  if (profile_of(r.profile) != Profile::typical) text += " --profile " + r.profile;
   if (!r.start.empty()) text += " --start " + shell_word(r.start);
   if (!r.goal.empty()) text += " --goal " + shell_word(r.goal);
   if (r.clock_ns > 0) text += fmt::format(" --clock {}ns", r.clock_ns);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "sim/base/profile.h"
 #include "sim/wire/fields.h"
 
 namespace robosim::wire {
@@ -36,7 +37,7 @@ struct RunRequest {
   std::string goal;                       ///< empty = the map's
   std::int64_t for_ns = 600'000'000'000;  ///< simulated time
   std::uint64_t seed = 1;
-  std::string profile = "typical";     ///< or "ideal"
+  std::string profile = "typical";     ///< one of kProfileNames
   std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
   int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = nowhere; chip targets only
   std::string script;                  ///< text of a scenario
@@ -63,8 +64,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("goal", r.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!r.goal.empty())});
   v("for_ns", r.for_ns, "simulated time", {.unit = "ns", .presence = kOptional, .least = 0});
   v("seed", r.seed, "of the noise", {.presence = kOptional});
-  v("profile", r.profile, "how real the robot's parts are",
-    {.presence = kOptional, .one_of = {"ideal", "typical"}});
+  v("profile", r.profile, "how real the robot's parts are", {.presence = kOptional, .one_of = kProfileNames});
   v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
     {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
   v("counters", r.counters,

@@ -239,7 +239,7 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("goal", r.goal, "as on the command line");
   v("for_s", r.for_s, "the most simulated time", {.unit = "s"});
   v("seed", r.seed, "of the noise");
-  v("profile", r.profile, "`\"ideal\"` or `\"typical\"`");
+  v("profile", r.profile, "with its version: `\"ideal\"`, `\"typical@1\"` …");
   v("map_sha256", r.map_sha256, "of the map's file");
   v("robot_sha256", r.robot_sha256, "of the robot's file");
   v("image_sha256", r.image_sha256, "of the firmware image");

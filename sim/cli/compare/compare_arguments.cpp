@@ -27,7 +27,7 @@ Command parse_compare(const std::vector<std::string>& words) {
                "tour, laps:N, station:N, robotrace, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with on the chips, as in 49.7d");
-  options.text("--profile", compare.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", compare.each.request.profile, "PROFILE", kProfiles);
   options.text("--script", compare.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", compare.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
   options.text("--env", compare.each.environment, "NAME", kEnvironment);
@@ -41,7 +41,7 @@ Command parse_compare(const std::vector<std::string>& words) {
   if (!seeds.empty()) read_seeds(seeds, compare.first_seed, compare.last_seed);
   if (!duration.empty()) compare.each.request.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) compare.each.request.clock_ns = simulated_time("--clock", clock);
-  check_choice("--profile", compare.each.request.profile, {"ideal", "typical"});
+  check_profile(compare.each.request.profile);
   compare.targets = split_at_commas(compare.targets);
   if (compare.targets.empty()) compare.targets = {"host", "avr", "stm32"};
   if (compare.targets.size() < 2) throw InputError("--target: give two or more to compare, as in host,avr");

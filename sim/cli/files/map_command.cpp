@@ -115,6 +115,7 @@ std::string survey_json(const Survey& s) {
   lines.add("cell_m", map.cell_m);
   lines.add("line_m", map.line_m);
   lines.add("paint", map.light_line ? "white on black" : "black on white");
+  if (map.variation) lines.add("variation", *map.variation);
   lines.add("line_cells", count_line_cells(map));
   lines.add("start", start_text(start));
   lines.add("goal", map.goal.empty() ? JsonLines::Json() : JsonLines::Json(map.goal));

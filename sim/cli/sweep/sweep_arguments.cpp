@@ -107,7 +107,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
                "tour, laps:N, station:N, robotrace, still or none");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
-  options.text("--profile", sweep.each.request.profile, "PROFILE", "ideal (no noise) or typical (default)");
+  options.text("--profile", sweep.each.request.profile, "PROFILE", kProfiles);
   options.text("--script", sweep.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", sweep.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
   options.text("--env", sweep.each.environment, "NAME", kEnvironment);
@@ -121,7 +121,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
   if (!duration.empty()) sweep.each.request.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) sweep.each.request.clock_ns = simulated_time("--clock", clock);
-  check_choice("--profile", sweep.each.request.profile, {"ideal", "typical"});
+  check_profile(sweep.each.request.profile);
   sweep.targets = split_at_commas(sweep.targets);
   refuse_sketches("--map", sweep.maps);
   refuse_sketches("--robot", sweep.robots);

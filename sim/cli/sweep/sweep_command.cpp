@@ -30,7 +30,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
   result.goal = request.goal;
   result.for_s = static_cast<double>(request.for_ns) * 1e-9;
   result.seed = request.seed;
-  result.profile = request.profile;
+  result.profile = to_string(profile_of(request.profile));
   result.image_sha256 = c.image_sha256;
   result.map_sha256 = c.map_sha256;
   result.robot_sha256 = c.robot_sha256;

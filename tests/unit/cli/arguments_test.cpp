@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"run", "--seed", "-1"}, "--seed: “-1” is not possible; it must be a whole number"},
         Refused{{"run", "--seed", "18446744073709551616"}, "18446744073709551615"},
         Refused{{"run", "--seed", "1x"}, "“1x”"},
-        Refused{{"run", "--profile", "real"}, "must be ideal or typical"},
+        Refused{{"run", "--profile", "real"}, "must be ideal, typical, typical@1 or typical@2"},
         Refused{{"run", "--view", "--speed", "-2"}, "--speed: “-2”"},
         Refused{{"run", "--view", "--speed", "nan"}, "--speed: “nan”"},
         Refused{{"run", "--speed", "2"}, "give --view too"},

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSweep{{"--map", "oval", "PidFollower"},
                      "--map: “PidFollower” is a sketch; sketches stand before"},
         RefusedSweep{{"--robot", "uno5", "."}, "--robot: “.” is a sketch"},
-        RefusedSweep{{"--profile", "real"}, "must be ideal or typical"},
+        RefusedSweep{{"--profile", "real"}, "must be ideal, typical, typical@1 or typical@2"},
         RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}),
     test::numbered(&RefusedSweep::words));
 

@@ -424,6 +424,22 @@ TEST(BodyParams, AreTheFilesInTheIdealProfile) {
   EXPECT_EQ(one.supply_volts, 7.4);
 }
 
+TEST(BodyParams, AFigureMayBeAnotherFromTypical2On) {
+  std::string text = kBareRobot;
+  const std::string torque = "stall_torque = \"15 oz in\"";
+  text.replace(
+      text.find(torque), torque.size(),
+      "stall_torque = { value = \"0.1 N m\", \"typical@2\" = { value = \"0.07 N m\", spread = \"10 %\" } }");
+  const Description robot = parse_description(text, "r.toml");
+  const auto torque_in = [&](Profile profile, std::uint64_t seed) {
+    return body_params(robot, seed, profile).wheel[0].stall_torque;
+  };
+  EXPECT_EQ(torque_in(Profile::ideal, 1), 0.1);
+  EXPECT_EQ(torque_in(Profile::typical_1, 1), 0.1);
+  EXPECT_NEAR(torque_in(Profile::typical_2, 1), 0.07, 0.007);
+  EXPECT_NE(torque_in(Profile::typical_2, 1), torque_in(Profile::typical_2, 2));
+}
+
 TEST(BodyParams, DifferInsideTheSpreadInTheTypicalProfile) {
   const Description robot = load_description("uno5");
   double least = 1e9, most = 0.0;

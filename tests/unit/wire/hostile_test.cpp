@@ -94,7 +94,7 @@ TEST(Hostile, ASentenceNamesTheKeyAndWhatIsAllowed) {
   EXPECT_EQ(request_fault(begin + R"(, "for_ns": 9223372036854775808})"),
             "\"for_ns\" in the request must be a whole number from 0");
   EXPECT_EQ(request_fault(begin + R"(, "profile": "real"})"),
-            "\"profile\" in the request must be \"ideal\" or \"typical\"");
+            "\"profile\" in the request must be \"ideal\", \"typical\", \"typical@1\" or \"typical@2\"");
   EXPECT_EQ(request_fault(begin + R"(, "stream": ["pin", "pins"]})"),
             "\"stream\" in the request must be an array of \"pin\", \"serial\", \"note\" and \"io\"");
   EXPECT_EQ(request_fault(begin + R"(, "source": [1]})"), "\"source\" in the request must be an array of 2");
