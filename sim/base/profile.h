@@ -1,6 +1,6 @@
 // How real a run is: its profile. `ideal` has no noise and no spread, and never changes. `typical` has both,
-// with sources (docs/fidelity.md); when its models or figures change it gets a new version, and the older ones
-// can still be named.
+// with sources (docs/fidelity.md); when its models or figures change it gets a new version, and the older
+// ones can still be named.
 #pragma once
 
 #include <initializer_list>
@@ -17,7 +17,8 @@ enum class Profile {
 };
 
 /// All names, for options and messages. "typical" is the newest version.
-inline constexpr std::initializer_list<const char*> kProfileNames = {"ideal", "typical", "typical@1", "typical@2"};
+inline constexpr std::initializer_list<const char*> kProfileNames = {"ideal", "typical", "typical@1",
+                                                                     "typical@2"};
 
 /// The profile of one of kProfileNames.
 Profile profile_of(std::string_view name);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kMinCell = 0.001;  // m
 constexpr double kMaxCell = 10.0;
 constexpr double kMaxCorner = 100.0;
+constexpr double kMaxVariation = 0.3;
 
 const char* cell_word(Cell cell) {
   switch (cell) {
@@ -168,6 +169,8 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* goal = table.find("goal")) read_goal(*goal, front);
   map.light_line =
       table.choice("paint", "black on white", {"black on white", "white on black"}) == "white on black";
+  if (const ConfigValue* variation = table.find("variation"))
+    map.variation = as_quantity(*variation, "variation", Dimension::ratio, 0.0, kMaxVariation);
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);

@@ -75,16 +75,18 @@ struct NamedStation {
 };
 
 struct Map {
-  std::string file;            ///< as the user named it; for messages
-  std::string name;            ///< front matter, else the file's stem
-  int width = 0;               ///< cells
-  int height = 0;              ///< cells
-  std::vector<Cell> cells;     ///< row by row from the top
-  double cell_m = 0.100;       ///< side of a cell
-  double line_m = 0.020;       ///< width of the stripe
-  double corner_m = 0.0;       ///< radius that replaces each bend; 0 = square
-  bool raster = false;         ///< floor = "raster": whole cells are painted, instead of stripes
-  bool light_line = false;     ///< paint = "white on black"
+  std::string file;         ///< as the user named it; for messages
+  std::string name;         ///< front matter, else the file's stem
+  int width = 0;            ///< cells
+  int height = 0;           ///< cells
+  std::vector<Cell> cells;  ///< row by row from the top
+  double cell_m = 0.100;    ///< side of a cell
+  double line_m = 0.020;    ///< width of the stripe
+  double corner_m = 0.0;    ///< radius that replaces each bend; 0 = square
+  bool raster = false;      ///< floor = "raster": whole cells are painted, instead of stripes
+  bool light_line = false;  ///< paint = "white on black"
+  /// Standard deviation of the floor's brightness, as a share of it; none: what the profile has.
+  std::optional<double> variation;
   Course course;               ///< paths and marks, beside the cells
   std::optional<Start> start;  ///< from [start] or S
   /// The front matter's goal, "" = none. A map with a goal cell and no goal of its own gets "station:NAME",

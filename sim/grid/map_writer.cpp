@@ -50,6 +50,7 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (map.corner_m != defaults.corner_m) text += fmt::format("corner = \"{}\"\n", length_text(map.corner_m));
   if (map.raster) text += "floor = \"raster\"\n";
   if (map.light_line) text += "paint = \"white on black\"\n";
+  if (map.variation) text += fmt::format("variation = {}\n", *map.variation);
   if (is_bare(map))
     text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(rounded(map.width * map.cell_m)),
                         length_text(rounded(map.height * map.cell_m)));

@@ -14,12 +14,12 @@ struct Spread {
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
 };
 
-/// A figure of a robot file: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was found to be
-/// another keeps what it was for `ideal` and older profiles, so that their runs stay what they were:
+/// A figure of a robot file: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was found to
+/// be another keeps what it was for `ideal` and older profiles, so that their runs stay what they were:
 /// `{ value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
 struct Number {
-  double value = 0.0;   ///< SI
-  double spread = 0.0;  ///< SI
+  double value = 0.0;                              ///< SI
+  double spread = 0.0;                             ///< SI
   std::optional<Spread> typical_2 = std::nullopt;  ///< what holds from the profile typical@2 on
 
   /// What holds in a profile.

@@ -54,6 +54,10 @@ struct Simulation::Snapshot::Saved {
 
 Simulation::Inside::Inside(const Setup& from)
     : setup(from), stripes(*from.map, from.map->cell_m), world(*from.map) {
+  if (setup.profile != Profile::ideal) {
+    const double usual = world::typical_variation(setup.profile);
+    world.vary_floor(NoiseStream(setup.seed, 0, "floor", "brightness"), setup.map->variation.value_or(usual));
+  }
   for (const AgentSetup& own : setup.agents)
     agents.push_back(
         std::make_unique<Agent>(own, Agent::Stage{setup, stripes, world}, static_cast<int>(agents.size())));

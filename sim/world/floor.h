@@ -10,12 +10,18 @@
 #include <memory>
 #include <vector>
 
+#include "sim/base/noise.h"
+#include "sim/base/profile.h"
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
 #include "sim/world/painted_marks.h"
 
 namespace robosim::world {
+
+/// The standard deviation of a floor's brightness, as a share of it, where a map does not say another. Of two
+/// floors that were measured one has 0.05, the other 0.15: docs/fidelity.md.
+constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
 /// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
 /// map says `floor = "raster"`): each painted line cell is dark as a whole.
@@ -33,9 +39,9 @@ class Floor {
 
   /// The share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the footprint's
   /// width: the side of a square, or a disc of the same area (diameter 1.13 f).
-  ///   clamp((line/2 + f/2 - d) / f, 0, 1),  d = distance to the nearest painted centre line
-  /// Exact for the square on an edge along it, within 0.026 for the disc. On a raster floor: the exact share
-  /// of a square of side f.
+  ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
+  /// Exact for the square on a stripe along it, within 0.026 for the disc on an edge. On a raster floor: the
+  /// exact share of a square of side f.
   double coverage(Vec2 p, double footprint_m) const;
 
   /// The share of a sensor's footprint that is dark, 0..1: that on the line, or where the line is the light
@@ -45,6 +51,15 @@ class Floor {
     if (!marks_.empty()) painted = std::max(painted, marks_.coverage(p, std::max(footprint_m, 1e-9)));
     return light_line_ ? 1.0 - painted : painted;
   }
+
+  /// Patches of the floor are brighter and darker than the rest: brightness() gets the standard deviation
+  /// `share`, and values half-way alike some 5 mm apart. At 0 all is 1.
+  void vary(const NoiseStream& noise, double share) {
+    noise_ = noise;
+    variation_ = share;
+  }
+  /// The light that the floor (not what is dark) sends back at p, against its mean.
+  double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 
   /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
   double distance_to_line(Vec2 p) const;
@@ -85,10 +100,12 @@ class Floor {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(column);
   }
-  static double ramp(double distance, double reach, double footprint) {
+  double ramp(double distance, double reach, double footprint) const {
     const double t = (reach - distance) / footprint;
-    return 0.5 * (std::fabs(t) - std::fabs(t - 1.0) + 1.0);  // clamp to 0..1 without a branch
+    const double most = footprint <= 2.0 * half_line_ ? 1.0 : 2.0 * half_line_ / footprint;
+    return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamp to 0..most without a branch
   }
+  double patch_brightness(Vec2 p) const;
 
   void read_stripes(const grid::Map& map);
   void read_raster(const grid::Map& map);
@@ -103,6 +120,8 @@ class Floor {
   const grid::Map* map_;
   const bool light_line_;
   const PaintedMarks marks_;
+  NoiseStream noise_;
+  double variation_ = 0.0;
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;

@@ -19,6 +19,8 @@ class World {
   explicit World(const grid::Map& map);
 
   const Floor& floor() const { return floor_; }
+  /// As Floor::vary.
+  void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
   /// Bodies are numbered from 0, and never move in memory. Throws std::invalid_argument (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
   std::size_t body_count() const { return bodies_.size(); }

@@ -13,6 +13,21 @@ namespace {
 using Read = ReflectanceSpec::Read;
 
 constexpr double kBestHeight = 0.003;  // m: Pololu, QTR-8A and QTR-8RC user's guide
+
+// Light that comes back from white, against height: reflectance.h. Beyond 15 mm its exponent of 5 to 12 mm
+// goes on, -1.24.
+struct Light {
+  double height;  // m
+  double share;
+};
+constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.0025, 1.00}, {0.003, 0.98},
+                            {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
+                            {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
+
+// A footprint against height from typical@2 on, one for all elements of a part. Edges that were measured say
+// 0.3 and 0.97: docs/fidelity.md.
+constexpr Number kSpot{0.6, 0.36};
+constexpr double kDarkNoise = 0.4;
 constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
@@ -30,7 +45,7 @@ constexpr FaultKind kReflectanceFaults[] = {
 void read_common(PartReader& reader, ReflectanceSpec& spec) {
   const std::string read = reader.table().choice("read", "analog", {"analog", "digital", "rc"});
   spec.read = read == "analog" ? Read::analog : read == "digital" ? Read::digital : Read::rc;
-  spec.noise = reader.figure("noise", Dimension::ratio, {0.005, 0.0}, 0.0, 0.5);
+  spec.noise = reader.figure("noise", Dimension::ratio, {0.005, 0.0, Spread{0.011, 0.004}}, 0.0, 0.5);
   spec.ambient = reader.figure("ambient", Dimension::ratio, {0.0, 0.0}, 0.0, 0.9);
   spec.height = reader.figure("height", Dimension::length, {kBestHeight, 0.0}, 0.0005, 0.03);
   spec.footprint = reader.figure("footprint", Dimension::length, {}, 0.0005, 0.03);
@@ -123,12 +138,29 @@ class ReflectancePart final : public Part {
   std::vector<std::unique_ptr<Sensor>> sensors_;
 };
 
-double light_from(double height) {
-  const double far = kBestHeight / height;
-  return far < 1.0 ? far * far : 1.0;
+double light_from(double height, Profile profile) {
+  if (profile < Profile::typical_2) {
+    const double far = kBestHeight / height;
+    return far < 1.0 ? far * far : 1.0;
+  }
+  const Light* above = std::lower_bound(std::begin(kLight) + 1, std::end(kLight) - 1, height,
+                                        [](const Light& light, double h) { return light.height < h; });
+  const Light& below = above[-1];
+  const double share = (height - below.height) / (above->height - below.height);
+  return std::max(below.share + share * (above->share - below.share), 0.0);
 }
 
-double footprint_of(double drawn, double height) { return drawn > 0.0 ? drawn : 2.0 * height; }
+// What a sensor of this part sees by default, for each metre of height.
+double spot_of(const Individual& individual, const std::string& part) {
+  return individual.profile() < Profile::typical_2 ? 2.0 : individual.draw(kSpot, part, "footprint");
+}
+
+double footprint_of(const ReflectanceSpec& spec, const Individual& individual, const std::string& element,
+                    double height) {
+  if (spec.footprint.value == 0.0) return spot_of(individual, spec.name) * height;
+  const bool each = individual.profile() < Profile::typical_2;
+  return individual.draw(spec.footprint, each ? element : spec.name, "footprint");
+}
 
 double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
@@ -168,7 +200,9 @@ std::unique_ptr<Part> ReflectanceSpec::make(PartContext& context) const {
 
 std::vector<SensorPlace> ReflectanceSpec::sensors() const {
   std::vector<SensorPlace> places;
-  const double seen = footprint_of(footprint.value, height.value);
+  const double spot = Profile::typical < Profile::typical_2 ? 2.0 : kSpot.value;
+  const double given = footprint.in(Profile::typical).value;
+  const double seen = given > 0.0 ? given : spot * height.value;
   for (const Element& element : elements) places.push_back({element.name, element.at, seen});
   return places;
 }
@@ -185,9 +219,11 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       emitter_(emitter),
       home_(element.at),
       height_(context.individual.draw(spec.height, name_, "height")),
-      footprint_(footprint_of(context.individual.draw(spec.footprint, name_, "footprint"), height_)),
-      healthy_{light_from(height_), -context.individual.draw(spec.ambient, name_, "ambient"),
-               context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise")},
+      footprint_(footprint_of(spec, context.individual, name_, height_)),
+      healthy_{light_from(height_, context.individual.profile()),
+               -context.individual.draw(spec.ambient, name_, "ambient"),
+               context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise"),
+               context.individual.profile() < Profile::typical_2 ? 1.0 : kDarkNoise},
       stream_(context.individual.noise(name_, "reading")),
       state_{.at = home_, .now = healthy_} {
   context.kept.add(state_);
@@ -195,7 +231,8 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
-  return clamp01(1.0 - state_.now.light * emitter_.brightness() * (1.0 - darkness()) + state_.now.shift);
+  const double white = (1.0 - darkness()) * brightness(context_.view.body->pose());
+  return clamp01(1.0 - state_.now.light * emitter_.brightness() * white + state_.now.shift);
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
@@ -221,6 +258,7 @@ void Sensor::fail(const Fault& fault) {
   swap_with(fault.failure == Failure::swapped ? fault.sensor : nullptr);
   state_.stuck = fault.failure == Failure::stuck ? fault.number : -1.0;
   state_.now.noise = healthy_.noise + (fault.failure == Failure::noisy ? fault.number : 0.0);
+  state_.now.dark_noise = fault.failure == Failure::noisy ? 1.0 : healthy_.dark_noise;
   state_.now.shift = healthy_.shift + (fault.failure == Failure::offset ? fault.number : 0.0);
   state_.now.light = fault.failure == Failure::dead ? 0.0 : healthy_.light;
 }

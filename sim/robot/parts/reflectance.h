@@ -2,9 +2,14 @@
 //
 // An element at `at` with footprint f sees c, the share of its footprint on the line
 // (world::Floor::coverage). Its blackness is what its phototransistor makes of it:
-//   b = 1 - e s (1 - c) - ambient + noise g
-// e: brightness of the emitter (1, or what its pin says); s = min(1, (3 mm / height)^2): light lost by
-// height; ambient: stray light; g: standard normal, a new sample for every read. Then, by `read`:
+//   b = 1 - e s v (1 - c) - ambient + noise n g
+// e: brightness of the emitter (1, or what its pin says); s: light lost by height; v: brightness of the floor
+// there (world::Floor::brightness); ambient: stray light; n: how much of the noise is left over black; g:
+// standard normal, a new sample for every read. From the profile typical@2 on
+//   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
+// and before, and in `ideal`,
+//   s = min(1, (3 mm / height)^2)                                               n = 1
+// Then, by `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
 //   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its
 //            state between reads. black = "high" or "low" says what it answers over black
@@ -39,7 +44,7 @@ class ReflectanceSpec final : public PartSpec {
   Number noise;       ///< standard deviation of blackness
   Number ambient;     ///< of blackness
   Number height;      ///< m
-  Number footprint;   ///< m; 0 = twice the height
+  Number footprint;   ///< m; 0 = by height: reflectance.cpp, and docs/models.md
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 
@@ -96,8 +101,11 @@ class Sensor : public Breakable {
   double blackness(SimTime t) {
     const Pose pose = context_.view.pose_at(t);
     const double c = dark() ? 1.0 : context_.view.floor->darkness(pose.to_world(state_.at), footprint_);
-    double b = 1.0 - state_.now.light * emitter_.brightness() * (1.0 - c) + state_.now.shift;
-    if (state_.now.noise > 0.0) b += state_.now.noise * stream_.gauss(state_.samples++);
+    const double white = 1.0 - c;
+    double b = 1.0 - state_.now.light * emitter_.brightness() * white * brightness(pose) + state_.now.shift;
+    if (state_.now.noise > 0.0)
+      b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
+           stream_.gauss(state_.samples++);
     return b;
   }
   bool stuck() const { return state_.stuck >= 0.0; }
@@ -111,12 +119,16 @@ class Sensor : public Breakable {
  private:
   /// Whether no light comes back: a finger is on it, or it is held up in the air.
   bool dark() const { return state_.covered || context_.view.body->lifted(); }
+  double brightness(const Pose& pose) const {
+    return context_.view.floor->brightness(pose.to_world(state_.at));
+  }
   void swap_with(Sensor*);
 
   struct Figures {
     double light;  // that comes back from white
     double shift;  // of blackness
     double noise;
+    double dark_noise;  // what of it is left over black
   };
   struct State {
     Vec2 at;                  // where what its wire says comes from

@@ -160,6 +160,7 @@ TEST(Path, AClosedOneIsALap) {
 
 TEST(Path, AndMarksAreWrittenAsTheyWereRead) {
   const std::string text = write_map(map_of(R"(paint = "white on black"
+variation = "12.5 %"
 [start]
 along = "50 mm"
 backwards = true
@@ -173,6 +174,7 @@ side = "right"
 length = "25 mm")"));
   const Map read = parse_map(text, "again.map");
   EXPECT_TRUE(read.light_line);
+  EXPECT_EQ(read.variation, 0.125);
   ASSERT_TRUE(read.start && read.start->on_path);
   EXPECT_TRUE(read.start->on_path->backwards);
   EXPECT_NEAR(read.start->on_path->along, 0.05, 1e-12);
@@ -223,6 +225,7 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"[race]\ngoal = \"1 m\"", "[race] is along a path, and there is no [[path]]"},
       {"[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\nsegments = [{ length = \"0.5 m\" }]\n[race]\ngoal = \"0.1 m\"",
        "[race] is for a closed path"},
+      {"variation = \"31 %\"", "variation is 0.31 in SI units; it must be from 0 to 0.3"},
       {"paint = \"red\"", "paint is \"red\"; allowed are black on white or white on black"},
   };
   for (const Refused& one : refused)

@@ -29,15 +29,17 @@ supply = "6 V"
 chip = "tb6612"
 )";
 
-/// The line is 20 mm wide and runs east through the origin of `line()`.
+/// The line is 20 mm wide, if the map's front matter does not say another width, and runs east through the
+/// origin of `line()`.
 class BenchRobot {
  public:
   explicit BenchRobot(const std::string& parts, Profile profile = Profile::ideal, std::uint64_t seed = 1)
       : BenchRobot(parse_description(kBareRobot + parts, "bench.toml"), profile, seed) {}
-  explicit BenchRobot(Description d, Profile profile = Profile::ideal, std::uint64_t seed = 1)
+  explicit BenchRobot(Description d, Profile profile = Profile::ideal, std::uint64_t seed = 1,
+                      const std::string& front_matter = "")
       : description(std::move(d)),
-        map(grid::parse_map("___________\n___________\n_111111111_\n___________\n___________\n",
-                            "bench.map")),
+        map(grid::parse_map(
+            front_matter + "___________\n___________\n_111111111_\n___________\n___________\n", "bench.map")),
         world(map),
         number(world.add_body(body_params(description, seed, profile), {line(), {1.0, 0.0}})),
         board(*description.board),

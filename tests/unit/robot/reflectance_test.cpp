@@ -80,6 +80,85 @@ TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
   EXPECT_NEAR(far.volts(kA0), 4.5 - (4.5 - near.volts(kA0)) / 4.0, 1e-9);
 }
 
+// What the sensor answers over white, far from the line, 0.5 V white and 4.5 V black.
+double white_volts(const std::string& keys, Profile profile, std::uint64_t seed = 1) {
+  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys), profile,
+                   seed);
+  place_beside_line(bench, 0.03);
+  return bench.volts(kA0);
+}
+
+TEST(AnalogReflectance, LosesLightByHeightAsATcrt5000DoesFromTypical2On) {
+  const auto share = [](const char* height, Profile profile) {
+    return (4.5 - white_volts(std::string("height = \"") + height + "\"\n", profile)) / 4.0;
+  };
+  for (const Profile before : {Profile::ideal, Profile::typical_1}) {
+    EXPECT_NEAR(share("1 mm", before), 1.0, 1e-9);
+    EXPECT_NEAR(share("9 mm", before), 1.0 / 9.0, 1e-9);
+  }
+  EXPECT_NEAR(share("1 mm", Profile::typical_2), 0.83, 1e-9);
+  EXPECT_NEAR(share("2.5 mm", Profile::typical_2), 1.0, 1e-9);
+  EXPECT_NEAR(share("9 mm", Profile::typical_2), 0.42, 1e-9);
+  EXPECT_NEAR(share("30 mm", Profile::typical_2), 0.085, 1e-9);
+}
+
+TEST(AnalogReflectance, SeesASmallerSpotFromTypical2OnOneForAllElements) {
+  const std::string keys =
+      "[[part]]\nname = \"eyes\"\ntype = \"reflectance-array\"\npins = [\"A0\", \"A1\"]\nnoise = 0\n"
+      "at = [\"70 mm\", \"0 mm\"]\npitch = \"2 mm\"\nheight = \"8 mm\"\n";
+  const auto edge = [&](BenchRobot& bench, Pin pin) {  // m from white to black
+    int between = 0;
+    double low = 9.0, high = 0.0;
+    std::vector<double> seen;
+    for (int i = 0; i < 400; ++i) {
+      place_beside_line(bench, i * 1e-4);
+      seen.push_back(bench.volts(pin));
+      low = std::min(low, seen.back());
+      high = std::max(high, seen.back());
+    }
+    for (const double v : seen) between += v > low + 0.01 && v < high - 0.01;
+    return between * 1e-4;
+  };
+  const Pin kA1 = kA0 + 1;
+  double least = 1.0, most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    BenchRobot bench(keys, Profile::typical_2, seed);
+    const double spot = edge(bench, kA0);
+    EXPECT_NEAR(edge(bench, kA1), spot, 4e-4) << seed;
+    least = std::min(least, spot);
+    most = std::max(most, spot);
+  }
+  EXPECT_NEAR(least, 0.24 * 0.008, 0.0006);
+  EXPECT_NEAR(most, 0.96 * 0.008, 0.0006);
+}
+
+TEST(AnalogReflectance, IsLessNoisyOverBlackFromTypical2On) {
+  const auto noise = [](Profile profile, double beside_line) {
+    BenchRobot bench(sensor("noise = 0.01\n"), profile, 3);
+    place_beside_line(bench, beside_line);
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+      const double v = bench.volts(kA0);
+      sum += v;
+      squares += v * v;
+    }
+    return std::sqrt(squares / 4000 - sum * sum / 16e6);
+  };
+  EXPECT_NEAR(noise(Profile::typical_1, 0.0) / noise(Profile::typical_1, 0.03), 1.0, 0.05);
+  EXPECT_NEAR(noise(Profile::typical_2, 0.0) / noise(Profile::typical_2, 0.03), 0.4, 0.05);
+}
+
+TEST(AnalogReflectance, SeesTheBrightnessOfTheFloor) {
+  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  bench.world.vary_floor(NoiseStream(1, 0, "floor", "brightness"), 0.05);
+  place_beside_line(bench, 0.03);
+  const double bright = bench.world.floor().brightness(bench.line() + Vec2{0.0, 0.03});
+  EXPECT_NE(bright, 1.0);
+  EXPECT_NEAR(bench.volts(kA0), 4.5 - 4.0 * bright, 1e-9);
+  place_beside_line(bench, 0.0);
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 4.5) << "the line is even";
+}
+
 TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
   BenchRobot bench(sensor("emitter = 3\n"));
   place_beside_line(bench, 0.03);

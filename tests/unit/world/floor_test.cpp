@@ -68,7 +68,8 @@ void expect_exact(const grid::Map& map, Random& random) {
       const double share = (map.line_m / 2 + footprint / 2 - d) / footprint;
       // With no width the stripe's border is a jump.
       if (f == 0.0 && std::fabs(d - map.line_m / 2) < 1e-8) continue;
-      ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, 1.0), 0.0), 1e-9)
+      const double most = std::min(map.line_m / footprint, 1.0);
+      ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, most), 0.0), 1e-9)
           << p.x << ", " << p.y << " f " << f;
     }
   }
@@ -116,6 +117,44 @@ TEST(Floor, CoverageIsWithin26ThousandthsOfTheShareOfADiscOfThatArea) {
   }
   EXPECT_LT(worst, 0.026);
   EXPECT_GT(worst, 0.02);
+}
+
+TEST(Floor, AFootprintWiderThanTheLineSeesBothItsEdges) {
+  const grid::Map map = map_of({"     ", ".....", "     "});
+  const Floor floor(map);
+  for (const double f : {0.02, 0.025, 0.04}) {
+    for (int i = -40; i <= 40; ++i) {
+      const double x = i * 0.001;
+      const double below = std::max(x - f / 2, -map.line_m / 2), above = std::min(x + f / 2, map.line_m / 2);
+      EXPECT_NEAR(floor.coverage({0.25, 0.15 + x}, f), std::max(above - below, 0.0) / f, 1e-9) << f << x;
+    }
+  }
+}
+
+TEST(Floor, AVariedFloorHasPatchesOfThatSpreadAndSizeAndAnEvenOneHasNone) {
+  const grid::Map map = empty_map(30, 30);
+  Floor floor(map);
+  EXPECT_EQ(floor.brightness({1.234, 0.567}), 1.0);
+  floor.vary(NoiseStream(1, 0, "floor", "brightness"), 0.05);
+  double sum = 0.0, squares = 0.0, beside[3] = {};
+  constexpr double kApart[] = {0.001, 0.005, 0.02};
+  int count = 0;
+  Random random;
+  for (int i = 0; i < 40000; ++i, ++count) {
+    const Vec2 p{random() * 3.0, random() * 3.0};
+    const double v = floor.brightness(p) - 1.0;
+    sum += v;
+    squares += v * v;
+    for (int k = 0; k < 3; ++k) beside[k] += v * (floor.brightness(p + Vec2{kApart[k], 0.0}) - 1.0);
+  }
+  EXPECT_NEAR(sum / count, 0.0, 0.001);
+  EXPECT_NEAR(std::sqrt(squares / count), 0.05, 0.002);
+  EXPECT_GT(beside[0] / squares, 0.95);
+  EXPECT_NEAR(beside[1] / squares, 0.6, 0.1) << "5 mm apart";
+  EXPECT_NEAR(beside[2] / squares, 0.0, 0.05) << "20 mm apart";
+  const double here = floor.brightness({1.0, 1.0});
+  floor.vary(NoiseStream(2, 0, "floor", "brightness"), 0.05);
+  EXPECT_NE(floor.brightness({1.0, 1.0}), here) << "another seed is another floor";
 }
 
 TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
