@@ -1,3 +1,4 @@
+#include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -42,6 +43,24 @@ TEST_F(MemoryTest, VariablesAndFlashAreThoseOfTheImage) {
   EXPECT_GE(r.ram_bytes, 300u);
   EXPECT_LT(r.ram_bytes, 330u);
   EXPECT_GT(r.flash_bytes, 400u);
+}
+
+// Where rounds of loop() and waiting loops are noticed, nothing is put into the flash that a program may
+// read.
+TEST_F(MemoryTest, AProgramThatChecksItsOwnFlashFindsItAsItWasBuilt) {
+  output(R"(extern const char __data_load_end;
+void setup() { Serial.begin(115200); }
+void loop() {
+  unsigned long sum = 0;
+  for (unsigned i = 0; i < (unsigned)&__data_load_end; ++i) sum = 31 * sum + pgm_read_byte(i);
+  Serial.println(sum);
+  delay(20);
+})");
+  const avr::Firmware built = avr::Firmware::read(built_.image, *find_board(board_name_));
+  std::uint32_t sum = 0;
+  for (const std::uint8_t byte : built.flash) sum = 31 * sum + byte;
+  ASSERT_GT(numbers().size(), 3u);
+  for (const long long found : numbers()) EXPECT_EQ(found, sum);
 }
 
 TEST_F(MemoryTest, LoopIsTimedThoughItIsInlined) {
