@@ -355,7 +355,9 @@ Image build(const Request& request) try {
                       request.coverage,
                       Registers::objects,
                       request.untrusted,
-                      request.rules};
+                      request.rules,
+                      false,
+                      request.core_begins};
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);

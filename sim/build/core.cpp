@@ -71,6 +71,7 @@ Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::pat
   if (const auto object = known()) return *object;
   const CacheLock lock(cache);
   if (const auto object = known()) return *object;  // another process has made it meanwhile
+  if (toolchain.core_begins) toolchain.core_begins();
   const auto since = fs::file_time_type::clock::now();
   std::vector<Command> commands;
   std::vector<fs::path> objects;

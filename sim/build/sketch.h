@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Request {
   /// Of what lies outside of the sketch's folder it sees its libraries alone: not what it shares (project.h).
   bool untrusted = false;
   ProjectRules rules = {};
+  std::function<void()> core_begins =
+      {};  ///< called before a core is compiled, which takes seconds, and once
 };
 
 struct Image {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,7 +78,8 @@ struct Toolchain {
   Registers registers = Registers::objects;
   bool untrusted = false;
   ProjectRules rules = {};
-  bool narrow_ints = false;  ///< those of the sketch have 16 bits (narrow_ints.h)
+  bool narrow_ints = false;                ///< those of the sketch have 16 bits (narrow_ints.h)
+  std::function<void()> core_begins = {};  ///< Request's
 };
 
 /// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine

@@ -33,6 +33,10 @@ launch::Listener listener_of(tui::Progress& progress, Says says) {
     listener.chosen = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };
   listener.lacking = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };
   listener.compiling = [&progress](const std::string& sketch) { progress.say("compiling " + sketch + " …"); };
+  listener.compiling_core = [&progress](const std::string& board, const std::string& target) {
+    progress.say(
+        fmt::format("compiling the Arduino core of the {} for {}, once for all sketches …", board, target));
+  };
   listener.compiled = [&progress, says](const build::Image& image) {
     progress.clear();
     if (says.warnings && !image.messages.empty()) complain(image.messages);

@@ -61,7 +61,10 @@ build::Image image_of(const SketchChoice& sketch, const build::Request& request,
     return image;
   }
   if (listener.compiling) listener.compiling(sketch.name);
-  build::Image image = build_image(request);
+  build::Request told = request;
+  if (listener.compiling_core)
+    told.core_begins = [&] { listener.compiling_core(request.board.name, request.target); };
+  build::Image image = build_image(told);
   if (listener.compiled) listener.compiled(image);
   return image;
 }

@@ -64,6 +64,8 @@ struct Listener {
   std::function<void(const std::string& sentence)> chosen;   ///< for the user, who has named nothing
   std::function<void(const std::string& sentence)> lacking;  ///< what this machine cannot confine (trust.h)
   std::function<void(const std::string& sketch)> compiling;
+  /// While `compiling`: that of a board, for a target, is not there yet.
+  std::function<void(const std::string& board, const std::string& target)> compiling_core;
   std::function<void(const build::Image&)> compiled;
 };
 

@@ -82,6 +82,19 @@ INSTANTIATE_TEST_SUITE_P(Sketches, AnOrdinarySketchOnTheChip,
                                          "Strings", "Tabs", "TimerInterrupt"),
                          [](const auto& test) { return std::string(test.param); });
 
+TEST_F(AvrTest, ACoreIsToldWhenItIsCompiledForTheFirstTime) {
+  ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
+  write("One/One.ino", kEmptySketch);
+  write("Two/Two.ino", kEmptySketch);
+  int told = 0;
+  for (const char* sketch : {"One", "Two"}) {
+    Request request{folder_ / sketch, *find_board("uno"), "avr"};
+    request.core_begins = [&] { ++told; };
+    build(request);
+    EXPECT_EQ(told, 1) << sketch;
+  }
+}
+
 TEST_F(AvrTest, IntHas16BitsAndTheMacrosAreTheChips) {
   write("Chip/Chip.ino",
         "static_assert(sizeof(int) == 2 && sizeof(double) == 4 && F_CPU == 16000000L, \"\");\n"
