@@ -127,6 +127,10 @@ std::string hint_for(const std::string& messages) {
       return hint;
     if (const std::string hint = class_hint(name); !hint.empty()) return hint;
   }
+  if (has(first, "expected '{' before '::' token"))
+    return "namespace a::b { … } is C++17, and sketches for the chip are C++11: namespace a { namespace b { "
+           "… } }";
+  if (has(first, "before 'constexpr'")) return "if constexpr is C++17, and sketches for the chip are C++11";
   if (has(first, "expected ',' or ';' before") || has(first, "expected ';' before") ||
       has(first, "expected ';' after"))
     return "a ; may be missing at the end of the line before";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace robosim::judge {
 namespace {
@@ -239,6 +240,41 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
+// "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups move some drivers' inputs.
+std::string forgotten_outputs(const Evidence& e) {
+  std::vector<int> pins;
+  for (const robot::WiredPin& wired : e.wiring) {
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    if (turns_wheel(wired) && pin < e.was_pulled_up.size() && e.was_pulled_up[pin] && !e.was_output[pin] &&
+        std::find(pins.begin(), pins.end(), wired.pin) == pins.end())
+      pins.push_back(wired.pin);
+  }
+  if (pins.empty()) return "";
+  const bool many = pins.size() > 1;
+  return fmt::format("motor pin{} {} {} written HIGH, but never set to OUTPUT: pinMode({}, OUTPUT)",
+                     many ? "s" : "", list_of_pins(pins), many ? "were" : "was", pins[0]);
+}
+
+bool has_left_line(const Evidence& e) {
+  return e.verdict == Verdict::lost ||
+         ((e.verdict == Verdict::stuck || e.verdict == Verdict::timeout) &&
+          !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
+}
+
+// N of the delay(N) that the sketch is in, if it is a long one; else 0.
+int long_delay(const Evidence& e) {
+  constexpr int kLong_ms = 50;
+  int ms = 0;
+  if (std::sscanf(e.activity.call.c_str(), "delay(%9d)", &ms) != 1) return 0;
+  return ms >= kLong_ms ? ms : 0;
+}
+
+// Before it lost the line, which none of the script's faults is to blame for.
+bool steered_away(const Evidence& e) {
+  constexpr double kClearly = 0.1;
+  return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e);
+}
+
 }  // namespace
 
 NextStep next_step(const Evidence& e) {
@@ -247,6 +283,20 @@ NextStep next_step(const Evidence& e) {
   if (!e.divisions_by_zero.empty())
     return {fmt::format("look first at the division by zero{}: what it gives means nothing",
                         place_of(e.divisions_by_zero.front().where))};
+  if (e.moved)
+    if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
+  if (steered_away(e))
+    return {fmt::format(
+        "it steered away from the line: that was under its {0} sensors, and it turned {1}; is the order of "
+        "the "
+        "sensors, what they give over black, or a motor's side or direction another one than in the robot "
+        "file? robosim wire tries them out",
+        e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left")};
+  if (e.moved && long_delay(e) > 0 && has_left_line(e))
+    return {
+        fmt::format("the sketch is in delay({}){}: as long as that lasts it reads no sensor, and the robot "
+                    "drives on",
+                    long_delay(e), place_of(e.activity.where))};
   if (e.moved) {
     if (e.verdict == Verdict::lost && e.int_bits == 16)
       return {

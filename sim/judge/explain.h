@@ -33,11 +33,15 @@ struct Evidence {
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once
-  bool pin_level = false;        ///< what the pin that the sketch looks at reads now
-  bool in_contact = false;       ///< the body touches a wall
+  std::vector<bool>
+      was_pulled_up;        ///< per pin: its pull-up was on, as by digitalWrite(pin, HIGH) of an input
+  bool pin_level = false;   ///< what the pin that the sketch looks at reads now
+  bool in_contact = false;  ///< the body touches a wall
   double left_command = 0.0, right_command = 0.0;  ///< of the motors, -1..1, at the end
-  bool moved = false;                              ///< a wheel turned
-  std::vector<ScriptFault> faults;                 ///< of the script so far, in the order of time
+  double line_side = 0.0;  ///< where the line was when it was last seen to a side: left of the middle, m
+  double steered = 0.0;    ///< then: the mean difference of the commands, towards the line; below 0: away
+  bool moved = false;      ///< a wheel turned
+  std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
 };
 
 /// One sentence that says why the run ended as it did.

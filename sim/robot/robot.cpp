@@ -191,6 +191,16 @@ bool Robot::sees_line() const {
   return false;
 }
 
+double Robot::line_side() const {
+  double sum = 0.0, weight = 0.0;
+  for (const auto& sensor : in_->roster.sensors) {
+    const double coverage = sensor->coverage();
+    sum += coverage * sensor->at().y;
+    weight += coverage;
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
+}
+
 bool Robot::has_line_sensors() const { return !in_->roster.sensors.empty(); }
 
 Vec2 Robot::sensor_midpoint() const {

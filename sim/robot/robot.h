@@ -72,6 +72,9 @@ class Robot {
 
   /// Whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
+  /// Where in the body's frame, to the left of its middle, those sensors are whose footprints touch the line:
+  /// their mean, by how much of each is on it, m. 0 where none is.
+  double line_side() const;
   /// Whether it has any reflectance sensor.
   bool has_line_sensors() const;
   /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here. (0,

@@ -12,6 +12,7 @@ namespace robosim::run {
 namespace {
 
 constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
+constexpr int kSideEvery = 10;                     // ticks between two looks at which side the line is on
 constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
@@ -61,6 +62,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
       stops_({state_.serial, progress_, body_, robot_, board_, number}) {
   state_.went_high.resize(board_.spec().pin_count);
   state_.was_output.resize(board_.spec().pin_count);
+  state_.was_pulled_up.resize(board_.spec().pin_count);
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
   if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
@@ -92,6 +94,7 @@ void Agent::begin() {
 
 void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   hash_.pin(pin, drive, t);
+  if (drive.mode == PinMode::input_pullup) state_.was_pulled_up[pin] = true;
   if (drive.mode == PinMode::output) {
     state_.was_output[pin] = true;
     if (drive.duty > 0.0) state_.went_high[pin] = true;
@@ -134,6 +137,15 @@ void Agent::tell_events(SimTime t) {
   state_.happened.clear();
 }
 
+void Agent::look_to_the_side() {
+  constexpr double kAside = 0.002, kShare = 0.1;  // m; of each look in the mean
+  const double side = robot_.line_side();
+  if (std::abs(side) < kAside) return;
+  state_.line_side = side;
+  const double left = robot_.right_command() - robot_.left_command();
+  state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
+}
+
 void Agent::observe(SimTime end) {
   const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
   if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
@@ -151,6 +163,7 @@ void Agent::observe(SimTime end) {
     state_.shown.worst_at = body_.pose().position;
   }
   if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
+  if (state_.sees_line && end / kTick % kSideEvery == 0) look_to_the_side();
   if (!state_.sees_line && robot_.has_line_sensors() && !body_.in_hand()) ++state_.off_line_ticks;
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
@@ -256,9 +269,12 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.wiring = robot_.wiring();
   e.went_high = state_.went_high;
   e.was_output = state_.was_output;
+  e.was_pulled_up = state_.was_pulled_up;
   e.in_contact = body_.in_contact();
   e.left_command = robot_.left_command();
   e.right_command = robot_.right_command();
+  e.line_side = state_.line_side;
+  e.steered = state_.steered;
   e.faults = player_.faults();
   e.moved = body_.wheel_travel() > 0.0;
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();

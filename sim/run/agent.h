@@ -80,6 +80,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::int64_t cross_track_ticks = 0;
     std::int64_t off_line_ticks = 0;
     bool sees_line = true;
+    double line_side = 0.0;  ///< Robot::line_side(), when it was last seen to a side
+    double steered = 0.0;  ///< then: how it steered towards it, -2..2, a running mean; below 0: away from it
     int collisions_told = 0;
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
@@ -87,7 +89,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::string told;  ///< what parts have told, a line each
     run::State shown;
     Sample sample;
-    std::vector<bool> went_high, was_output;
+    std::vector<bool> went_high, was_output, was_pulled_up;
     std::optional<judge::Outcome> outcome;
   };
   /// All that changes during a run, but for its body.
@@ -112,6 +114,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void byte_received(std::uint8_t byte, SimTime t) override { state_.listener->byte_received(byte, t); }
 
   std::optional<judge::Verdict> verdict_at(SimTime end);
+  void look_to_the_side();
   void observe(SimTime end);
   void hear_parts(SimTime t);
   void tell_events(SimTime t);

@@ -54,6 +54,11 @@ TEST(Hints, OnlyTheFirstErrorIsLookedAt) {
   EXPECT_EQ(hint_for(""), "");
 }
 
+TEST(Hints, WhatTheChipsCompilerIsTooOldForIsNamed) {
+  EXPECT_THAT(hint_for("a.ino:1:14: error: expected '{' before '::' token"), HasSubstr("C++17"));
+  EXPECT_THAT(hint_for("a.ino:2:7: error: expected '(' before 'constexpr'"), HasSubstr("C++17"));
+}
+
 TEST(Hints, WhatIsForgottenIsNamed) {
   EXPECT_THAT(hint_for("error: 'include' does not name a type"), HasSubstr("#include"));
   EXPECT_THAT(hint_for("error: expected ',' or ';' before 'return'"), HasSubstr("a ;"));

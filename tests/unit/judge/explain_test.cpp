@@ -267,6 +267,47 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
 }
 
+TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
+  lose_the_line();
+  e.steered = -0.4;
+  e.line_side = 0.018;
+  EXPECT_THAT(next(Verdict::lost), AllOf(StartsWith("it steered away from the line: that was under its left "
+                                                    "sensors, and it turned right; "),
+                                         HasSubstr("robosim wire")));
+  e.line_side = -0.018;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, and it turned left"));
+  robot_is_at(9 * kSecond, {6, 0}, false, true);
+  EXPECT_THAT(next(Verdict::timeout), HasSubstr("steered away"));
+  e.steered = 0.4;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "towards the line, but too late";
+  e.steered = -0.4;
+  e.faults.push_back({});
+  EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("steered away"))) << "a script has broken something";
+}
+
+TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
+  lose_the_line();
+  e.activity.call = "delay(500)";
+  e.activity.where = {"loop", "My.ino", 9};
+  EXPECT_EQ(
+      next(Verdict::lost),
+      "the sketch is in delay(500) in loop, My.ino:9: as long as that lasts it reads no sensor, and the "
+      "robot drives on");
+  for (const char* call : {"delay(5)", "delay()", "delayMicroseconds(500)"}) {
+    e.activity.call = call;
+    EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << call;
+  }
+}
+
+TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) {
+  lose_the_line();
+  e.was_pulled_up.assign(20, false);
+  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // 4 is the button's
+  EXPECT_EQ(next(Verdict::lost), "motor pin 5 was written HIGH, but never set to OUTPUT: pinMode(5, OUTPUT)");
+  e.was_output[5] = true;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
+}
+
 TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
   EXPECT_EQ(next(Verdict::reached), "");
   EXPECT_EQ(next(Verdict::interrupted), "");
