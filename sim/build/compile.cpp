@@ -32,6 +32,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
       return {"-w"};
     case Warnings::standard:  // the compiler's own choice leaves these out; slips_of() takes the slips
       if (unit.kind == Unit::Kind::library) return {"-w"};  // nobody who uses one can do anything about them
+      // avr-gcc 5 has none of a forgotten break. Any comment where it is left out keeps gcc silent.
+      if (toolchain.target.native) return {"-Wparentheses", "-Wempty-body", "-Wimplicit-fallthrough=1"};
       return {"-Wparentheses", "-Wempty-body"};
     case Warnings::more:
       return {"-Wall"};

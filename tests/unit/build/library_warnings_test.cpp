@@ -20,5 +20,19 @@ TEST_F(LibraryWarnings, AreLeftOutAsNobodyWhoUsesALibraryCanDoAnythingAboutThem)
   EXPECT_THAT(build_here("My").messages, HasSubstr("My.ino:3"));
 }
 
+TEST_F(LibraryWarnings, AForgottenBreakIsOneUnlessACommentSaysThatItIsMeant) {
+  const std::string sketch =
+      "int n;\nvoid setup() { Serial.begin(9600); }\nvoid loop() {\n  switch (n) {\n    case 0: n = 1;%\n"
+      "    case 1: case 2: n = 3; break;\n  }\n}\n";
+  const auto with = [&](const std::string& comment) {
+    std::string text = sketch;
+    return text.replace(text.find('%'), 1, comment);
+  };
+  write("My/My.ino", with(""));
+  EXPECT_THAT(build_here("My").messages, HasSubstr("My.ino:5:15: warning: this statement may fall through"));
+  write("My/My.ino", with("  // and on"));
+  EXPECT_EQ(build_here("My").messages, "");
+}
+
 }  // namespace
 }  // namespace robosim::build
