@@ -52,6 +52,7 @@ struct Core {
         outside(around),
         oscillator_hz(oscillator),
         clock_hz(oscillator) {
+    cpu.waiting = &interrupts.state;
     keep(cpu.state);
     kept.add_memory(cpu.data);
     keep(events.state);

@@ -101,7 +101,7 @@ void Cpu::reset() {
   state.pc = 0;
   state.sp = last_ram_;
   state.sreg = 0;
-  state.held = false;
+  state.held_at = kNoCycle;
   if (state.open_handlers > 0) state.handler_cycles += state.cycle - state.handler_began;
   state.open_handlers = 0;
   state.passing = ~0u;
@@ -109,8 +109,8 @@ void Cpu::reset() {
 
 void Cpu::set_sreg(std::uint8_t value) {
   if (value & ~state.sreg & kI) {
-    state.held = true;
-    look_up();
+    state.held_at = state.cycle;
+    if (!waiting || *waiting) look_up();
   }
   state.sreg = value;
 }

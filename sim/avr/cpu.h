@@ -79,8 +79,10 @@ class Cpu {
   std::uint32_t entry_of(int vector) const;
   /// Whether an interrupt may be taken now: I is set, and not by the instruction that has just run, behind
   /// which one more runs (SEI, RETI, and what else sets I).
-  bool interruptible() const { return state.sreg & kI && !state.held; }
+  bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
+  /// Those that wait, a bit each: whoever sets I while one does has run() come back. Null: always.
+  const std::uint64_t* waiting = nullptr;
   /// As after a reset: the program counter is 0, registers of I/O are 0, memory is kept.
   void reset();
 
@@ -225,7 +227,7 @@ class Cpu {
     std::uint16_t sp_watch = 0;
     std::uint16_t sp_before = 0;  ///< before the last write to SPL or SPH
     std::uint8_t sreg = 0;
-    bool held = false;  ///< one more instruction runs before an interrupt
+    Cycle held_at = kNoCycle;  ///< one more instruction runs before an interrupt: none has since then
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
     std::uint32_t passing = ~0u;   ///< where the mark has been told

@@ -14,7 +14,6 @@ Cpu::Stop Cpu::run(Cycle until) {
   }
   stop_ = Stop::reached;
   horizon_ = until;
-  state.held = false;
 
   // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
   std::uint8_t* const r = data.data();

@@ -2,6 +2,7 @@
 // flag makes it. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "sim/avr/cpu.h"
@@ -16,7 +17,8 @@ struct Flags {
   unsigned half = 0;      ///< H in bit 4
   unsigned others = 0;    ///< T and I, where they are in SREG
 
-  void unpack(unsigned sreg) {
+  void unpack(std::uint8_t sreg);
+  constexpr void take_apart(unsigned sreg) {
     others = sreg & (Cpu::kT | Cpu::kI);
     carry = sreg & Cpu::kC;
     zero = ~sreg & Cpu::kZ;
@@ -35,12 +37,12 @@ struct Flags {
   }
   /// S in bit 7.
   unsigned sign() const { return negative ^ negative >> 8 ^ v(); }
-  void set(unsigned bits) { unpack(pack() | bits); }
+  void set(unsigned bits) { unpack(static_cast<std::uint8_t>(pack() | bits)); }
   void clear(unsigned bits) {
     if (bits & (Cpu::kT | Cpu::kI)) {
       others &= ~bits;
     } else {
-      unpack(pack() & ~bits);
+      unpack(static_cast<std::uint8_t>(pack() & ~bits));
     }
   }
 
@@ -118,5 +120,14 @@ struct Flags {
   }
   unsigned v() const { return overflow ^ overflow >> 1; }
 };
+
+/// Of each value of SREG.
+inline constexpr std::array<Flags, 256> kFlagsOf = [] {
+  std::array<Flags, 256> all;
+  for (unsigned sreg = 0; sreg < all.size(); ++sreg) all[sreg].take_apart(sreg);
+  return all;
+}();
+
+inline void Flags::unpack(std::uint8_t sreg) { *this = kFlagsOf[sreg]; }
 
 }  // namespace robosim::avr
