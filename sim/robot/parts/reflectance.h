@@ -17,6 +17,8 @@
 // Nothing happens unless firmware reads.
 #pragma once
 
+#include <limits>
+
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
@@ -100,7 +102,7 @@ class Sensor : public Breakable {
   /// Takes a sample of noise.
   double blackness(SimTime t) {
     const Pose pose = context_.view.pose_at(t);
-    const double c = dark() ? 1.0 : context_.view.floor->darkness(pose.to_world(state_.at), footprint_);
+    const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at));
     const double white = 1.0 - c;
     double b = 1.0 - state_.now.light * emitter_.brightness() * white * brightness(pose) + state_.now.shift;
     if (state_.now.noise > 0.0)
@@ -122,6 +124,14 @@ class Sensor : public Breakable {
   double brightness(const Pose& pose) const {
     return context_.view.floor->brightness(pose.to_world(state_.at));
   }
+  /// Of the floor there; asked once where the robot stands still.
+  double darkness_at(Vec2 p) {
+    if (p.x != state_.looked_at.x || p.y != state_.looked_at.y) {
+      state_.looked_at = p;
+      state_.darkness = context_.view.floor->darkness(p, footprint_);
+    }
+    return state_.darkness;
+  }
   void swap_with(Sensor*);
 
   struct Figures {
@@ -137,6 +147,8 @@ class Sensor : public Breakable {
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
+    Vec2 looked_at = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the floor, and its darkness
+    double darkness = 0.0;
   };
 
   const std::string& name_;
