@@ -1,6 +1,7 @@
-// The handlers of gcc's UndefinedBehaviorSanitizer: of a division by zero in every image, of all the others
-// in one that was built with checks (sim/build/target.cpp lists the checks). Without checks a division by
-// zero is noted only: what it gives is the chip's (sim/build/division.h).
+// The handlers of gcc's UndefinedBehaviorSanitizer: of a division by zero, and of a place that is never
+// reached, in every image, of all the others in one that was built with checks (sim/build/target.cpp lists
+// the checks). Without checks a division by zero is noted only: what it gives is the chip's
+// (sim/build/division.h).
 #include "hal/host/clock.h"
 
 namespace {

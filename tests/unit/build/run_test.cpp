@@ -152,6 +152,15 @@ TEST_F(RunTest, GlobalsNamedAsTheCLibrarysFunctionsAreTheSketchsOwn) {
   run_image(image, 100 * kMillisecond);
 }
 
+// On the chip, too; what it gives means nothing.
+TEST_F(RunTest, AFunctionThatShouldGiveAValueAndHasNoReturnReturns) {
+  EXPECT_EQ(run_code("int a;\nvoid never() { Serial.println(\"never called\"); }\n"
+                     "bool __attribute__((noinline)) set_up(int& b) { b = 1; }\n"
+                     "void setup() { Serial.begin(115200); set_up(a); Serial.println(a); }\n"
+                     "void loop() { if (millis() > 10000) never(); }\n"),
+            "1\n");
+}
+
 TEST_F(RunTest, ConstructorsRunInTheOrderOfTheirPriority) {
   EXPECT_EQ(
       run_code(
