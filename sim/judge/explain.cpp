@@ -269,6 +269,13 @@ int long_delay(const Evidence& e) {
   return ms >= kLong_ms ? ms : 0;
 }
 
+// Its sensors were not looked at for half a second before it lost the line, nor later.
+bool reads_no_more(const Evidence& e) {
+  constexpr SimTime kLong = kSecond / 2;
+  const auto& seen = e.judge->line_last_seen();
+  return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
+}
+
 // Before it lost the line, which none of the script's faults is to blame for.
 bool steered_away(const Evidence& e) {
   constexpr double kClearly = 0.1;
@@ -285,6 +292,11 @@ NextStep next_step(const Evidence& e) {
                         place_of(e.divisions_by_zero.front().where))};
   if (e.moved)
     if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
+  if (reads_no_more(e))
+    return {
+        fmt::format("the sketch has looked at no line sensor since {}: it must read them again and again, in "
+                    "loop()",
+                    seconds(e.sensors_read))};
   if (steered_away(e))
     return {fmt::format(
         "it steered away from the line: that was under its {0} sensors, and it turned {1}; is the order of "

@@ -38,6 +38,7 @@ struct Evidence {
   bool pin_level = false;   ///< what the pin that the sketch looks at reads now
   bool in_contact = false;  ///< the body touches a wall
   double left_command = 0.0, right_command = 0.0;  ///< of the motors, -1..1, at the end
+  SimTime sensors_read = kNever;  ///< when the sketch last looked at a floor sensor; kNever = it never did
   double line_side = 0.0;  ///< where the line was when it was last seen to a side: left of the middle, m
   double steered = 0.0;    ///< then: the mean difference of the commands, towards the line; below 0: away
   bool moved = false;      ///< a wheel turned

@@ -273,6 +273,11 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.in_contact = body_.in_contact();
   e.left_command = robot_.left_command();
   e.right_command = robot_.right_command();
+  for (const robot::WiredPin& wired : e.wiring) {
+    if (wired.type.rfind("reflectance", 0) != 0 || wired.pin >= board_.spec().pin_count) continue;
+    const SimTime seen = executor_.probe().use(wired.pin).last_seen;
+    if (seen >= 0) e.sensors_read = e.sensors_read == kNever ? seen : std::max(e.sensors_read, seen);
+  }
   e.line_side = state_.line_side;
   e.steered = state_.steered;
   e.faults = player_.faults();

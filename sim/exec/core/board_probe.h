@@ -18,6 +18,7 @@ struct PinUse {
   bool awaited = false;    ///< its edges were wanted: by an interrupt, or a counter
   bool was_low = false, was_high = false;
   double lowest_volts = 0.0, highest_volts = 0.0;  ///< where measured
+  SimTime last_seen = -1;                          ///< when it was read or measured last; -1 = never
 };
 
 class BoardProbe {

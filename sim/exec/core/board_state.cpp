@@ -32,6 +32,7 @@ bool BoardState::read_along(Pin pin, SimTime t) {
   const bool level = level_on(pin, t);
   PinUse& use = state_.pins[pin].use;
   use.read = true;
+  use.last_seen = t;
   (level ? use.was_high : use.was_low) = true;
   if (input_watcher_) input_watcher_->level_seen(pin, level, t);
   return level;
@@ -57,6 +58,7 @@ double BoardState::read_volts(Pin pin, SimTime t) {
   use.lowest_volts = use.measured ? std::min(use.lowest_volts, volts) : volts;
   use.highest_volts = use.measured ? std::max(use.highest_volts, volts) : volts;
   use.measured = true;
+  use.last_seen = t;
   if (input_watcher_) input_watcher_->volts_seen(pin, volts, t);
   return volts;
 }

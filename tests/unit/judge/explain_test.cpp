@@ -285,6 +285,16 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
   EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("steered away"))) << "a script has broken something";
 }
 
+TEST_F(Explain, SensorsThatAreReadInSetupOnlyAreToldWhereTheLineIsLost) {
+  lose_the_line();  // at 2 s
+  e.sensors_read = kMillisecond;
+  EXPECT_THAT(next(Verdict::lost), StartsWith("the sketch has looked at no line sensor since 0.00 s"));
+  e.sensors_read = 1800 * kMillisecond;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
+  e.sensors_read = kNever;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "it has none, or reads them by itself";
+}
+
 TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   lose_the_line();
   e.activity.call = "delay(500)";
