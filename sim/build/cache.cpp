@@ -238,7 +238,7 @@ WorkFolder::WorkFolder(const Cache& cache) {
     if (!fs::create_directory(path_)) continue;
     held_ = hold(path_, LOCK_SH);
     std::error_code error;
-    if (!held_.is_open() || fs::exists(path_, error)) return;  // else another process was quick to remove it
+    if (fs::exists(path_, error)) return;  // else another process was quick to remove it
   }
 }
 

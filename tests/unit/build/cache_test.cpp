@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <csignal>
+#include <thread>
+#include <vector>
 
 #include "sim/base/child.h"
 #include "tests/unit/build/fixture.h"
@@ -137,6 +140,18 @@ TEST_F(SketchTest, TheCacheIsWhereTheUserSays) {
   ::setenv("HOME", (folder_ / "file").c_str(), 1);
   ::setenv("TMPDIR", folder_.c_str(), 1);
   EXPECT_THAT(cache_folder().string(), testing::StartsWith((folder_ / "robosim-").string()));
+}
+
+TEST_F(CacheTest, EachOfSeveralBuildsAtOnceHasItsFolder) {
+  std::atomic<int> missing{0};
+  std::vector<std::thread> builds;
+  for (int i = 0; i < 4; ++i)
+    builds.emplace_back([&] {
+      for (int n = 0; n < 300; ++n)
+        if (const WorkFolder folder(cache_); !fs::is_directory(folder.path())) ++missing;
+    });
+  for (std::thread& build : builds) build.join();
+  EXPECT_EQ(missing, 0);
 }
 
 }  // namespace
