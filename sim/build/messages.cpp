@@ -87,7 +87,7 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
   if (const std::string foreign = foreign_header(header); !foreign.empty()) throw InputError(place, foreign);
   const bool chip = toolchain.target.chip;
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
-    throw InputError(place, fmt::format("{} belongs to avr-libc and is about the chip's own hardware: it is "
+    throw InputError(place, fmt::format("{} belongs to avr-libc, and the target host has none: it is "
                                         "for the target avr",
                                         header));
   if (header.find('.') == std::string::npos)

@@ -161,6 +161,14 @@ TEST_F(RunTest, AFunctionThatShouldGiveAValueAndHasNoReturnReturns) {
             "1\n");
 }
 
+TEST_F(RunTest, TheClockOfAvrLibcStandsStillUnlessItIsTicked) {
+  EXPECT_EQ(run_code("#include <time.h>\nvoid setup() { Serial.begin(115200); Serial.print(time(0)); "
+                     "Serial.print(' ');\n"
+                     "set_system_time(40); system_tick(); time_t now; time(&now); Serial.println(now); }\n"
+                     "void loop() {}\n"),
+            "0 41\n");
+}
+
 TEST_F(RunTest, ConstructorsRunInTheOrderOfTheirPriority) {
   EXPECT_EQ(
       run_code(
