@@ -81,9 +81,14 @@ class Sensor : public Breakable {
   Vec2 at() const { return state_.at; }
   void cover(bool covered) { state_.covered = covered; }
   /// The share of the footprint on the line at the start of the tick.
-  double coverage() const {
+  double coverage() {
     if (context_.view.body->lifted()) return 0.0;
-    return context_.view.floor->coverage(context_.view.body->pose().to_world(state_.at), footprint_);
+    const Vec2 p = context_.view.body->pose().to_world(state_.at);
+    if (p.x != state_.line_sought.x || p.y != state_.line_sought.y) {
+      state_.line_sought = p;
+      state_.coverage = context_.view.floor->coverage(p, footprint_);
+    }
+    return state_.coverage;
   }
   /// The share of it that is dark.
   double darkness() const {
@@ -149,6 +154,8 @@ class Sensor : public Breakable {
     bool covered = false;
     Vec2 looked_at = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the floor, and its darkness
     double darkness = 0.0;
+    Vec2 line_sought = looked_at;  ///< where its footprint's share on the line was
+    double coverage = 0.0;
   };
 
   const std::string& name_;
