@@ -297,13 +297,24 @@ NextStep next_step(const Evidence& e) {
         fmt::format("the sketch has looked at no line sensor since {}: it must read them again and again, in "
                     "loop()",
                     seconds(e.sensors_read))};
-  if (steered_away(e))
-    return {fmt::format(
-        "it steered away from the line: that was under its {0} sensors, and it turned {1}; is the order of "
-        "the "
-        "sensors, what they give over black, or a motor's side or direction another one than in the robot "
-        "file? robosim wire tries them out",
-        e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left")};
+  if (steered_away(e)) {
+    const std::string how =
+        fmt::format("it steered away from the line: that was under its {} sensors, and it turned {}; ",
+                    e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left");
+    if (e.int_bits == 16)
+      return {
+          how +
+              "run it on the host too: if it keeps the line there, look where an int goes beyond 32767, as "
+              "in "
+              "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it. If "
+              "not, the order of the sensors, what they give over black, or a motor's side or direction may "
+              "be another one than in the robot file: robosim wire tries them out",
+          NextStep::By::host};
+    return {
+        how +
+        "is the order of the sensors, what they give over black, or a motor's side or direction another one "
+        "than in the robot file? robosim wire tries them out"};
+  }
   if (e.moved && long_delay(e) > 0 && has_left_line(e))
     return {
         fmt::format("the sketch is in delay({}){}: as long as that lasts it reads no sensor, and the robot "

@@ -276,6 +276,10 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
                                          HasSubstr("robosim wire")));
   e.line_side = -0.018;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, and it turned left"));
+  e.int_bits = 16;
+  EXPECT_THAT(next(Verdict::lost), AllOf(StartsWith("it steered away"), HasSubstr("int has 16 bits")));
+  EXPECT_EQ(next_step(e).by, NextStep::By::host);
+  e.int_bits = 32;
   robot_is_at(9 * kSecond, {6, 0}, false, true);
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("steered away"));
   e.steered = 0.4;
