@@ -57,6 +57,12 @@ TEST(Golden, TheBuiltInDriverLapsTheOval) {
   EXPECT_EQ(outcome.trace_hash, "1:44da347299e4cf48");
 }
 
+TEST(Golden, TheBuiltInDriverLapsTheOvalInTypical2) {
+  const judge::Outcome outcome = follow("oval", robot::Profile::typical_2, 1);
+  EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
+  EXPECT_EQ(outcome.trace_hash, "1:a3aeb8e3c3b24c82");
+}
+
 TEST(Golden, TheProfileIdealIsFrozen) {
   const judge::Outcome outcome = follow("oval", robot::Profile::ideal, 1);
   EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
