@@ -12,8 +12,8 @@ namespace robosim::grid {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kLeastPiece = 1e-4;  // m
-constexpr double kLeastTurn = 1e-8;   // rad; what is written of an angle is within 2e-11
+constexpr double kLeastPiece = 1e-4;   // m
+constexpr double kLeastTurn = 1.7e-8;  // rad: 0.000001 deg; what is written of an angle is within 2e-11
 constexpr double kMostRadius = 1000.0;
 // Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
 constexpr double kMarkLength = 0.040;

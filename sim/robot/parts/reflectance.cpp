@@ -24,10 +24,10 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
-// A footprint against height from typical@2 on, one for all elements of a part. Edges that were measured say
-// 0.3 and 0.97: docs/fidelity.md.
-constexpr Number kSpot{0.6, 0.36};
-constexpr double kDarkNoise = 0.4;
+// A footprint against height, where the file has none: one for all elements of a part. Edges that were
+// measured say 0.3 and 0.97: docs/fidelity.md.
+constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
+constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
@@ -150,14 +150,9 @@ double light_from(double height, Profile profile) {
   return std::max(below.share + share * (above->share - below.share), 0.0);
 }
 
-// What a sensor of this part sees by default, for each metre of height.
-double spot_of(const Individual& individual, const std::string& part) {
-  return individual.profile() < Profile::typical_2 ? 2.0 : individual.draw(kSpot, part, "footprint");
-}
-
 double footprint_of(const ReflectanceSpec& spec, const Individual& individual, const std::string& element,
                     double height) {
-  if (spec.footprint.value == 0.0) return spot_of(individual, spec.name) * height;
+  if (spec.footprint.value == 0.0) return individual.draw(kSpot, spec.name, "footprint") * height;
   const bool each = individual.profile() < Profile::typical_2;
   return individual.draw(spec.footprint, each ? element : spec.name, "footprint");
 }
@@ -200,9 +195,8 @@ std::unique_ptr<Part> ReflectanceSpec::make(PartContext& context) const {
 
 std::vector<SensorPlace> ReflectanceSpec::sensors() const {
   std::vector<SensorPlace> places;
-  const double spot = Profile::typical < Profile::typical_2 ? 2.0 : kSpot.value;
   const double given = footprint.in(Profile::typical).value;
-  const double seen = given > 0.0 ? given : spot * height.value;
+  const double seen = given > 0.0 ? given : kSpot.in(Profile::typical).value * height.value;
   for (const Element& element : elements) places.push_back({element.name, element.at, seen});
   return places;
 }
@@ -223,7 +217,7 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       healthy_{light_from(height_, context.individual.profile()),
                -context.individual.draw(spec.ambient, name_, "ambient"),
                context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise"),
-               context.individual.profile() < Profile::typical_2 ? 1.0 : kDarkNoise},
+               context.individual.draw(kDarkNoise, name_, "dark_noise")},
       stream_(context.individual.noise(name_, "reading")),
       state_{.at = home_, .now = healthy_} {
   context.kept.add(state_);
