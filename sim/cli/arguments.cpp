@@ -9,6 +9,7 @@
 #include "sim/base/spelling.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
+#include "sim/cli/files/print_arguments.h"
 #include "sim/cli/help_text.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
@@ -178,12 +179,13 @@ Command parse_import(const Words& words) {
 
 Command parse_map(Words words) {
   MapArguments map;
-  const auto action = take_action("map", words, {"check", "show", "graph", "generate", "import"});
+  const auto action = take_action("map", words, {"check", "show", "graph", "generate", "import", "print"});
   if (action == "generate") return parse_generate(words);
   if (action == "import") return parse_import(words);
+  if (action == "print") return parse_print(words);
   Options options(
-      "map " + action.value_or("check|show|graph|generate|import"),
-      "Checks a map file, draws it with its stations, tells its graph, makes maps, or imports them.");
+      "map " + action.value_or("check|show|graph|generate|import|print"),
+      "Checks a map file, draws it with its stations, tells its graph, makes, imports or prints maps.");
   options.positional("MAP", map.map, "file, or name of a sample map");
   options.text("--start", map.start, "X,Y,DIR", "start: stations are numbered from there");
   const bool is_graph = action.value_or("graph") == "graph";

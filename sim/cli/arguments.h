@@ -110,6 +110,15 @@ struct ImportArguments {
   std::string out;  ///< a file; empty = standard output
 };
 
+/// `robosim map print`
+struct PrintArguments {
+  std::string map;
+  std::string out;  ///< a file
+  std::string paper = "A4";
+  double margin_mm = 5.0;
+  bool black_on_white = false;  ///< whatever the map's paint
+};
+
 /// `robosim robot list|show|check`
 struct RobotArguments {
   std::string action;
@@ -169,10 +178,10 @@ struct PrintText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
-                 ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
-                 GenerateArguments, ImportArguments, RobotArguments, TestArguments, NewArguments, PrintText>;
+using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
+                             ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
+                             GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
+                             TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

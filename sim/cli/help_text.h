@@ -30,6 +30,8 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   wire [SKETCH]               draft a robot file: which part is on which pin, from what the sketch does
   map check|show|graph MAP    check a map file; draw it with stations and coordinates; its graph
   map generate                make random maps: trees, cycles, streets
+  map import FILE             make a map of another tool's course
+  map print MAP --out F.pdf   a floor in true size, on sheets of paper to lay on the floor
   robot list|show|check       the robots; the text of one; check a robot file
   test [SKETCH…]              what the checks.toml beside a sketch asks for (in a checkout: Robosim's own tests)
   new NAME                    a project to begin with: sketch, robot, track, checks

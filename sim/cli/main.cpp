@@ -13,6 +13,7 @@
 #include "sim/cli/files/flash_command.h"
 #include "sim/cli/files/map_command.h"
 #include "sim/cli/files/map_import.h"
+#include "sim/cli/files/map_print.h"
 #include "sim/cli/files/new_command.h"
 #include "sim/cli/files/robot_command.h"
 #include "sim/cli/output.h"
@@ -39,6 +40,7 @@ struct Perform {
   int operator()(const MapArguments& arguments) const { return map_command(arguments); }
   int operator()(const GenerateArguments& arguments) const { return generate_command(arguments); }
   int operator()(const ImportArguments& arguments) const { return import_command(arguments); }
+  int operator()(const PrintArguments& arguments) const { return print_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
   int operator()(const PlayArguments& arguments) const { return play_command(arguments); }
   int operator()(const TestArguments& arguments) const { return test_command(arguments); }

@@ -1,0 +1,16 @@
+// `robosim map print`: a floor on paper, in true size.
+#pragma once
+
+#include <iosfwd>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/output.h"
+
+namespace robosim::cli {
+
+/// Writes the PDF, and says what is in it. Nothing is overwritten. Throws InputError.
+ExitStatus print_map(const PrintArguments& arguments, std::ostream& out);
+
+int print_command(const PrintArguments& arguments);
+
+}  // namespace robosim::cli

@@ -1,0 +1,14 @@
+// The command line of `robosim map print`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// `words` behind the command's name. Throws InputError.
+Command parse_print(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

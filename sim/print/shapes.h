@@ -1,0 +1,59 @@
+// What is painted on a floor, as outlines of which the pieces near a place can be had. Lengths in mm, x east
+// and y north from the floor's lower left corner.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
+
+namespace robosim::print {
+
+struct Box {
+  double left, low, right, high;
+  Box wider(double by) const { return {left - by, low - by, right + by, high + by}; }
+  bool meets(const Box& o) const { return left < o.right && o.left < right && low < o.high && o.low < high; }
+};
+
+/// A straight, or an arc counter-clockwise about `centre`, as grid::Stripe has it.
+struct Line {
+  Vec2 from, to, centre;
+  double radius = 0.0;  ///< 0 = straight
+};
+
+/// A bar of straight ends.
+struct Bar {
+  Vec2 from, to;
+  double width;
+};
+
+class Shapes {
+ public:
+  explicit Shapes(const grid::Map& map);
+
+  double line_width() const { return line_width_; }
+  /// Parts of the centre lines, at most `longest` long and an eighth of a half turn, of which something may
+  /// be within the box. Each has round ends, so that the parts make up the whole.
+  void lines_near(const Box& box, double longest, const std::function<void(const Line&)>& use) const;
+  const std::vector<Bar>& bars() const { return bars_; }
+  /// Runs of painted cells (of a raster floor), or of walls, within the box.
+  void painted_cells_near(const Box& box, const std::function<void(const Box&)>& use) const;
+  void walls_near(const Box& box, const std::function<void(const Box&)>& use) const;
+  std::vector<Vec2> obstacles_near(const Box& box) const;
+  /// Whether something of what is painted is within the box.
+  bool paints(const Box& box) const;
+
+ private:
+  template <class Holds>
+  void runs_near(const Box& box, Holds holds, const std::function<void(const Box&)>& use) const;
+  bool any_line(const Line& line, const Box& box) const;
+
+  const grid::Map* map_;
+  double line_width_, cell_;
+  std::vector<Line> lines_;
+  std::vector<Bar> bars_;
+};
+
+}  // namespace robosim::print

@@ -1,0 +1,49 @@
+// How a floor is divided into sheets of paper that are laid side by side.
+//
+// Each sheet shows its own piece of the floor, of net_width x net_height, and a flap around it: 10 mm more of
+// the floor on each side, on which the next sheet is laid. Sheets are counted from the floor's upper left
+// corner. Lengths in mm, x east and y north from the floor's lower left corner.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/print/shapes.h"
+
+namespace robosim::print {
+
+struct Paper {
+  double width = 210.0, height = 297.0;  ///< mm
+};
+
+constexpr double kFlap = 10.0;        ///< mm
+constexpr double kMostMargin = 40.0;  ///< mm: the bar of 100 mm has to fit on A4
+constexpr std::size_t kMostSheets = 400;
+
+struct Sheet {
+  int row, column;  ///< from 1
+};
+
+struct Sheets {
+  Paper paper;                 ///< upright or on its side
+  double margin = 0.0;         ///< mm from the paper's edge to the flap
+  double width = 0.0;          ///< mm, of the floor
+  double height = 0.0;         ///< mm
+  int rows = 0, columns = 0;   ///< that the whole floor would take
+  std::vector<Sheet> printed;  ///< those on which something is painted, row by row
+
+  double net_width() const { return paper.width - 2.0 * (margin + kFlap); }
+  double net_height() const { return paper.height - 2.0 * (margin + kFlap); }
+  /// The floor's piece that is a sheet's own; it may reach beyond the floor.
+  Box piece(Sheet sheet) const {
+    const double left = (sheet.column - 1) * net_width(), top = height - (sheet.row - 1) * net_height();
+    return {left, top - net_height(), left + net_width(), top};
+  }
+};
+
+/// The paper upright or on its side, whichever takes fewer sheets. `dark_floor`: the floor is painted, too,
+/// not only what is on it. Throws InputError beyond kMostSheets.
+Sheets divide(const grid::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor);
+
+}  // namespace robosim::print

@@ -1,0 +1,186 @@
+#include "sim/print/print.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace robosim::print {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+grid::Map path_map(const std::string& segments, const std::string& more = "") {
+  return grid::parse_map("+++\nsize = [\"1 m\", \"600 mm\"]\n" + more +
+                             "[[path]]\nfrom = [\"100 mm\", \"100 mm\"]\nsegments = [" + segments +
+                             "]\n+++\n",
+                         "course.map");
+}
+
+Printed printed(const grid::Map& map, bool swapped = false, Paper paper = {}) {
+  return print_map(map, {.paper = paper, .swapped = swapped, .compressed = false});
+}
+
+std::vector<std::string> pages_of(const std::string& pdf) {
+  std::vector<std::string> pages;
+  for (std::size_t at = 0; (at = pdf.find("stream\r\n", at)) != pdf.npos;) {
+    const std::size_t end = pdf.find("endstream", at);
+    pages.push_back(pdf.substr(at, end - at));
+    at = end + 9;
+  }
+  return pages;
+}
+
+struct Operation {
+  std::string name;
+  std::vector<double> mm;
+};
+
+std::vector<Operation> operations_of(const std::string& page) {
+  std::vector<Operation> all;
+  std::vector<double> numbers;
+  std::istringstream words(page);
+  for (std::string word; words >> word;) {
+    std::size_t used = 0;
+    try {
+      const double number = std::stod(word, &used);
+      if (used == word.size()) {
+        numbers.push_back(number * 25.4 / 72.0);
+        continue;
+      }
+    } catch (const std::exception&) {
+    }
+    all.push_back({word, numbers});
+    numbers.clear();
+  }
+  return all;
+}
+
+std::string message_of(const grid::Map& map, Paper paper = {}) {
+  try {
+    printed(map, false, paper);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::vector<std::string> numbers_of(const Sheets& sheets) {
+  std::vector<std::string> numbers;
+  for (const Sheet& sheet : sheets.printed)
+    numbers.push_back(std::to_string(sheet.row) + "-" + std::to_string(sheet.column));
+  return numbers;
+}
+
+// A4 upright shows 180 x 267 mm of the floor, on its side 267 x 180 mm.
+TEST(Print, SheetsLieSideBySideFromTheUpperLeftCornerAndEmptyOnesAreLeftOut) {
+  const Printed one = printed(path_map("{ length = \"600 mm\" }"));
+  EXPECT_EQ(one.sheets.rows, 4);
+  EXPECT_THAT(numbers_of(one.sheets), ElementsAre("3-1", "3-2", "3-3"));
+  EXPECT_NEAR(one.sheets.piece({3, 2}).left, 267.0, 1e-9);
+  EXPECT_NEAR(one.sheets.piece({3, 2}).high, 600.0 - 360.0, 1e-9);
+  EXPECT_EQ(pages_of(one.pdf).size(), 4u);
+}
+
+TEST(Print, TheBarOnEachSheetIs100MillimetresLong) {
+  const auto pages = pages_of(printed(path_map("{ length = \"600 mm\" }")).pdf);
+  for (std::size_t page = 1; page < pages.size(); ++page) {
+    const auto all = operations_of(pages[page]);
+    int bars = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      bars += all[i].name == "l" && all[i - 1].name == "m" && all[i].mm[1] == all[i - 1].mm[1] &&
+              std::fabs(all[i].mm[0] - all[i - 1].mm[0] - 100.0) < 1e-3;
+    EXPECT_EQ(bars, 1) << "page " << page;
+    EXPECT_THAT(pages[page], HasSubstr("(100 mm)"));
+  }
+}
+
+// The floor's x = 267 mm is where the second sheet's own piece begins: 15 mm from its edge.
+TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
+  const auto pages = pages_of(printed(path_map("{ length = \"600 mm\" }")).pdf);
+  const auto ends_of = [&](std::size_t page) {
+    double least = 1e9, most = -1e9;
+    const auto all = operations_of(pages[page]);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      // The line lies 100 mm above the floor's edge, and the sheets' lower edge is 60 mm above it.
+      if (all[i].name != "l" || std::fabs(all[i].mm[1] - (100.0 - 60.0 + 15.0)) > 1e-3) continue;
+      least = std::min(least, all[i - 1].mm[0]);
+      most = std::max(most, all[i].mm[0]);
+    }
+    return std::pair{least, most};
+  };
+  EXPECT_NEAR(ends_of(1).first, 100.0 + 15.0, 1e-3);
+  EXPECT_GE(ends_of(1).second, 267.0 + 15.0 + kFlap);
+  EXPECT_LE(ends_of(2).first, 15.0 - kFlap);
+  EXPECT_NEAR(ends_of(3).second, 700.0 - 2.0 * 267.0 + 15.0, 1e-3);
+}
+
+TEST(Print, ArcsAreWithinAHundredthOfAMillimetre) {
+  const grid::Map map = path_map("{ radius = \"200 mm\", angle = \"180 deg\" }");
+  const Printed one = printed(map);
+  const auto pages = pages_of(one.pdf);
+  int curves = 0;
+  for (std::size_t page = 1; page < pages.size(); ++page) {
+    const Box piece = one.sheets.piece(one.sheets.printed[page - 1]);
+    const Vec2 centre{100.0 - piece.left + 15.0, 300.0 - piece.low + 15.0};
+    const auto all = operations_of(pages[page]);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      if (all[i].name != "c") continue;
+      ++curves;
+      const auto& from = all[i - 1].mm;
+      const auto& c = all[i].mm;
+      for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+        const double s = 1.0 - t;
+        const auto at = [&](std::size_t k) {
+          return s * s * s * from[k] + 3 * s * s * t * c[k] + 3 * s * t * t * c[k + 2] + t * t * t * c[k + 4];
+        };
+        EXPECT_NEAR(length(Vec2{at(0), at(1)} - centre), 200.0, 0.01);
+      }
+    }
+  }
+  EXPECT_GE(curves, 8);
+}
+
+TEST(Print, AGapStaysWhite) {
+  const Printed one = printed(
+      path_map("{ length = \"50 mm\" }, { length = \"600 mm\", gap = true }, { length = \"50 mm\" }"));
+  EXPECT_THAT(numbers_of(one.sheets), ElementsAre("2-1", "2-5"));
+}
+
+TEST(Print, ADarkFloorIsPrintedWholeOrAsADarkLineOnPaper) {
+  const grid::Map map = path_map("{ length = \"600 mm\" }", "paint = \"white on black\"\n");
+  EXPECT_EQ(printed(map).sheets.printed.size(), 16u);
+  EXPECT_EQ(printed(map, true).sheets.printed.size(), 3u);
+}
+
+TEST(Print, TheSameMapGivesTheSameBytesWithoutADate) {
+  const grid::Map map = path_map("{ length = \"600 mm\" }");
+  const std::string pdf = print_map(map, {}).pdf;
+  EXPECT_EQ(pdf, print_map(map, {}).pdf);
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_THAT(printed(map).pdf, Not(HasSubstr("Date")));
+}
+
+TEST(Print, WallsAreThinOutlinesAndTakeNoSheetOfTheirOwn) {
+  const grid::Map map = grid::parse_map("....______\n#########_\n", "walls.map");
+  const Printed one = printed(map);
+  EXPECT_THAT(numbers_of(one.sheets), ElementsAre("1-1", "1-2"));
+  EXPECT_THAT(pages_of(one.pdf)[1], HasSubstr(" re"));
+}
+
+TEST(Print, TooManySheetsAreCountedAndRefused) {
+  const std::string large =
+      "+++\nsize = [\"9 m\", \"9 m\"]\npaint = \"white on black\"\n[[path]]\n"
+      "from = [\"1 m\", \"1 m\"]\nsegments = [{ length = \"1 m\" }]\n+++\n";
+  EXPECT_EQ(message_of(grid::parse_map(large, "large.map")),
+            "large.map: takes 1700 pages of this paper with its dark floor; at most 400 are printed");
+  std::string huge = large;
+  huge.replace(huge.find("9 m"), 3, "3000 m");
+  EXPECT_THAT(message_of(grid::parse_map(huge, "huge.map")),
+              HasSubstr("huge.map: its floor of 3000.0 x 9.0 m is 566678 pages"));
+}
+
+}  // namespace
+}  // namespace robosim::print
