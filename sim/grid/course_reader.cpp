@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/base/angle.h"
+#include "sim/grid/front_tables.h"
 
 namespace robosim::grid {
 namespace {
@@ -18,23 +19,6 @@ constexpr double kMostRadius = 1000.0;
 // Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
 constexpr double kMarkLength = 0.040;
 constexpr double kMarkAway = 0.070;
-
-const std::vector<ConfigValue>& tables(const ConfigValue& value, const char* name) {
-  if (value.kind != ConfigValue::Kind::array)
-    throw InputError(value.place, fmt::format("{0} is {1}; write [[{0}]], with two brackets", name,
-                                              to_string(value.kind)));
-  return value.items;
-}
-
-Vec2 read_point(const ConfigValue& value, const char* key) {
-  if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
-    throw InputError(value.place,
-                     fmt::format("{} must be [\"X\", \"Y\"], metres to the right and up from the map's lower "
-                                 "left corner, such as [\"300 mm\", \"1.2 m\"]",
-                                 key));
-  return {as_quantity(value.items[0], key, Dimension::length, 0.0, Path::kMost),
-          as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
-}
 
 double read_turn(const ConfigValue& value, double most) {
   const double turn = as_quantity(value, "angle", Dimension::angle, -most, most);
@@ -72,7 +56,7 @@ void read_piece(const ConfigValue& value, Path& path) {
 }  // namespace
 
 void read_paths(const ConfigValue& value, Course& course) {
-  for (const ConfigValue& item : tables(value, "path")) {
+  for (const ConfigValue& item : tables_of(value, "path")) {
     TableReader table(item, "[[path]]");
     const Vec2 from = read_point(table.require("from"), "from");
     const double heading = table.quantity("heading", Dimension::angle, 0.0, -kTurn, kTurn);
@@ -89,7 +73,7 @@ void read_paths(const ConfigValue& value, Course& course) {
 }
 
 void read_marks(const ConfigValue& value, double line_m, Course& course) {
-  for (const ConfigValue& item : tables(value, "mark")) {
+  for (const ConfigValue& item : tables_of(value, "mark")) {
     TableReader table(item, "[[mark]]");
     const auto paths = static_cast<std::int64_t>(course.paths.size());
     if (paths == 0) throw InputError(item.place, "[[mark]] is beside a path, and there is no [[path]]");

@@ -174,6 +174,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
+  if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);

@@ -12,6 +12,7 @@
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
 #include "sim/grid/course.h"
+#include "sim/grid/light.h"
 
 namespace robosim::grid {
 
@@ -87,6 +88,7 @@ struct Map {
   bool light_line = false;  ///< paint = "white on black"
   /// Standard deviation of the floor's brightness, as a share of it; none: what the profile has.
   std::optional<double> variation;
+  std::vector<Light> lights;   ///< of the room, beside the sensors' own
   Course course;               ///< paths and marks, beside the cells
   std::optional<Start> start;  ///< from [start] or S
   /// The front matter's goal, "" = none. A map with a goal cell and no goal of its own gets "station:NAME",

@@ -77,7 +77,7 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (!stations.empty()) text += "[stations]\n" + stations;
   if (std::find(map.cells.begin(), map.cells.end(), Cell::gap) != map.cells.end())
     text += "[legend]\n3 = \"gap\"\n";
-  return text + course_text(map.course);
+  return text + course_text(map.course) + lights_text(map.lights);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "hal/board/robot_port.h"
 #include "sim/base/kept.h"
 #include "sim/base/noise.h"
+#include "sim/robot/electronics.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/number.h"
 #include "sim/robot/robot.h"
@@ -46,6 +47,7 @@ struct View {
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
   double battery = 1.0;  ///< its voltage, as a share of what this robot's has
+  Supply supply;         ///< the board's
   const world::World* world = nullptr;
   std::size_t body_number = 0;  ///< of `body` in it
 
@@ -57,13 +59,22 @@ struct View {
 class PartContext {
  public:
   PartContext(const Description& description_, RobotPort& board_, Netlist& netlist_, const View& view_,
-              const Individual& individual_, Kept& kept_)
+              const Individual& individual_, Kept& kept_, AnalogInputs* analog = nullptr)
       : description(description_),
         board(board_),
         netlist(netlist_),
         view(view_),
         individual(individual_),
-        kept(kept_) {}
+        kept(kept_),
+        analog_(analog) {}
+
+  /// For what gives an ADC something to convert: as RobotPort::connect.
+  void connect_analog(Pin pin, PinSource& source, Scale scale) {
+    if (analog_)
+      analog_->connect(pin, source, scale);
+    else
+      board.connect(pin, source);
+  }
 
   const Description& description;
   RobotPort& board;
@@ -71,6 +82,9 @@ class PartContext {
   const View& view;
   const Individual& individual;
   Kept& kept;  ///< a part adds all of it that changes during a run, its State
+
+ private:
+  AnalogInputs* const analog_;  // null: there is nothing between the pins and the ADC
 };
 
 }  // namespace robosim::robot

@@ -39,11 +39,35 @@ struct Robot::Inside {
       : description(d),
         body(world.body(body_number)),
         individual(seed, profile, number),
-        view{&world.floor(), &body, 0, 1.0, &world, body_number},
+        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number},
         netlist(board, d.registers.size(), kept),
-        context(d, board, netlist, view, individual, kept) {
+        regulator_drop(draw_regulator_drop()),
+        analog(analog_inputs(board)),
+        context(d, board, netlist, view, individual, kept, analog.get()) {
+    find_supply();
     kept.add(view);
     kept.add(state);
+  }
+
+  std::optional<double> draw_regulator_drop() const {
+    const auto& drop = description.electronics.regulator_drop;
+    if (!drop) return std::nullopt;
+    return individual.draw(*drop, "electronics", "regulator_drop");
+  }
+  // Null where there is nothing between the pins and the ADC.
+  std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
+    const double steps = individual.ideal()
+                             ? 0.0
+                             : individual.draw(description.electronics.adc_noise, "electronics", "adc_noise");
+    if (steps == 0.0 && !regulator_drop) return nullptr;
+    return std::make_unique<AnalogInputs>(board, view.supply,
+                                          steps * board.spec().supply_volts / board.spec().adc_steps,
+                                          individual.noise("electronics", "adc"), kept);
+  }
+  void find_supply() {
+    if (regulator_drop)
+      view.supply = supply_at(view.battery * body.params().supply_volts, *regulator_drop,
+                              description.board->supply_volts);
   }
 
   Pressable& pressable(const std::string& name) const;
@@ -66,6 +90,8 @@ struct Robot::Inside {
   Kept kept;
   View view;
   Netlist netlist;
+  const std::optional<double> regulator_drop;  // V
+  const std::unique_ptr<AnalogInputs> analog;
   PartContext context;
   std::vector<std::unique_ptr<Part>> parts;
   Roster roster;
@@ -243,6 +269,7 @@ double Robot::battery() const { return in_->body.params().supply_volts; }
 
 void Robot::set_battery(double volts) {
   in_->view.battery = volts / battery();
+  in_->find_supply();
   in_->body.supply(volts);
 }
 

@@ -96,7 +96,7 @@ void override_parts(std::vector<ConfigValue>& parts, std::vector<ConfigValue>& o
 
 // Whether `key` is a table of the robot file of which a derived file may give single keys.
 bool merged(const std::string& key) {
-  return key == "chassis" || key == "motors" || key == "driver" || key == "budget";
+  return key == "chassis" || key == "motors" || key == "driver" || key == "budget" || key == "electronics";
 }
 
 // `own` on top of `base`: tables key by key, parts by name.

@@ -2,7 +2,7 @@
 
 namespace robosim::world {
 
-World::World(const grid::Map& map) : floor_(map), walls_(map) {}
+World::World(const grid::Map& map) : floor_(map), lighting_(map.lights), walls_(map) {}
 
 std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
   bodies_.push_back(std::make_unique<Body>(params, pose));

@@ -9,6 +9,7 @@
 #include "sim/grid/map.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
+#include "sim/world/lighting.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {
@@ -21,6 +22,9 @@ class World {
   const Floor& floor() const { return floor_; }
   /// As Floor::vary.
   void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
+  const Lighting& lighting() const { return lighting_; }
+  /// As Lighting::draw_phases.
+  void draw_light_phases(const NoiseStream& noise) { lighting_.draw_phases(noise); }
   /// Bodies are numbered from 0, and never move in memory. Throws std::invalid_argument (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
   std::size_t body_count() const { return bodies_.size(); }
@@ -54,6 +58,7 @@ class World {
   void collide_bodies();
 
   Floor floor_;
+  Lighting lighting_;
   Walls walls_;
   std::vector<std::unique_ptr<Body>> bodies_;
 };

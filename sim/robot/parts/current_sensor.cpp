@@ -35,7 +35,7 @@ CurrentSensorPart::CurrentSensorPart(const CurrentSensorSpec& spec, PartContext&
 }
 
 void CurrentSensorPart::join(Roster& roster) {
-  context_.board.connect(spec_.pin, *this);
+  context_.connect_analog(spec_.pin, *this, Scale::share_of_supply);
   roster.ticking.push_back(this);
   roster.breakable.push_back(this);
 }

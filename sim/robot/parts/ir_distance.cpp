@@ -69,7 +69,7 @@ IrDistancePart::IrDistancePart(const IrDistanceSpec& spec, PartContext& context)
 }
 
 void IrDistancePart::join(Roster& roster) {
-  context_.board.connect(spec_.pin, *this);
+  context_.connect_analog(spec_.pin, *this, Scale::volts);
   roster.ticking.push_back(this);
   roster.breakable.push_back(this);
 }

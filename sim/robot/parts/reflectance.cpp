@@ -28,6 +28,7 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
 // measured say 0.3 and 0.97: docs/fidelity.md.
 constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
+constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau against the time from 10 to 90 %
 constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
@@ -49,6 +50,7 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.ambient = reader.figure("ambient", Dimension::ratio, {0.0, 0.0}, 0.0, 0.9);
   spec.height = reader.figure("height", Dimension::length, {kBestHeight, 0.0}, 0.0005, 0.03);
   spec.footprint = reader.figure("footprint", Dimension::length, {}, 0.0005, 0.03);
+  spec.rise = reader.figure("rise", Dimension::time, {0.0, 0.0}, 0.0, 1e-3);
   spec.emitter = reader.optional_pin("emitter", PinUse::driven);
   if (spec.read == Read::rc) return;
   spec.black_high = reader.high("black", true);
@@ -92,7 +94,9 @@ PinUse use_of(const ReflectanceSpec& spec) {
 class ReflectancePart final : public Part {
  public:
   ReflectancePart(const ReflectanceSpec& spec, PartContext& context)
-      : spec_(spec), context_(context), emitter_(context.kept) {
+      : spec_(spec),
+        context_(context),
+        emitter_(context.kept, kLagOfRise * context.individual.draw(spec.rise, spec.name, "rise")) {
     for (const ReflectanceSpec::Element& element : spec.elements) {
       switch (spec.read) {
         case Read::analog:
@@ -116,7 +120,7 @@ class ReflectancePart final : public Part {
       emitter_.pin_changed(spec_.emitter, context_.netlist.drive(spec_.emitter), 0);
     }
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
-      sensors_[i]->join(context_.board, spec_.elements[i].pin);
+      sensors_[i]->join(context_, spec_.elements[i].pin);
       roster.sensors.push_back(sensors_[i].get());
       roster.breakable.push_back(sensors_[i].get());
     }
@@ -155,6 +159,14 @@ double footprint_of(const ReflectanceSpec& spec, const Individual& individual, c
   if (spec.footprint.value == 0.0) return individual.draw(kSpot, spec.name, "footprint") * height;
   const bool each = individual.profile() < Profile::typical_2;
   return individual.draw(spec.footprint, each ? element : spec.name, "footprint");
+}
+
+// e^-x within 1e-4, for x from 0 on.
+double decay(double x) {
+  const double part = x / 16.0;
+  const double once = 1.0 / (1.0 + part * (1.0 + part / 2.0 * (1.0 + part / 3.0)));
+  const double square = once * once, fourth = square * square, eighth = fourth * fourth;
+  return eighth * eighth;
 }
 
 double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
@@ -201,8 +213,15 @@ std::vector<SensorPlace> ReflectanceSpec::sensors() const {
   return places;
 }
 
-void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime) {
+void Emitter::pin_changed(Pin, const PinDrive& drive, SimTime t) {
+  state_.from = brightness(t);
   state_.brightness = drive.mode == PinMode::output ? high_share(drive) : 1.0;
+  state_.since = t;
+}
+
+double Emitter::lagging(SimTime t) const {
+  const double x = static_cast<double>(t - state_.since) / lag_;
+  return state_.brightness + (state_.from - state_.brightness) * decay(x);
 }
 
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
@@ -214,6 +233,8 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       home_(element.at),
       height_(context.individual.draw(spec.height, name_, "height")),
       footprint_(footprint_of(spec, context.individual, name_, height_)),
+      exposure_(world::exposure(height_)),
+      lag_(static_cast<SimTime>(emitter.lag())),
       healthy_{light_from(height_, context.individual.profile()),
                -context.individual.draw(spec.ambient, name_, "ambient"),
                context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise"),
@@ -223,10 +244,16 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
   context.kept.add(state_);
 }
 
+double Sensor::room_light(const Pose& pose, SimTime t) const {
+  return state_.covered ? 0.0 : exposure_ * context_.view.world->lighting().at(pose.to_world(state_.at), t);
+}
+
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
-  const double white = (1.0 - darkness()) * brightness(context_.view.body->pose());
-  return clamp01(1.0 - state_.now.light * emitter_.brightness() * white + state_.now.shift);
+  const Pose& pose = context_.view.body->pose();
+  const double white = (1.0 - darkness()) * brightness(pose);
+  return clamp01(1.0 - state_.now.light * context_.view.supply.led * emitter_.brightness() * white +
+                 state_.now.shift - room_light(pose, context_.view.tick_start));
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
@@ -265,7 +292,9 @@ AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::E
       supply_(context.description.board->supply_volts),
       step_volts_(supply_ / context.description.board->adc_steps) {}
 
-void AnalogSensor::join(RobotPort& board, Pin pin) { board.connect(pin, *this); }
+void AnalogSensor::join(PartContext& context, Pin pin) {
+  context.connect_analog(pin, *this, Scale::share_of_supply);
+}
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                              const PartContext& context, const Emitter& emitter)
@@ -279,7 +308,8 @@ DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec:
   context.kept.add(state_);
 }
 
-void DigitalSensor::join(RobotPort& board, Pin pin) {
+void DigitalSensor::join(PartContext& context, Pin pin) {
+  RobotPort& board = context.board;
   board_ = &board;
   pin_ = pin;
   board.connect(pin, *this);

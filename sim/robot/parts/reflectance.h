@@ -2,10 +2,14 @@
 //
 // An element at `at` with footprint f sees c, the share of its footprint on the line
 // (world::Floor::coverage). Its blackness is what its phototransistor makes of it:
-//   b = 1 - e s v (1 - c) - ambient + noise n g
+//   b = 1 - e s v (1 - c) - ambient - x L + noise n g
 // e: brightness of the emitter (1, or what its pin says); s: light lost by height; v: brightness of the floor
-// there (world::Floor::brightness); ambient: stray light; n: how much of the noise is left over black; g:
-// standard normal, a new sample for every read. From the profile typical@2 on
+// there (world::Floor::brightness); ambient: stray light; L: the light of the room there, and x what comes in
+// at this height (world/lighting.h); n: how much of the noise is left over black; g: standard normal, a new
+// sample for every read. A phototransistor is slow: with `rise`, its time from 10 to 90 %, it lags by
+//   tau = rise / ln 9
+// behind the floor (exactly, as long as what it sees changes evenly) and, exponentially, behind an emitter
+// that is switched. From the profile typical@2 on
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
 // and before, and in `ideal`,
 //   s = min(1, (3 mm / height)^2)                                               n = 1
@@ -47,6 +51,7 @@ class ReflectanceSpec final : public PartSpec {
   Number ambient;     ///< of blackness
   Number height;      ///< m
   Number footprint;   ///< m; 0 = by height: reflectance.cpp, and docs/models.md
+  Number rise;        ///< s, from 10 to 90 % of a step of light
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 
@@ -58,13 +63,26 @@ class ReflectanceSpec final : public PartSpec {
 /// gate is pulled up on the board).
 class Emitter final : public PinWatcher {
  public:
-  explicit Emitter(Kept& kept) { kept.add(state_); }
+  /// `lag_s`: tau of the phototransistors.
+  Emitter(Kept& kept, double lag_s) : lag_(lag_s * 1e9) { kept.add(state_); }
   void pin_changed(Pin, const PinDrive&, SimTime) override;
+  /// As the phototransistors have it at `t`.
+  double brightness(SimTime t) const {
+    return lag_ == 0.0 || state_.from == state_.brightness ? state_.brightness : lagging(t);
+  }
+  /// What it goes to.
   double brightness() const { return state_.brightness; }
+  /// tau, ns.
+  double lag() const { return lag_; }
 
  private:
+  double lagging(SimTime t) const;
+
+  const double lag_;  // ns
   struct State {
     double brightness = 1.0;
+    double from = 1.0;  // what it seemed at `since`
+    SimTime since = 0;
   };
   State state_;
 };
@@ -97,7 +115,7 @@ class Sensor : public Breakable {
   }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
-  virtual void join(RobotPort&, Pin) = 0;
+  virtual void join(PartContext&, Pin) = 0;
   virtual void begin_tick(SimTime) {}
 
   std::span<const FaultKind> fault_kinds() const override;
@@ -106,10 +124,14 @@ class Sensor : public Breakable {
  protected:
   /// Takes a sample of noise.
   double blackness(SimTime t) {
-    const Pose pose = context_.view.pose_at(t);
+    const Pose pose = context_.view.pose_at(t - lag_);
     const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at));
     const double white = 1.0 - c;
-    double b = 1.0 - state_.now.light * emitter_.brightness() * white * brightness(pose) + state_.now.shift;
+    double b =
+        1.0 -
+        state_.now.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
+        state_.now.shift;
+    if (context_.view.world->lighting().is_lit()) b -= room_light(pose, t);
     if (state_.now.noise > 0.0)
       b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
            stream_.gauss(state_.samples++);
@@ -137,6 +159,8 @@ class Sensor : public Breakable {
     }
     return state_.darkness;
   }
+  /// By how much the light of the room makes it look whiter.
+  double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
 
   struct Figures {
@@ -162,7 +186,8 @@ class Sensor : public Breakable {
   const std::string& part_;
   const Emitter& emitter_;
   const Vec2 home_;  // where it sits
-  const double height_, footprint_;
+  const double height_, footprint_, exposure_;
+  const SimTime lag_;
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;
@@ -172,7 +197,7 @@ class Sensor : public Breakable {
 class AnalogSensor final : public Sensor, public PinSource {
  public:
   AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(RobotPort&, Pin) override;
+  void join(PartContext&, Pin) override;
   double volts(SimTime t) override {
     if (stuck()) return (stuck_at() + 0.5) * step_volts_;
     const double v = white_ + span_ * blackness(t);
@@ -190,7 +215,7 @@ class AnalogSensor final : public Sensor, public PinSource {
 class DigitalSensor final : public Sensor, public PinSource {
  public:
   DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(RobotPort&, Pin) override;
+  void join(PartContext&, Pin) override;
   void begin_tick(SimTime) override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override {

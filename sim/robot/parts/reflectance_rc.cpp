@@ -20,7 +20,8 @@ RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& 
   context.kept.add(state_);
 }
 
-void RcSensor::join(RobotPort& board, Pin pin) {
+void RcSensor::join(PartContext& context, Pin pin) {
+  RobotPort& board = context.board;
   board_ = &board;
   pin_ = pin;
   board.connect(pin, *this);

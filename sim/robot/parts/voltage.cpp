@@ -32,7 +32,7 @@ VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
   context.kept.add(state_);
 }
 
-void VoltagePart::join(Roster&) { context_.board.connect(spec_.pin, *this); }
+void VoltagePart::join(Roster&) { context_.connect_analog(spec_.pin, *this, Scale::volts); }
 
 double VoltagePart::volts(SimTime) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;

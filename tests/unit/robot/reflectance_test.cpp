@@ -451,5 +451,54 @@ TEST(Reflectance, TheRobotKnowsWhetherItSeesTheLine) {
   EXPECT_TRUE(bench.robot.sees_line());
 }
 
+constexpr const char* kLamp = "+++\n[[light]]\nlevel = 0.25\n+++\n";
+
+BenchRobot lit_bench(const std::string& keys) {
+  return BenchRobot(parse_description(kBareRobot + sensor(keys), "bench.toml"), Profile::ideal, 1, kLamp);
+}
+
+TEST(RoomLight, MakesAllWhiterAndAHigherSensorMore) {
+  BenchRobot low = lit_bench("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n");
+  EXPECT_NEAR(low.volts(kA0), 4.5 - 4.0 * 0.25, 1e-9);
+  BenchRobot high = lit_bench("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nheight = \"8 mm\"\n");
+  EXPECT_NEAR(high.volts(kA0), 4.5 - 4.0 * 0.25 * world::exposure(0.008), 1e-9);
+  EXPECT_LT(high.volts(kA0), 2.0) << "black looks nearly white";
+}
+
+TEST(RoomLight, DoesNotReachACoveredSensor) {
+  BenchRobot bench = lit_bench("");
+  const double lit = bench.volts(kA0);
+  bench.robot.cover("eye", true);
+  EXPECT_GT(bench.volts(kA0), lit + 0.5);
+}
+
+TEST(Rise, IsTheTimeFromTenToNinetyPercentBehindAnEmitterThatIsSwitched) {
+  BenchRobot bench(sensor("emitter = 3\nrise = \"100 us\"\nwhite_volts = \"0 V\"\nblack_volts = \"5 V\"\n"));
+  place_beside_line(bench, 0.03);
+  EXPECT_NEAR(bench.volts(kA0), 0.0, 1e-9);
+  bench.board.output(3, false, 0);
+  const double lag = 100.0 / std::log(9.0);  // us
+  const auto tenth = static_cast<SimTime>(lag * std::log(1.0 / 0.9) * 1e3);
+  EXPECT_NEAR(bench.board.read_volts(kA0, tenth), 0.5, 1e-3);
+  EXPECT_NEAR(bench.board.read_volts(kA0, tenth + 100 * kMicrosecond), 4.5, 1e-3);
+  EXPECT_NEAR(bench.board.read_volts(kA0, 900 * kMicrosecond), 5.0, 1e-3);
+}
+
+TEST(Rise, KeepsASensorBehindTheFloorThatItMovesOver) {
+  const std::string motors =
+      "[[part]]\nname = \"left\"\ntype = \"motor\"\npins = { in1 = 5, in2 = 6 }\n"
+      "[[part]]\nname = \"right\"\ntype = \"motor\"\npins = { in1 = 9, in2 = 10 }\n";
+  BenchRobot quick(sensor("") + motors), slow(sensor("rise = \"1 ms\"\n") + motors);
+  for (BenchRobot* bench : {&quick, &slow}) {
+    bench->body().place({bench->line() + Vec2{0.0, -0.025}, {0.0, 1.0}});
+    bench->board.output(5, true, 0);
+    bench->board.output(9, true, 0);
+    while (bench->body().pose().position.y < bench->line().y - 0.009) bench->tick();
+  }
+  const SimTime later = quick.now + 800 * kMicrosecond, lag = 455'120;
+  EXPECT_NEAR(slow.board.read_volts(kA0, later), quick.board.read_volts(kA0, later - lag), 1e-6);
+  EXPECT_GT(quick.board.read_volts(kA0, later), slow.board.read_volts(kA0, later) + 0.1);
+}
+
 }  // namespace
 }  // namespace robosim::robot

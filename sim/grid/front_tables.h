@@ -1,0 +1,20 @@
+// What the readers of a front matter's tables have in common.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/config.h"
+#include "sim/base/vec.h"
+
+namespace robosim::grid {
+
+/// The tables [[name]]. Throws InputError if `value` is a single one.
+const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* name);
+
+/// ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
+Vec2 read_point(const ConfigValue& value, const char* key);
+
+/// What is measured in two directions, such as ["2 mm/s", "0 mm/s"], within +-most. Throws InputError.
+Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most);
+
+}  // namespace robosim::grid

@@ -1,0 +1,71 @@
+#include "sim/robot/electronics.h"
+
+#include <algorithm>
+
+#include "sim/robot/part_reader.h"
+
+namespace robosim::robot {
+namespace {
+
+constexpr double kLedVolts = 1.2;
+
+}  // namespace
+
+class AnalogInputs::Input final : public PinSource {
+ public:
+  Input(const AnalogInputs& all, PinSource& source, Scale scale, Pin pin)
+      : all_(all), source_(source), scale_(scale), nominal_(all.board_.spec().supply_volts), pin_(pin) {
+    all.kept_.add(state_);
+  }
+
+  double volts(SimTime t) override {
+    double volts = source_.volts(t);
+    if (scale_ == Scale::volts) volts /= all_.supply_.share;
+    // Samples of different pins are apart from one another.
+    if (all_.noise_volts_ > 0.0)
+      volts += all_.noise_volts_ * all_.noise_.gauss(state_.samples++ * kMaxPins + pin_);
+    return std::clamp(volts, 0.0, nominal_);
+  }
+  bool level(SimTime t) override { return source_.level(t); }
+  SimTime same_until(SimTime t) override { return source_.same_until(t); }
+
+ private:
+  struct State {
+    std::uint64_t samples = 0;
+  };
+
+  const AnalogInputs& all_;
+  PinSource& source_;
+  const Scale scale_;
+  const double nominal_;
+  const Pin pin_;
+  State state_;
+};
+
+Electronics read_electronics(const ConfigValue& table) {
+  TableReader reader(table, "[electronics]");
+  Electronics electronics;
+  electronics.adc_noise = read_figure(reader, "adc_noise", Dimension::ratio, {0.0, 0.0}, 0.0, 50.0);
+  if (reader.find("regulator_drop"))
+    electronics.regulator_drop = read_figure(reader, "regulator_drop", Dimension::voltage, {}, 0.0, 3.0);
+  reader.finish();
+  return electronics;
+}
+
+Supply supply_at(double battery_volts, double regulator_drop, double nominal_volts) {
+  const double volts = std::clamp(battery_volts - regulator_drop, 0.1 * nominal_volts, nominal_volts);
+  return {volts / nominal_volts, std::max(volts - kLedVolts, 0.0) / (nominal_volts - kLedVolts)};
+}
+
+AnalogInputs::AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts,
+                           const NoiseStream& noise, Kept& kept)
+    : board_(board), supply_(supply), noise_volts_(noise_volts), noise_(noise), kept_(kept) {}
+
+AnalogInputs::~AnalogInputs() = default;
+
+void AnalogInputs::connect(Pin pin, PinSource& source, Scale scale) {
+  inputs_.push_back(std::make_unique<Input>(*this, source, scale, pin));
+  board_.connect(pin, *inputs_.back());
+}
+
+}  // namespace robosim::robot

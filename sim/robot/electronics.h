@@ -1,0 +1,69 @@
+// [electronics]: what lies between the battery, the board's supply and its ADC. Without it the supply never
+// sinks and the ADC is exact.
+//
+//   supply = min(nominal, battery - regulator_drop)        the ADC's reference, too
+//   a code = volts / supply * steps + adc_noise g          g: standard normal, new for every conversion
+// So what measures volts (a battery's divider, an infra-red distance sensor) reads higher when the supply
+// sinks. What gives a share of the supply (a reflectance sensor's divider, a current sensor about its half)
+// reads the same, but emitters get darker, by the current through their resistor:
+//   (supply - 1.2 V) / (nominal - 1.2 V)                   1.2 V: an infra-red LED's, as their data sheets
+//   have it
+// Not modelled: references other than the supply (INTERNAL), which do not sink; a chip that is reset.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hal/board/robot_port.h"
+#include "sim/base/config.h"
+#include "sim/base/kept.h"
+#include "sim/base/noise.h"
+#include "sim/robot/number.h"
+
+namespace robosim::robot {
+
+struct Electronics {
+  Number adc_noise;                      ///< standard deviation of a conversion, in steps of the ADC
+  std::optional<Number> regulator_drop;  ///< V that the regulator needs above the board's supply
+};
+
+/// Reads [electronics]. Throws InputError.
+Electronics read_electronics(const ConfigValue& table);
+
+/// The board's supply under way.
+struct Supply {
+  double share = 1.0;  ///< of the nominal one
+  double led = 1.0;    ///< brightness of an infra-red LED with its resistor, against that at the nominal one
+};
+Supply supply_at(double battery_volts, double regulator_drop, double nominal_volts);
+
+/// What a sensor's volts hang on.
+enum class Scale {
+  volts,            ///< nothing: it gives volts
+  share_of_supply,  ///< the board's supply: as it sinks, so do they
+};
+
+/// The ADC's inputs of a robot whose [electronics] has something to say.
+class AnalogInputs {
+ public:
+  /// `noise_volts`: standard deviation of a conversion. `supply` and `kept` outlive this.
+  AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts, const NoiseStream& noise,
+               Kept& kept);
+  ~AnalogInputs();
+
+  /// As RobotPort::connect.
+  void connect(Pin pin, PinSource& source, Scale scale);
+
+ private:
+  class Input;
+
+  RobotPort& board_;
+  const Supply& supply_;
+  const double noise_volts_;
+  const NoiseStream noise_;
+  Kept& kept_;
+  std::vector<std::unique_ptr<Input>> inputs_;
+};
+
+}  // namespace robosim::robot

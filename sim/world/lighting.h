@@ -1,0 +1,48 @@
+// The light in the room that a map's [[light]] tables describe, as floor sensors see it.
+//
+// At a point of the floor a light gives
+//   L(p, t) = level d(p, t) (1 - flicker (1 - w(t)))
+// d  daylight: 1
+//    a lamp at height h above a point r away: (h^2 / (h^2 + r^2))^(3/2), a small lamp's illuminance on a
+//    plane (Lambert's cosine law and the inverse square), against that right beneath it a patch of sun: 1
+//    within `radius` of at + moves t, else 0
+// w  a rectified sine by parabolas, 4 u (1 - u), u = the fraction of frequency t + phase; within 0.057
+// A sensor sees L times its exposure: light comes in from the side, through the gap between floor and robot,
+//   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = its height in mm
+// an even sky's light on a point 5 mm behind an edge that is h above it (Lambert), 1 for 3 mm; the 5 mm are
+// our estimate of half a sensor board's width.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/noise.h"
+#include "sim/base/vec.h"
+#include "sim/grid/light.h"
+#include "sim/world/step.h"
+
+namespace robosim::world {
+
+class Lighting {
+ public:
+  /// Each lamp's flicker begins at 0.
+  explicit Lighting(const std::vector<grid::Light>& lights);
+
+  /// Draws where in its flicker each lamp begins.
+  void draw_phases(const NoiseStream& noise);
+  bool is_lit() const { return !lights_.empty(); }
+  /// L of all lights together: the share of white to black by which what is at p looks whiter at `t` to a
+  /// sensor that is 3 mm high.
+  double at(Vec2 p, SimTime t) const;
+
+ private:
+  struct Lit {
+    grid::Light light;
+    double phase;  // of its flicker, in periods
+  };
+  std::vector<Lit> lights_;
+};
+
+/// x: what a sensor at this height sees of the room's light, against one that is 3 mm high.
+double exposure(double height_m);
+
+}  // namespace robosim::world
