@@ -46,15 +46,15 @@ Electronics read_electronics(const ConfigValue& table) {
   TableReader reader(table, "[electronics]");
   Electronics electronics;
   electronics.adc_noise = read_figure(reader, "adc_noise", Dimension::ratio, {0.0, 0.0}, 0.0, 50.0);
-  if (reader.find("regulator_drop"))
-    electronics.regulator_drop = read_figure(reader, "regulator_drop", Dimension::voltage, {}, 0.0, 3.0);
+  electronics.fed_by_battery = reader.boolean("fed_by_battery", false);
   reader.finish();
   return electronics;
 }
 
-Supply supply_at(double battery_volts, double regulator_drop, double nominal_volts) {
-  const double volts = std::clamp(battery_volts - regulator_drop, 0.1 * nominal_volts, nominal_volts);
-  return {volts / nominal_volts, std::max(volts - kLedVolts, 0.0) / (nominal_volts - kLedVolts)};
+Supply supply_at(double battery_volts, const BoardSpec& board) {
+  const double nominal = board.supply_volts;
+  const double volts = std::clamp(battery_volts - board.regulator_drop_volts, board.brown_out_volts, nominal);
+  return {volts / nominal, std::max(volts - kLedVolts, 0.0) / (nominal - kLedVolts)};
 }
 
 AnalogInputs::AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts,

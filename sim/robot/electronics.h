@@ -1,8 +1,9 @@
 // [electronics]: what lies between the battery, the board's supply and its ADC. Without it the supply never
 // sinks and the ADC is exact.
 //
-//   supply = min(nominal, battery - regulator_drop)        the ADC's reference, too
-//   a code = volts / supply * steps + adc_noise g          g: standard normal, new for every conversion
+//   supply = min(nominal, battery - drop of the board's regulator)      the ADC's reference, too, if
+//   fed_by_battery a code = volts / supply * steps + adc_noise g          g: standard normal, new for every
+//   conversion
 // So what measures volts (a battery's divider, an infra-red distance sensor) reads higher when the supply
 // sinks. What gives a share of the supply (a reflectance sensor's divider, a current sensor about its half)
 // reads the same, but emitters get darker, by the current through their resistor:
@@ -12,7 +13,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "hal/board/robot_port.h"
@@ -24,19 +24,19 @@
 namespace robosim::robot {
 
 struct Electronics {
-  Number adc_noise;                      ///< standard deviation of a conversion, in steps of the ADC
-  std::optional<Number> regulator_drop;  ///< V that the regulator needs above the board's supply
+  Number adc_noise;             ///< standard deviation of a conversion, in steps of the ADC
+  bool fed_by_battery = false;  ///< the board's supply sinks with the motors' battery; else it never does
 };
 
 /// Reads [electronics]. Throws InputError.
 Electronics read_electronics(const ConfigValue& table);
 
-/// The board's supply under way.
+/// A board's supply under way.
 struct Supply {
   double share = 1.0;  ///< of the nominal one
   double led = 1.0;    ///< brightness of an infra-red LED with its resistor, against that at the nominal one
 };
-Supply supply_at(double battery_volts, double regulator_drop, double nominal_volts);
+Supply supply_at(double battery_volts, const BoardSpec& board);
 
 /// What a sensor's volts hang on.
 enum class Scale {

@@ -41,7 +41,6 @@ struct Robot::Inside {
         individual(seed, profile, number),
         view{&world.floor(), &body, 0, 1.0, {}, &world, body_number},
         netlist(board, d.registers.size(), kept),
-        regulator_drop(draw_regulator_drop()),
         analog(analog_inputs(board)),
         context(d, board, netlist, view, individual, kept, analog.get()) {
     find_supply();
@@ -49,25 +48,19 @@ struct Robot::Inside {
     kept.add(state);
   }
 
-  std::optional<double> draw_regulator_drop() const {
-    const auto& drop = description.electronics.regulator_drop;
-    if (!drop) return std::nullopt;
-    return individual.draw(*drop, "electronics", "regulator_drop");
-  }
   // Null where there is nothing between the pins and the ADC.
   std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
     const double steps = individual.ideal()
                              ? 0.0
                              : individual.draw(description.electronics.adc_noise, "electronics", "adc_noise");
-    if (steps == 0.0 && !regulator_drop) return nullptr;
+    if (steps == 0.0 && !description.electronics.fed_by_battery) return nullptr;
     return std::make_unique<AnalogInputs>(board, view.supply,
                                           steps * board.spec().supply_volts / board.spec().adc_steps,
                                           individual.noise("electronics", "adc"), kept);
   }
   void find_supply() {
-    if (regulator_drop)
-      view.supply = supply_at(view.battery * body.params().supply_volts, *regulator_drop,
-                              description.board->supply_volts);
+    if (description.electronics.fed_by_battery)
+      view.supply = supply_at(view.battery * body.params().supply_volts, *description.board);
   }
 
   Pressable& pressable(const std::string& name) const;
@@ -90,7 +83,6 @@ struct Robot::Inside {
   Kept kept;
   View view;
   Netlist netlist;
-  const std::optional<double> regulator_drop;  // V
   const std::unique_ptr<AnalogInputs> analog;
   PartContext context;
   std::vector<std::unique_ptr<Part>> parts;

@@ -1,0 +1,114 @@
+// What light, height, slow sensors, a noisy ADC and a weak battery do to a sketch: for each a pair of runs
+// without and with it, in which a figure changes as docs/models.md says, and of two ways to read sensors the
+// one that gets through and the one that does not.
+#include <fstream>
+
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+struct Effect {
+  const char* name;
+  std::string robot;  ///< what it adds to the robot file
+  std::string floor;  ///< to the map
+  const char* profile;
+  char survives, fails;  ///< ways to read: sketches/LooksInLight
+};
+
+void PrintTo(const Effect& effect, std::ostream* out) { *out << effect.name; }
+
+class Effects : public testing::Test {
+ protected:
+  wire::RunResult run(const std::string& robot, const std::string& floor, const std::string& profile,
+                      char way, std::uint64_t seed, double seconds, const std::string& script = "") {
+    const std::filesystem::path map = folder_.path() / "floor.map", file = folder_.path() / "eyes.toml";
+    std::string text = read_file(grid::find_map("oval"));
+    text.insert(text.find("+++", 3), floor);
+    std::ofstream(map) << text;
+    std::ofstream(file)
+        << "base = \"uno5\"\nremove = [\"bumper\", \"LED2\"]\n[[part]]\nname = \"S\"\nemitter = 12\n"
+        << robot << "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A5\"\nshare = 0.5\n";
+    wire::RunRequest request = request_of({.sketch = "LooksInLight",
+                                           .map = map.string(),
+                                           .robot = file.string(),
+                                           .goal = way == 'p' ? "none" : "laps:1",
+                                           .script = std::string("at 50ms send \"") + way + "\"\n" + script,
+                                           .seed = seed,
+                                           .for_s = seconds});
+    request.profile = profile;
+    return runner_of("host").run(request, {});
+  }
+
+  /// What the sketch prints last in `ideal`, standing on the line: the middle sensor, and the battery.
+  std::pair<int, int> prints(const std::string& robot, const std::string& floor, double seconds,
+                             const std::string& script = "", const std::string& profile = "ideal") {
+    const std::string serial = run(robot, floor, profile, 'p', 1, seconds, script).serial;
+    const std::size_t end = serial.rfind("\r\n"), begin = serial.rfind('\n', end - 2) + 1;
+    int sensor = -1, battery = -1;
+    std::istringstream(serial.substr(begin, end - begin)) >> sensor >> battery;
+    return {sensor, battery};
+  }
+
+  int laps(const Effect& effect, bool with, char way) {
+    int count = 0;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      count +=
+          run(with ? effect.robot : "", with ? effect.floor : "", effect.profile, way, seed, 24.0).verdict ==
+          "reached";
+    return count;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+constexpr double kBlack = 4.4, kWhite = 0.4;  // V, of uno5
+
+int code(double volts) { return static_cast<int>(volts / 5.0 * 1024.0); }
+
+TEST_F(Effects, OfDaylightAreAsTheModelSays) {
+  EXPECT_EQ(prints("", "", 0.1).first, code(kBlack));
+  const double light = 0.25;
+  EXPECT_EQ(prints("", "[[light]]\nlevel = 0.25\n", 0.1).first, code(kBlack - (kBlack - kWhite) * light));
+  const double exposure = (64.0 / 89.0) / (9.0 / 34.0);
+  EXPECT_EQ(prints("height = \"8 mm\"\n", "[[light]]\nlevel = 0.25\n", 0.1).first,
+            code(kBlack - (kBlack - kWhite) * light * exposure));
+}
+
+TEST_F(Effects, OfAWeakBatteryOnTheReferenceAreAsTheModelSays) {
+  const std::string weak = "at 60ms fault power sag 5.8V\n";
+  EXPECT_EQ(prints("", "", 0.1, weak).second, code(2.9));
+  EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).second, code(2.9 / 4.0 * 5.0));
+  EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).first, code(kBlack));
+}
+
+class Survival : public Effects, public testing::WithParamInterface<Effect> {};
+
+TEST_P(Survival, DependsOnHowTheSketchLooks) {
+  const Effect& effect = GetParam();
+  EXPECT_EQ(laps(effect, false, effect.survives), 3) << "without it, the one";
+  EXPECT_EQ(laps(effect, false, effect.fails), 3) << "and the other";
+  EXPECT_EQ(laps(effect, true, effect.survives), 3);
+  EXPECT_EQ(laps(effect, true, effect.fails), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Survival,
+    testing::Values(Effect{"ALamp", "",
+                           "[[light]]\nlevel = 0.8\nat = [\"1.2 m\", \"200 mm\"]\nheight = \"300 mm\"\n",
+                           "typical", 'c', 't'},
+                    Effect{"Sun", "",
+                           "[[light]]\nlevel = 0.65\nat = [\"1.2 m\", \"300 mm\"]\nradius = \"250 mm\"\n",
+                           "typical", 'c', 't'},
+                    Effect{"AHighSensorInDaylight", "height = \"8 mm\"\n", "[[light]]\nlevel = 0.25\n",
+                           "typical@2", 'c', 't'},
+                    Effect{"Flicker", "", "[[light]]\nlevel = 0.6\nflicker = 1\n", "typical", 'l', 'e'},
+                    Effect{"ASlowPhototransistor", "rise = \"500 us\"\n", "", "typical", 'w', 'd'},
+                    Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'}),
+    [](const auto& effect) { return std::string(effect.param.name); });
+
+}  // namespace
+}  // namespace robosim::test
