@@ -144,6 +144,62 @@ double wheel_mismatch(Profile profile, std::uint64_t seed) {
   return std::abs(p.wheel[0].radius_m / p.wheel[1].radius_m - 1.0);
 }
 
+/// A micromouse held up, its motors by its maker's figures and with uno5's spreads, a DRV8833 that gets
+/// pulses on one input: between them it coasts.
+class Lifted {
+ public:
+  Lifted(Profile profile, std::uint64_t seed)
+      : bench_(parse_description(R"(board = "nano"
+[chassis]
+outline = { radius = "50 mm" }
+mass = "150 g"
+track = "80 mm"
+wheel = "32 mm"
+[motors]
+voltage = "12 V"
+no_load = { value = "1100 rpm", spread = "5 %" }
+no_load_current = { value = "80 mA", spread = "10 %" }
+stall_torque = { value = "38 mN m", spread = "5 %" }
+stall_current = { value = "0.75 A", spread = "5 %" }
+gear = 29.861
+supply = "7.45 V"
+[driver]
+chip = "drv8833"
+[[part]]
+name = "left"
+type = "motor"
+pins = { in1 = 5, in2 = 6 }
+)",
+                                 "micromouse.toml"),
+               profile, seed) {
+    bench_.body().lift(true);
+  }
+  /// The left wheel's rate after 1 s at this duty, rad/s.
+  double rate_at(double duty) {
+    bench_.board.pwm(5, duty, bench_.now);
+    bench_.ticks(1000);
+    return bench_.body().wheel_rate(world::left);
+  }
+
+ private:
+  BenchRobot bench_;
+};
+
+double lifted_rate(Profile profile, std::uint64_t seed, double duty) {
+  return Lifted(profile, seed).rate_at(duty);
+}
+
+// The duty, in steps of 1 / 255, below which it does not turn: from standing still on, or while it gets less.
+double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
+  Lifted mouse(profile, seed);
+  if (from_rest) {
+    for (int step = 40;; ++step)
+      if (mouse.rate_at(step / 255.0) > 1.0) return step / 255.0;
+  }
+  for (int step = 85;; --step)
+    if (mouse.rate_at(step / 255.0) < 1.0) return step / 255.0;
+}
+
 struct Figure {
   const char* what;
   const char* unit;
@@ -261,6 +317,34 @@ const std::vector<Figure>& figures() {
        bias,
        "ours follows from the no-load current of that motor's sheet, by 6 V and 1.5 A; theirs are other "
        "motors"},
+      {"a lifted wheel at 98 % duty, 30:1 HPCB 12 V and a DRV8833 at 7.45 V",
+       "rpm",
+       1.0 / kRpm,
+       {573 * kRpm, 655 * kRpm},
+       "opatiny, 2 motors, both ways",
+       [](Profile p, std::uint64_t s) { return lifted_rate(p, s, 250.0 / 255.0); },
+       ""},
+      {"the same at 47 % duty",
+       "rpm",
+       1.0 / kRpm,
+       {419 * kRpm, 507 * kRpm},
+       "opatiny",
+       [](Profile p, std::uint64_t s) { return lifted_rate(p, s, 120.0 / 255.0); },
+       ""},
+      {"duty at which it comes to rest",
+       "%",
+       100.0,
+       {40.0 / 255.0, 45.0 / 255.0},
+       "opatiny",
+       [](Profile p, std::uint64_t s) { return least_duty(p, s, false); },
+       ""},
+      {"duty at which it starts",
+       "%",
+       100.0,
+       {35.0 / 255.0, 75.0 / 255.0},
+       "opatiny",
+       [](Profile p, std::uint64_t s) { return least_duty(p, s, true); },
+       ""},
       {"time constant of a driving robot",
        "ms",
        1e3,
