@@ -1,4 +1,4 @@
-// [[path]] and [[mark]] of a map's front matter.
+// [[path]], [[mark]], [[area]] and [race] of a map's front matter.
 #pragma once
 
 #include "sim/base/config.h"
@@ -11,6 +11,9 @@ void read_paths(const ConfigValue& value, Course& course);
 
 /// Reads all [[mark]] tables, which are measured along paths that have been read. `line_m`: the line's width.
 void read_marks(const ConfigValue& value, double line_m, Course& course);
+
+/// Reads all [[area]] tables. Throws InputError.
+void read_areas(const ConfigValue& value, Course& course);
 
 /// Reads [race]. Throws InputError, too, where its path is not closed within `line_m`.
 void read_race(const ConfigValue& value, double line_m, Course& course);

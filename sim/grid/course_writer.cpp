@@ -26,6 +26,23 @@ std::string segment_text(const PathPiece& piece) {
                      angle_text(piece.turn), gap);
 }
 
+std::string area_text(const Area& area) {
+  const Vec2 at = area.middle.position;
+  std::string text =
+      fmt::format("[[area]]\ncolour = \"{}{}\"\nat = [\"{}\", \"{}\"]\n", area.colour.figures().name,
+                  area.colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * area.colour.black) : "",
+                  length_text(at.x), length_text(at.y));
+  if (area.radius > 0.0) {
+    text += fmt::format("radius = \"{}\"\n", length_text(area.radius));
+  } else {
+    text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(2.0 * area.half_length),
+                        length_text(2.0 * area.half_width));
+    if (const double angle = angle_of(area.middle.heading); angle != 0.0)
+      text += fmt::format("angle = \"{}\"\n", angle_text(angle));
+  }
+  return area.over_lines ? text + "over_lines = true\n" : text;
+}
+
 }  // namespace
 
 std::string length_text(double m) {
@@ -55,6 +72,7 @@ std::string course_text(const Course& course) {
                         length_text(std::abs(mark.away)), length_text(2.0 * mark.half_length),
                         length_text(2.0 * mark.half_width));
   }
+  for (const Area& area : course.areas) text += area_text(area);
   return text;
 }
 

@@ -27,7 +27,7 @@ export class FloorPicture {
     const { floor } = run;
     if (!floor) return;
     this.walls = rectangles(floor.walls);
-    this.dark = rectangles(floor.dark);  // and what else is painted
+    this.dark = rectangles(floor.dark);
     this.lines = new Path2D();
     this.unseen = new Path2D();
     for (const { line: [x, y, toX, toY], arc, painted = true } of floor.stripes) {
@@ -36,13 +36,14 @@ export class FloorPicture {
       if (arc) path.arc(arc[0], arc[1], arc[2], Math.atan2(y - arc[1], x - arc[0]), Math.atan2(toY - arc[1], toX - arc[0]));
       else path.lineTo(toX, toY);
     }
+    this.marks = new Path2D();
     for (const [x, y, toX, toY, width] of floor.marks ?? []) {
       const length = Math.hypot(toX - x, toY - y), acrossX = (toY - y) / length * width / 2, acrossY = (x - toX) / length * width / 2;
-      this.dark.moveTo(x + acrossX, y + acrossY);
-      this.dark.lineTo(toX + acrossX, toY + acrossY);
-      this.dark.lineTo(toX - acrossX, toY - acrossY);
-      this.dark.lineTo(x - acrossX, y - acrossY);
-      this.dark.closePath();
+      this.marks.moveTo(x + acrossX, y + acrossY);
+      this.marks.lineTo(toX + acrossX, toY + acrossY);
+      this.marks.lineTo(toX - acrossX, toY - acrossY);
+      this.marks.lineTo(x - acrossX, y - acrossY);
+      this.marks.closePath();
     }
   }
 
@@ -86,9 +87,13 @@ export class FloorPicture {
     ctx.fill(this.walls);
     ctx.fillStyle = ctx.strokeStyle = style(paint);
     ctx.fill(this.dark);
+    this.drawAreas(floor, false);
+    ctx.fillStyle = style(paint);
     ctx.lineCap = ctx.lineJoin = 'round';  // as the simulation measures: all that is within half a line's width
     ctx.lineWidth = floor.line;
     ctx.stroke(this.lines);
+    ctx.fill(this.marks);
+    this.drawAreas(floor, true);
     ctx.save();
     ctx.lineCap = 'butt';
     ctx.lineWidth = floor.line / 8;
@@ -98,6 +103,17 @@ export class FloorPicture {
     ctx.restore();
     ctx.fillStyle = '#8a4b08';
     for (const [x, y] of floor.obstacles) ctx.fillRect(x - 0.35 * floor.cell, y - 0.35 * floor.cell, 0.7 * floor.cell, 0.7 * floor.cell);
+  }
+
+  drawAreas(floor, overLines) {
+    for (const { colour, disc, corners, over_lines = false } of floor.areas ?? []) {
+      if (over_lines !== overLines) continue;
+      const path = new Path2D();
+      if (disc) path.arc(disc[0], disc[1], disc[2], 0, 2 * Math.PI);
+      else for (const [x, y] of corners) path.lineTo(x, y);
+      this.ctx.fillStyle = colour;
+      this.ctx.fill(path);
+    }
   }
 
   /** Calls visit for each sample that is drawn until t: those a pixel or more apart. */

@@ -28,6 +28,19 @@ std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
   return runs;
 }
 
+FloorShapes::Area area_of(const grid::Area& area) {
+  FloorShapes::Area drawn{area.colour.drawn(), {}, {}, area.over_lines};
+  const auto [x, y] = millimetres(area.middle.position);
+  if (area.radius > 0.0) {
+    drawn.disc = {x, y, millimetres(area.radius)};
+    return drawn;
+  }
+  for (const Vec2 corner : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}})
+    drawn.corners.push_back(
+        millimetres(area.middle.to_world({corner.x * area.half_length, corner.y * area.half_width})));
+  return drawn;
+}
+
 grid::Direction direction(char letter) {
   for (const auto d :
        {grid::Direction::east, grid::Direction::south, grid::Direction::west, grid::Direction::north})
@@ -61,6 +74,7 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     const auto from = millimetres(mark.middle.position - half), to = millimetres(mark.middle.position + half);
     shapes.marks.push_back({from[0], from[1], to[0], to[1], millimetres(2.0 * mark.half_width)});
   }
+  for (const grid::Area& area : map.course.areas) shapes.areas.push_back(area_of(area));
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     if (map.cells[i] == grid::Cell::obstacle)
       shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));

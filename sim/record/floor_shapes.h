@@ -20,12 +20,19 @@ struct FloorShapes {
     std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
     bool painted = true;           ///< false: followed, but not visible
   };
+  struct Area {
+    std::string colour;            ///< of HTML
+    std::array<double, 3> disc{};  ///< centre and radius; radius 0 = a rectangle
+    std::vector<std::array<double, 2>> corners;
+    bool over_lines = false;
+  };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
   double line_mm = 0.0;     ///< width of the painted stripes, whose ends and joints are round
   bool light_line = false;  ///< the line and its marks are light, the floor dark
   std::vector<Stripe> stripes;
   std::vector<std::array<double, 5>> marks;  ///< bars: from x, y to x, y, and width; their ends are straight
+  std::vector<Area> areas;                   ///< in the order in which they are painted
   std::vector<Rectangle> dark;               ///< of a raster floor: painted cells, joined along rows
   std::vector<Rectangle> walls;              ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
@@ -40,6 +47,14 @@ void fields(V& v, wire::Same<V, FloorShapes::Stripe>& s) {
 }
 
 template <class V>
+void fields(V& v, wire::Same<V, FloorShapes::Area>& a) {
+  v("colour", a.colour, "of HTML");
+  v("disc", a.disc, "centre and radius", {.presence = wire::when(a.disc[2] > 0.0)});
+  v("corners", a.corners, "of a rectangle", {.presence = wire::when(a.disc[2] == 0.0)});
+  v("over_lines", a.over_lines, "painted over the lines", {.presence = wire::when(a.over_lines)});
+}
+
+template <class V>
 void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("width", f.width_mm, "of the map");
   v("height", f.height_mm, "of the map");
@@ -49,6 +64,7 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("stripes", f.stripes, "centre lines");
   v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
     {.presence = wire::when(!f.marks.empty())});
+  v("areas", f.areas, "painted rectangles and discs", {.presence = wire::when(!f.areas.empty())});
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
   v("obstacles", f.obstacles, "centres");

@@ -62,6 +62,7 @@ class Drawing {
   void floor() {
     rectangles(floor_.walls, "#b9b4a8");
     rectangles(floor_.dark, kDark);
+    areas(false);
     std::string path;
     auto to = std::back_inserter(path);
     for (const FloorShapes::Stripe& s : floor_.stripes) {
@@ -80,7 +81,22 @@ class Drawing {
     for (const auto& [x, y, to_x, to_y, width] : floor_.marks)
       put(R"(<path d="M{}L{}" stroke="{}" stroke-width="{:.1f}"/>)", point(x, y), point(to_x, to_y), colour,
           width);
+    areas(true);
     for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
+  }
+
+  void areas(bool over_lines) {
+    for (const FloorShapes::Area& area : floor_.areas) {
+      if (area.over_lines != over_lines) continue;
+      if (area.disc[2] > 0.0) {
+        put(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)", area.disc[0], flip(area.disc[1]),
+            area.disc[2], area.colour);
+        continue;
+      }
+      std::string path;
+      for (const auto& [x, y] : area.corners) path += (path.empty() ? "M" : "L") + point(x, y);
+      put(R"(<path d="{}Z" fill="{}"/>)", path, area.colour);
+    }
   }
 
   void stations(const std::vector<wire::Started::Station>& stations) {

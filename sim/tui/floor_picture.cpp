@@ -74,6 +74,10 @@ void FloorPicture::look_at(const Window& window) {
 bool FloorPicture::is_painted(Vec2 p, double reach_m) const {
   const grid::CellAt cell = cell_of(map_, p);
   if (!map_.contains(cell)) return false;
+  // Any area whose colour is not the floor's counts as painted.
+  for (const grid::Area& area : map_.course.areas)
+    if (area.contains(p) && area.colour.hue != (map_.light_line ? grid::Hue::black : grid::Hue::white))
+      return true;
   if (map_.raster) return grid::is_line(map_.at(cell)) && map_.at(cell) != grid::Cell::gap;
   const auto near = stripes_.near(cell);
   return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {

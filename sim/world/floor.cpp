@@ -30,6 +30,8 @@ Floor::Floor(const grid::Map& map)
       map_(&map),
       light_line_(map.light_line),
       marks_(map),
+      areas_(map),
+      lines_only_(marks_.empty() && areas_.empty()),
       kinds_{} {
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
@@ -90,6 +92,20 @@ void Floor::read_raster(const grid::Map& map) {
       low[stride + 1] |= 1;
     }
   }
+}
+
+double Floor::darkness_of_paint(Vec2 p, double footprint) const {
+  if (!areas_.empty()) return darkness(p, footprint, Band::infrared);
+  const double painted = painted_share(p, footprint);
+  return light_line_ ? 1.0 - painted : painted;
+}
+
+double Floor::darkness(Vec2 p, double footprint_m, Band band) const {
+  if (areas_.empty()) return darkness(p, footprint_m);
+  const double painted = painted_share(p, footprint_m), footprint = std::max(footprint_m, 1e-9);
+  const double line = light_line_ ? 1.0 : 0.0;
+  const double under = areas_.over(1.0 - line, false, band, p, footprint);
+  return 1.0 - areas_.over(under + painted * (line - under), true, band, p, footprint);
 }
 
 // Drawn at the points of a lattice, and smooth in between, where the mean standard deviation is 26/35 of that

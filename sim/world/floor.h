@@ -15,6 +15,7 @@
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
+#include "sim/world/painted_areas.h"
 #include "sim/world/painted_marks.h"
 
 namespace robosim::world {
@@ -44,13 +45,17 @@ class Floor {
   /// exact share of a square of side f.
   double coverage(Vec2 p, double footprint_m) const;
 
-  /// The share of a sensor's footprint that is dark, 0..1: that on the line, or where the line is the light
-  /// one that beside it. Marks are painted as the line is.
+  /// How dark a reflectance sensor finds its footprint: 0 as white paper, 1 as black, below 0 where more
+  /// comes back than from paper. Where there are lines only, the share of the footprint that is dark: that on
+  /// the line, or where the line is the light one that beside it. Marks are painted as the line is; areas lie
+  /// under lines and marks, or over them, in their order (grid::Area).
   double darkness(Vec2 p, double footprint_m) const {
-    double painted = coverage(p, footprint_m);
-    if (!marks_.empty()) painted = std::max(painted, marks_.coverage(p, std::max(footprint_m, 1e-9)));
+    if (!lines_only_) return darkness_of_paint(p, footprint_m);
+    const double painted = coverage(p, footprint_m);
     return light_line_ ? 1.0 - painted : painted;
   }
+  /// The same by the light of a band.
+  double darkness(Vec2 p, double footprint_m, Band band) const;
 
   /// Patches of the floor are brighter and darker than the rest: brightness() gets the standard deviation
   /// `share`, and values half-way alike some 5 mm apart. At 0 all is 1.
@@ -106,6 +111,11 @@ class Floor {
     return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamp to 0..most without a branch
   }
   double patch_brightness(Vec2 p) const;
+  double darkness_of_paint(Vec2 p, double footprint) const;
+  double painted_share(Vec2 p, double footprint) const {
+    const double lines = coverage(p, footprint);
+    return marks_.empty() ? lines : std::max(lines, marks_.coverage(p, std::max(footprint, 1e-9)));
+  }
 
   void read_stripes(const grid::Map& map);
   void read_raster(const grid::Map& map);
@@ -120,6 +130,8 @@ class Floor {
   const grid::Map* map_;
   const bool light_line_;
   const PaintedMarks marks_;
+  const PaintedAreas areas_;
+  const bool lines_only_;
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;

@@ -134,6 +134,7 @@ std::string survey_json(const Survey& s) {
   }
   lines.add_list("paths", paths);
   lines.add("marks", map.course.marks.size());
+  lines.add("areas", map.course.areas.size());
   return lines.text();
 }
 
@@ -156,6 +157,7 @@ void describe(const Survey& s, std::ostream& out) {
                      map.light_line ? "; white on black" : "");
   for (const grid::Path& path : map.course.paths) out << describe_path(grid::survey_path(path, map.line_m));
   if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
+  if (!map.course.areas.empty()) out << fmt::format("  areas     {}\n", map.course.areas.size());
   out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
   if (!start.on_path)

@@ -13,7 +13,8 @@ constexpr SimTime kCycle = 2400 * kMicrosecond;
 constexpr double kCountsOfCycle = 1024.0, kMostCounts = 65535.0;
 constexpr double kOfWhite = 0.008, kOfLine = 0.1;
 constexpr double kGains[4] = {1.0, 4.0, 16.0, 60.0};
-constexpr double kOfColour[4] = {1.0, 0.36, 0.36, 0.28};
+constexpr double kOfColour[] = {0.36, 0.36, 0.28};
+constexpr world::Band kBands[] = {world::Band::red, world::Band::green, world::Band::blue};
 
 }  // namespace
 
@@ -64,15 +65,19 @@ void Tcs34725Part::measure(SimTime t) {
   const Pose pose = context_.view.pose_at(t);
   const Vec2 left{-pose.heading.y, pose.heading.x};
   const Vec2 place = pose.position + pose.heading * spec_.at.x + left * spec_.at.y;
-  const double covered = context_.view.floor->darkness(place, spec_.footprint);
   const double full = std::min(kMostCounts, kCountsOfCycle * (256 - state_.registers[kAtime]));
-  const double share = kOfWhite * (1.0 - covered * (1.0 - kOfLine));
   const double gain = kGains[state_.registers[kControl] & 3];
-  state_.clear = std::min(full, full * gain * share);
-  for (std::uint8_t i = 0; i < 4; ++i) {
-    const auto counts = static_cast<unsigned>(std::min(full, full * gain * share * kOfColour[i]) + 0.5);
-    state_.registers[static_cast<std::size_t>(kClear + 2 * i)] = static_cast<std::uint8_t>(counts);
-    state_.registers[static_cast<std::size_t>(kClear + 2 * i + 1)] = static_cast<std::uint8_t>(counts >> 8);
+  std::array<double, 4> share{};  // clear, red, green, blue
+  for (std::size_t i = 1; i < share.size(); ++i) {
+    const double dark = context_.view.floor->darkness(place, spec_.footprint, kBands[i - 1]);
+    share[i] = kOfColour[i - 1] * kOfWhite * (1.0 - dark * (1.0 - kOfLine));
+    share[0] += share[i];
+  }
+  state_.clear = std::min(full, full * gain * share[0]);
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    const auto counts = static_cast<unsigned>(std::min(full, full * gain * share[i]) + 0.5);
+    state_.registers[kClear + 2 * i] = static_cast<std::uint8_t>(counts);
+    state_.registers[kClear + 2 * i + 1] = static_cast<std::uint8_t>(counts >> 8);
   }
   state_.registers[kStatus] |= kValid;
 }

@@ -5,12 +5,12 @@
 //   read
 //                  words without it
 //   integration    2.4 ms (256 - ATIME); at most 1024 counts for each 2.4 ms, or 65535
-//   counts         full scale x gain (1, 4, 16, 60) x share; share = white 0.008, on a line 1/10 of that, and
-//                  by coverage between; clear 1, red 0.36, green 0.36, blue 0.28 of it
+//   counts         full scale x gain (1, 4, 16, 60) x share; share = white 0.008, on black 1/10 of that, and
+//                  between by what comes back of its colour (grid/colour.h); red 0.36, green 0.36, blue 0.28
+//                  of it, and clear their sum
 //
-// The shares are our estimate of a breakout some millimetres above paper: floors here are black and white, so
-// its colours tell the line, not a colour. It integrates while PON and AEN are set (ENABLE = 3); each ending
-// sets AVALID. Not modelled: interrupts, waiting, noise.
+// The shares are our estimate of a breakout some millimetres above paper. It integrates while PON and AEN are
+// set (ENABLE = 3); each ending sets AVALID. Not modelled: interrupts, waiting, noise.
 #pragma once
 
 #include "sim/robot/parts/two_wire.h"

@@ -1,0 +1,49 @@
+// Colours of the floor, and what sensors see of them: the one table of it.
+//
+// `infrared` is what a reflectance sensor (TCRT5000, QTR: 950 nm) gets back, as a share of what white paper
+// gives; `light` the same of red, green and blue. All are estimates. Pigments that look dark to the eye
+// hardly absorb infra-red: makers of reflex sensors give 40 to 80 % of a white card for coloured PVC, and
+// 110 to 160 % for bright metal, which reflects as a mirror does where emitter and receiver look straight
+// down. Green here is therefore much nearer to white than to black, and a single green square cannot be told
+// from a dirty floor by infra-red alone.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace robosim::grid {
+
+enum class Hue { black, white, grey, green, silver, red };
+
+struct HueFigures {
+  const char* name;
+  double infrared;
+  std::array<double, 3> light;  ///< red, green, blue
+  const char* drawn;            ///< for pictures: a colour of HTML
+};
+
+/// Of all but grey.
+constexpr std::array<HueFigures, 6> kHues = {{{"black", 0.00, {0.00, 0.00, 0.00}, "#202020"},
+                                              {"white", 1.00, {1.00, 1.00, 1.00}, "#ffffff"},
+                                              {"grey", 0.50, {0.50, 0.50, 0.50}, "#909090"},
+                                              {"green", 0.65, {0.12, 0.45, 0.18}, "#1f9d4d"},
+                                              {"silver", 1.25, {1.30, 1.30, 1.30}, "#b9c4ce"},
+                                              {"red", 0.75, {0.70, 0.10, 0.10}, "#c8322b"}}};
+
+/// What something is painted with.
+struct Colour {
+  Hue hue = Hue::black;
+  double black = 0.5;  ///< of grey: the share of black in it, 0..1
+
+  const HueFigures& figures() const { return kHues[static_cast<std::size_t>(hue)]; }
+  double infrared() const { return hue == Hue::grey ? 1.0 - black : figures().infrared; }
+  /// Of red, green or blue: 0, 1 or 2.
+  double light(std::size_t channel) const {
+    return hue == Hue::grey ? 1.0 - black : figures().light[channel];
+  }
+  /// For pictures: a colour of HTML.
+  std::string drawn() const;
+  bool operator==(const Colour&) const = default;
+};
+
+}  // namespace robosim::grid

@@ -1,0 +1,37 @@
+// Rectangles and discs painted on the floor: [[area]] of a map.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/grid/map.h"
+
+namespace robosim::world {
+
+/// What a sensor looks for: the infra-red that comes back, or red, green or blue.
+enum class Band { infrared, red, green, blue };
+
+class PaintedAreas {
+ public:
+  explicit PaintedAreas(const grid::Map& map);
+
+  bool empty() const { return areas_.empty(); }
+
+  /// What comes back of a band, as a share of what white gives, from a square of side `footprint` about p,
+  /// where `below` comes back from what these areas are painted over: those with or without `over_lines`,
+  /// each over those before it. An area's share of the square is exact where it is a rectangle and parallel;
+  /// of a disc it is taken as if its edge were straight.
+  double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const;
+
+ private:
+  int tile_of(double metres, int count) const;
+
+  std::vector<grid::Area> areas_;
+  // The floor in squares, and for each, row by row from the bottom, the areas that may be seen from it.
+  double tile_ = 1.0;  // m
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<std::uint32_t>> near_;
+};
+
+}  // namespace robosim::world
