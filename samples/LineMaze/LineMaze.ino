@@ -116,14 +116,16 @@ void simplify_path() {
 bool look_around(bool &left, bool &straight, bool &right) {
   left = right = false;
   set_motors(60, 60);
-  for (int i = 0; i < 14; i++) {
+  for (int i = 0; i < 20; i++) {
     read_sensors();
     if (black(0)) left = true;
     if (black(NUM - 1)) right = true;
     delay(4);
   }
-  bool goal = black(0) && black(1) && black(4) && black(5);
-  for (int i = 0; i < 22 && !goal; i++) {     // the wheels onto the intersection
+  int dark = 0;
+  for (int i = 0; i < NUM; i++) dark += black(i);
+  bool goal = dark >= NUM - 1;
+  for (int i = 0; i < 16 && !goal; i++) {     // the wheels onto the intersection
     read_sensors();
     delay(6);
   }

@@ -43,7 +43,8 @@ Command parse_run(const Words& words) {
                "file, or name of a stock robot; with @BOARD behind it, on that board");
   options.text("--target", run.target, "TARGET", "host, avr or stm32");
   options.text("--start", run.request.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", run.request.goal, "GOAL", "tour, laps:N, station:N, robotrace, still or none");
+  options.text("--goal", run.request.goal, "GOAL",
+               "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--seed", number, "N", "of all noise and spread; default: 1");

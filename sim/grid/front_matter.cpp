@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "sim/base/config.h"
 #include "sim/grid/course_reader.h"
@@ -15,6 +16,7 @@ constexpr double kMinCell = 0.001;  // m
 constexpr double kMaxCell = 10.0;
 constexpr double kMaxCorner = 100.0;
 constexpr double kMaxVariation = 0.3;
+constexpr int kMostTries = 3;  // of a line maze
 
 const char* cell_word(Cell cell) {
   switch (cell) {
@@ -72,17 +74,19 @@ void read_size(const ConfigValue& value, FrontMatter& front) {
   front.size_place = value.place;
 }
 
-bool is_goal(std::string_view goal) {
-  for (const char* word : {"tour", "robotrace", "still", "none"})
-    if (goal == word) return true;
-  constexpr std::string_view laps = "laps:";
-  constexpr std::string_view station = "station:";
-  if (goal.starts_with(station)) return goal.size() > station.size();
-  if (!goal.starts_with(laps)) return false;
-  goal.remove_prefix(laps.size());
+bool is_count(std::string_view digits, int most) {
   int n = 0;
-  const auto [end, error] = std::from_chars(goal.data(), goal.data() + goal.size(), n);
-  return error == std::errc() && end == goal.data() + goal.size() && n >= 1;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  return error == std::errc() && end == digits.data() + digits.size() && n >= 1 && n <= most;
+}
+
+bool is_goal(std::string_view goal) {
+  for (const char* word : {"tour", "robotrace", "ukmars", "line-maze", "still", "none"})
+    if (goal == word) return true;
+  constexpr std::string_view laps = "laps:", station = "station:", maze = "line-maze:";
+  if (goal.starts_with(station)) return goal.size() > station.size();
+  if (goal.starts_with(maze)) return is_count(goal.substr(maze.size()), kMostTries);
+  return goal.starts_with(laps) && is_count(goal.substr(laps.size()), std::numeric_limits<int>::max());
 }
 
 void read_goal(const ConfigValue& value, FrontMatter& front) {
@@ -98,8 +102,9 @@ void read_goal(const ConfigValue& value, FrontMatter& front) {
   if (!is_goal(front.settings.goal))
     throw InputError(
         value.place,
-        fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, robotrace, still or none",
-                    front.settings.goal));
+        fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, robotrace, ukmars, line-maze, "
+                    "line-maze:N (N tries, up to {}), still or none",
+                    front.settings.goal, kMostTries));
 }
 
 bool is_station_name(std::string_view name) {
@@ -175,6 +180,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
   if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
+  if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.course);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);

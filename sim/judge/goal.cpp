@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/error.h"
 #include "sim/world/world.h"
@@ -34,8 +35,15 @@ bool wheels_turn(const world::Body& body) {
 [[noreturn]] void unknown_goal(std::string_view text) {
   throw InputError(fmt::format(
       "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), robotrace, "
-      "still and none",
-      text));
+      "ukmars, line-maze, line-maze:N (N tries, up to {}), still and none",
+      text, MazeTries::kMost));
+}
+
+int parse_count(std::string_view digits, int most, std::string_view text) {
+  int n = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  if (error != std::errc() || end != digits.data() + digits.size() || n < 1 || n > most) unknown_goal(text);
+  return n;
 }
 
 }  // namespace
@@ -50,6 +58,11 @@ Goal parse_goal(std::string_view text) {
     goal.kind = Goal::Kind::tour;
   } else if (word == "robotrace" && bare) {
     goal.kind = Goal::Kind::robotrace;
+  } else if (word == "ukmars" && bare) {
+    goal.kind = Goal::Kind::ukmars;
+  } else if (word == "line-maze") {
+    goal.kind = Goal::Kind::line_maze;
+    if (!bare) goal.tries = parse_count(rest, MazeTries::kMost, text);
   } else if (word == "still" && bare) {
     goal.kind = Goal::Kind::still;
   } else if (word == "none" && bare) {
@@ -59,8 +72,7 @@ Goal parse_goal(std::string_view text) {
     goal.station = rest;
   } else if (word == "laps") {
     goal.kind = Goal::Kind::laps;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), goal.laps);
-    if (error != std::errc() || end != rest.data() + rest.size() || goal.laps < 1) unknown_goal(text);
+    goal.laps = parse_count(rest, std::numeric_limits<int>::max(), text);
   } else {
     unknown_goal(text);
   }
@@ -77,6 +89,10 @@ std::string to_string(const Goal& goal) {
       return "station:" + goal.station;
     case Goal::Kind::robotrace:
       return "robotrace";
+    case Goal::Kind::ukmars:
+      return "ukmars";
+    case Goal::Kind::line_maze:
+      return goal.tries == 1 ? "line-maze" : fmt::format("line-maze:{}", goal.tries);
     case Goal::Kind::still:
       return "still";
     case Goal::Kind::none:
@@ -94,7 +110,7 @@ Goal default_goal(const grid::Map& map, const grid::Network& network) {
 
 Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes,
                    const grid::Network& network, const grid::Start& start)
-    : goal_(goal), start_(stripes.pose_of(start).position) {
+    : goal_(goal), start_(stripes.pose_of(start).position), contest_(goal, map, start_) {
   for (const grid::Station& station : network.stations) {
     stations_.push_back({station.name, stripes.point_of(station.cell), false});
     if (goal.kind == Goal::Kind::station &&
@@ -112,7 +128,6 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
                      fmt::format("there is no station {} here; {}", goal.station,
                                  names.empty() ? "the map has none" : "the stations are " + one_of(names)));
   }
-  if (goal.kind == Goal::Kind::robotrace) race_.emplace(map);
   if (goal.kind == Goal::Kind::laps && loop_.empty())
     throw InputError({map.file},
                      fmt::format("the goal {} needs a line that is one closed loop; this one has {} "
@@ -176,10 +191,17 @@ bool Progress::stands_still(const world::Body& body, SimTime t) {
   return has_moved_ && t - at_rest_since_ >= kStandsStill;
 }
 
+void Progress::compete(const Glance& now, Events& events) {
+  const std::size_t before = events.size();
+  contest_.look(now, events);
+  for (std::size_t i = before; i < events.size(); ++i)
+    if (const auto* lap = std::get_if<wire::LapDone>(&events[i])) laps_s_.push_back(lap->lap_s);
+  reached_ = contest_.reached();
+}
+
 void Progress::update(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
-  if (race_) reached_ = race_->rests(body, at_rest(body), t);
 
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
@@ -191,17 +213,15 @@ void Progress::update(const world::Body& body, SimTime t, Events& events) {
   const double moved = square(pose.position - checked_at_);
   const bool is_near = moved < kCheckEvery * kCheckEvery && dot(pose.heading, checked_heading_) > kCheckTurn;
   const bool has_stopped = moved > 0.0 && at_rest(body);
-  if (is_near && !has_stopped) return;
-  checked_at_ = pose.position;
-  checked_heading_ = pose.heading;
-  visit_places(body, events);
-  if (race_) {
-    // Its time is the lap's; going on for a second one means nothing.
-    if (race_->advance(body, t)) {
-      laps_s_.push_back(race_->time_s());
-      events.push_back(wire::LapDone{1, laps_s_.back()});
-    }
-  } else if (!loop_.empty()) {
+  const bool looks = !is_near || has_stopped;
+  if (looks) {
+    checked_at_ = pose.position;
+    checked_heading_ = pose.heading;
+    visit_places(body, events);
+  }
+  if (contest_) compete({body, t, at_rest(body), looks}, events);
+  if (!looks) return;
+  if (!contest_ && !loop_.empty()) {
     const bool forwards = advance(forwards_, false, body, t, events);
     const bool backwards = advance(backwards_, true, body, t, events);
     if (goal_.kind == Goal::Kind::laps) reached_ = forwards || backwards;
@@ -225,7 +245,9 @@ std::string Progress::summary() const {
                              ? "visited, but not at rest there for 0.5 s"
                              : "not visited");
     case Goal::Kind::robotrace:
-      return race_->summary();
+    case Goal::Kind::ukmars:
+    case Goal::Kind::line_maze:
+      return contest_.summary();
     case Goal::Kind::still:
       return reached_     ? "it moved, and then stood still for 1 s"
              : has_moved_ ? "it moved, but did not stop for 1 s"

@@ -1,7 +1,6 @@
 // Goals: what a run has to achieve, and how far it has got.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +9,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
-#include "sim/judge/race.h"
-#include "sim/wire/events.h"
-
-namespace robosim::world {
-class Body;
-}
+#include "sim/judge/contest.h"
 
 namespace robosim::judge {
 
@@ -25,15 +19,19 @@ struct Goal {
     laps,       ///< every node of the loop passed in order, `laps` times, either way round
     station,    ///< `station` visited, and at rest there for 0.5 s
     robotrace,  ///< from the start line to the goal line of the map's [race], and to rest between them
+    ukmars,     ///< the same, over the goal line
+    line_maze,  ///< to the disc, `tries` times
     still,      ///< no wheel turned for 1 s after having moved
     none,       ///< the time is up without a failure
   };
   Kind kind = Kind::tour;
   int laps = 1;
+  int tries = 1;        ///< of line_maze
   std::string station;  ///< number or name
 };
 
-/// "tour", "laps:3", "station:2", "robotrace", "still", "none". Throws InputError naming those.
+/// "tour", "laps:3", "station:2", "robotrace", "ukmars", "line-maze", "line-maze:3", "still", "none". Throws
+/// InputError naming those.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
 /// The map's own goal; else laps:1 on a single loop, else tour.
@@ -45,9 +43,6 @@ struct Waypoint {
   Vec2 centre;  ///< m
   bool visited = false;
 };
-
-/// What has happened in a tick.
-using Events = std::vector<wire::RunEvent::What>;
 
 /// Watches a body and says when the goal is reached. Visited: the body's outline has covered the centre.
 class Progress {
@@ -73,6 +68,8 @@ class Progress {
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
+  /// What a competition's rules give so far.
+  void score(wire::Metrics& metrics) const { contest_.score(metrics); }
 
  private:
   // How far a lap in one direction has come.
@@ -84,6 +81,7 @@ class Progress {
 
   void visit_places(const world::Body& body, Events& events);
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
+  void compete(const Glance& now, Events& events);
   bool tour_done(const world::Body& body);
   bool rests_at_station(const world::Body& body, SimTime t);
   bool stands_still(const world::Body& body, SimTime t);
@@ -99,7 +97,7 @@ class Progress {
   std::vector<double> laps_s_;
   Lap forwards_, backwards_;
   int goal_station_ = -1;
-  std::optional<Race> race_;  ///< of the goal robotrace
+  Contest contest_;
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
   std::optional<Vec2> origin_;  ///< where the body was at first

@@ -23,10 +23,12 @@ std::vector<Vec2> points_of(const grid::Path& path, double from, double length) 
 
 }  // namespace
 
-Race::Race(const grid::Map& map) {
+Race::Race(const grid::Map& map, Finish finish) : finish_(finish) {
   if (!map.course.race)
-    throw InputError({map.file},
-                     "the goal robotrace needs a map with a path and, in [race], its start and goal lines");
+    throw InputError(
+        {map.file},
+        fmt::format("the goal {} needs a map with a path and, in [race], its start and goal lines",
+                    finish == Finish::line ? "ukmars" : "robotrace"));
   const grid::RaceLines& lines = *map.course.race;
   const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
   double length = lines.goal - lines.start;
@@ -35,22 +37,27 @@ Race::Race(const grid::Map& map) {
              length};
 }
 
-bool Race::advance(const world::Body& body, SimTime t) {
-  if (ended_ != kNever) return false;
-  while (next_ < course_.points.size() && body.covers(course_.points[next_]))
-    if (next_++ == 0) began_ = t;
-  if (next_ < course_.points.size()) return false;
-  ended_ = t;
-  return true;
+void Race::look(const Glance& now, Events& events) {
+  rested_ = rests(now);
+  if (now.moved) advance(now, events);
 }
 
-bool Race::rests(const world::Body& body, bool at_rest, SimTime t) {
+void Race::advance(const Glance& now, Events& events) {
+  if (ended_ != kNever) return;
+  while (next_ < course_.points.size() && now.body.covers(course_.points[next_]))
+    if (next_++ == 0) began_ = now.t;
+  if (next_ < course_.points.size()) return;
+  ended_ = now.t;
+  events.push_back(wire::LapDone{1, time_s()});
+}
+
+bool Race::rests(const Glance& now) {
   const bool there =
-      ended_ != kNever && at_rest &&
-      std::any_of(course_.area.begin(), course_.area.end(), [&](Vec2 p) { return body.covers(p); });
+      ended_ != kNever && now.at_rest &&
+      std::any_of(course_.area.begin(), course_.area.end(), [&](Vec2 p) { return now.body.covers(p); });
   if (!there) at_rest_since_ = kNever;
-  if (there && at_rest_since_ == kNever) at_rest_since_ = t;
-  return rested_ = there && t - at_rest_since_ >= kRestInArea;
+  if (there && at_rest_since_ == kNever) at_rest_since_ = now.t;
+  return there && now.t - at_rest_since_ >= kRestInArea;
 }
 
 std::string Race::summary() const {
@@ -60,10 +67,18 @@ std::string Race::summary() const {
         "{:.2f} of {:.2f} m from the start line to the goal line",
         course_.length * static_cast<double>(next_ - 1) / static_cast<double>(course_.points.size() - 1),
         course_.length);
-  return fmt::format("the goal line was passed after {:.2f} s, {}", time_s(),
-                     rested_
-                         ? "and the robot stopped in the area"
-                         : "but the robot was not at rest for 2 s between the goal line and the start line");
+  const std::string passed = fmt::format("the goal line was passed after {:.2f} s", time_s());
+  if (finish_ == Finish::line) return passed;
+  return passed + (rested_
+                       ? ", and the robot stopped in the area"
+                       : ", but the robot was not at rest for 2 s between the goal line and the start line");
+}
+
+void Race::score(wire::Metrics& metrics) const {
+  metrics.score_unit = "s";
+  if (ended_ == kNever) return;
+  metrics.run_s = time_s();
+  if (reached()) metrics.score = time_s();
 }
 
 }  // namespace robosim::judge

@@ -302,6 +302,7 @@ judge::Metrics Agent::metrics() const {
   for (const int i : progress_.visited())
     m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
   m.junctions = progress_.junctions_visited();
+  progress_.score(m);
   return m;
 }
 

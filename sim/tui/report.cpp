@@ -149,6 +149,19 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   return text + ". A chip goes on there with a number that means nothing, and so did this run.";
 }
 
+std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
+
+// "35 points · 2 × gap 20, 3 × tile 15"; empty where nothing has counted.
+std::string score_text(const wire::Metrics& m) {
+  std::string parts;
+  for (const wire::ScorePart& part : m.score_parts)
+    parts += fmt::format("{}{}{} {}", parts.empty() ? "" : ", ",
+                         part.count == 1 ? "" : fmt::format("{} × ", part.count), part.part,
+                         two_digits(part.value));
+  if (std::isnan(m.score)) return parts.empty() ? "" : "none yet · " + parts;
+  return fmt::format("{} {}{}{}", two_digits(m.score), m.score_unit, parts.empty() ? "" : " · ", parts);
+}
+
 void write_figures(Writer& out, const Report& report) {
   const wire::RunResult& r = report.result;
   const wire::Metrics& m = r.metrics;
@@ -161,6 +174,7 @@ void write_figures(Writer& out, const Report& report) {
     for (std::size_t i = first; i < m.laps_s.size(); ++i) laps += fmt::format(" {:.2f}", m.laps_s[i]);
     out.labelled("laps        ", fmt::format("{}, each{}{} s", m.laps_s.size(), first ? " …" : "", laps));
   }
+  if (const std::string text = score_text(m); !text.empty()) out.labelled("score       ", text);
   if (report.sees_lines)
     out.labelled("cross-track ", fmt::format("{:.1f} mm RMS, {:.1f} mm at most · off the line {:.2f} s",
                                              m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s));

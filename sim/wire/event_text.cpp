@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "sim/base/escaped.h"
 #include "sim/wire/events.h"
 
@@ -48,6 +50,9 @@ struct Text {
                        e.byte->address, e.byte->value);
   }
   std::string operator()(const PowerBack&) const { return "power on"; }
+  std::string operator()(const Scored& e) const {
+    return fmt::format("{}: {:.10g} {}", e.what, std::round(e.value * 100.0) / 100.0, e.unit);
+  }
   std::string operator()(const PartTold& e) const { return fmt::format("{}: \"{}\"", e.part, e.text); }
 };
 

@@ -140,17 +140,32 @@ void fields(V& v, Same<V, PartTold>& e) {
     "`part_told`: what it shows, lines joined by `|`, or a line that the sketch has sent through it");
 }
 
+/// By the rules of a competition something counts.
+struct Scored {
+  static constexpr const char* kKind = "scored";
+  std::string what;    ///< "gap", "try 1, 24.31 s"
+  double value = 0.0;  ///< what it counts
+  std::string unit;    ///< "s" or "points"
+};
+
+template <class V>
+void fields(V& v, Same<V, Scored>& e) {
+  v("what", e.what, "`scored`: for people: `\"gap\"`");
+  v("value", e.value, "`scored`: what it counts");
+  v("score_unit", e.unit, "`scored`: `\"s\"` or `\"points\"`");
+}
+
 /// One of these, with its simulated time and the robot that it is about.
 struct RunEvent {
   using What = std::variant<StationVisited, LapDone, CollisionBegan, ScriptActed, FaultBegan, FaultEnded,
-                            PowerLost, PowerBack, PartTold>;
+                            PowerLost, PowerBack, PartTold, Scored>;
   std::int64_t t_ns = 0;
   int agent = 0;  ///< number of the robot, from 0
   What what;
 };
 
 /// "station_visited", "lap_done", "collision_began", "script_acted", "fault_began", "fault_ended",
-/// "power_lost", "power_back" or "part_told".
+/// "power_lost", "power_back", "part_told" or "scored".
 const char* kind_of(const RunEvent& event);
 /// The names that kind_of() gives.
 const std::vector<std::string>& event_kinds();

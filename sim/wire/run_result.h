@@ -2,7 +2,9 @@
 // and every client reads them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +97,20 @@ void fields(V& v, Same<V, Resources>& r) {
   v("loop_us_mean", r.loop_us_mean, "mean of these times", {.unit = "µs", .presence = if_loops});
 }
 
+/// What a competition's rules count.
+struct ScorePart {
+  std::string part;    ///< "gap", "time"
+  int count = 0;       ///< how often
+  double value = 0.0;  ///< of all of them together, in the score's unit
+};
+
+template <class V>
+void fields(V& v, Same<V, ScorePart>& p) {
+  v("part", p.part, "what counts: `\"time\"`, `\"gap\"` …");
+  v("count", p.count, "how often");
+  v("value", p.value, "what it counts, in all; below 0: taken off");
+}
+
 /// Figures of a run.
 struct Metrics {
   double distance_m = 0.0;          ///< path of the axle's centre
@@ -106,6 +122,12 @@ struct Metrics {
   double energy_j = 0.0;              ///< drawn by the motors
   std::vector<std::string> stations;  ///< visited, in order
   int junctions = 0;                  ///< different ones visited
+  double score = kNone;               ///< of a competition, s or points; kNone = none yet
+  std::string score_unit;             ///< "s" or "points"; empty = no competition
+  double run_s = kNone;               ///< what its clock shows
+  std::vector<ScorePart> score_parts;
+
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
 
 template <class V>
@@ -122,6 +144,16 @@ void fields(V& v, Same<V, Metrics>& m) {
   v("energy_j", m.energy_j, "drawn from the battery by the motors", {.unit = "J"});
   v("stations", m.stations, "names of the visited ones, in the order of the first visit");
   v("junctions", m.junctions, "how many different ones were visited");
+  v("score", m.score,
+    "what the [competition](courses.md) of the goal counts, s or points; absent if there is none, or none "
+    "yet",
+    {.presence = when(!std::isnan(m.score))});
+  v("score_unit", m.score_unit, "`\"s\"`: less is better, or `\"points\"`; absent if there is no competition",
+    {.presence = when(!m.score_unit.empty())});
+  v("run_s", m.run_s, "what the competition's clock shows at the end of the run",
+    {.unit = "s", .presence = when(!std::isnan(m.run_s))});
+  v("score_parts", m.score_parts, "what the score is made of; absent if there is nothing yet",
+    {.presence = when(!m.score_parts.empty())});
 }
 
 /// What of the robot's wiring the firmware used, and did not.

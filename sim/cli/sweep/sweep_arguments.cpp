@@ -104,7 +104,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.text("--start", sweep.each.request.start, "X,Y,DIR",
                "start cell (column, row) and heading: N, S, E or W");
   options.text("--goal", sweep.each.request.goal, "GOAL",
-               "tour, laps:N, station:N, robotrace, still or none");
+               "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--profile", sweep.each.request.profile, "PROFILE", kProfiles);

@@ -28,13 +28,14 @@ namespace {
 enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTime };
 
 /// Those of a run that have a column of their own, under their names. Laps have others, and the tables that
-/// are made so far, which `--resume` goes on with, hold no junctions.
+/// are made so far, which `--resume` goes on with, hold no junctions and no scores.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
     for (const Figure& figure : figures()) {
       const std::string_view name = figure.name;
-      if (!figure.chip_only && name != "laps_s" && name != "junctions") chosen.push_back(figure);
+      if (!figure.chip_only && name != "laps_s" && name != "junctions" && name != "score" && name != "run_s")
+        chosen.push_back(figure);
     }
     return chosen;
   }();

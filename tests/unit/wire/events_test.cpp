@@ -22,11 +22,13 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(PowerLost{}), "power off");
   EXPECT_EQ(text(PartTold{"lcd", "Lap 2|12.4 s"}), "lcd: \"Lap 2|12.4 s\"");
   EXPECT_EQ(text(PowerBack{}), "power on");
+  EXPECT_EQ(text(Scored{"gap", 10.0, "points"}), "gap: 10 points");
+  EXPECT_EQ(text(Scored{"try 1, 24.31 s", 14.3149, "s"}), "try 1, 24.31 s: 14.31 s");
 }
 
 TEST(RunEvents, AreOfAKindWhateverTheirTextSays) {
   EXPECT_STREQ(kind_of({0, 0, StationVisited{"collision"}}), "station_visited");
-  EXPECT_STREQ(kind_of({0, 0, PartTold{}}), event_kinds().back().c_str());
+  EXPECT_STREQ(kind_of({0, 0, Scored{}}), event_kinds().back().c_str());
 }
 
 }  // namespace

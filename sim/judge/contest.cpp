@@ -1,0 +1,53 @@
+#include "sim/judge/contest.h"
+
+#include "sim/judge/goal.h"
+
+namespace robosim::judge {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+}  // namespace
+
+Contest::Contest(const Goal& goal, const grid::Map& map, Vec2 start) {
+  switch (goal.kind) {
+    case Goal::Kind::robotrace:
+      rules_.emplace<Race>(map, Race::Finish::at_rest_in_area);
+      break;
+    case Goal::Kind::ukmars:
+      rules_.emplace<Race>(map, Race::Finish::line);
+      break;
+    case Goal::Kind::line_maze:
+      rules_.emplace<MazeTries>(map, start, goal.tries);
+      break;
+    default:
+      break;
+  }
+}
+
+void Contest::look(const Glance& now, Events& events) {
+  std::visit(Overloaded{[](std::monostate) {}, [&](auto& rules) { rules.look(now, events); }}, rules_);
+}
+
+bool Contest::reached() const {
+  return std::visit(Overloaded{[](std::monostate) { return false; },  //
+                               [](const auto& rules) { return rules.reached(); }},
+                    rules_);
+}
+
+std::string Contest::summary() const {
+  return std::visit(Overloaded{[](std::monostate) { return std::string(); },
+                               [](const auto& rules) { return rules.summary(); }},
+                    rules_);
+}
+
+void Contest::score(wire::Metrics& metrics) const {
+  std::visit(Overloaded{[](std::monostate) {}, [&](const auto& rules) { rules.score(metrics); }}, rules_);
+}
+
+}  // namespace robosim::judge

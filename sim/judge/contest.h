@@ -1,0 +1,34 @@
+// A competition's rules. One of these watches a run, says what it has scored, and when it is over.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/judge/maze_tries.h"
+#include "sim/judge/race.h"
+
+namespace robosim::judge {
+
+struct Goal;
+
+class Contest {
+ public:
+  /// Nothing where the goal is no competition's. Throws InputError where its rules miss something on this
+  /// map. `start`: where the robot begins.
+  Contest(const Goal& goal, const grid::Map& map, Vec2 start);
+
+  explicit operator bool() const { return !std::holds_alternative<std::monostate>(rules_); }
+  void look(const Glance& now, Events& events);
+  bool reached() const;
+  /// One clause: how far it has come, or what it has scored.
+  std::string summary() const;
+  /// Score, its parts and the run's time, where there are any yet.
+  void score(wire::Metrics& metrics) const;
+
+ private:
+  std::variant<std::monostate, Race, MazeTries> rules_;
+};
+
+}  // namespace robosim::judge

@@ -1,0 +1,125 @@
+#include "sim/judge/maze_tries.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/judge/goal.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kMaze = R"(+++
+goal = "line-maze:2"
+[[area]]
+colour = "black"
+at = ["1050 mm", "150 mm"]
+radius = "50 mm"
++++
+_____________
+_S11111111G__
+_____________
+)";
+
+// A robot of 60 mm radius that is pushed along the line, 0.5 m/s, and put from place to place.
+struct Maze {
+  explicit Maze(const std::string& text = kMaze)
+      : map(grid::parse_map(text, "maze.map")),
+        start(grid::default_start(map)),
+        network(grid::trace_network(map, start)),
+        stripes(map, map.cell_m),
+        world(map),
+        body(world.body(world.add_body(params(), {map.centre(start.cell), {1.0, 0.0}}))),
+        progress(default_goal(map, network), map, stripes, network, start) {}
+
+  static world::BodyParams params() {
+    world::BodyParams p = world::default_body_params();
+    p.outline.clear();
+    p.radius_m = 0.060;
+    p.centre = {};
+    return p;
+  }
+  void put(double x) {
+    body.place({{x, 0.15}, {1.0, 0.0}});
+    look();
+  }
+  void push(double to) {
+    for (double x = body.pose().position.x; x < to; x += 5e-4) put(x);
+  }
+  void wait(SimTime duration) {
+    for (const SimTime end = now + duration; now < end;) look();
+  }
+  void look() { progress.update(body, now += kTick, events); }
+  wire::Metrics score() const {
+    wire::Metrics metrics;
+    progress.score(metrics);
+    return metrics;
+  }
+
+  grid::Map map;
+  grid::Start start;
+  grid::Network network;
+  grid::Stripes stripes;
+  world::World world;
+  world::Body& body;
+  Progress progress;
+  SimTime now = 0;
+  Events events;
+};
+
+TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {
+  Maze maze;
+  maze.wait(3 * kSecond);
+  maze.push(1.1);  // over the disc, which ends at 1.1 m
+  EXPECT_TRUE(std::isnan(maze.score().score));
+  EXPECT_EQ(maze.score().score_unit, "s");
+  maze.push(1.25);
+  // From 0.16 m to 0.94 m at 0.5 m/s.
+  EXPECT_NEAR(maze.score().score, 1.56, 0.01);
+  EXPECT_FALSE(maze.progress.reached());
+  EXPECT_THAT(maze.progress.summary(), HasSubstr("1 of 2 tries made, the disc was reached after 1.5"));
+  maze.put(0.15);
+  maze.wait(5 * kSecond);
+  maze.push(1.0);
+  EXPECT_FALSE(maze.progress.reached());
+  maze.wait(1100 * kMillisecond);
+  EXPECT_TRUE(maze.progress.reached());
+  EXPECT_NEAR(maze.score().score, -8.44, 0.01);
+  EXPECT_NEAR(maze.score().run_s, 1.56, 0.01);
+  EXPECT_EQ(maze.score().score_parts.size(), 3u);
+  EXPECT_THAT(maze.progress.summary(), HasSubstr("10 s off for stopping on it"));
+  EXPECT_EQ(std::count_if(maze.events.begin(), maze.events.end(),
+                          [](const auto& e) { return std::holds_alternative<wire::Scored>(e); }),
+            2);
+}
+
+TEST(LineMaze, ATryThatAHandEndsIsLost) {
+  Maze maze;
+  maze.push(0.6);
+  maze.put(0.9);  // carried towards the disc
+  maze.push(1.0);
+  maze.wait(2 * kSecond);
+  EXPECT_TRUE(std::isnan(maze.score().score));
+  maze.put(0.15);
+  maze.push(1.0);
+  maze.wait(2 * kSecond);
+  EXPECT_TRUE(maze.progress.reached());
+  maze.put(0.15);  // there is no third
+  maze.push(1.0);
+  maze.wait(2 * kSecond);
+  EXPECT_EQ(maze.score().score_parts.size(), 2u);
+}
+
+TEST(LineMaze, NeedsAnEndAndADiscThere) {
+  std::string text = kMaze;
+  EXPECT_NO_THROW(Maze{text});
+  text.replace(text.find('G'), 1, "1");
+  EXPECT_THROW(Maze{text}, InputError);
+  text = kMaze;
+  text.replace(text.find("1050"), 4, " 850");
+  EXPECT_THROW(Maze{text}, InputError);
+}
+
+}  // namespace
+}  // namespace robosim::judge
