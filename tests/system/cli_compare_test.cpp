@@ -107,6 +107,20 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
+// Which way it turns at this corner is chance, on each target: clocks that are a little off show it.
+TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
+  const Ended ended = robosim_command({"compare", "RightPath", "--map", "tight", "--robot", "uno3",
+                                       "--target", "host,stm32", "--for", "14s", "--json"});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const auto json = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(json["same"], true);
+  EXPECT_EQ(json["difference"]["kind"], "motors");
+  ASSERT_EQ(json["edges"].size(), 2u);
+  EXPECT_EQ(json["edges"][0]["target"], "host");
+  EXPECT_EQ(json["edges"][1]["target"], "stm32");
+  EXPECT_NE(json["edges"][0]["texts"][0], json["edges"][0]["texts"][1]);
+}
+
 TEST_F(CliCompare, SketchesOnPinsThatOnlyOneBoardHasDoTheSameOnItsTargets) {
   for (const auto& [sketch, robot] :
        {std::array{"/MegaFollower", "mega5"}, std::array{"/LeonardoFollower", "leonardo5"},

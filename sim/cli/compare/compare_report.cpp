@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "sim/wire/json_writer.h"
 
@@ -85,12 +86,31 @@ Json json_of(const ComparedSide& side) {
   return json;
 }
 
+std::string edge_text(const Edge& edge) {
+  return fmt::format(
+      "on the edge: {} differs from itself, too, where its clock is {:g} % {}; at {:.4f} s, {}\n"
+      "  as above  {}\n  so        {}\n",
+      edge.target, std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow", seconds(edge.itself.t_ns[0]),
+      edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
+}
+
+Json json_of(const Edge& edge) {
+  return {{"target", edge.target},
+          {"ppm", edge.ppm},
+          {"kind", analysis::name_of(edge.itself.kind)},
+          {"what", edge.itself.what},
+          {"t_s", seconds(edge.itself.t_ns[0])},
+          {"texts", edge.itself.sides}};
+}
+
 }  // namespace
 
 std::string compare_text(const Compared& c) {
   const RunInputs& in = c.runs.front().inputs;
   std::string text = fmt::format("{} on {}, seed {}: {} ", in.sketch, in.map, c.seed, names_of(c.runs));
-  text += c.difference ? "differ\n" : "do the same\n";
+  text += !c.difference     ? "do the same\n"
+          : c.edges.empty() ? "differ\n"
+                            : "differ no more than each from itself\n";
   std::size_t longest = 0;
   for (const ComparedRun& run : c.runs) longest = std::max(longest, run.inputs.robot.size());
   for (const ComparedRun& run : c.runs)
@@ -105,6 +125,7 @@ std::string compare_text(const Compared& c) {
   text += fmt::format("\nfirst difference, at {:.4f} s on {} and {:.4f} s on {}: {}\n", seconds(d.t_ns[0]),
                       c.sides[0].target, seconds(d.t_ns[1]), c.sides[1].target, d.what);
   for (const ComparedSide& side : c.sides) text += side_text(side);
+  for (const Edge& edge : c.edges) text += edge_text(edge);
   if (!d.cause.empty()) text += fmt::format("cause     {}\n", d.cause);
   for (const ComparedSide& side : c.sides) text += finding_text(side);
   for (const ComparedSide& side : c.sides) text += around_text(side);
@@ -114,7 +135,7 @@ std::string compare_text(const Compared& c) {
 std::string compare_json(const Compared& c) {
   const RunInputs& in = c.runs.front().inputs;
   Json json{{"schema", "robosim.compare/1"},
-            {"same", !c.difference},
+            {"same", c.same()},
             {"sketch", in.sketch},
             {"map", in.map},
             {"seed", c.seed}};
@@ -140,6 +161,8 @@ std::string compare_json(const Compared& c) {
                           {"cause", c.difference->cause},
                           {"sides", Json::array({json_of(c.sides[0]), json_of(c.sides[1])})}};
   }
+  json["edges"] = Json::array();
+  for (const Edge& edge : c.edges) json["edges"].push_back(json_of(edge));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -31,6 +31,14 @@ struct ComparedRun {
   wire::RunResult result;
 };
 
+/// That a target differs from itself as much as from another, if its clock is a little off: chance decides
+/// there.
+struct Edge {
+  std::string target;
+  int ppm = 0;                  ///< by which its clock was off
+  analysis::Difference itself;  ///< sides[0]: as it is; sides[1]: with that clock
+};
+
 /// A comparison of all targets with one seed.
 struct Compared {
   std::uint64_t seed = 1;
@@ -39,6 +47,9 @@ struct Compared {
   std::vector<std::array<std::string, 2>> known_targets;  ///< of each known difference
   std::optional<analysis::Difference> difference;
   std::array<ComparedSide, 2> sides;  ///< of the difference
+  std::vector<Edge> edges;            ///< of both sides: the difference says nothing of the targets
+
+  bool same() const { return !difference || !edges.empty(); }
 };
 
 std::string compare_text(const Compared& compared);
