@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/spelling.h"
+#include "sim/cli/calibrate/calibrate_command.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
 #include "sim/cli/files/print_arguments.h"
@@ -19,8 +20,9 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",   "replay", "sweep", "compare", "play", "classic", "build",
-                                         "flash", "wire",   "map",   "robot",   "test", "new"};
+const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "compare", "play",
+                                         "classic", "build",     "flash", "wire",    "map",
+                                         "robot",   "calibrate", "test",  "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -334,6 +336,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "map") return parse_map(rest);
   if (first == "wire") return parse_wire(rest);
   if (first == "robot") return parse_robot(rest);
+  if (first == "calibrate") return parse_calibrate(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);
   if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));

@@ -137,6 +137,18 @@ struct WireArguments {
   std::string out;  ///< a file; empty = standard output
 };
 
+/// `robosim calibrate`
+struct CalibrateArguments {
+  std::string robot;              ///< a file or name
+  std::vector<std::string> logs;  ///< files
+  std::string stopwatch;          ///< a file; empty = none
+  double tape_m = 0.0;            ///< 0 = not given
+  double supply_volts = 0.0;      ///< 0 = not given
+  std::string out;                ///< a file; empty = none
+  bool in_place = false;
+  std::string plot;  ///< a file; empty = none
+};
+
 /// `robosim classic`
 struct ClassicArguments {
   std::string map;
@@ -181,7 +193,7 @@ struct PrintText {
 using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
                              ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
                              GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
-                             TestArguments, NewArguments, PrintText>;
+                             CalibrateArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -33,6 +33,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   map import FILE             make a map of another tool's course
   map print MAP --out F.pdf   a floor in true size, on sheets of paper to lay on the floor
   robot list|show|check       the robots; the text of one; check a robot file
+  calibrate ROBOT LOG…        fit a robot file to logs of the real robot
   test [SKETCH…]              what the checks.toml beside a sketch asks for (in a checkout: Robosim's own tests)
   new NAME                    a project to begin with: sketch, robot, track, checks
 

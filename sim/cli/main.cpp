@@ -7,6 +7,7 @@
 #include "sim/base/machine_fault.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/arguments.h"
+#include "sim/cli/calibrate/calibrate_command.h"
 #include "sim/cli/check/test_command.h"
 #include "sim/cli/compare/compare_command.h"
 #include "sim/cli/files/build_command.h"
@@ -42,6 +43,7 @@ struct Perform {
   int operator()(const ImportArguments& arguments) const { return import_command(arguments); }
   int operator()(const PrintArguments& arguments) const { return print_command(arguments); }
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
+  int operator()(const CalibrateArguments& arguments) const { return calibrate_command(arguments); }
   int operator()(const PlayArguments& arguments) const { return play_command(arguments); }
   int operator()(const TestArguments& arguments) const { return test_command(arguments); }
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }

@@ -142,18 +142,6 @@ class ReflectancePart final : public Part {
   std::vector<std::unique_ptr<Sensor>> sensors_;
 };
 
-double light_from(double height, Profile profile) {
-  if (profile < Profile::typical_2) {
-    const double far = kBestHeight / height;
-    return far < 1.0 ? far * far : 1.0;
-  }
-  const Light* above = std::lower_bound(std::begin(kLight) + 1, std::end(kLight) - 1, height,
-                                        [](const Light& light, double h) { return light.height < h; });
-  const Light& below = above[-1];
-  const double share = (height - below.height) / (above->height - below.height);
-  return std::max(below.share + share * (above->share - below.share), 0.0);
-}
-
 double footprint_of(const ReflectanceSpec& spec, const Individual& individual, const std::string& element,
                     double height) {
   if (spec.footprint.value == 0.0) return individual.draw(kSpot, spec.name, "footprint") * height;
@@ -172,6 +160,18 @@ double decay(double x) {
 double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
 }  // namespace
+
+double light_from(double height, Profile profile) {
+  if (profile < Profile::typical_2) {
+    const double far = kBestHeight / height;
+    return far < 1.0 ? far * far : 1.0;
+  }
+  const Light* above = std::lower_bound(std::begin(kLight) + 1, std::end(kLight) - 1, height,
+                                        [](const Light& light, double h) { return light.height < h; });
+  const Light& below = above[-1];
+  const double share = (height - below.height) / (above->height - below.height);
+  return std::max(below.share + share * (above->share - below.share), 0.0);
+}
 
 std::shared_ptr<const PartSpec> read_reflectance(PartReader& reader) {
   auto spec = std::make_shared<ReflectanceSpec>();

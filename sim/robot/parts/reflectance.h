@@ -33,6 +33,10 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
 
+/// The light that comes back from white at that height (m), against the most; from typical@2 on that of a
+/// TCRT5000.
+double light_from(double height, Profile profile);
+
 class ReflectanceSpec final : public PartSpec {
  public:
   enum class Read { analog, digital, rc };

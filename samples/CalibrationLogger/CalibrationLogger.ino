@@ -1,0 +1,194 @@
+/*
+ * Writes what robosim calibrate reads: what the sensors see while the robot turns slowly on a tape, and how
+ * its wheels start and roll out. docs/calibrating.md says how to use it.
+ *
+ * Put the robot on a straight tape, its axle on the middle of it, with 1.5 m of free floor around.
+ * Adapt the constants, flash, and save the serial monitor's text (115200 baud) as log.csv.
+ */
+const bool HAS_ENCODERS = true;
+const byte SENSORS = 5;
+const byte SENSOR_PINS[SENSORS] = {A0, A1, A2, A3, A4};
+const char SENSOR_NAMES[] = "S1,S2,S3,S4,S5";   // as in robot.toml
+const bool RC_SENSORS = false;                  // true: QTR-RC, timed in microseconds
+const unsigned int RC_TIMEOUT_US = 8000;
+
+const byte EN_L = 5, IN1_L = 7, IN2_L = 8;
+const byte EN_R = 6, IN1_R = 9, IN2_R = 10;
+const byte ENC_L = 2, ENC_R = 3;
+
+const int SWEEP_PWM = 60;              // without encoders: as slow as it turns without stopping
+const unsigned long SWEEP_MS = 12000;  // without encoders: each way round, more than a turn
+const long SWEEP_COUNTS = 3800;        // of both wheels together: two turns
+const int FAST = 255, SLOW = 140;      // PWM of the steps
+const unsigned long STEP_MS = 500, ROLL_MS = 700;
+
+volatile long countL = 0, countR = 0;
+volatile int signL = 1, signR = 1;     // one channel does not tell the direction
+unsigned long began;
+
+void edgeL() { countL += signL; }
+void edgeR() { countR += signR; }
+
+void motor(byte en, byte in1, byte in2, int pwm) {
+  digitalWrite(in1, pwm > 0 ? HIGH : LOW);
+  digitalWrite(in2, pwm < 0 ? HIGH : LOW);
+  analogWrite(en, abs(pwm));           // all low: the motor rolls out
+}
+
+void drive(int left, int right) {
+  if (left) signL = left > 0 ? 1 : -1;
+  if (right) signR = right > 0 ? 1 : -1;
+  motor(EN_L, IN1_L, IN2_L, left);
+  motor(EN_R, IN1_R, IN2_R, right);
+}
+
+long counted(volatile long &count) {
+  noInterrupts();
+  long copy = count;
+  interrupts();
+  return copy;
+}
+
+unsigned long polls;                    // of RC sensors: how often their pins were looked at
+
+unsigned int readSensor(byte pin) {
+  if (!RC_SENSORS) return analogRead(pin);
+  pinMode(pin, OUTPUT);
+  digitalWrite(pin, HIGH);
+  delayMicroseconds(10);
+  pinMode(pin, INPUT);
+  digitalWrite(pin, LOW);
+  unsigned long start = micros();
+  while (digitalRead(pin) == HIGH && micros() - start < RC_TIMEOUT_US) polls++;
+  return micros() - start;
+}
+
+void begin() {
+  countL = countR = 0;
+  began = micros();
+}
+
+// A row: the time, what the motors are told from here on (in drives), counts, readings (in sweeps).
+void row(bool sweep, int left, int right) {
+  unsigned long t = micros() - began;
+  long l = counted(countL), r = counted(countR);
+  Serial.print(t);
+  if (!sweep) {
+    Serial.print(',');
+    Serial.print(left);
+    Serial.print(',');
+    Serial.print(right);
+  }
+  if (HAS_ENCODERS) {
+    Serial.print(',');
+    Serial.print(l);
+    Serial.print(',');
+    Serial.print(r);
+  }
+  for (byte i = 0; sweep && i < SENSORS; i++) {
+    Serial.print(',');
+    Serial.print(readSensor(SENSOR_PINS[i]));
+  }
+  Serial.println();
+}
+
+// Waits until no wheel has turned for half a second; without encoders, for half a second.
+void rest() {
+  long before;
+  do {
+    before = counted(countL) + 31 * counted(countR);
+    delay(500);
+  } while (counted(countL) + 31 * counted(countR) != before);
+}
+
+// Slowly to the left (1) or right (-1): as fast as the wheels keep turning once they have started.
+void sweep(int way) {
+  int left = SWEEP_PWM, right = SWEEP_PWM;
+  rest();
+  if (HAS_ENCODERS) {
+    begin();
+    left = right = 10;
+    while (left < 255 && right < 255) {
+      drive(-way * left, way * right);
+      delay(30);
+      bool leftTurns = abs(counted(countL)) > 3, rightTurns = abs(counted(countR)) > 3;
+      if (leftTurns && rightTurns) break;
+      if (!leftTurns) left++;
+      if (!rightTurns) right++;
+    }
+    left -= left / 8;
+    right -= right / 8;
+  }
+  drive(-way * left, way * right);
+  delay(500);
+  Serial.print(HAS_ENCODERS ? "t_us,count_left,count_right," : "t_us,");
+  Serial.println(SENSOR_NAMES);
+  begin();
+  unsigned long next = 0;
+  while (HAS_ENCODERS ? abs(counted(countL)) + abs(counted(countR)) < SWEEP_COUNTS
+                      : micros() - began < SWEEP_MS * 1000) {
+    if (micros() - began < next) continue;
+    row(true, 0, 0);
+    next += 5000;
+  }
+  drive(0, 0);
+}
+
+// A step from rest, and how it rolls out.
+void step(int left, int right) {
+  rest();
+  Serial.println(HAS_ENCODERS ? "t_us,left,right,count_left,count_right" : "t_us,left,right");
+  begin();
+  drive(left, right);
+  row(false, left, right);
+  unsigned long next = 5000;
+  bool rolls = false;
+  while (micros() - began < (STEP_MS + ROLL_MS) * 1000) {
+    unsigned long t = micros() - began;
+    if (!rolls && t >= STEP_MS * 1000) {
+      rolls = true;
+      drive(0, 0);
+      row(false, 0, 0);
+    } else if (t >= next) {
+      row(false, rolls ? 0 : left, rolls ? 0 : right);
+      next += 5000;
+    }
+  }
+}
+
+void setup() {
+  const byte outputs[] = {EN_L, IN1_L, IN2_L, EN_R, IN1_R, IN2_R};
+  for (byte i = 0; i < sizeof(outputs); i++) pinMode(outputs[i], OUTPUT);
+  drive(0, 0);
+  if (HAS_ENCODERS) {
+    pinMode(ENC_L, INPUT_PULLUP);
+    pinMode(ENC_R, INPUT_PULLUP);
+    attachInterrupt(digitalPinToInterrupt(ENC_L), edgeL, CHANGE);
+    attachInterrupt(digitalPinToInterrupt(ENC_R), edgeR, CHANGE);
+  }
+  Serial.begin(115200);
+  Serial.println("# robosim calibration log");
+  Serial.println("# counts_per_period = 2");       // both edges of one channel
+  if (RC_SENSORS) {                                // how finely their times are known
+    unsigned long sum = 0;
+    for (byte i = 0; i < SENSORS; i++) sum += readSensor(SENSOR_PINS[i]);
+    Serial.print("# timing_step_us = ");
+    Serial.println((float)sum / polls);
+  }
+  delay(3000);                                     // hands off
+  sweep(1);
+  sweep(-1);
+  if (HAS_ENCODERS) {                              // else: docs/calibrating.md, by stopwatch
+    step(FAST, FAST);
+    step(-FAST, -FAST);
+    step(SLOW, SLOW);
+    step(-SLOW, -SLOW);
+    step(SLOW, -SLOW);
+    step(-SLOW, SLOW);
+  }
+  Serial.println("# end");
+  Serial.flush();
+}
+
+void loop() {
+}

@@ -1,0 +1,108 @@
+#include "sim/calibrate/calibrate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/base/robot_name.h"
+#include "sim/calibrate/robot_text.h"
+#include "sim/calibrate/stopwatch.h"
+
+namespace robosim::calibrate {
+namespace {
+
+constexpr std::size_t kMostLog_bytes = std::size_t{64} << 20;
+constexpr double kMeter = 0.01;  // how far a multimeter may be off, against what it shows
+
+bool is_path(const std::string& robot) { return robot.find_first_of("/.") != robot.npos; }
+
+std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_measured) {
+  std::vector<std::string> all = c.sweep.remarks;
+  if (c.sweep.parts.empty()) {
+    all.push_back("the sensors: no log has a sweep of one that gives more than yes or no");
+  } else {
+    all.push_back(
+        "height and ambient: over one floor, from one height, white_volts or white_time has them all in it");
+    for (const PartFit& part : c.sweep.parts) {
+      if (part.footprint.value == 0.0)
+        all.push_back(fmt::format(
+            "{}.footprint: neighbouring readings are {:.1f} mm apart, farther than it is wide; turn "
+            "more slowly",
+            part.part->name, 1e3 * part.spacing));
+      for (const auto& element : part.part->elements)
+        if (std::none_of(part.elements.begin(), part.elements.end(),
+                         [&](const ElementFit& e) { return e.name == element.name; }))
+          all.push_back(element.name + ": no log has a column of it");
+    }
+    if (c.sweep.track.value == 0.0) all.push_back("track: it takes encoders, and sweeps of more than a turn");
+  }
+  if (!c.drive) {
+    all.push_back("the motors: no log has a drive, and there is no --stopwatch");
+    return all;
+  }
+  all.push_back("stall_current, gear, rotor_inertia and mass: motion tells only what they make together");
+  if (!c.drive->torque_told) all.push_back("stall_torque: it takes drives of three durations at least");
+  if (!c.drive->friction_told)
+    all.push_back("no_load_current: it takes drives at two voltages, or how they roll out");
+  if (c.drive->inertia.value == 0.0) all.push_back("the body's inertia: it takes turns on the spot");
+  all.push_back(
+      "wheel, and how far the two differ: counts tell angles; roll it ten turns along a tape measure");
+  all.push_back("grip and static_friction: no wheel slips or sticks in these drives");
+  if (!supply_measured)
+    all.push_back(
+        "supply: measure the battery meanwhile, and give --supply; until then no_load is as unsure as that "
+        "is");
+  return all;
+}
+
+}  // namespace
+
+Calibration calibrate(const Task& task) {
+  Calibration result;
+  result.robot = robot::load_description(task.robot);
+  result.tape_m = task.tape_m;
+  std::vector<Log> logs;
+  for (const std::string& file : task.logs) logs.push_back(parse_log(read_file(file, kMostLog_bytes), file));
+  std::vector<Timed> timed;
+  Found supply{task.supply_volts, kMeter * task.supply_volts};
+  if (!task.stopwatch.empty()) {
+    const Stopwatch watch = read_stopwatch(task.stopwatch);
+    timed = watch.drives;
+    if (supply.value == 0.0 && watch.supply_volts > 0.0)
+      supply = {watch.supply_volts, kMeter * watch.supply_volts};
+  }
+  for (const Log& log : logs)
+    if (!log.sweeps.empty() && task.tape_m == 0.0)
+      throw InputError({log.file, log.sweeps.front().line},
+                       "this is a sweep over a tape; give the tape's width, as in --tape \"19 mm\"");
+  result.sweep = fit_sweeps(logs, result.robot, task.tape_m);
+  robot::Description robot = result.robot;
+  if (result.sweep.track.value > 0.0) robot.chassis.track = {result.sweep.track.value, 0.0};
+  result.drive = fit_drives(logs, timed, robot, supply);
+
+  std::vector<Figure> all = figures_of(result.sweep, result.robot);
+  if (supply.value > 0.0) all.push_back(supply_figure(supply, result.robot));
+  if (result.drive)
+    for (Figure& figure : figures_of(*result.drive, result.robot)) all.push_back(std::move(figure));
+  for (Figure& figure : all)
+    (least_sure(figure) <= kMostSpread ? result.figures : result.unsure).push_back(std::move(figure));
+  result.not_told = what_is_not_told(result, supply.value > 0.0);
+  return result;
+}
+
+std::string calibrated_text(const Task& task, const Calibration& result, const std::string& file) {
+  const std::string name = parse_robot_name(task.robot).robot;
+  const bool stock = !is_path(name);
+  const std::string own = stock ? fmt::format("# {}, calibrated\nbase = \"{}\"\n", name, name)
+                                : read_file(robot::find_robot(name));
+  std::string text = with_figures(own, stock ? file : name, result.figures);
+  robot::parse_description(text, file);
+  return text;
+}
+
+}  // namespace robosim::calibrate

@@ -1,0 +1,40 @@
+// `robosim calibrate`: figures of a robot file from logs of the real robot (docs/calibrating.md).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/calibrate/figures.h"
+
+namespace robosim::calibrate {
+
+struct Task {
+  std::string robot;              ///< a file, or the name of a stock robot
+  std::vector<std::string> logs;  ///< files
+  std::string stopwatch;          ///< a file; empty = none
+  double tape_m = 0.0;            ///< 0 = not given
+  double supply_volts = 0.0;      ///< 0 = not measured
+};
+
+struct Calibration {
+  robot::Description robot;
+  SweepFit sweep;
+  std::optional<DriveFit> drive;
+  std::vector<Figure> figures;        ///< sure enough to be written
+  std::vector<Figure> unsure;         ///< found, but not sure enough
+  std::vector<std::string> not_told;  ///< what these logs cannot tell, a sentence each
+  double tape_m = 0.0;
+};
+
+/// Throws InputError.
+Calibration calibrate(const Task&);
+
+/// For people.
+std::string report(const Calibration&);
+
+/// The robot file's text with the figures; of a stock robot a file that is based on it. It has been read as
+/// `file` for a test. Throws InputError.
+std::string calibrated_text(const Task&, const Calibration&, const std::string& file);
+
+}  // namespace robosim::calibrate

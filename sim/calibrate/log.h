@@ -1,0 +1,52 @@
+// Logs of a real robot, as samples/CalibrationLogger writes them (docs/calibrating.md): tables of comma
+// separated numbers, each under a line of column names.
+//
+//   # counts_per_period = 2               edges counted in each period of an encoder's channel
+//   # timing_step_us = 9.5                 of RC sensors: time between two looks at a pin
+//   t_us,count_left,count_right,S1,S2     a sweep: the robot turns slowly, its sensors see floor and tape
+//   t_us,left,right,count_left,count_right    a drive from rest: what the motors are told from then on,
+//                                             -255 .. 255, 0 = they roll out; and what the encoders count
+//
+// Counts are forward positive. Other lines that begin with # are comments. What a serial monitor puts before
+// a line ("12:00:01.123 -> ") is skipped, and so is all before the last "# robosim calibration log": a board
+// begins anew when the monitor opens its port.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::calibrate {
+
+struct Sweep {
+  int line = 0;                               ///< of its column names
+  std::vector<int> lines;                     ///< of each row
+  std::vector<double> t;                      ///< s
+  bool counted = false;                       ///< there are counts
+  std::array<std::vector<double>, 2> count;   ///< left, right
+  std::vector<std::string> names;             ///< of the sensors
+  std::vector<std::vector<double>> readings;  ///< of each sensor, as the sketch had them
+};
+
+struct Drive {
+  int line = 0;
+  std::vector<int> lines;
+  std::vector<double> t;                     ///< s
+  std::array<std::vector<int>, 2> told;      ///< left, right: -255 .. 255
+  std::array<std::vector<double>, 2> count;  ///< left, right
+};
+
+struct Log {
+  std::string file;
+  std::optional<double> counts_per_period;
+  double timing_step = 0.0;  ///< s; 0 = not said
+  std::vector<Sweep> sweeps;
+  std::vector<Drive> drives;
+};
+
+/// Throws InputError with file and line.
+Log parse_log(std::string_view text, const std::string& file);
+
+}  // namespace robosim::calibrate

@@ -1,0 +1,26 @@
+// Drives by stopwatch and tape measure, of robots without encoders: a TOML file.
+//
+//   supply = "7.4 V"              # the battery meanwhile; or --supply
+//   [[drive]]
+//   pwm = 255                     # of both motors, from rest
+//   time = "1 s"                  # then all pins low
+//   distance = "1180 mm"          # from where it stood to where it stands still
+//   measured = "10 mm"            # how well; default 10 mm
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/calibrate/drive_fit.h"
+
+namespace robosim::calibrate {
+
+struct Stopwatch {
+  double supply_volts = 0.0;  ///< 0 = not said
+  std::vector<Timed> drives;
+};
+
+/// Throws InputError with file and line.
+Stopwatch read_stopwatch(const std::string& file);
+
+}  // namespace robosim::calibrate

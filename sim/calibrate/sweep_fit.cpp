@@ -1,0 +1,398 @@
+#include "sim/calibrate/sweep_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "sim/base/error.h"
+#include "sim/base/spelling.h"
+#include "sim/calibrate/crossings.h"
+#include "sim/calibrate/optimise.h"
+
+namespace robosim::calibrate {
+namespace {
+
+using robot::ReflectanceSpec;
+
+constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // m: as robot files may have them
+constexpr double kPatch = 0.012;      // m of floor that are as good as one reading of it
+constexpr double kMostChange = 0.25;  // of white to black, from sweep to sweep
+constexpr std::size_t kBatches = 10;
+constexpr double kMostClipped =
+    0.005;  // of the readings; with more of them the mean is off, and the median taken
+
+/// The samples across one side of the tape.
+struct Edge {
+  std::vector<double> s, y;  // m inwards, signal
+  double black;              // the signal
+};
+
+/// One element with all of its sweeps.
+struct Element {
+  ElementFit fit;
+  std::vector<Trace> traces;
+  std::vector<std::vector<Crossing>> crossings;
+  Levels rough;
+};
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double deviation(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - middle) * (value - middle);
+  return std::sqrt(sum / std::max(static_cast<double>(values.size()) - 1.0, 1.0));
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The standard deviation of single readings, by second differences.
+double noise_of(const std::vector<double>& differences, double step) {
+  if (differences.size() < 10) return 0.0;
+  double sum = 0.0;
+  for (const double d : differences) sum += d * d;
+  const double variance = sum / (6.0 * static_cast<double>(differences.size())) - step * step / 12.0;
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+/// Levels and noise of one element, from what is well inside and well outside the tape.
+void measure_levels(Element& element) {
+  std::vector<double> white, black, rough_white, rough_black;
+  double length = 0.0, radius = 0.0;
+  std::size_t clipped = 0;
+  for (std::size_t k = 0; k < element.traces.size(); ++k) {
+    const Trace& trace = element.traces[k];
+    const std::vector<double>& t = trace.sweep->t;
+    const std::vector<Crossing>& crossings = element.crossings[k];
+    std::vector<signed char> where(t.size(), 1);  // 1 white, -1 black, 0 neither
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      if (std::fabs(trace.y[i] - element.rough.white) >
+          0.5 * std::fabs(element.rough.black - element.rough.white))
+        where[i] = 0;
+      for (const Crossing& c : crossings) {
+        const double duration = c.leaves - c.enters, middle = 0.5 * (c.leaves + c.enters);
+        if (std::fabs(t[i] - middle) < 0.15 * duration)
+          where[i] = -1;
+        else if (std::fabs(t[i] - middle) < duration)
+          where[i] = 0;
+      }
+      if (where[i] > 0) white.push_back(trace.y[i]);
+      if (where[i] < 0) black.push_back(trace.y[i]);
+      clipped +=
+          where[i] > 0 && trace.step > 0.0 && (trace.y[i] < trace.step || trace.y[i] > 1023.0 * trace.step);
+    }
+    for (std::size_t i = 1; i + 1 < t.size(); ++i) {
+      if (where[i - 1] != where[i] || where[i + 1] != where[i] || where[i] == 0) continue;
+      (where[i] > 0 ? rough_white : rough_black)
+          .push_back(trace.y[i - 1] - 2.0 * trace.y[i] + trace.y[i + 1]);
+    }
+    length += crossings.front().speed * (t.back() - t.front());
+    radius = trace.radius;
+  }
+  ElementFit& fit = element.fit;
+  const double step = element.traces.front().step;
+  // A time's step is one of its rate, 1 / time.
+  const auto step_at = [&](const std::vector<double>& rates) {
+    const double rate = rates.empty() ? 0.0 : mean(rates);
+    return std::hypot(step, element.traces.front().timing * rate * rate);
+  };
+  fit.noise = noise_of(rough_white, step_at(white));
+  fit.dark_noise = noise_of(rough_black, step_at(black));
+  const double floor = deviation(white);  // patches of the floor, and noise
+  const double patches =
+      std::max((radius > 0.0 ? std::min(length, 2.0 * std::numbers::pi * radius) : length) / kPatch, 2.0);
+  const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
+  fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
+  fit.black = {mean(black),
+               std::max(deviation(black) / std::sqrt(static_cast<double>(black.size())), 0.5 * step)};
+}
+
+std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m, double footprint,
+                            double* spacing) {
+  const double inside = std::min(0.5 * tape_m, 0.5 * footprint + 0.003);
+  const double outside = 0.5 * footprint + 0.003;
+  std::vector<Edge> edges;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Element& element : elements) {
+    for (std::size_t k = 0; k < element.traces.size(); ++k) {
+      const std::vector<double>& t = element.traces[k].sweep->t;
+      for (const Crossing& c : element.crossings[k]) {
+        for (const bool entering : {true, false}) {
+          Edge edge{{}, {}, element.fit.black.value};
+          for (std::size_t i = 0; i < t.size(); ++i) {
+            const double s = c.speed * (entering ? t[i] - c.enters : c.leaves - t[i]);
+            if (s < -outside || s > inside) continue;
+            edge.s.push_back(s);
+            edge.y.push_back(element.traces[k].y[i]);
+          }
+          if (edge.s.size() < 5) continue;
+          sum += std::fabs(edge.s.back() - edge.s.front());
+          count += edge.s.size() - 1;
+          edges.push_back(std::move(edge));
+        }
+      }
+    }
+  }
+  *spacing = count ? sum / static_cast<double>(count) : 0.0;
+  return edges;
+}
+
+struct EdgeFit {
+  double sse, white;
+};
+
+EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape_m) {
+  double up = 0.0, down = 1e-30;
+  for (std::size_t i = 0; i < edge.s.size(); ++i) {
+    const double c = share_on_tape(edge.s[i] - offset, footprint, tape_m);
+    up += (1.0 - c) * (edge.y[i] - edge.black * c);
+    down += (1.0 - c) * (1.0 - c);
+  }
+  const double white = up / down;
+  double sse = 0.0;
+  for (std::size_t i = 0; i < edge.s.size(); ++i) {
+    const double c = share_on_tape(edge.s[i] - offset, footprint, tape_m);
+    const double error = (edge.y[i] - white * (1.0 - c) - edge.black * c) / (edge.black - white);
+    sse += error * error;
+  }
+  return {sse, white};
+}
+
+/// The offset that fits best: a look around, then golden section.
+double best_offset(const Edge& edge, double footprint, double tape_m) {
+  const double reach = 0.0006 + 0.25 * footprint;
+  constexpr int kLooks = 4;
+  double best = 0.0, least = 1e300;
+  for (int k = -kLooks; k <= kLooks; ++k) {
+    const double offset = reach * k / kLooks;
+    const double sse = at_offset(edge, offset, footprint, tape_m).sse;
+    if (sse < least) {
+      least = sse;
+      best = offset;
+    }
+  }
+  constexpr double kGolden = 0.6180339887498949;
+  double low = best - reach / kLooks, high = best + reach / kLooks;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double at_a = at_offset(edge, a, footprint, tape_m).sse, at_b = at_offset(edge, b, footprint, tape_m).sse;
+  for (int round = 0; round < 14; ++round) {
+    if (at_a < at_b) {
+      high = b;
+      b = a;
+      at_b = at_a;
+      a = high - kGolden * (high - low);
+      at_a = at_offset(edge, a, footprint, tape_m).sse;
+    } else {
+      low = a;
+      a = b;
+      at_a = at_b;
+      b = low + kGolden * (high - low);
+      at_b = at_offset(edge, b, footprint, tape_m).sse;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+double fit_footprint(const std::vector<Edge>& edges, std::size_t first, std::size_t stride, double start,
+                     double tape_m) {
+  const auto misfit = [&](const std::vector<double>& x) {
+    const double footprint = std::exp(x[0]);
+    double sum = 0.0;
+    for (std::size_t i = first; i < edges.size(); i += stride)
+      sum += at_offset(edges[i], best_offset(edges[i], footprint, tape_m), footprint, tape_m).sse;
+    return sum;
+  };
+  return std::exp(
+      minimise(misfit, {{std::log(kLeastFootprint), std::log(kMostFootprint), std::log(start), 0.3}}, 40)[0]);
+}
+
+void measure_footprint(PartFit& fit, const std::vector<Element>& elements, double tape_m) {
+  // Where to begin: the width from 10 to 90 % of an edge's readings is 0.8 f.
+  double footprint = 0.25 * tape_m;
+  std::vector<Edge> edges;
+  for (int round = 0; round < 3; ++round) {
+    edges = cut_edges(elements, tape_m, footprint, &fit.spacing);
+    if (edges.empty()) return;
+    footprint = fit_footprint(edges, 0, 1, footprint, tape_m);
+  }
+  std::vector<double> tenths;
+  const std::size_t batches = std::min(kBatches, edges.size());
+  for (std::size_t k = 0; k < batches; ++k)
+    tenths.push_back(fit_footprint(edges, k, batches, footprint, tape_m));
+  const double scatter =
+      batches > 1 ? deviation(tenths) / std::sqrt(static_cast<double>(batches)) : footprint;
+  // Samples that are farther apart than the footprint is wide see of it that it is small, no more.
+  if (fit.spacing > footprint) return;
+  // What wheels and tape differ by, one of them is off.
+  const double scale = fit.seen.value > 0.0 ? 0.5 * (fit.seen.value / tape_m - 1.0) : 0.0;
+  fit.footprint = {footprint, std::hypot(scatter, std::hypot(0.01, scale) * footprint)};
+  for (const Edge& edge : edges) {
+    const double offset = best_offset(edge, footprint, tape_m);
+    const double white = at_offset(edge, offset, footprint, tape_m).white;
+    for (std::size_t i = 0; i < edge.s.size(); ++i)
+      fit.points.push_back({edge.s[i] - offset, (edge.y[i] - white) / (edge.black - white)});
+  }
+}
+
+/// What wheels and crossings say of the track: pairs of crossings a whole turn apart.
+void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
+  for (std::size_t k = 0; k < element.traces.size(); ++k) {
+    const Trace& trace = element.traces[k];
+    if (trace.angle.empty()) continue;
+    const std::vector<double>& t = trace.sweep->t;
+    const auto angle_at = [&](const Crossing& c) {
+      const double time = 0.5 * (c.enters + c.leaves);
+      const auto after = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin());
+      const double share = (time - t[after - 1]) / (t[after] - t[after - 1]);
+      return trace.angle[after - 1] + share * (trace.angle[after] - trace.angle[after - 1]);
+    };
+    for (std::size_t i = 2; i < element.crossings[k].size(); ++i) {
+      const double turned =
+          std::fabs(angle_at(element.crossings[k][i]) - angle_at(element.crossings[k][i - 2]));
+      tracks.push_back(turned / (2.0 * std::numbers::pi) * robot.chassis.track.value);
+    }
+  }
+}
+
+/// Which part and element a column is of.
+struct Column {
+  const ReflectanceSpec* part = nullptr;
+  std::size_t element = 0;
+};
+
+std::map<std::string, Column> columns_of(const robot::Description& robot) {
+  std::map<std::string, Column> columns;
+  for (const auto& part : robot.parts)
+    if (const auto* sensors = dynamic_cast<const ReflectanceSpec*>(part.get()))
+      for (std::size_t i = 0; i < sensors->elements.size(); ++i)
+        columns[sensors->elements[i].name] = {sensors, i};
+  return columns;
+}
+
+std::vector<Element> gather(const std::vector<Log>& logs, const robot::Description& robot,
+                            const ReflectanceSpec& part, const std::map<std::string, Column>& columns,
+                            double tape_m) {
+  std::vector<Element> elements;
+  for (std::size_t i = 0; i < part.elements.size(); ++i) {
+    Element element;
+    element.fit.name = part.elements[i].name;
+    for (const Log& log : logs) {
+      for (const Sweep& sweep : log.sweeps) {
+        for (std::size_t c = 0; c < sweep.names.size(); ++c) {
+          const Column& column = columns.at(sweep.names[c]);
+          if (column.part != &part || column.element != i) continue;
+          Trace trace = make_trace(log, sweep, c, part, i, robot);
+          const Levels levels = rough_levels(trace, element.fit.name, part);
+          const Levels& first = element.traces.empty() ? levels : element.rough;
+          const double span = first.black - first.white;
+          if (std::fabs(levels.white - first.white) + std::fabs(levels.black - first.black) >
+              kMostChange * std::fabs(span))
+            throw InputError(
+                {log.file, sweep.line},
+                fmt::format(
+                    "{} gives {:.3g} over the floor and {:.3g} over the tape here, but {:.3g} and "
+                    "{:.3g} in the sweep {}; are both of the same robot, at the same height?",
+                    element.fit.name, levels.white, levels.black, first.white, first.black,
+                    to_string(Place{*element.traces.front().file, element.traces.front().sweep->line})));
+          if (element.traces.empty()) element.rough = levels;
+          element.crossings.push_back(find_crossings(trace, element.fit.name, levels, tape_m));
+          element.fit.crossings += element.crossings.back().size();
+          element.traces.push_back(std::move(trace));
+        }
+      }
+    }
+    if (!element.traces.empty()) elements.push_back(std::move(element));
+  }
+  return elements;
+}
+
+/// `scale`: of the speeds that the wheels tell, as the track that was found has it.
+PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, double tape_m, double scale) {
+  PartFit fit;
+  fit.part = &part;
+  for (Element& element : elements)
+    for (std::size_t k = 0; k < element.traces.size(); ++k)
+      for (Crossing& c : element.crossings[k])
+        if (!element.traces[k].angle.empty()) c.speed *= scale;
+  std::vector<double> noise, seen;
+  for (Element& element : elements) {
+    measure_levels(element);
+    noise.push_back(element.fit.noise / std::fabs(element.fit.black.value - element.fit.white.value));
+    for (std::size_t k = 0; k < element.traces.size(); ++k)
+      for (const Crossing& c : element.crossings[k])
+        if (!element.traces[k].angle.empty()) seen.push_back(c.speed * (c.leaves - c.enters));
+  }
+  // Twice this is what its elements differ by, if they do so evenly.
+  const double differ = noise.size() > 1 ? 0.5 * std::numbers::sqrt3 * deviation(noise) : 0.0;
+  fit.noise = {mean(noise), std::hypot(0.02 * mean(noise), differ)};
+  if (seen.size() > 1) fit.seen = {mean(seen), deviation(seen) / std::sqrt(static_cast<double>(seen.size()))};
+  measure_footprint(fit, elements, tape_m);
+  for (Element& element : elements) fit.elements.push_back(std::move(element.fit));
+  return fit;
+}
+
+bool is_swept(const std::vector<Log>& logs, const ReflectanceSpec& part) {
+  for (const Log& log : logs)
+    for (const Sweep& sweep : log.sweeps)
+      for (const auto& element : part.elements)
+        if (std::find(sweep.names.begin(), sweep.names.end(), element.name) != sweep.names.end()) return true;
+  return false;
+}
+
+}  // namespace
+
+double share_on_tape(double inwards, double footprint, double tape_m) {
+  const double distance = std::fabs(0.5 * tape_m - inwards);
+  return std::clamp((0.5 * (tape_m + footprint) - distance) / footprint, 0.0,
+                    std::min(1.0, tape_m / footprint));
+}
+
+SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m) {
+  const std::map<std::string, Column> columns = columns_of(robot);
+  std::vector<std::string> known;
+  for (const auto& [name, column] : columns) known.push_back(name);
+  for (const Log& log : logs)
+    for (const Sweep& sweep : log.sweeps)
+      for (const std::string& name : sweep.names)
+        if (!columns.contains(name))
+          throw InputError({log.file, sweep.line},
+                           known.empty()
+                               ? fmt::format("there is a column {}, but the robot has no floor sensors", name)
+                               : unknown_name("floor sensor", name, known));
+  SweepFit fit;
+  std::vector<double> tracks;
+  std::vector<std::pair<const ReflectanceSpec*, std::vector<Element>>> parts;
+  for (const auto& part : robot.parts) {
+    const auto* sensors = dynamic_cast<const ReflectanceSpec*>(part.get());
+    if (!sensors) continue;
+    if (sensors->read == ReflectanceSpec::Read::digital) {
+      if (is_swept(logs, *sensors))
+        fit.remarks.push_back(sensors->name +
+                              ": a comparator's answers tell neither its threshold nor its footprint");
+      continue;
+    }
+    parts.emplace_back(sensors, gather(logs, robot, *sensors, columns, tape_m));
+    for (const Element& element : parts.back().second) collect_turns(element, robot, tracks);
+  }
+  if (tracks.size() > 1)
+    fit.track = {mean(tracks), std::hypot(deviation(tracks) / std::sqrt(static_cast<double>(tracks.size())),
+                                          0.001 * mean(tracks))};
+  const double scale = fit.track.value > 0.0 ? robot.chassis.track.value / fit.track.value : 1.0;
+  for (auto& [part, elements] : parts)
+    if (!elements.empty()) fit.parts.push_back(fit_part(*part, elements, tape_m, scale));
+  return fit;
+}
+
+}  // namespace robosim::calibrate

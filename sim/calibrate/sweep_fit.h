@@ -1,0 +1,73 @@
+// What a slow sweep over a tape tells of floor sensors.
+//
+// A crossing is a stretch of readings over the tape. How fast the sensor moves across it is told by the
+// wheels' counts, v = |d(angle)/dt| times the sensor's distance from the point that the robot turns about, or
+// without counts by the tape itself, v = width / duration at half depth. So each sample has a place s across
+// an edge, and
+//   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
+// as sim/world/floor.h has it: w the tape's width, d the distance from its middle, f the footprint, B what
+// the sensor gives over black, W over white just there: the floor beside each edge has a brightness of its
+// own. W and the edge's place are fitted for each edge by itself, f for all edges of a part together.
+//
+// The signal is volts, or of an RC sensor its rate, 1 / time: what is linear in blackness.
+//   black       mean of what it gives on the middle of the tape
+//   white       mean of what it gives beside it, as light comes back from the height that the robot file has
+//   noise       from second differences of neighbouring readings, which a floor's patches hardly change, less
+//   what
+//               rounding to codes adds; as a share of white to black
+//   footprint   as above; how sure it is: the scatter of ten estimates, each from a tenth of the edges
+//   track       a whole turn takes from one crossing to the next but one: track = path of the wheels / 2 pi
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/calibrate/log.h"
+#include "sim/robot/description.h"
+#include "sim/robot/parts/reflectance.h"
+
+namespace robosim::calibrate {
+
+/// A figure as it was found: value and standard deviation, SI.
+struct Found {
+  double value = 0.0;
+  double sd = 0.0;
+};
+
+/// Of one sensor; signals as above.
+struct ElementFit {
+  std::string name;
+  Found white, black;
+  double noise = 0.0, dark_noise = 0.0;  ///< of a reading over white and over black; the signal's unit
+  std::size_t crossings = 0;
+};
+
+/// A sample of an edge for plots: its place, inwards from the edge, and the blackness it shows.
+struct EdgePoint {
+  double s = 0.0;  ///< m
+  double blackness = 0.0;
+};
+
+struct PartFit {
+  const robot::ReflectanceSpec* part = nullptr;
+  Found footprint;       ///< m; value 0: the samples are too far apart for one
+  Found noise;           ///< a share of white to black
+  Found seen;            ///< m, the tape's width at half depth, by the wheels; 0 without counts
+  double spacing = 0.0;  ///< m between samples
+  std::vector<ElementFit> elements;
+  std::vector<EdgePoint> points;
+};
+
+struct SweepFit {
+  std::vector<PartFit> parts;
+  Found track;                       ///< m; value 0: not told
+  std::vector<std::string> remarks;  ///< what the sweep cannot tell, a sentence each
+};
+
+/// Throws InputError where the readings cannot be what such a robot sees.
+SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m);
+
+/// The share of the footprint on the tape, `inwards` of its edge.
+double share_on_tape(double inwards, double footprint, double tape_m);
+
+}  // namespace robosim::calibrate

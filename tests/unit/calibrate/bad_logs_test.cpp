@@ -1,0 +1,163 @@
+// Logs and stopwatch files that cannot be right: one sentence each, with the file and mostly the line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/file.h"
+#include "sim/calibrate/calibrate.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/calibrate/bench_logs.h"
+
+namespace robosim::calibrate {
+namespace {
+
+using bench::counted_sweep;
+using bench::drive;
+using bench::Eye;
+using bench::sweep;
+using ::testing::HasSubstr;
+
+class Folder : public test::TemporaryFolder {
+ public:
+  std::string write(const std::string& name, const std::string& text) const {
+    write_file(path() / name, text);
+    return (path() / name);
+  }
+};
+
+/// The sentence that answers these logs; "" if they are taken.
+std::string answer(const std::vector<std::string>& logs, double tape_m = 0.019,
+                   const std::string& stopwatch = "", std::string robot = bench::kRobot) {
+  const Folder folder;
+  Task task;
+  task.robot = folder.write("robot.toml", robot);
+  task.tape_m = tape_m;
+  int number = 0;
+  for (const std::string& log : logs)
+    task.logs.push_back(folder.write(fmt::format("log{}.csv", ++number), log));
+  if (!stopwatch.empty()) task.stopwatch = folder.write("watch.toml", stopwatch);
+  try {
+    calibrate(task);
+    return "";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.find('\n'), text.npos) << text;
+    const std::size_t slash = text.find("/log") == text.npos ? text.find("/watch") : text.find("/log");
+    return slash == text.npos ? text : text.substr(slash + 1);
+  }
+}
+
+struct Case {
+  const char* what;
+  std::string log;
+  const char* sentence;
+};
+
+std::string with_row(const std::string& row) { return "t_us,S1\n0,100\n5000,100\n" + row + "\n"; }
+
+TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
+  const Case cases[] = {
+      {"empty", "", "log1.csv: is empty"},
+      {"blank", "\n\n  \n", "log1.csv: is empty"},
+      {"binary", std::string("t_us,S1\n0,1\0", 12), "log1.csv:2: has a byte 0x00, so this is not a log"},
+      {"old line ends", "t_us,S1\r0,1\r", "log1.csv:1: has a byte 0x0D"},
+      {"no header", "0,100\n5000,100\n", "log1.csv:1: “0” stands before any column names"},
+      {"only remarks", "# a\n# b\n", "log1.csv: has no table"},
+      {"unknown sensor", sweep({}, "S2"), "log1.csv:1: there is no floor sensor “S2”; did you mean S1?"},
+      {"a column twice", "t_us,S1,S1\n", "log1.csv:1: there are two columns S1"},
+      {"a column without a name", "t_us,,S1\n", "log1.csv:1: a column has no name"},
+      {"no sensor", "t_us\n", "log1.csv:1: no column is named after a sensor"},
+      {"left alone", "t_us,left,count_left,count_right\n", "log1.csv:1: the column right is missing"},
+      {"one encoder", "t_us,count_left,S1\n", "log1.csv:1: the column count_right is missing"},
+      {"no counts", "t_us,left,right\n",
+       "log1.csv:1: a drive without the columns count_left and count_right"},
+      {"text", with_row("10000,abc"), "log1.csv:4: S1 is “abc”; it must be a number"},
+      {"nothing", with_row("10000,"), "log1.csv:4: S1 is “”; it must be a number"},
+      {"NaN", with_row("10000,nan"), "log1.csv:4: S1 is nan; it must be a finite number"},
+      {"infinite", with_row("10000,inf"), "log1.csv:4: S1 is inf; it must be a finite number"},
+      {"cut off", with_row("10000"), "log1.csv:4: a row has 1 fields, but the column names of line 1 are 2"},
+      {"too many", with_row("10000,1,2"), "log1.csv:4: a row has 3 fields"},
+      {"backwards", with_row("4000,100"),
+       "log1.csv:4: time goes back: t_us is 4000, and 5000 in the row before"},
+      {"standing", with_row("5000,100"), "log1.csv:4: time goes back"},
+      {"before", "t_us,S1\n-5,100\n", "log1.csv:2: t_us is -5; it must be from 0"},
+      {"a quote", with_row("10000,\"1"), "log1.csv:4: has a quote that is never closed"},
+      {"below 0", with_row("10000,-1"), "log1.csv:4: S1 is -1; a reading is from 0 to 1023"},
+      {"no code", sweep({100, 1400}), "S1 is "},
+      {"one row", "t_us,S1\n0,100\n", "log1.csv:1: this sweep has 1 row; it must have 100 at least"},
+      {"PWM 300", "t_us,left,right,count_left,count_right\n0,300,0,0,0\n",
+       "log1.csv:2: left is 300; it must be"},
+      {"PWM 1.5", "t_us,left,right,count_left,count_right\n0,1.5,0,0,0\n",
+       "log1.csv:2: left is 1.5; it must be"},
+      {"three counts", "# counts_per_period = 3\n" + sweep(),
+       "log1.csv:1: counts_per_period is “3”; it must be 1, 2 or 4"},
+      {"no time", "# timing_step_us = x\n" + sweep(),
+       "log1.csv:1: timing_step_us is “x”; it must be a number"},
+      {"always the same", sweep({500, 500}), "log1.csv:1: S1 reads nearly the same throughout this sweep"},
+      {"beside the tape", sweep({100, 900, 5.45, 5.5}), "log1.csv:1: S1 is over the tape in less than 3 %"},
+      {"only half over it", sweep({100, 900, 0.0, 6.0}, "S1", 101),
+       "log1.csv:1: S1 crosses the tape at no time"},
+      {"white over black", sweep({900, 100}), "log1.csv:1: S1 reads less over the tape than beside it"},
+      {"saturated", sweep({100, 1100, 0.5, 6.0, 1023}), "log1.csv:1: S1 reads 1023 in "},
+      {"wheels stand still", counted_sweep(0.0), "log1.csv:2: the wheels' counts change by 0 and 0"},
+      {"another tape", counted_sweep(800.0), "wide by the wheels' counts, but --tape is 19.0 mm"},
+      {"a motor that does not turn", drive(255, 0.0, 3000.0),
+       "log1.csv:2: the left motor is told 255, but its encoder counts 0: it does not turn"},
+      {"leads swapped", drive(255, 3000.0, -3000.0),
+       "log1.csv:2: the right motor is told 255, but its encoder counts -1485: its leads"},
+      {"begins with nothing", drive(0, 3000.0, 3000.0), "log1.csv:3: left is 0 in the first row"},
+      {"counts of what", drive(255, 3000.0, 3000.0, ""), "log1.csv: counts edges, but does not say how many"},
+  };
+  for (const Case& bad : cases) EXPECT_THAT(answer({bad.log}), HasSubstr(bad.sentence)) << bad.what;
+}
+
+TEST(BadLogs, TwoOfDifferentRobotsDisagree) {
+  EXPECT_EQ(answer({sweep(), sweep()}), "");
+  EXPECT_THAT(answer({sweep(), sweep({400, 900})}),
+              HasSubstr("log2.csv:1: S1 gives 1.96 over the floor and 4.41 over "
+                        "the tape here, but 0.496 and 4.41 in the sweep"));
+}
+
+TEST(BadLogs, ASweepWantsTheTapesWidth) {
+  EXPECT_THAT(answer({sweep()}, 0.0),
+              HasSubstr("log1.csv:1: this is a sweep over a tape; give the tape's width"));
+}
+
+TEST(BadLogs, ADriveWantsEncodersInTheRobotFile) {
+  std::string robot = bench::kRobot;
+  robot.resize(robot.find("[[part]]\nname = \"encoder_right\""));
+  EXPECT_THAT(answer({drive(255, 3000.0, 3000.0)}, 0.019, "", robot),
+              HasSubstr("has no encoder on the right wheel"));
+}
+
+TEST(BadLogs, AreNotReadWhereTheyAreNot) {
+  const Folder folder;
+  Task task;
+  task.robot = folder.write("robot.toml", bench::kRobot);
+  task.logs = {"/nowhere/log.csv"};
+  EXPECT_THROW(calibrate(task), InputError);
+}
+
+TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
+  const auto watch = [](const std::string& text) { return answer({}, 0.0, text); };
+  EXPECT_THAT(watch("supply = \"7 V\"\n"), HasSubstr("watch.toml: has no [[drive]]"));
+  EXPECT_THAT(watch("[[drive]]\npwm = 0\n"), HasSubstr("watch.toml:2:7: pwm is 0; it must be"));
+  EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 s\"\n"), HasSubstr("watch.toml:1:1: [[drive]] "));
+  EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 m\"\ndistance = \"1 m\"\n"),
+              HasSubstr("watch.toml:3:8: time"));
+  EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 s\"\ndistance = \"1 m\"\nspeed = 3\n"),
+              HasSubstr("watch.toml:5"));
+}
+
+TEST(Logs, BeginWhereTheBoardBeganLast) {
+  // A board starts anew when the monitor opens its port, and Arduino's monitor can put a time before each
+  // line.
+  const std::string start = "# robosim calibration log\n";
+  EXPECT_EQ(answer({start + "t_us,S1\n0,1\n50" + "\n" + start + sweep()}), "");
+  std::string stamped;
+  for (const char c : sweep())
+    stamped += (stamped.empty() || stamped.back() == '\n' ? "12:00:01.123 -> " : "") + std::string(1, c);
+  EXPECT_EQ(answer({stamped}), "");
+}
+
+}  // namespace
+}  // namespace robosim::calibrate
