@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/spelling.h"
+#include "sim/base/units.h"
 #include "sim/cli/calibrate/calibrate_command.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
@@ -169,13 +170,21 @@ Command parse_generate(const Words& words) {
 
 Command parse_import(const Words& words) {
   ImportArguments import;
+  std::string pixel;
   Options options(
       "map import",
       "Makes a map of another tool's course: robotrace_course_cad's JSON, lengths with curvatures, "
-      "points, mazes of micromouse (docs/courses.md).");
+      "points, mazes of micromouse, a picture (docs/courses.md).");
   options.positional("FILE", import.file, "the course");
   options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
+  options.text("--pixel", pixel, "LENGTH", "of a picture: the side of a pixel, such as 0.5mm");
   if (const auto help = options.parse(words)) return PrintText{*help};
+  if (!pixel.empty()) {
+    const auto length = parse_quantity(pixel, Dimension::length);
+    if (!length || !(*length >= 1e-5 && *length <= 0.1))
+      refuse_value("--pixel", pixel, "0.01 to 100 mm, such as 0.5mm");
+    import.pixel_m = *length;
+  }
   if (import.file.empty()) throw InputError("robosim map import needs the course's file");
   return import;
 }

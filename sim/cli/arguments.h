@@ -107,7 +107,8 @@ struct GenerateArguments {
 /// `robosim map import`
 struct ImportArguments {
   std::string file;
-  std::string out;  ///< a file; empty = standard output
+  std::string out;       ///< a file; empty = standard output
+  double pixel_m = 0.0;  ///< of a picture; 0 = not given
 };
 
 /// `robosim map print`

@@ -22,4 +22,10 @@ struct Imported {
 /// `name` becomes the map's. Throws InputError with file and line.
 Imported import_course(std::string_view text, const std::string& file, const std::string& name);
 
+/// The same of a PNG, whose pixels have sides of `pixel_m` m. The map has no line: what leads where is not
+/// read from pictures.
+Imported import_picture(std::string png, const std::string& file, const std::string& name, double pixel_m);
+/// Whether these are a PNG's bytes.
+bool is_picture(std::string_view bytes);
+
 }  // namespace robosim::course

@@ -8,6 +8,7 @@
 
 #include "sim/base/config.h"
 #include "sim/grid/course_reader.h"
+#include "sim/grid/floor_image.h"
 
 namespace robosim::grid {
 namespace {
@@ -16,7 +17,9 @@ constexpr double kMinCell = 0.001;  // m
 constexpr double kMaxCell = 10.0;
 constexpr double kMaxCorner = 100.0;
 constexpr double kMaxVariation = 0.3;
-constexpr int kMostTries = 3;  // of a line maze
+constexpr int kMostTries = 3;       // of a line maze
+constexpr double kMinPixel = 1e-5;  // m
+constexpr double kMaxPixel = 0.1;
 
 const char* cell_word(Cell cell) {
   switch (cell) {
@@ -72,6 +75,31 @@ void read_size(const ConfigValue& value, FrontMatter& front) {
       Vec2{as_quantity(value.items[0], "the width", Dimension::length, front.settings.cell_m, most),
            as_quantity(value.items[1], "the height", Dimension::length, front.settings.cell_m, most)};
   front.size_place = value.place;
+}
+
+void read_floor(TableReader& table, FrontMatter& front) {
+  const ConfigValue* const pixel = table.find("pixel");
+  const ConfigValue* const floor = table.find("floor");
+  const std::string what = floor ? as_string(*floor, "floor") : "stripes";
+  const bool is_picture = what.ends_with(".png") || what.ends_with(".PNG");
+  front.settings.raster = what == "raster";
+  if (!is_picture && what != "stripes" && what != "raster")
+    throw InputError(floor->place,
+                     fmt::format("floor is \"{}\"; allowed are stripes, raster or the name of a picture, "
+                                 "NAME.png, beside the map",
+                                 what));
+  if (!is_picture) {
+    if (pixel) throw InputError(pixel->place, "pixel is for floor = \"NAME.png\", a picture");
+    return;
+  }
+  if (what.find_first_of("/\\") != what.npos || what.front() == '.')
+    throw InputError(floor->place, fmt::format("floor is \"{}\"; a picture lies beside the map, so this is a "
+                                               "file's name without folders",
+                                               what));
+  if (!pixel) throw InputError(floor->place, "a picture needs the side of a pixel, as in pixel = \"0.5 mm\"");
+  front.picture = what;
+  front.picture_place = floor->place;
+  front.pixel_m = as_quantity(*pixel, "pixel", Dimension::length, kMinPixel, kMaxPixel);
 }
 
 bool is_count(std::string_view digits, int most) {
@@ -169,7 +197,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
         fmt::format("line is {:.10g} mm, but a cell only {:.10g} mm; a line is at most as wide as a cell",
                     map.line_m * 1e3, map.cell_m * 1e3));
   map.corner_m = table.quantity("corner", Dimension::length, map.corner_m, 0.0, kMaxCorner);
-  map.raster = table.choice("floor", "stripes", {"stripes", "raster"}) == "raster";
+  read_floor(table, front);
   map.generator = table.string("generator", "");
   if (const ConfigValue* goal = table.find("goal")) read_goal(*goal, front);
   map.light_line =
@@ -187,6 +215,21 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);
   table.finish();
   return front;
+}
+
+void check_picture(const Map& map, const Place& place) {
+  const double wide = map.image->wide_m(), high = map.image->high_m();
+  const auto size = [](double x, double y) { return fmt::format("{:.10g} x {:.10g} mm", 1e3 * x, 1e3 * y); };
+  if (std::min(wide, high) < map.line_m)
+    throw InputError(place,
+                     fmt::format("the picture is {} large, less than the line is wide ({:.10g} mm): is "
+                                 "pixel = \"{:.10g} mm\" right?",
+                                 size(wide, high), 1e3 * map.line_m, 1e3 * map.image->pixel_m()));
+  if (wide > map.width * map.cell_m + 1e-9 || high > map.height * map.cell_m + 1e-9)
+    throw InputError(place, fmt::format("the picture is {} large, more than the floor: {}", size(wide, high),
+                                        size(map.width * map.cell_m, map.height * map.cell_m)));
+  if (!map.course.marks.empty())
+    throw InputError(place, "the picture is all that is painted on this floor; [[mark]] would paint more");
 }
 
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what) {

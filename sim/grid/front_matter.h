@@ -32,6 +32,9 @@ struct FrontMatter {
   Map settings;              ///< what does not depend on the cells is set
   std::optional<Vec2> size;  ///< m; of a floor without rows
   Place size_place;
+  std::string picture;  ///< a file's name; "" = none
+  Place picture_place;
+  double pixel_m = 0.0;
   std::optional<PlacedStart> start;
   std::optional<PlacedCell> goal_cell;
   std::vector<PlacedStation> stations;
@@ -41,6 +44,10 @@ struct FrontMatter {
 /// Reads the text between the +++ lines; `first_line` is the file's line on which it begins. Throws
 /// InputError.
 FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line);
+
+/// That the picture is as large as the line is wide, and not larger than the floor, and that there is nothing
+/// that would be painted beside it. Throws InputError at `place`.
+void check_picture(const Map& map, const Place& place);
 
 /// "13, 2 is outside the map" and "13, 2 is floor, not line" are errors at `place`.
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "sim/base/file.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/map_parser.h"
 
 namespace robosim::grid {
@@ -28,6 +29,12 @@ class MapFile {
   }
 
   std::size_t size() const { return size_; }
+
+  /// In which all front matter is.
+  std::string beginning() {
+    std::vector<char> buffer(MapParser::kMaxFrontMatter + 1024);
+    return std::string(read(buffer));
+  }
 
   /// Fills the buffer as far as the file reaches; less than all of it only at the file's end.
   std::string_view read(std::vector<char>& buffer) {
@@ -52,6 +59,10 @@ class MapFile {
   std::size_t size_ = 0;
 };
 
+std::string sha256_with_picture(std::string_view text, const Map& map) {
+  return map.image ? sha256(std::string(text) + map.image->png()) : sha256(text);
+}
+
 std::string stem(const std::string& file) { return fs::path(file).stem().string(); }
 
 }  // namespace
@@ -61,27 +72,36 @@ Map read_map(const fs::path& path) {
   MapParser parser(path.string(), file.size());
   std::vector<char> buffer(kChunk);
   std::string_view chunk = file.read(buffer);
-  const std::string hash = chunk.size() < kChunk ? sha256(chunk) : "";
+  const std::string_view small = chunk.size() < kChunk ? chunk : std::string_view();
   while (!chunk.empty()) {
     parser.feed(chunk);
     chunk = chunk.size() < kChunk ? std::string_view() : file.read(buffer);
   }
   Map map = parser.finish();
-  map.sha256 = hash;
+  if (!small.empty()) map.sha256 = sha256_with_picture(small, map);
   if (map.name.empty()) map.name = stem(map.file);
   return map;
 }
 
-Map parse_map(std::string_view text, const std::string& file) {
-  MapParser parser(file, text.size());
+Map parse_map(std::string_view text, const std::string& file, const std::string& picture) {
+  MapParser parser(file, text.size(), picture);
   parser.feed(text);
   Map map = parser.finish();
-  map.sha256 = sha256(text);
+  map.sha256 = sha256_with_picture(text, map);
   if (map.name.empty()) map.name = stem(file);
   return map;
 }
 
-std::string sha256_of(const Map& map) { return map.sha256.empty() ? sha256_of_file(map.file) : map.sha256; }
+std::string sha256_of(const Map& map) {
+  if (!map.sha256.empty()) return map.sha256;
+  return map.image ? sha256_with_picture(read_file(map.file), map) : sha256_of_file(map.file);
+}
+
+std::string sha256_of_map(const fs::path& path) {
+  const std::string picture = MapParser::picture_named_in(MapFile(path).beginning(), path.string());
+  if (picture.empty()) return sha256_of_file(path);
+  return sha256(read_file(path) + read_file(path.parent_path() / picture, FloorImage::kMostFile_bytes));
+}
 
 fs::path find_map(const std::string& name) {
   if (name.find_first_of("/.") != std::string::npos) return name;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 #include "sim/grid/light.h"
 
 namespace robosim::grid {
+
+class FloorImage;
 
 enum class Cell : std::uint8_t {
   floor = 0,
@@ -88,7 +91,9 @@ struct Map {
   bool light_line = false;  ///< paint = "white on black"
   /// Standard deviation of the floor's brightness, as a share of it; none: what the profile has.
   std::optional<double> variation;
-  std::vector<Light> lights;   ///< of the room, beside the sensors' own
+  std::vector<Light> lights;  ///< of the room, beside the sensors' own
+  /// floor = "NAME.png": what is painted. Then cells and paths say where the line is, and paint nothing.
+  std::shared_ptr<const FloorImage> image;
   Course course;               ///< paths and marks, beside the cells
   std::optional<Start> start;  ///< from [start] or S
   /// The front matter's goal, "" = none. A map with a goal cell and no goal of its own gets "station:NAME",
@@ -98,7 +103,8 @@ struct Map {
   std::optional<CellAt> goal_cell;  ///< from G or [goal]; it is among `stations` too
   std::vector<NamedStation> stations;
   std::string generator;  ///< name, version and seed, where a generator wrote the map
-  std::string sha256;     ///< of the text; read_map leaves it empty for large files: see sha256_of
+  /// Of the text, and of a picture's file behind it; read_map leaves it empty for large files: see sha256_of.
+  std::string sha256;
 
   bool contains(CellAt c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   /// Outside the map everything is wall.
@@ -129,12 +135,15 @@ constexpr std::size_t kMaxBareCells = 4'000'000;
 /// Reads a map file, in one pass and at one byte a cell. Throws InputError with file, line, column, what was
 /// found and what is allowed.
 Map read_map(const std::filesystem::path& path);
-/// The same from text; `file` is for messages.
-Map parse_map(std::string_view text, const std::string& file);
+/// The same from text; `file` is for messages, and a picture lies beside it, unless its bytes are given here.
+Map parse_map(std::string_view text, const std::string& file, const std::string& picture = "");
 
-/// SHA-256 of the map's text. Hashing takes several times as long as reading, so read_map hashes small files
-/// only (up to 256 KB); for a larger one this reads the file again. Throws InputError if it is gone.
+/// SHA-256 of the map's text, and of its picture's file behind it. Hashing takes several times as long as
+/// reading, so read_map hashes small files only (up to 256 KB); for a larger one this reads the file again.
+/// Throws InputError if it is gone.
 std::string sha256_of(const Map& map);
+/// The same of a map's file, of which no more than the front matter is understood. Throws InputError.
+std::string sha256_of_map(const std::filesystem::path& path);
 
 /// A map by what users type: a path if it holds '/' or '.', else the sample map of that name. Throws
 /// InputError naming the samples that exist.

@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
+#include "sim/base/file.h"
 #include "sim/base/utf8.h"
+#include "sim/grid/floor_image.h"
 
 namespace robosim::grid {
 namespace {
 
 constexpr std::string_view kFence = "+++";
-constexpr std::size_t kMaxFrontMatter = 1 << 20;  // bytes
 
 // Reads a row of floor, line and wall only; false if it holds anything else. Written so that compilers turn
 // it into vector code: large maps are read at the speed of memory.
@@ -46,7 +48,8 @@ std::size_t count(std::string_view row, char c) {
 
 }  // namespace
 
-MapParser::MapParser(std::string file, std::size_t size_hint) : size_hint_(size_hint) {
+MapParser::MapParser(std::string file, std::size_t size_hint, std::string picture)
+    : size_hint_(size_hint), picture_(std::move(picture)) {
   map_.file = std::move(file);
   meaning_.fill(kNothing);
   const auto mean = [this](std::string_view characters, Cell cell) {
@@ -57,6 +60,30 @@ MapParser::MapParser(std::string file, std::size_t size_hint) : size_hint_(size_
   mean("2#", Cell::wall);
   mean("x", Cell::obstacle);
   for (const char c : {'S', 'G'}) meaning_[static_cast<unsigned char>(c)] |= kMark;
+}
+
+std::string MapParser::picture_named_in(std::string_view beginning, const std::string& file) {
+  if (!beginning.starts_with(kFence)) return "";
+  MapParser parser(file, 0);
+  while (parser.section_ != Section::grid && !beginning.empty()) {
+    const std::size_t end = std::min(beginning.find('\n'), beginning.size() - 1) + 1;
+    parser.feed(beginning.substr(0, end));
+    beginning.remove_prefix(end);
+  }
+  return parser.front_.picture;
+}
+
+void MapParser::load_picture() {
+  const auto place = std::filesystem::path(map_.file).parent_path() / front_.picture;
+  try {
+    if (picture_.empty()) picture_ = read_file(place, FloorImage::kMostFile_bytes);
+  } catch (const InputError& error) {
+    throw InputError(front_.picture_place, fmt::format("the picture {} {}", front_.picture, error.message()));
+  }
+  map_.image = std::make_shared<const FloorImage>(std::move(picture_), place.string(), front_.pixel_m);
+  if (map_.height > 0 || front_.size) return;
+  front_.size = Vec2{map_.image->wide_m(), map_.image->high_m()};
+  front_.size_place = front_.picture_place;
 }
 
 void MapParser::feed(std::string_view bytes) {
@@ -229,6 +256,7 @@ Map MapParser::finish() {
   if (section_ == Section::front_matter)
     throw InputError({map_.file, 1, 1},
                      "the front matter that begins here never ends; close it with a line +++");
+  if (!front_.picture.empty()) load_picture();
   if (map_.height == 0) make_floor();
   check_course();
   check_swap();
@@ -262,6 +290,7 @@ void MapParser::check_course() const {
                      "size is for a floor without rows; here the rows say how large it is");
   if (map_.raster && !map_.course.empty())
     throw InputError({map_.file}, "floor = \"raster\" paints cells, and this map has paths");
+  if (map_.image) check_picture(map_, front_.picture_place);
   const double wide = map_.width * map_.cell_m, high = map_.height * map_.cell_m;
   for (const Area& area : map_.course.areas) {
     const Vec2 p = area.middle.position;

@@ -17,7 +17,12 @@ namespace robosim::grid {
 class MapParser {
  public:
   /// `size_hint`: how many bytes will be fed, if known; the memory for the cells is reserved accordingly.
-  MapParser(std::string file, std::size_t size_hint);
+  /// `picture`: the bytes of the floor's picture, if it does not lie beside the file.
+  MapParser(std::string file, std::size_t size_hint, std::string picture = "");
+
+  static constexpr std::size_t kMaxFrontMatter = 1 << 20;  ///< bytes
+  /// The picture that the front matter names; "" = none. `beginning`: of the map's text.
+  static std::string picture_named_in(std::string_view beginning, const std::string& file);
 
   /// Throws InputError as soon as something is wrong.
   void feed(std::string_view bytes);
@@ -40,6 +45,7 @@ class MapParser {
   void count_for_swap(std::string_view row);
   [[noreturn]] void refuse_character(std::string_view row, std::size_t column) const;
   [[noreturn]] void refuse_length(std::string_view row) const;
+  void load_picture();
   void make_floor();
   void check_course() const;
   void check_swap() const;
@@ -56,6 +62,7 @@ class MapParser {
   Section section_ = Section::beginning;
   int line_ = 0;            // of the last line taken
   int first_row_line_ = 0;  // the line of row 0
+  std::string picture_;     // its bytes
   std::string carry_;       // a line whose end has not been fed yet
   std::string front_text_;
   std::vector<Cell> row_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/grid/course_writer.h"
+#include "sim/grid/floor_image.h"
 
 namespace robosim::grid {
 namespace {
@@ -35,7 +36,7 @@ double rounded(double m) { return std::round(m * 1e6) / 1e6; }
 
 // Whether it is written without rows.
 bool is_bare(const Map& map) {
-  return !map.course.paths.empty() &&
+  return (!map.course.paths.empty() || map.image) &&
          std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; });
 }
 
@@ -49,6 +50,9 @@ std::string front_matter(const Map& map, bool mark_goal) {
     text += fmt::format("line = \"{}\"\n", length_text(map.line_m));
   if (map.corner_m != defaults.corner_m) text += fmt::format("corner = \"{}\"\n", length_text(map.corner_m));
   if (map.raster) text += "floor = \"raster\"\n";
+  if (map.image)
+    text += fmt::format("floor = {}\npixel = \"{}\"\n", toml_string(map.image->name()),
+                        length_text(map.image->pixel_m()));
   if (map.light_line) text += "paint = \"white on black\"\n";
   if (map.variation) text += fmt::format("variation = {}\n", *map.variation);
   if (is_bare(map))

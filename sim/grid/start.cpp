@@ -112,7 +112,11 @@ Start default_start(const Map& map) {
     if (line_neighbours(map, cell) != 0 && is_dead_end(map, cell)) return {cell, default_facing(map, cell)};
     if (!first) first = cell;
   }
-  if (!first) throw InputError({map.file}, "the map has no line on which a robot could start");
+  if (!first)
+    throw InputError({map.file}, map.image
+                                     ? "the floor is a picture, and no [[path]] says where its line goes: "
+                                       "without one there is no start, goal, lap or cross-track error"
+                                     : "the map has no line on which a robot could start");
   return {*first, default_facing(map, *first)};
 }
 

@@ -20,7 +20,8 @@ export function areaOf(runs) {
 }
 
 export class FloorPicture {
-  constructor(canvas, run) {
+  /** `whenLoaded` is called when there is more to be drawn: the picture of a floor that is one. */
+  constructor(canvas, run, whenLoaded) {
     this.canvas = canvas;
     this.run = run;
     this.colourBy = 'speed_mm_s';
@@ -28,6 +29,11 @@ export class FloorPicture {
     if (!floor) return;
     this.walls = rectangles(floor.walls);
     this.dark = rectangles(floor.dark);
+    if (floor.picture) {
+      this.picture = new Image();
+      this.picture.onload = whenLoaded;
+      this.picture.src = `data:image/png;base64,${floor.picture.png}`;
+    }
     this.lines = new Path2D();
     this.unseen = new Path2D();
     for (const { line: [x, y, toX, toY], arc, painted = true } of floor.stripes) {
@@ -83,6 +89,13 @@ export class FloorPicture {
     const [paper, paint] = floor.light_line ? ['line', 'paper'] : ['paper', 'line'];
     ctx.fillStyle = style(paper);
     ctx.fillRect(0, 0, floor.width, floor.height);
+    if (this.picture?.complete) {
+      const { width, height } = floor.picture;
+      ctx.save();
+      ctx.scale(1, -1);
+      ctx.drawImage(this.picture, 0, -height, width, height);
+      ctx.restore();
+    }
     ctx.fillStyle = style('wall');
     ctx.fill(this.walls);
     ctx.fillStyle = ctx.strokeStyle = style(paint);

@@ -34,7 +34,7 @@ class Page {
     this.run = run;
     this.player = new Player(run);
     this.span = new Span(this.player);
-    this.floor = new FloorPicture($('floor'), run);
+    this.floor = new FloorPicture($('floor'), run, () => this.redraw());
     this.view = new View($('floor'), areaOf([run]), () => this.drawFloor());
     this.timeline = new Timeline($('timeline'), this.player);
     this.charts = [];

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <hpdf.h>
 
+#include <new>
 #include <stdexcept>
+#include <vector>
 
 namespace robosim::print {
 namespace {
@@ -43,6 +45,7 @@ struct Pdf::Inside {
   HPDF_Doc document = HPDF_New(keep_going, nullptr);
   HPDF_Page page = nullptr;
   HPDF_Font font = nullptr;
+  HPDF_Image picture = nullptr;
 
   ~Inside() {
     if (document) HPDF_Free(document);
@@ -118,6 +121,22 @@ void Pdf::add_box(const Box& box) {
                       points(box.high - box.low));
 }
 
+void Pdf::load_picture(const grid::FloorImage& image) {
+  std::vector<HPDF_BYTE> greys;
+  greys.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
+  for (int row = 0; row < image.height(); ++row)
+    for (int column = 0; column < image.width(); ++column)
+      greys.push_back(static_cast<HPDF_BYTE>(255 - image.at(column, row)));
+  in_->picture = HPDF_LoadRawImageFromMem(in_->document, greys.data(), static_cast<HPDF_UINT>(image.width()),
+                                          static_cast<HPDF_UINT>(image.height()), HPDF_CS_DEVICE_GRAY, 8);
+  in_->check();
+}
+
+void Pdf::draw_picture(const Box& box) {
+  HPDF_Page_DrawImage(in_->page, in_->picture, points(box.left), points(box.low),
+                      points(box.right - box.left), points(box.high - box.low));
+}
+
 void Pdf::stroke() { HPDF_Page_Stroke(in_->page); }
 
 void Pdf::fill() { HPDF_Page_Fill(in_->page); }
@@ -171,6 +190,8 @@ void Pdf::move_to(Vec2) {}
 void Pdf::line_to(Vec2) {}
 void Pdf::arc_to(const Line&) {}
 void Pdf::add_box(const Box&) {}
+void Pdf::load_picture(const grid::FloorImage&) {}
+void Pdf::draw_picture(const Box&) {}
 void Pdf::stroke() {}
 void Pdf::fill() {}
 void Pdf::text(Vec2, double, const std::string&) {}

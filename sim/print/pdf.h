@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/base/vec.h"
+#include "sim/grid/floor_image.h"
 #include "sim/print/shapes.h"
 
 namespace robosim::print {
@@ -28,6 +29,9 @@ class Pdf {
   /// An arc as Line has it, from where the pen is; at most an eighth of a half turn.
   void arc_to(const Line& arc);
   void add_box(const Box& box);
+  /// A picture, in greys: draws what was loaded, as large as the box.
+  void load_picture(const grid::FloorImage& image);
+  void draw_picture(const Box& box);
   void stroke();
   void fill();
   /// In Helvetica; characters beyond Latin-1 become `?`.

@@ -19,10 +19,12 @@ class Printer {
  public:
   Printer(const grid::Map& map, const Options& options)
       : map_(map),
-        dark_floor_(map.light_line && !options.swapped),
+        dark_floor_(map.light_line && !options.swapped && !map.image),
         shapes_(map),
         sheets_(divide(map, shapes_, options.paper, options.margin, dark_floor_)),
-        pdf_(map.name, options.compressed) {}
+        pdf_(map.name, options.compressed) {
+    if (map.image) pdf_.load_picture(*map.image);
+  }
 
   Printed print() {
     overview();
@@ -51,6 +53,8 @@ class Printer {
       pdf_.add_box(view(floor()));
       pdf_.fill();
     }
+    if (map_.image)
+      pdf_.draw_picture(view(Box{0.0, 0.0, map_.image->wide_m() * 1e3, map_.image->high_m() * 1e3}));
     pdf_.set_grey(dark_floor_ ? 1.0 : 0.0);
     bool any = false;
     shapes_.painted_cells_near(box, [&](const Box& run) {
@@ -179,7 +183,10 @@ class Printer {
     y -= 3.0;
     for (const std::string& line :
          {fmt::format("{:.10g} x {:.10g} mm, {}, line {:.10g} mm wide; shown here at 1 : {:.1f}",
-                      sheets_.width, sheets_.height, dark_floor_ ? "white on black" : "black on white",
+                      sheets_.width, sheets_.height,
+                      map_.image    ? map_.image->name()
+                      : dark_floor_ ? "white on black"
+                                    : "black on white",
                       shapes_.line_width(), 1.0 / scale),
           fmt::format("{} in {} of {}, numbered row-column{}.", counted(count, "sheet"),
                       counted(static_cast<std::size_t>(sheets_.rows), "row"),

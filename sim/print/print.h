@@ -11,7 +11,7 @@ namespace robosim::print {
 struct Options {
   Paper paper;
   double margin = 5.0;  ///< mm that the printer leaves white
-  /// What is white on black is printed as black on white.
+  /// What is white on black is printed as black on white; pictures are printed as they are.
   bool swapped = false;
   bool compressed = true;  ///< the pages' contents
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/grid/floor_image.h"
+
 namespace robosim::print {
 namespace {
 
@@ -47,7 +49,7 @@ void near(const Line& line, const Box& box, double longest, const std::function<
 
 Shapes::Shapes(const grid::Map& map)
     : map_(&map), line_width_(map.line_m * kMillimetre), cell_(map.cell_m * kMillimetre) {
-  if (!map.raster) {
+  if (!map.raster && !map.image) {
     const grid::Stripes stripes(map, 0.0);
     for (const grid::Stripe& s : stripes.all())
       if (s.painted)
@@ -108,6 +110,8 @@ std::vector<Vec2> Shapes::obstacles_near(const Box& box) const {
 
 bool Shapes::paints(const Box& box) const {
   bool found = false;
+  if (map_->image)
+    return map_->image->darkness_in(Vec2{box.left, box.low} * 1e-3, Vec2{box.right, box.high} * 1e-3) > 0.0;
   painted_cells_near(box, [&](const Box&) { found = true; });
   for (const Bar& bar : bars_) {
     if (found) break;

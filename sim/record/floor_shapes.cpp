@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/base/base64.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
 
@@ -65,9 +67,12 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
       shapes.stripes.push_back(
           {{millimetres(s.a.x), millimetres(s.a.y), millimetres(s.b.x), millimetres(s.b.y)},
            {millimetres(s.centre.x), millimetres(s.centre.y), millimetres(s.radius)},
-           s.painted});
+           s.painted && !map.image});
     }
   }
+  if (map.image)
+    shapes.picture = {base64(map.image->png()), millimetres(map.image->wide_m()),
+                      millimetres(map.image->high_m())};
   shapes.light_line = map.light_line;
   for (const grid::Mark& mark : map.course.marks) {
     const Vec2 half = mark.middle.heading * mark.half_length;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,13 @@ struct FloorShapes {
   };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
-  double line_mm = 0.0;     ///< width of the painted stripes, whose ends and joints are round
+  double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
+  /// Of a floor that is a picture; its lower left corner is the map's.
+  struct Picture {
+    std::string png;  ///< the file in base64
+    double width_mm = 0.0, height_mm = 0.0;
+  };
+  std::optional<Picture> picture;
   bool light_line = false;  ///< the line and its marks are light, the floor dark
   std::vector<Stripe> stripes;
   std::vector<std::array<double, 5>> marks;  ///< bars: from x, y to x, y, and width; their ends are straight
@@ -55,12 +62,21 @@ void fields(V& v, wire::Same<V, FloorShapes::Area>& a) {
 }
 
 template <class V>
+void fields(V& v, wire::Same<V, FloorShapes::Picture>& p) {
+  v("png", p.png, "a PNG in base64");
+  v("width", p.width_mm, "on the floor");
+  v("height", p.height_mm, "on the floor");
+}
+
+template <class V>
 void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("width", f.width_mm, "of the map");
   v("height", f.height_mm, "of the map");
   v("cell", f.cell_mm, "side of a cell");
   v("line", f.line_mm, "width of the stripes");
   v("light_line", f.light_line, "white on black", {.presence = wire::when(f.light_line)});
+  v("picture", f.picture, "what is painted, in place of the stripes",
+    {.presence = wire::when(f.picture.has_value())});
   v("stripes", f.stripes, "centre lines");
   v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
     {.presence = wire::when(!f.marks.empty())});
@@ -70,6 +86,9 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("obstacles", f.obstacles, "centres");
   v("junctions", f.junctions, "centres");
 }
+
+/// A picture of more is neither drawn nor kept.
+inline constexpr std::size_t kLargestPicture_bytes = 4'000'000;
 
 FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started);
 

@@ -3,6 +3,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/file.h"
+#include "sim/grid/floor_image.h"
 #include "sim/record/compressed.h"
 #include "sim/record/recording.h"
 #include "sim/wire/json_writer.h"
@@ -31,8 +32,10 @@ void Gatherer::begin(const RecordedRun& run) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(run.request.map, error);
   if (error || bytes > kLargestMap_bytes) return;
+  grid::Map map = grid::read_map(run.request.map);
+  if (map.image && map.image->png().size() > kLargestPicture_bytes) return;
   header_.map_text = read_file(run.request.map);
-  map_ = grid::parse_map(header_.map_text, run.map);
+  map_ = std::move(map);
 }
 
 void Gatherer::add(const wire::Event& event) {

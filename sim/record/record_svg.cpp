@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sim/base/file.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/record/floor_shapes.h"
 #include "sim/record/trail_path.h"
@@ -60,6 +61,9 @@ class Drawing {
   }
 
   void floor() {
+    if (const auto& picture = floor_.picture)
+      put(R"(<image x="0" y="{:.1f}" width="{:.1f}" height="{:.1f}" preserveAspectRatio="none" href="data:image/png;base64,{}"/>)",
+          floor_.height_mm - picture->height_mm, picture->width_mm, picture->height_mm, picture->png);
     rectangles(floor_.walls, "#b9b4a8");
     rectangles(floor_.dark, kDark);
     areas(false);
@@ -209,7 +213,10 @@ class Drawing {
 FloorShapes shapes_of(const std::string& file, const wire::Started& started) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(file, error);
-  if (!error && bytes <= kLargestDrawnMap_bytes) return floor_shapes(grid::read_map(file), started);
+  if (!error && bytes <= kLargestDrawnMap_bytes) {
+    const grid::Map map = grid::read_map(file);
+    if (!map.image || map.image->png().size() <= kLargestPicture_bytes) return floor_shapes(map, started);
+  }
   FloorShapes shapes;
   shapes.cell_mm = started.cell_mm;
   shapes.width_mm = started.width * started.cell_mm;

@@ -66,7 +66,7 @@ struct Inputs {
 };
 
 Inputs inputs_of(const wire::RunRequest& request, const robot::Description& robot) {
-  return {sha256_of_file(request.map), robot.sha256, known_sha256(request.image)};
+  return {grid::sha256_of_map(request.map), robot.sha256, known_sha256(request.image)};
 }
 
 // The outcome, together with what it rests on.

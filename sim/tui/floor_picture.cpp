@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/grid/floor_image.h"
+
 namespace robosim::tui {
 namespace {
 
@@ -78,6 +80,7 @@ bool FloorPicture::is_painted(Vec2 p, double reach_m) const {
   for (const grid::Area& area : map_.course.areas)
     if (area.contains(p) && area.colour.hue != (map_.light_line ? grid::Hue::black : grid::Hue::white))
       return true;
+  if (map_.image) return (map_.image->darkness(p, 2.0 * reach_m) >= 0.5) != map_.light_line;
   if (map_.raster) return grid::is_line(map_.at(cell)) && map_.at(cell) != grid::Cell::gap;
   const auto near = stripes_.near(cell);
   return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {

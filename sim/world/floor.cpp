@@ -29,9 +29,10 @@ Floor::Floor(const grid::Map& map)
       half_line_(0.5 * map.line_m),
       map_(&map),
       light_line_(map.light_line),
+      image_(map.image.get()),
       marks_(map),
       areas_(map),
-      lines_only_(marks_.empty() && areas_.empty()),
+      lines_only_(marks_.empty() && areas_.empty() && !image_),
       kinds_{} {
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
@@ -96,13 +97,19 @@ void Floor::read_raster(const grid::Map& map) {
 
 double Floor::darkness_of_paint(Vec2 p, double footprint) const {
   if (!areas_.empty()) return darkness(p, footprint, Band::infrared);
+  if (image_) return image_->darkness(p, std::max(footprint, 1e-6));
   const double painted = painted_share(p, footprint);
   return light_line_ ? 1.0 - painted : painted;
 }
 
 double Floor::darkness(Vec2 p, double footprint_m, Band band) const {
   if (areas_.empty()) return darkness(p, footprint_m);
-  const double painted = painted_share(p, footprint_m), footprint = std::max(footprint_m, 1e-9);
+  const double footprint = std::max(footprint_m, image_ ? 1e-6 : 1e-9);
+  if (image_) {
+    const double under = areas_.over(1.0 - image_->darkness(p, footprint), false, band, p, footprint);
+    return 1.0 - areas_.over(under, true, band, p, footprint);
+  }
+  const double painted = painted_share(p, footprint_m);
   const double line = light_line_ ? 1.0 : 0.0;
   const double under = areas_.over(1.0 - line, false, band, p, footprint);
   return 1.0 - areas_.over(under + painted * (line - under), true, band, p, footprint);

@@ -13,6 +13,7 @@
 #include "sim/base/noise.h"
 #include "sim/base/profile.h"
 #include "sim/base/vec.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
 #include "sim/world/painted_areas.h"
@@ -46,7 +47,8 @@ class Floor {
   double coverage(Vec2 p, double footprint_m) const;
 
   /// How dark a reflectance sensor finds its footprint: 0 as white paper, 1 as black, below 0 where more
-  /// comes back than from paper. Where there are lines only, the share of the footprint that is dark: that on
+  /// comes back than from paper. Of a picture its mean
+  /// darkness there. Where there are lines only, the share of the footprint that is dark: that on
   /// the line, or where the line is the light one that beside it. Marks are painted as the line is; areas lie
   /// under lines and marks, or over them, in their order (grid::Area).
   double darkness(Vec2 p, double footprint_m) const {
@@ -129,6 +131,7 @@ class Floor {
   double cell_, per_cell_, half_line_;
   const grid::Map* map_;
   const bool light_line_;
+  const grid::FloorImage* const image_;  // null = none
   const PaintedMarks marks_;
   const PaintedAreas areas_;
   const bool lines_only_;

@@ -17,6 +17,7 @@
 #include "sim/cli/files/json_lines.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/cli/output.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/path_survey.h"
@@ -116,6 +117,10 @@ std::string survey_json(const Survey& s) {
   lines.add("line_m", map.line_m);
   lines.add("paint", map.light_line ? "white on black" : "black on white");
   if (map.variation) lines.add("variation", *map.variation);
+  if (map.image) {
+    lines.add("picture", map.image->name());
+    lines.add("pixel_m", map.image->pixel_m());
+  }
   lines.add("line_cells", count_line_cells(map));
   lines.add("start", start_text(start));
   lines.add("goal", map.goal.empty() ? JsonLines::Json() : JsonLines::Json(map.goal));
@@ -155,6 +160,9 @@ void describe(const Survey& s, std::ostream& out) {
                      paths_only ? counted(map.course.paths.size(), "path") : line_cells(map), mm(map.line_m),
                      paths_only ? "" : ", " + corners, map.raster ? "; floor painted in whole cells" : "",
                      map.light_line ? "; white on black" : "");
+  if (map.image)
+    out << fmt::format("  floor     {}, {} x {} pixels of {:.10g} mm\n", map.image->name(),
+                       map.image->width(), map.image->height(), mm(map.image->pixel_m()));
   for (const grid::Path& path : map.course.paths) out << describe_path(grid::survey_path(path, map.line_m));
   if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
   if (!map.course.areas.empty()) out << fmt::format("  areas     {}\n", map.course.areas.size());

@@ -11,16 +11,39 @@
 #include "sim/base/file.h"
 #include "sim/cli/files/map_command.h"
 #include "sim/course/import.h"
+#include "sim/grid/floor_image.h"
 #include "sim/grid/map_writer.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::size_t kMostCourse_bytes = std::size_t{32} << 20;
+
+void check_picture(const ImportArguments& arguments) {
+  if (!(arguments.pixel_m > 0.0))
+    throw InputError({arguments.file}, "is a picture: say how large its pixels are, as in --pixel 0.5mm");
+  const auto folder_of = [](const std::string& file) { return fs::absolute(file).parent_path(); };
+  std::error_code error;
+  if (!arguments.out.empty() && !fs::equivalent(folder_of(arguments.out), folder_of(arguments.file), error))
+    throw InputError({arguments.out}, fmt::format("a map lies beside its picture, so --out has to be in {}",
+                                                  folder_of(arguments.file).string()));
+}
+
+}  // namespace
+
 ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
-  constexpr std::size_t kMostCourse_bytes = std::size_t{16} << 20;
   const fs::path file = arguments.file;
   const std::string text = read_file(file, kMostCourse_bytes);
-  const course::Imported imported = course::import_course(text, file.string(), file.stem().string());
+  const bool is_picture = course::is_picture(text);
+  if (is_picture) check_picture(arguments);
+  if (!is_picture && arguments.pixel_m > 0.0)
+    throw InputError({file.string()}, "is no PNG, and --pixel is for pictures");
+  const std::string name = file.stem().string();
+  const course::Imported imported = is_picture
+                                        ? course::import_picture(text, file.string(), name, arguments.pixel_m)
+                                        : course::import_course(text, file.string(), name);
   for (const std::string& remark : imported.remarks) std::cerr << "robosim: note: " << remark << '\n';
   const std::string written = grid::write_map(imported.map);
   // What cannot be read again is not written.
@@ -42,6 +65,11 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
     throw InputError({arguments.out},
                      "exists already, so nothing was written; remove it, or name another --out");
   write_file(arguments.out, written);
+  if (imported.map.image) {
+    out << fmt::format("wrote {}: a floor of {:.10g} x {:.10g} mm\n", arguments.out,
+                       1e3 * imported.map.image->wide_m(), 1e3 * imported.map.image->high_m());
+    return ExitStatus::ok;
+  }
   return check_maps({arguments.out}, "", out, std::cerr);
 }
 

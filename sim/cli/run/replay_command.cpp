@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/cli/output.h"
 #include "sim/client/interrupts.h"
@@ -46,7 +47,10 @@ int replay_command(const ReplayArguments& arguments) {
   const record::Recording recording = record::Recording::read(arguments.file);
   const record::RecordingHeader& header = recording.header();
   std::optional<grid::Map> map;
-  if (!header.map_text.empty()) map = grid::parse_map(header.map_text, header.map);
+  const bool has_picture = header.floor && header.floor->picture;
+  if (!header.map_text.empty())
+    map = grid::parse_map(header.map_text, header.map,
+                          has_picture ? from_base64(header.floor->picture->png) : "");
   const bool on_terminal = ::isatty(STDOUT_FILENO) != 0;
   if (on_terminal && map) watch(recording, *map, arguments.speed);
 

@@ -10,6 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
+#include "sim/grid/map.h"
 #include "sim/launch/trust.h"
 
 namespace robosim::cli {
@@ -71,6 +72,12 @@ class SweepSupplies {
     return hashes_.emplace(path, sha256_of_file(path)).first->second;
   }
 
+  const std::string& hash_of_map(const std::string& path) {
+    const auto known = hashes_.find(path);
+    if (known != hashes_.end()) return known->second;
+    return hashes_.emplace(path, grid::sha256_of_map(path)).first->second;
+  }
+
  private:
   const wire::RobotInfo& robot(const std::string& name) {
     const auto known = robots_.find(name);
@@ -128,7 +135,7 @@ class Combiner {
     c.task = {run.target, run.request};
     c.inputs = inputs_of(run, supplies_.version());
     c.image_sha256 = supplies_.hash_of_file(run.request.image);
-    c.map_sha256 = supplies_.hash_of_file(run.request.map);
+    c.map_sha256 = supplies_.hash_of_map(run.request.map);
     c.robot_sha256 = run.robot_info.sha256;
     const std::string conditions = sha256(conditions_of(run.request, c.inputs.robosim));
     c.fingerprint.parts = {c.image_sha256.substr(0, kDigits), c.map_sha256.substr(0, kDigits),

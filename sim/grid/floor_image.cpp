@@ -1,0 +1,76 @@
+#include "sim/grid/floor_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/grid/png_rows.h"
+
+namespace robosim::grid {
+namespace {
+
+// An interval of pixels as up to three runs of them, each with the share of a pixel that is in the interval.
+struct Runs {
+  std::array<int, 4> edges;
+  std::array<double, 3> shares;
+
+  Runs(double from, double to, int most) {
+    from = std::clamp(from, 0.0, static_cast<double>(most));
+    to = std::clamp(to, 0.0, static_cast<double>(most));
+    const int first = std::min(static_cast<int>(from), most - 1),
+              last = std::min(static_cast<int>(to), most - 1);
+    if (first == last) {
+      edges = {first, first + 1, first + 1, first + 1};
+      shares = {to - from, 0.0, 0.0};
+    } else {
+      edges = {first, first + 1, last, last + 1};
+      shares = {first + 1 - from, 1.0, to - last};
+    }
+  }
+};
+
+}  // namespace
+
+FloorImage::FloorImage(std::string png, const std::string& file, double pixel_m)
+    : png_(std::move(png)),
+      name_(std::filesystem::path(file).filename().string()),
+      pixel_m_(pixel_m),
+      per_pixel_(1.0 / pixel_m) {
+  std::size_t above = 0;
+  const auto begin = [&](int width, int height) {
+    width_ = width;
+    height_ = height;
+    sums_.assign((static_cast<std::size_t>(width) + 1) * (static_cast<std::size_t>(height) + 1), 0);
+  };
+  read_png(png_, file, begin, [&](std::span<const unsigned char> values) {
+    const std::size_t stride = static_cast<std::size_t>(width_) + 1;
+    std::uint32_t row = 0;
+    for (std::size_t x = 0; x < values.size(); ++x) {
+      row += 255u - values[x];
+      sums_[above + stride + x + 1] = sums_[above + x + 1] + row;
+    }
+    above += stride;
+  });
+}
+
+double FloorImage::darkness_in(Vec2 low, Vec2 high) const {
+  const double area = (high.x - low.x) * (high.y - low.y) * per_pixel_ * per_pixel_;
+  if (!(area > 0.0)) return 0.0;
+  const Runs columns(low.x * per_pixel_, high.x * per_pixel_, width_);
+  const Runs rows(height_ - high.y * per_pixel_, height_ - low.y * per_pixel_, height_);
+  double dark = 0.0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    if (rows.shares[r] <= 0.0) continue;
+    const int top = rows.edges[r], bottom = rows.edges[r + 1];
+    double of_row = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int left = columns.edges[c], right = columns.edges[c + 1];
+      const std::uint32_t all = sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top);
+      of_row += columns.shares[c] * all;
+    }
+    dark += rows.shares[r] * of_row;
+  }
+  return std::min(dark / (255.0 * area), 1.0);
+}
+
+}  // namespace robosim::grid

@@ -1,0 +1,65 @@
+// A picture that a floor is painted with: `floor = "floor.png"` of a map (docs/maps.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+
+namespace robosim::grid {
+
+/// The picture's lower left corner is the floor's; beyond it the floor is light.
+///
+/// A pixel's darkness is 1 - value, of a value between 0 (black) and 1 (white) as the file has it: of grey as
+/// it is, of colours 0.2126 red + 0.7152 green + 0.0722 blue (ITU-R BT.709), of what is transparent as over
+/// white; in steps of 1/255.
+class FloorImage {
+ public:
+  /// A picture has at most so many pixels, which take 4 bytes each, and a file so many bytes.
+  static constexpr std::size_t kMostPixels = 50'000'000;
+  static constexpr std::size_t kMostFile_bytes = std::size_t{32} << 20;
+
+  /// From the bytes of a PNG of any kind but interlaced ones; `file` is for messages, `pixel_m` the side of a
+  /// pixel, m. Throws InputError: no PNG, damaged, too large.
+  FloorImage(std::string png, const std::string& file, double pixel_m);
+
+  /// The file's, without folders.
+  const std::string& name() const { return name_; }
+  int width() const { return width_; }    ///< pixels
+  int height() const { return height_; }  ///< pixels
+  double pixel_m() const { return pixel_m_; }
+  const std::string& png() const { return png_; }
+  double wide_m() const { return width_ * pixel_m_; }
+  double high_m() const { return height_ * pixel_m_; }
+
+  /// The mean darkness of a square of side `side` m about p, 0..1; exact, and at the same cost for any side.
+  /// At most 10 million pixels.
+  double darkness(Vec2 p, double side) const {
+    return darkness_in({p.x - 0.5 * side, p.y - 0.5 * side}, {p.x + 0.5 * side, p.y + 0.5 * side});
+  }
+  /// The same of a rectangle, from its lower left to its upper right corner.
+  double darkness_in(Vec2 low, Vec2 high) const;
+  /// Of a pixel, counted from the upper left: 0 light .. 255 dark.
+  std::uint8_t at(int column, int row) const {
+    return static_cast<std::uint8_t>(sum(column + 1, row + 1) - sum(column, row + 1) - sum(column + 1, row) +
+                                     sum(column, row));
+  }
+
+ private:
+  // Of all pixels above and to the left, modulo 2^32: differences of them are right again.
+  std::uint32_t sum(int column, int row) const {
+    return sums_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
+                 static_cast<std::size_t>(column)];
+  }
+
+  std::string png_, name_;
+  int width_ = 0, height_ = 0;
+  double pixel_m_, per_pixel_;
+  std::vector<std::uint32_t> sums_;
+};
+
+}  // namespace robosim::grid

@@ -1,0 +1,16 @@
+// A PNG, decoded row by row. An implementation detail of FloorImage.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace robosim::grid {
+
+/// Calls begin(width, height) once, then row(pixels) for each row from the top: 0 black .. 255 white. Throws
+/// InputError, at `file`. The memory that it takes is that of a row, whatever the file says.
+void read_png(std::string_view bytes, const std::string& file, const std::function<void(int, int)>& begin,
+              const std::function<void(std::span<const unsigned char>)>& row);
+
+}  // namespace robosim::grid
