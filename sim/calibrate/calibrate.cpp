@@ -21,6 +21,23 @@ constexpr double kMeter = 0.01;  // how far a multimeter may be off, against wha
 
 bool is_path(const std::string& robot) { return robot.find_first_of("/.") != robot.npos; }
 
+std::string what_is_impossible(const Figure& figure) {
+  const auto beyond = [&](const Found& found) {
+    return std::max(found.value - figure.most, figure.least - found.value);
+  };
+  const auto farthest =
+      std::max_element(figure.found.begin(), figure.found.end(),
+                       [&](const Found& a, const Found& b) { return beyond(a) < beyond(b); });
+  std::string text = fmt::format("{}.{}: it would take {:.3g} {}, and a robot file may have {:.3g} to {:.3g}",
+                                 figure.table, figure.key, farthest->value / figure.scale, figure.unit,
+                                 figure.least / figure.scale, figure.most / figure.scale);
+  if (figure.key.starts_with("white_"))
+    text +=
+        "; its light falls less with height than the model's: give it height = \"2.5 mm\" and calibrate "
+        "again";
+  return text;
+}
+
 std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_measured) {
   std::vector<std::string> all = c.sweep.remarks;
   if (c.sweep.parts.empty()) {
@@ -89,9 +106,16 @@ Calibration calibrate(const Task& task) {
   if (supply.value > 0.0) all.push_back(supply_figure(supply, result.robot));
   if (result.drive)
     for (Figure& figure : figures_of(*result.drive, result.robot)) all.push_back(std::move(figure));
-  for (Figure& figure : all)
+  std::vector<std::string> impossible;
+  for (Figure& figure : all) {
+    if (!is_possible(figure)) {
+      impossible.push_back(what_is_impossible(figure));
+      continue;
+    }
     (least_sure(figure) <= kMostSpread ? result.figures : result.unsure).push_back(std::move(figure));
+  }
   result.not_told = what_is_not_told(result, supply.value > 0.0);
+  result.not_told.insert(result.not_told.begin(), impossible.begin(), impossible.end());
   return result;
 }
 

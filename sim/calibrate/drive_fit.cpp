@@ -21,6 +21,8 @@ constexpr double kAlike = 10.0;      // samples that say as much as one
 constexpr double kMostUnsure = 0.5;  // of a figure's logarithm: beyond, the data do not tell it
 // What ticks, and the duty of a PWM that is known to half a step, add: standard deviations, as shares.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
+constexpr double kPiece =
+    0.5;  // s: of a longer drive each such piece is looked at by itself, for errors of its place grow
 constexpr double kRollsFor = 5.0;  // s at most, behind a timed drive
 constexpr int kMostCalls = 500;
 
@@ -168,20 +170,25 @@ class Bench {
   void check(const Log& log, const Drive& drive, std::size_t side) const {
     const char* name = side == 0 ? "left" : "right";
     const int told = drive.told[side].front();
-    const double counted = drive.count[side].back() - drive.count[side].front();
+    double counted = 0.0, along = 0.0;  // in all, and as told
+    for (std::size_t i = 1; i < drive.t.size(); ++i) {
+      const double more = drive.count[side][i] - drive.count[side][i - 1];
+      counted += more;
+      along += more * drive.told[side][i - 1];
+    }
     const Place place{log.file, drive.line};
     if (told == 0)
       throw InputError({log.file, drive.lines.front()},
                        fmt::format("{} is 0 in the first row; a drive begins "
                                    "with what the motors are told",
                                    name));
-    if (std::fabs(counted) < 5.0)
+    if (std::fabs(along) < 5.0 * std::abs(told))
       throw InputError(
           place,
           fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: it does not turn, or its "
                       "encoder does not count",
                       name, told, counted));
-    if (counted * told < 0.0)
+    if (along < 0.0)
       throw InputError(place,
                        fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: its leads or the "
                                    "encoder's channels are swapped",
@@ -228,7 +235,15 @@ class Bench {
         sum += errors.back();
       }
       const double phase = std::clamp(sum / static_cast<double>(errors.size()), -1.0, 1.0);
-      for (const double error : errors) all.push_back(error - phase);
+      for (std::size_t first = 0; first < errors.size();) {
+        std::size_t last = first;
+        double drift = 0.0;
+        for (; last < errors.size() && (last - first < 5 || drive.t[last] < drive.t[first] + kPiece); ++last)
+          drift += errors[last];
+        drift = first == 0 ? std::clamp(drift / static_cast<double>(last - first), -1.0, 1.0)
+                           : drift / static_cast<double>(last - first);
+        for (; first < last; ++first) all.push_back(errors[first] - drift);
+      }
       if (!curves) continue;
       for (std::size_t i = 0; i < drive.t.size(); ++i) {
         curve.measured[side].push_back((drive.count[side][i] - drive.count[side].front()) / per_turn_[side]);

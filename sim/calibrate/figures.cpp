@@ -18,7 +18,7 @@ double before_of(const robot::Number& number) { return number.in(Profile::typica
 /// Decimals that show two digits of the spread.
 int decimals(double spread) {
   if (!(spread > 0.0)) return 3;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, 6);
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(spread * (1.0 + 1e-9)))), 0, 6);
 }
 
 struct Written {
@@ -26,9 +26,12 @@ struct Written {
 };
 
 Written written(const Figure& figure, const Found& found) {
-  const double value = std::clamp(found.value, figure.least, figure.most) / figure.scale;
-  double spread = spread_of(found) / figure.scale;
-  spread = std::min({spread, value - figure.least / figure.scale, figure.most / figure.scale - value});
+  // Of a value beyond the bounds that part of its range which is within them.
+  const double low = std::max(found.value - spread_of(found), figure.least) / figure.scale;
+  const double high = std::min(found.value + spread_of(found), figure.most) / figure.scale;
+  const bool beyond = found.value < figure.least || found.value > figure.most;
+  const double value = beyond ? 0.5 * (low + high) : found.value / figure.scale;
+  double spread = std::min(value - low, high - value);
   const int digits = decimals(spread);
   const double unit = std::pow(10.0, -digits);
   // Rounded towards zero where that keeps the whole range within the bounds.
@@ -54,6 +57,12 @@ double least_sure(const Figure& figure) {
   double most = 0.0;
   for (const Found& found : figure.found) most = std::max(most, unsureness(figure, found));
   return most;
+}
+
+bool is_possible(const Figure& figure) {
+  return std::all_of(figure.found.begin(), figure.found.end(), [&](const Found& found) {
+    return found.value + spread_of(found) >= figure.least && found.value - spread_of(found) <= figure.most;
+  });
 }
 
 std::string shown(const Figure& figure, const Found& found) {

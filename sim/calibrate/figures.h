@@ -34,6 +34,9 @@ double unsureness(const Figure&, const Found&);
 /// Of the one that is least sure.
 double least_sure(const Figure&);
 
+/// Whether robot files may have it.
+bool is_possible(const Figure&);
+
 /// "2.31 mm ± 0.08 mm".
 std::string shown(const Figure&, const Found&);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/calibrate/edges.h"
+
 namespace robosim::calibrate {
 namespace {
 

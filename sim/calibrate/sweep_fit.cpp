@@ -10,25 +10,18 @@
 #include "sim/base/error.h"
 #include "sim/base/spelling.h"
 #include "sim/calibrate/crossings.h"
-#include "sim/calibrate/optimise.h"
+#include "sim/calibrate/edges.h"
 
 namespace robosim::calibrate {
 namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // m: as robot files may have them
 constexpr double kPatch = 0.012;      // m of floor that are as good as one reading of it
 constexpr double kMostChange = 0.25;  // of white to black, from sweep to sweep
 constexpr std::size_t kBatches = 10;
 constexpr double kMostClipped =
     0.005;  // of the readings; with more of them the mean is off, and the median taken
-
-/// The samples across one side of the tape.
-struct Edge {
-  std::vector<double> s, y;  // m inwards, signal
-  double black;              // the signal
-};
 
 /// One element with all of its sweeps.
 struct Element {
@@ -49,6 +42,15 @@ double deviation(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += (value - middle) * (value - middle);
   return std::sqrt(sum / std::max(static_cast<double>(values.size()) - 1.0, 1.0));
+}
+
+/// How far the mean of a few is off: wider than of many, as Student's distribution has it (95 %).
+double mean_sd(const std::vector<double>& values) {
+  constexpr double kFew[] = {6.4, 2.2, 1.6, 1.4, 1.3, 1.2, 1.2, 1.15};  // of 2, 3, …
+  const std::size_t n = values.size();
+  if (n < 2) return values.front();
+  return deviation(values) / std::sqrt(static_cast<double>(n)) *
+         (n - 2 < std::size(kFew) ? kFew[n - 2] : 1.1);
 }
 
 double median(std::vector<double> values) {
@@ -149,75 +151,6 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
   return edges;
 }
 
-struct EdgeFit {
-  double sse, white;
-};
-
-EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape_m) {
-  double up = 0.0, down = 1e-30;
-  for (std::size_t i = 0; i < edge.s.size(); ++i) {
-    const double c = share_on_tape(edge.s[i] - offset, footprint, tape_m);
-    up += (1.0 - c) * (edge.y[i] - edge.black * c);
-    down += (1.0 - c) * (1.0 - c);
-  }
-  const double white = up / down;
-  double sse = 0.0;
-  for (std::size_t i = 0; i < edge.s.size(); ++i) {
-    const double c = share_on_tape(edge.s[i] - offset, footprint, tape_m);
-    const double error = (edge.y[i] - white * (1.0 - c) - edge.black * c) / (edge.black - white);
-    sse += error * error;
-  }
-  return {sse, white};
-}
-
-/// The offset that fits best: a look around, then golden section.
-double best_offset(const Edge& edge, double footprint, double tape_m) {
-  const double reach = 0.0006 + 0.25 * footprint;
-  constexpr int kLooks = 4;
-  double best = 0.0, least = 1e300;
-  for (int k = -kLooks; k <= kLooks; ++k) {
-    const double offset = reach * k / kLooks;
-    const double sse = at_offset(edge, offset, footprint, tape_m).sse;
-    if (sse < least) {
-      least = sse;
-      best = offset;
-    }
-  }
-  constexpr double kGolden = 0.6180339887498949;
-  double low = best - reach / kLooks, high = best + reach / kLooks;
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = at_offset(edge, a, footprint, tape_m).sse, at_b = at_offset(edge, b, footprint, tape_m).sse;
-  for (int round = 0; round < 14; ++round) {
-    if (at_a < at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      a = high - kGolden * (high - low);
-      at_a = at_offset(edge, a, footprint, tape_m).sse;
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      b = low + kGolden * (high - low);
-      at_b = at_offset(edge, b, footprint, tape_m).sse;
-    }
-  }
-  return 0.5 * (low + high);
-}
-
-double fit_footprint(const std::vector<Edge>& edges, std::size_t first, std::size_t stride, double start,
-                     double tape_m) {
-  const auto misfit = [&](const std::vector<double>& x) {
-    const double footprint = std::exp(x[0]);
-    double sum = 0.0;
-    for (std::size_t i = first; i < edges.size(); i += stride)
-      sum += at_offset(edges[i], best_offset(edges[i], footprint, tape_m), footprint, tape_m).sse;
-    return sum;
-  };
-  return std::exp(
-      minimise(misfit, {{std::log(kLeastFootprint), std::log(kMostFootprint), std::log(start), 0.3}}, 40)[0]);
-}
-
 void measure_footprint(PartFit& fit, const std::vector<Element>& elements, double tape_m) {
   // Where to begin: the width from 10 to 90 % of an edge's readings is 0.8 f.
   double footprint = 0.25 * tape_m;
@@ -231,8 +164,7 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   const std::size_t batches = std::min(kBatches, edges.size());
   for (std::size_t k = 0; k < batches; ++k)
     tenths.push_back(fit_footprint(edges, k, batches, footprint, tape_m));
-  const double scatter =
-      batches > 1 ? deviation(tenths) / std::sqrt(static_cast<double>(batches)) : footprint;
+  const double scatter = mean_sd(tenths);
   // Samples that are farther apart than the footprint is wide see of it that it is small, no more.
   if (fit.spacing > footprint) return;
   // What wheels and tape differ by, one of them is off.
@@ -337,7 +269,7 @@ PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, do
   // Twice this is what its elements differ by, if they do so evenly.
   const double differ = noise.size() > 1 ? 0.5 * std::numbers::sqrt3 * deviation(noise) : 0.0;
   fit.noise = {mean(noise), std::hypot(0.02 * mean(noise), differ)};
-  if (seen.size() > 1) fit.seen = {mean(seen), deviation(seen) / std::sqrt(static_cast<double>(seen.size()))};
+  if (!seen.empty()) fit.seen = {mean(seen), deviation(seen) / std::sqrt(static_cast<double>(seen.size()))};
   measure_footprint(fit, elements, tape_m);
   for (Element& element : elements) fit.elements.push_back(std::move(element.fit));
   return fit;
@@ -352,12 +284,6 @@ bool is_swept(const std::vector<Log>& logs, const ReflectanceSpec& part) {
 }
 
 }  // namespace
-
-double share_on_tape(double inwards, double footprint, double tape_m) {
-  const double distance = std::fabs(0.5 * tape_m - inwards);
-  return std::clamp((0.5 * (tape_m + footprint) - distance) / footprint, 0.0,
-                    std::min(1.0, tape_m / footprint));
-}
 
 SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m) {
   const std::map<std::string, Column> columns = columns_of(robot);

@@ -67,7 +67,4 @@ struct SweepFit {
 /// Throws InputError where the readings cannot be what such a robot sees.
 SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m);
 
-/// The share of the footprint on the tape, `inwards` of its edge.
-double share_on_tape(double inwards, double footprint, double tape_m);
-
 }  // namespace robosim::calibrate

@@ -88,6 +88,8 @@ TEST(RobotText, RefusesTablesThatHaveNoLines) {
 TEST(RobotText, WritesASpreadThatStaysWithinWhatIsAllowed) {
   Figure low = figure("motors", "no_load_current", 0.010, 0.02);
   EXPECT_EQ(toml_value(low), "{ value = \"0.010 V\", spread = \"0.010 V\" }");
+  low.found = {{-0.01, 0.02}};
+  EXPECT_EQ(toml_value(low), "{ value = \"0.015 V\", spread = \"0.015 V\" }");
   low.of = {"A", "B"};
   low.found = {{0.4, 0.02}, {0.5, 0.02}};
   EXPECT_EQ(toml_value(low),
