@@ -171,10 +171,10 @@ Command parse_generate(const Words& words) {
 Command parse_import(const Words& words) {
   ImportArguments import;
   std::string pixel;
-  Options options(
-      "map import",
-      "Makes a map of another tool's course: robotrace_course_cad's JSON, lengths with curvatures, "
-      "points, mazes of micromouse, a picture (docs/courses.md).");
+  Options options("map import",
+                  "Makes a map of another tool's course: robotrace_course_cad's and rcj-rescue-cms' JSON, "
+                  "lengths with curvatures, "
+                  "points, mazes of micromouse, a picture (docs/courses.md).");
   options.positional("FILE", import.file, "the course");
   options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
   options.text("--pixel", pixel, "LENGTH", "of a picture: the side of a pixel, such as 0.5mm");

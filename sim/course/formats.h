@@ -1,6 +1,7 @@
 // The readers of the single formats; import.h chooses among them.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,15 @@ namespace robosim::course {
 ///   its ends centre + s r (u_y, -u_x)
 /// Its marks: corners to the left where the curvature changes, start and goal to the right, 1 m apart, if
 /// they fit on the straight between the last circle and the first.
-Imported read_robotrace(std::string_view text, const std::string& file);
+Imported read_robotrace(const nlohmann::json& json, const std::string& file);
+
+/// RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The way from the start tile is the first path,
+/// that behind the evacuation zone the second; then what is drawn beside them. What a map cannot hold is in
+/// the remarks. `json` has “tiles”.
+Imported read_rescue(const nlohmann::json& json, const std::string& file);
+
+/// JSON, or an InputError with the line on which it ends to be that.
+nlohmann::json json_of(std::string_view text, const std::string& file);
 
 /// "length[m], curvature[1/m]", a segment a line, curvature above 0 to the left. The course begins at its
 /// start line; what is missing to a lap, if it is straight ahead, is added.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
 #include "sim/course/formats.h"
@@ -14,7 +15,10 @@ Imported read_any(std::string_view text, const std::string& file) {
   const std::vector<NumberedLine> lines = lines_of(text);
   if (lines.empty()) throw InputError({file}, "the file is empty");
   const std::string_view first = lines.front().text;
-  if (first.front() == '{' || first.front() == '[') return read_robotrace(text, file);
+  if (first.front() == '{' || first.front() == '[') {
+    const nlohmann::json json = json_of(text, file);
+    return json.is_object() && json.contains("tiles") ? read_rescue(json, file) : read_robotrace(json, file);
+  }
   if (first.starts_with("#length")) return read_curvature(text, file);
   if (first.find_first_not_of("0123456789+-.eE,; \t") != first.npos) return read_maze(text, file);
   const std::size_t columns = numbers_in(lines.front(), file).size();

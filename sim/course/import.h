@@ -15,7 +15,7 @@ struct Imported {
 };
 
 /// A map from the text of a course file, whose kind is told from what is in it:
-///   robotrace_course_cad's JSON; RoboCupJunior's is refused with a sentence
+///   robotrace_course_cad's JSON, and that of rcj-rescue-cms (RoboCupJunior Rescue Line)
 ///   length and curvature, a segment a line (CSV)
 ///   points, x and y in metres, a line each
 ///   mazes of micromouse, as characters or as numbers: a line through their passages

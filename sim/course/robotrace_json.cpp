@@ -39,9 +39,9 @@ class Reader {
  public:
   Reader(const Json& json, const std::string& file) : json_(json), file_(file) {
     if (!json.is_object() || !json.contains("circles") || !json["circles"].is_array())
-      refuse(json.is_object() && json.contains("tiles")
-                 ? "is a course of RoboCupJunior (it has “tiles”), which is not imported yet"
-                 : "is no course of robotrace_course_cad: it has no list “circles”");
+      refuse(
+          "is no course of robotrace_course_cad or rcj-rescue-cms: it has neither a list “circles” nor "
+          "“tiles”");
     const Json& circles = json["circles"];
     if (circles.size() < 2 || circles.size() > kMostCircles)
       refuse(fmt::format("has {} circles; a course has 2 to {}", circles.size(), kMostCircles));
@@ -169,10 +169,18 @@ class Reader {
 
 }  // namespace
 
-Imported read_robotrace(std::string_view text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw InputError({file}, "begins as JSON, but is none");
+Imported read_robotrace(const nlohmann::json& json, const std::string& file) {
   return Reader(json, file).read();
+}
+
+nlohmann::json json_of(std::string_view text, const std::string& file) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
+    throw InputError({file, 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'))},
+                     "begins as JSON, but is none from here on");
+  }
 }
 
 }  // namespace robosim::course

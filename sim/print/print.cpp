@@ -62,6 +62,8 @@ class Printer {
       any = true;
     });
     if (any) pdf_.fill();
+    areas(box, view, false);
+    pdf_.set_grey(dark_floor_ ? 1.0 : 0.0);
     any = false;
     pdf_.set_pen(std::max(shapes_.line_width() * view.scale, least_pen), true);
     shapes_.lines_near(box, kLongest / view.scale, [&](const Line& line) {
@@ -82,7 +84,49 @@ class Printer {
       pdf_.line_to(view(bar.to));
       pdf_.stroke();
     }
+    areas(box, view, true);
     outlines(box, view);
+  }
+
+  void areas(const Box& box, const View& view, bool over_lines) {
+    for (const grid::Area& area : map_.course.areas) {
+      const Vec2 middle = area.middle.position * 1e3;
+      const double reach = area.reach() * 1e3;
+      if (area.over_lines != over_lines ||
+          !Box{middle.x, middle.y, middle.x, middle.y}.wider(reach).meets(box))
+        continue;
+      colour(area.colour);
+      if (area.radius > 0.0) {
+        pdf_.set_pen(2.0 * reach * view.scale, true);
+        pdf_.move_to(view(middle));
+        pdf_.line_to(view(middle));
+      } else {
+        const Vec2 half = area.middle.heading * (area.half_length * 1e3);
+        pdf_.set_pen(2e3 * area.half_width * view.scale, false);
+        pdf_.move_to(view(middle - half));
+        pdf_.line_to(view(middle + half));
+      }
+      pdf_.stroke();
+    }
+  }
+
+  // Black and white change places where the map's do.
+  void colour(const grid::Colour& colour) {
+    const auto swapped = [this](double grey) { return map_.light_line && !dark_floor_ ? 1.0 - grey : grey; };
+    switch (colour.hue) {
+      case grid::Hue::black:
+        return pdf_.set_grey(swapped(0.0));
+      case grid::Hue::white:
+        return pdf_.set_grey(swapped(1.0));
+      case grid::Hue::grey:
+        return pdf_.set_grey(swapped(1.0 - colour.black));
+      case grid::Hue::green:
+        return pdf_.set_colour(0.12, 0.62, 0.30);
+      case grid::Hue::silver:
+        return pdf_.set_colour(0.73, 0.77, 0.81);
+      case grid::Hue::red:
+        return pdf_.set_colour(0.78, 0.20, 0.17);
+    }
   }
 
   // Where something stands: thin, as no sensor should take it for a line.

@@ -117,6 +117,10 @@ bool Shapes::paints(const Box& box) const {
     if (found) break;
     near({bar.from, bar.to, {}, 0.0}, box.wider(0.5 * bar.width), kFine, [&](const Line&) { found = true; });
   }
+  for (const grid::Area& area : map_->course.areas) {
+    const Vec2 middle = area.middle.position * 1e3;
+    found = found || Box{middle.x, middle.y, middle.x, middle.y}.wider(area.reach() * 1e3).meets(box);
+  }
   for (const Line& line : lines_) {
     if (found) break;
     found = any_line(line, box);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "sim/course/rescue_tiles.h"
 #include "sim/grid/map_writer.h"
 #include "sim/grid/network.h"
 #include "sim/grid/path_survey.h"
@@ -165,9 +166,9 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
       {"\n \n", "the file is empty"},
       {std::string("1 2\0 3", 6), "is no text"},
       {"{", "begins as JSON, but is none"},
-      {"[]", "it has no list “circles”"},
-      {"{}", "it has no list “circles”"},
-      {R"({"tiles":[]})", "RoboCupJunior"},
+      {"[]", "neither a list “circles” nor “tiles”"},
+      {"{}", "neither a list “circles” nor “tiles”"},
+      {R"({"tiles":[]})", "“width” is no whole number"},
       {robotrace(""), "has 0 circles; a course has 2 to 1000"},
       {robotrace(ok), "has 1 circles"},
       {robotrace(ok + ",5"), "circle 2 has not x, y and r"},
@@ -208,6 +209,157 @@ TEST(Import, DepthAndLengthAreNoHarm) {
   EXPECT_THAT(message_of(std::string(1'000'000, '[')), HasSubstr("begins as JSON, but is none"));
   EXPECT_THAT(message_of(std::string(1'000'000, '[') + std::string(1'000'000, ']')), HasSubstr("circles"));
   EXPECT_THAT(message_of(std::string(100'000, 'o')), HasSubstr("larger than a maze"));
+}
+
+// --- RoboCupJunior's rcj-rescue-cms ---
+
+std::string rescue_tile(int x, int y, int rot, const std::string& id, const std::string& more = "") {
+  return fmt::format(R"({{"x":{},"y":{},"z":0,"rot":{},"tileType":"{}"{}}})", x, y, rot, id, more);
+}
+
+std::string rescue(const std::string& tiles, const std::string& more = "", int width = 3, int length = 2) {
+  return fmt::format(
+      R"({{"name":"own","width":{},"length":{},"height":1,"startTile":{{"x":0,"y":0,"z":0}},{}"tiles":[{}]}})",
+      width, length, more, tiles);
+}
+
+const std::string kStraight = "570c27c3f5a9dabe23f3af90", kArc = "570c27c3f5a9dabe23f3af9c",
+                  kOneGap = "58cfe0d457501b50da7afa62", kPlus = "570c27c3f5a9dabe23f3afae",
+                  kExit = "58cfd6549792e9313b1610e0", kZone = "58cfd6549792e9313b1610e1";
+
+TEST(ImportRescue, AStraightAGapAndTheExitAreOneWay) {
+  const grid::Map map = import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kOneGap) +
+                                          "," + rescue_tile(2, 0, 90, kExit),
+                                      "", 3, 1));
+  ASSERT_EQ(map.course.paths.size(), 1u);
+  const grid::Path& path = map.course.paths[0];
+  EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar in the exit's middle
+  double gap = 0.0;
+  for (const grid::PathPiece& piece : path.pieces()) gap += piece.is_gap ? piece.length : 0.0;
+  EXPECT_NEAR(gap, 0.05, kRounding);
+  ASSERT_EQ(map.course.areas.size(), 1u);
+  EXPECT_EQ(map.course.areas[0].colour.hue, grid::Hue::red);
+  EXPECT_FALSE(map.light_line);
+  EXPECT_NEAR(map.start->on_path->along, 0.15, 1e-9);
+}
+
+// An arc of 150 mm down, and back to the left by one that is turned.
+TEST(ImportRescue, TilesAreTurnedClockwise) {
+  const grid::Map map =
+      import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kArc) + "," +
+                    rescue_tile(1, 1, 90, kArc) + "," + rescue_tile(0, 1, 180, kStraight)));
+  const grid::Path& path = map.course.paths.at(0);
+  EXPECT_NEAR(path.length(), 0.3 + kPi * 0.15 + 0.3, kRounding);
+  EXPECT_NEAR(path.end().position.x, 0.2, kRounding);
+  EXPECT_NEAR(path.end().position.y, 0.2 + 0.15, kRounding);
+}
+
+// Entered from the left, the green square before it to the left: its route turns there.
+TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay) {
+  const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
+                                   rescue_tile(2, 0, 0, kStraight);
+  const grid::Map map = import(rescue(to_the_right));
+  ASSERT_EQ(map.course.paths.size(), 3u);  // and the arms up and down
+  EXPECT_NEAR(map.course.paths[0].length(), 0.9, kRounding);
+  EXPECT_NEAR(map.course.paths[1].length(), 0.15, kRounding);
+  ASSERT_EQ(map.course.areas.size(), 1u);
+  const grid::Area& green = map.course.areas[0];
+  EXPECT_EQ(green.colour.hue, grid::Hue::green);
+  EXPECT_NEAR(green.middle.position.x, 0.2 + 0.45 + 0.0225, 1e-9);
+  EXPECT_NEAR(green.middle.position.y, 0.2 + 0.45 + 0.0225, 1e-9);
+  EXPECT_NEAR(2.0 * green.half_length, 0.025, 1e-12);
+  // Turned by a half turn it is entered from its right, where the square is on the left: the way leads down.
+  const grid::Map turned =
+      import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 180, kPlus) + "," +
+                    rescue_tile(1, 1, 90, kStraight)));
+  EXPECT_NEAR(turned.course.paths[0].end().position.x, 0.65, kRounding);
+  EXPECT_NEAR(turned.course.paths[0].end().position.y, 0.2, kRounding);
+}
+
+TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
+  const Imported imported =
+      import_course(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kZone) + "," +
+                               rescue_tile(1, 1, 0, kZone) + "," + rescue_tile(2, 1, 0, kStraight),
+                           R"("startTile2":{"x":2,"y":1,"z":0},"indexCount":2,)"),
+                    "own.json", "own");
+  ASSERT_EQ(imported.map.course.paths.size(), 2u);
+  EXPECT_NEAR(imported.map.course.paths[1].begin().position.x, 0.2 + 0.6, kRounding);
+  ASSERT_EQ(imported.map.course.areas.size(), 2u);
+  EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
+  ASSERT_EQ(imported.remarks.size(), 1u);
+  EXPECT_THAT(imported.remarks[0], HasSubstr("2 tiles of the evacuation zone"));
+}
+
+TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
+  const Imported imported = import_course(
+      rescue(
+          rescue_tile(0, 0, 0, kStraight, R"(,"checkPoint":true)") + "," +
+              rescue_tile(1, 0, 0, kStraight, R"(,"items":{"obstacles":1,"speedbumps":2,"rampPoints":true})"),
+          R"("indexCount":5,)"),
+      "own.json", "own");
+  std::string all;
+  for (const std::string& remark : imported.remarks) all += remark + "\n";
+  for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile of ramps", "1 checkpoint",
+                           "the way leads over 2 tiles, and the file says 5"})
+    EXPECT_THAT(all, HasSubstr(what));
+  EXPECT_EQ(imported.map.at({2 + 3 + 1, 2 + 1}), grid::Cell::wall);
+}
+
+// Each tile in the middle of four straights, entered from one that it is joined to.
+TEST(ImportRescue, EveryTileLeadsFromOneSideToAnotherHoweverItIsTurned) {
+  for (const TileKind& kind : rescue_tiles()) {
+    for (const int rot : {0, 90, 180, 270}) {
+      double longest = 0.0;
+      for (const auto& [x, y] : {std::pair{0, 1}, {2, 1}, {1, 0}, {1, 2}}) {
+        const std::string text = fmt::format(
+            R"({{"width":3,"length":3,"startTile":{{"x":{},"y":{},"z":0}},"tiles":[{},{},{},{},{}]}})", x, y,
+            rescue_tile(1, 1, rot, std::string(kind.id)), rescue_tile(0, 1, 0, kStraight),
+            rescue_tile(2, 1, 180, kStraight), rescue_tile(1, 0, 90, kStraight),
+            rescue_tile(1, 2, 270, kStraight));
+        const grid::Map map = import(text);
+        const grid::Path& path = map.course.paths.at(0);
+        longest = std::max(longest, path.length());
+        EXPECT_LT(path.length(), 3.0) << kind.id;
+        EXPECT_NEAR(grid::parse_map(grid::write_map(map), "again").course.paths.at(0).length(), path.length(),
+                    1e-6);
+      }
+      EXPECT_GT(longest, kind.id == kRescueExit ? 0.4 : 0.7) << kind.id << " turned by " << rot;
+    }
+  }
+}
+
+TEST(ImportRescue, BadFilesAreToldInASentence) {
+  const std::string fine = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kStraight);
+  const auto with = [&](const std::string& tile) { return rescue(fine + "," + tile); };
+  struct Case {
+    std::string text, message;
+  };
+  for (const Case& c :
+       {Case{"{\"tiles\":\n[}", "course.txt:2: begins as JSON, but is none from here on"},
+        Case{R"({"tiles":[]})", "“width” is no whole number of tiles"},
+        Case{rescue(fine, "", 1000), "“width” is 1000; allowed are 1 to 100"},
+        Case{rescue(fine, "", 3, 0), "“length” is 0"},
+        Case{rescue(""), "has no tiles"},
+        Case{R"({"width":1,"length":1,"tiles":3})", "“tiles” is neither a list nor an object"},
+        Case{rescue("7"), "tile 1 has not whole numbers x, y and z"},
+        Case{with(R"({"x":"2","y":0,"z":0})"), "tile 3 has not whole numbers x, y and z"},
+        Case{with(R"({"x":99999999999,"y":0,"z":0})"), "tile 3 has not whole numbers"},
+        Case{with(rescue_tile(5, 0, 0, kStraight)), "tile 5,0 is outside the field of 3 x 2 tiles"},
+        Case{with(rescue_tile(1, 0, 0, kStraight)), "tile 1,0 is there twice"},
+        Case{with(rescue_tile(2, 0, 45, kStraight)), "tile 2,0: “rot” is 45; allowed are 0, 90, 180 and 270"},
+        Case{with(R"({"x":2,"y":0,"z":0})"), "tile 2,0 has no “tileType”"},
+        Case{with(rescue_tile(2, 0, 0, "nobody")), "tile 2,0: the type “nobody” is not known"},
+        Case{with(R"({"x":2,"y":0,"z":0,"tileType":{"_id":"new","paths":{"left":"up"}}})"),
+             "tile 2,0: “left” is no side"},
+        Case{with(rescue_tile(2, 0, 0, kStraight, R"(,"levelUp":"north")")),
+             "tile 2,0: “levelUp” is no side"},
+        Case{rescue(rescue_tile(1, 0, 0, kStraight)), "“startTile” is not among the tiles"},
+        Case{rescue(rescue_tile(0, 0, 0, kStraight)), "no tile is joined to the start tile, 0,0"},
+        Case{rescue(fine, R"("startTile2":7,)"), "startTile2 has not whole numbers"},
+        Case{R"({"neither":1})", "neither a list “circles” nor “tiles”"}}) {
+    EXPECT_THAT(message_of(c.text), HasSubstr(c.message));
+    EXPECT_THAT(message_of(c.text), ::testing::StartsWith("course.txt"));
+  }
 }
 
 }  // namespace

@@ -170,6 +170,21 @@ TEST(Print, WallsAreThinOutlinesAndTakeNoSheetOfTheirOwn) {
   EXPECT_THAT(pages_of(one.pdf)[1], HasSubstr(" re"));
 }
 
+TEST(Print, PaintedAreasArePrintedInTheirColours) {
+  const Printed one = printed(
+      path_map("{ length = \"100 mm\" }",
+               "[[area]]\ncolour = \"green\"\nat = [\"900 mm\", \"100 mm\"]\nsize = [\"25 mm\", "
+               "\"25 mm\"]\n[[area]]\ncolour = \"black\"\nat = [\"500 mm\", \"120 mm\"]\nradius = \"50 "
+               "mm\"\n"));
+  EXPECT_THAT(numbers_of(one.sheets), ElementsAre("3-1", "3-2", "3-3", "3-4"));
+  EXPECT_THAT(pages_of(one.pdf).at(4), HasSubstr("0.12 0.62 0.3 RG"));
+  // A dot of the disc's diameter.
+  const auto all = operations_of(pages_of(one.pdf).at(2));
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Operation& o) {
+    return o.name == "w" && std::fabs(o.mm.back() - 100.0) < 1e-3;
+  }));
+}
+
 TEST(Print, TooManySheetsAreCountedAndRefused) {
   const std::string large =
       "+++\nsize = [\"9 m\", \"9 m\"]\npaint = \"white on black\"\n[[path]]\n"
