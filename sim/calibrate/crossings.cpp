@@ -183,8 +183,10 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
     std::size_t first = crossing.first, last = crossing.last;
     while (first > 0 && t[first - 1] > crossing.enters - duration) --first;
     while (last + 1 < t.size() && t[last + 1] < crossing.leaves + duration) ++last;
-    crossing.speed = std::fabs(slope(t, trace.angle, first, last)) * trace.radius;
-    seen += crossing.speed * duration / static_cast<double>(found.size());
+    const double width = std::fabs(slope(t, trace.angle, first, last)) * trace.radius * duration;
+    seen += width / static_cast<double>(found.size());
+    // Where the wheels stood still for a moment, the tape tells the speed.
+    if (width > 0.5 * tape_m && width < 2.0 * tape_m) crossing.speed = width / duration;
   }
   if (!trace.angle.empty() && std::fabs(seen / tape_m - 1.0) > kMostDisagreement)
     throw InputError(

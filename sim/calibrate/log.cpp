@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kBegins = "# robosim calibration log";
 constexpr std::size_t kLeastSweep = 100, kLeastDrive = 10;  // rows
-constexpr std::size_t kMostRows = 2'000'000;
+constexpr std::size_t kMostRows = 200'000;
 constexpr double kMostReading = 100'000.0;  // us; codes are checked against the converter later
 
 std::string_view trimmed(std::string_view text) {

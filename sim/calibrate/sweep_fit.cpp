@@ -20,6 +20,7 @@ using robot::ReflectanceSpec;
 constexpr double kPatch = 0.012;      // m of floor that are as good as one reading of it
 constexpr double kMostChange = 0.25;  // of white to black, from sweep to sweep
 constexpr std::size_t kBatches = 10;
+constexpr std::size_t kMostEdges = 1500;  // of a part: more of them make nothing surer
 constexpr double kMostClipped =
     0.005;  // of the readings; with more of them the mean is off, and the median taken
 
@@ -68,6 +69,11 @@ double noise_of(const std::vector<double>& differences, double step) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
+/// The first sample at that time or later.
+std::size_t index_at(const std::vector<double>& t, double time) {
+  return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin());
+}
+
 /// Levels and noise of one element, from what is well inside and well outside the tape.
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
@@ -82,13 +88,13 @@ void measure_levels(Element& element) {
       if (std::fabs(trace.y[i] - element.rough.white) >
           0.5 * std::fabs(element.rough.black - element.rough.white))
         where[i] = 0;
-      for (const Crossing& c : crossings) {
-        const double duration = c.leaves - c.enters, middle = 0.5 * (c.leaves + c.enters);
-        if (std::fabs(t[i] - middle) < 0.15 * duration)
-          where[i] = -1;
-        else if (std::fabs(t[i] - middle) < duration)
-          where[i] = 0;
-      }
+    }
+    for (const Crossing& c : crossings) {
+      const double duration = c.leaves - c.enters, middle = 0.5 * (c.leaves + c.enters);
+      for (std::size_t i = index_at(t, middle - duration); i < t.size() && t[i] < middle + duration; ++i)
+        where[i] = std::fabs(t[i] - middle) < 0.15 * duration ? -1 : 0;
+    }
+    for (std::size_t i = 0; i < t.size(); ++i) {
       if (where[i] > 0) white.push_back(trace.y[i]);
       if (where[i] < 0) black.push_back(trace.y[i]);
       clipped +=
@@ -133,9 +139,10 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
       for (const Crossing& c : element.crossings[k]) {
         for (const bool entering : {true, false}) {
           Edge edge{{}, {}, element.fit.black.value};
-          for (std::size_t i = 0; i < t.size(); ++i) {
+          const double from = entering ? c.enters - outside / c.speed : c.leaves - inside / c.speed;
+          const double to = entering ? c.enters + inside / c.speed : c.leaves + outside / c.speed;
+          for (std::size_t i = index_at(t, from); i < t.size() && t[i] <= to; ++i) {
             const double s = c.speed * (entering ? t[i] - c.enters : c.leaves - t[i]);
-            if (s < -outside || s > inside) continue;
             edge.s.push_back(s);
             edge.y.push_back(element.traces[k].y[i]);
           }
@@ -146,6 +153,11 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
         }
       }
     }
+  }
+  if (edges.size() > kMostEdges) {
+    const std::size_t stride = edges.size() / kMostEdges + 1;
+    for (std::size_t i = 0; i * stride < edges.size(); ++i) std::swap(edges[i], edges[i * stride]);
+    edges.resize((edges.size() + stride - 1) / stride);
   }
   *spacing = count ? sum / static_cast<double>(count) : 0.0;
   return edges;

@@ -105,6 +105,8 @@ TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
       {"leads swapped", drive(255, 3000.0, -3000.0),
        "log1.csv:2: the right motor is told 255, but its encoder counts -1485: its leads"},
       {"begins with nothing", drive(0, 3000.0, 3000.0), "log1.csv:3: left is 0 in the first row"},
+      {"a drive of an hour", drive(255, 3000.0, 3000.0) + "3600000000,0,0,9000,9000\n",
+       "log1.csv:2: with this drive all drives take 3600 s; at most 120 s"},
       {"counts of what", drive(255, 3000.0, 3000.0, ""), "log1.csv: counts edges, but does not say how many"},
   };
   for (const Case& bad : cases) EXPECT_THAT(answer({bad.log}), HasSubstr(bad.sentence)) << bad.what;

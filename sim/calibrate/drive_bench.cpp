@@ -1,0 +1,253 @@
+#include "sim/calibrate/drive_bench.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/error.h"
+#include "sim/robot/describe.h"
+#include "sim/robot/parts/encoder.h"
+
+namespace robosim::calibrate {
+namespace {
+
+constexpr double kTick = 0.001;         // s, of the world
+constexpr double kPiece = 0.5;          // s of a drive
+constexpr double kRollsFor = 5.0;       // s at most, behind a timed drive
+constexpr double kMostDriving = 120.0;  // s
+constexpr double kCell = 50.0;          // m: a floor without walls in reach
+const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
+
+/// The same robot without spreads, as typical@2 has it.
+robot::Description nominal(robot::Description robot) {
+  robot::Chassis& c = robot.chassis;
+  robot::Motors& m = robot.motors;
+  robot::Driver& d = robot.driver;
+  for (robot::Number* n : {&c.mass,         &c.inertia,       &c.load_share,
+                           &c.track,        &c.wheel,         &c.wheel_inertia,
+                           &c.grip,         &c.rolling,       &c.wall_friction,
+                           &m.voltage,      &m.no_load,       &m.no_load_current,
+                           &m.stall_torque, &m.stall_current, &m.static_friction,
+                           &m.gear,         &m.rotor_inertia, &m.supply,
+                           &d.drop,         &d.resistance})
+    *n = {n->in(Profile::typical_2).value, 0.0};
+  return robot;
+}
+
+/// What a motor gets when the sketch says -255 .. 255. 0 is all pins low.
+world::WheelCommand command(const robot::Description& robot, const robot::MotorSpec& motor, int told) {
+  if (told == 0) return {0.0, 0.0};
+  // Between (n + 1) / 256 of an Uno's timer 0 and n / 255 of the others.
+  const double duty = std::abs(told) == 255 ? 1.0 : (std::abs(told) + 0.5) / 255.5;
+  robot::BridgeInputs inputs;
+  inputs.phase = motor.phase;
+  if (motor.en != kNoPin) {
+    inputs.en = duty;
+    inputs.in1 = 1.0;
+  } else {
+    inputs.in1 = duty;
+  }
+  world::WheelCommand forward = robot::bridge_command(*robot.driver.chip, inputs);
+  forward.drive = std::copysign(forward.drive, told);
+  return forward;
+}
+
+const robot::MotorSpec* motor_of(const robot::Description& robot, int side) {
+  for (const auto& part : robot.parts)
+    if (const auto* motor = dynamic_cast<const robot::MotorSpec*>(part.get()); motor && motor->wheel == side)
+      return motor;
+  return nullptr;
+}
+
+}  // namespace
+
+world::BodyParams with(world::BodyParams body, const Factors& x) {
+  for (const int side : {0, 1}) {
+    world::WheelParams& wheel = body.wheel[side];
+    wheel.no_load_rate *= std::exp(x[static_cast<std::size_t>(side)]);
+    wheel.stall_torque *= std::exp(x[torque]);
+    wheel.no_load_current *= std::exp(x[friction]);
+    wheel.stall_current *= std::exp(x[stall]);
+    wheel.no_load_current = std::min(wheel.no_load_current, 0.7 * wheel.stall_current);
+  }
+  body.yaw_inertia_kgm2 *= std::exp(x[inertia]);
+  body.supply_volts *= std::exp(x[supply]);
+  body.mass_kg *= std::exp(x[mass]);
+  body.rolling_resistance *= std::exp(x[rolling]);
+  return body;
+}
+
+Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, const robot::Description& robot,
+             double volts)
+    : logs_(logs),
+      timed_(timed),
+      robot_(nominal(robot)),
+      body_(robot::body_params(robot_, 1, Profile::typical_2)) {
+  if (volts > 0.0) body_.supply_volts = volts;
+  for (const int side : {0, 1}) {
+    // A file that has no friction gets some to begin with.
+    world::WheelParams& wheel = body_.wheel[side];
+    wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
+    motors_[side] = motor_of(robot_, side);
+  }
+  floor_.width = floor_.height = 40;
+  floor_.cell_m = kCell;
+  floor_.cells.assign(1600, grid::Cell::floor);
+}
+
+void Bench::check() {
+  double whole = 0.0;
+  for (const Log& log : logs_) {
+    if (log.drives.empty()) continue;
+    per_turn(log);
+    for (const Drive& drive : log.drives) {
+      spins_ = spins_ || drive.told[0].front() * drive.told[1].front() < 0;
+      whole += drive.t.back() - drive.t.front();
+      if (whole > kMostDriving)
+        throw InputError({log.file, drive.line},
+                         fmt::format("with this drive all drives take {:.0f} s; at most {:.0f} s "
+                                     "of driving are read",
+                                     whole, kMostDriving));
+      for (const std::size_t side : {0u, 1u}) check(log, drive, side);
+    }
+  }
+}
+std::vector<double> Bench::residuals(const Factors& x, std::vector<DriveCurve>* curves) const {
+  std::vector<double> all;
+  world::World world(floor_);
+  world.add_body(with(body_, x), kStart);
+  for (const Log& log : logs_) {
+    if (log.drives.empty()) continue;
+    const PerTurn counts = per_turn(log);
+    for (const Drive& drive : log.drives) compare(drive, follow(world, drive), counts, all, curves);
+  }
+  for (const Timed& timed : timed_) all.push_back((drive_timed(world, timed) - timed.distance) / timed.sd);
+  return all;
+}
+
+Bench::PerTurn Bench::per_turn(const Log& log) const {
+  PerTurn counts{};
+  for (const auto& part : robot_.parts) {
+    const auto* encoder = dynamic_cast<const robot::EncoderSpec*>(part.get());
+    if (!encoder) continue;
+    if (!log.counts_per_period)
+      throw InputError({log.file},
+                       "counts edges, but does not say how many in each period of a channel; put "
+                       "“# counts_per_period = 2” before its tables (1: rising edges, 2: both)");
+    counts[encoder->wheel] = encoder->periods * *log.counts_per_period;
+  }
+  for (const std::size_t side : {0u, 1u})
+    if (counts[side] == 0.0)
+      throw InputError({log.file, log.drives.front().line},
+                       fmt::format("this drive has counts, but the robot file has no encoder on the {} wheel",
+                                   side == 0 ? "left" : "right"));
+  return counts;
+}
+
+void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
+  const char* name = side == 0 ? "left" : "right";
+  const int told = drive.told[side].front();
+  double counted = 0.0, along = 0.0;  // in all, and as told
+  for (std::size_t i = 1; i < drive.t.size(); ++i) {
+    const double more = drive.count[side][i] - drive.count[side][i - 1];
+    counted += more;
+    along += more * drive.told[side][i - 1];
+  }
+  const Place place{log.file, drive.line};
+  if (told == 0)
+    throw InputError({log.file, drive.lines.front()}, fmt::format("{} is 0 in the first row; a drive begins "
+                                                                  "with what the motors are told",
+                                                                  name));
+  if (std::fabs(along) < 5.0 * std::abs(told))
+    throw InputError(
+        place, fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: it does not turn, or its "
+                           "encoder does not count",
+                           name, told, counted));
+  if (along < 0.0)
+    throw InputError(place,
+                     fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: its leads or the "
+                                 "encoder's channels are swapped",
+                                 name, told, counted));
+}
+
+std::array<std::vector<double>, 2> Bench::follow(world::World& world, const Drive& drive) const {
+  world::Body& body = world.body(0);
+  body.place(kStart);
+  const double start[2] = {body.wheel_angle(world::left), body.wheel_angle(world::right)};
+  std::array<std::vector<double>, 2> angles;
+  std::size_t row = 0, sample = 0;
+  for (double now = drive.t.front(); sample < drive.t.size(); now += kTick) {
+    while (sample < drive.t.size() && drive.t[sample] < now + kTick) {  // rates are constant within a tick
+      for (const world::Side side : {world::left, world::right})
+        angles[side].push_back(body.wheel_angle(side) - start[side] +
+                               body.wheel_rate(side) * (drive.t[sample] - now));
+      ++sample;
+    }
+    world::WheelCommand mean[2];
+    for (double from = now; from < now + kTick;) {
+      const double to = row + 1 < drive.t.size() ? std::min(drive.t[row + 1], now + kTick) : now + kTick;
+      for (const int side : {0, 1}) {
+        const world::WheelCommand told =
+            command(robot_, *motors_[side], drive.told[static_cast<std::size_t>(side)][row]);
+        mean[side].drive += told.drive * (to - from) / kTick;
+        mean[side].brake += told.brake * (to - from) / kTick;
+      }
+      from = to;
+      if (row + 1 < drive.t.size() && to >= drive.t[row + 1]) ++row;
+    }
+    body.command(world::left, mean[0]);
+    body.command(world::right, mean[1]);
+    world.step();
+  }
+  return angles;
+}
+
+void Bench::compare(const Drive& drive, const std::array<std::vector<double>, 2>& angles,
+                    const PerTurn& per_turn, std::vector<double>& all,
+                    std::vector<DriveCurve>* curves) const {
+  DriveCurve curve{drive.t, {}, {}, {drive.told[0].front(), drive.told[1].front()}};
+  for (const std::size_t side : {0u, 1u}) {
+    std::vector<double> errors;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < drive.t.size(); ++i) {
+      errors.push_back(drive.count[side][i] - drive.count[side].front() -
+                       angles[side][i] / (2.0 * std::numbers::pi) * per_turn[side]);
+      sum += errors.back();
+    }
+    const double phase = std::clamp(sum / static_cast<double>(errors.size()), -1.0, 1.0);
+    for (std::size_t first = 0; first < errors.size();) {
+      std::size_t last = first;
+      double drift = 0.0;
+      for (; last < errors.size() && (last - first < 5 || drive.t[last] < drive.t[first] + kPiece); ++last)
+        drift += errors[last];
+      drift = first == 0 ? std::clamp(drift / static_cast<double>(last - first), -1.0, 1.0)
+                         : drift / static_cast<double>(last - first);
+      for (; first < last; ++first) all.push_back(errors[first] - drift);
+    }
+    if (!curves) continue;
+    for (std::size_t i = 0; i < drive.t.size(); ++i) {
+      curve.measured[side].push_back((drive.count[side][i] - drive.count[side].front()) / per_turn[side]);
+      curve.fitted[side].push_back(angles[side][i] / (2.0 * std::numbers::pi) + phase / per_turn[side]);
+    }
+  }
+  if (curves) curves->push_back(std::move(curve));
+}
+
+double Bench::drive_timed(world::World& world, const Timed& timed) const {
+  world::Body& body = world.body(0);
+  body.place(kStart);
+  const double before = body.distance();
+  const int ticks = static_cast<int>(std::lround(timed.seconds / kTick));
+  for (int tick = 0; tick < ticks + static_cast<int>(kRollsFor / kTick); ++tick) {
+    for (const int side : {0, 1})
+      body.command(static_cast<world::Side>(side),
+                   command(robot_, *motors_[side], tick < ticks ? timed.told : 0));
+    world.step();
+    if (tick > ticks && body.speed() == 0.0) break;
+  }
+  return body.distance() - before;
+}
+
+}  // namespace robosim::calibrate
