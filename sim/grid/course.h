@@ -49,16 +49,27 @@ struct Area {
   }
 };
 
-/// Start and goal line of a closed path, m along it; a race goes from the one on to the other.
+/// Start and goal line of a path, m along it; a race goes from the one on to the other. The path is closed
+/// where there is no braking distance.
 struct RaceLines {
   int path = 0;  ///< an index
   double start = 0.0;
   double goal = 0.0;
+  double braking = 0.0;  ///< m behind the goal line, of a drag race; 0 = none
+  double signal = 0.0;   ///< s, when a drag race is started; 0 = when the robot leaves
+};
+
+/// A course of tiles, along the first path, from its beginning to its end: RoboCupJunior's Rescue Line.
+struct RescueCourse {
+  double tile = 0.3;                ///< m, side
+  std::vector<double> checkpoints;  ///< m along the path, ascending: the tiles there
+  bool is_entry = false;            ///< by the rules of Rescue Line Entry
 };
 
 struct Course {
   std::vector<Path> paths;
   std::optional<RaceLines> race;
+  std::optional<RescueCourse> rescue;
   std::vector<Mark> marks;
   std::vector<Area> areas;  ///< in the order in which they are painted
   /// Whether there are neither paths nor marks.

@@ -16,6 +16,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;   // m
 constexpr double kLeastTurn = 1.7e-8;  // rad: 0.000001 deg; what is written of an angle is within 2e-11
 constexpr double kMostRadius = 1000.0;
+constexpr double kLatestSignal = 600.0;   // s
+constexpr double kLongestRescue = 100.0;  // m
 // Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
 constexpr double kMarkLength = 0.040;
 constexpr double kMarkAway = 0.070;
@@ -96,14 +98,56 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
   RaceLines race;
   race.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
   const Path& path = course.paths[static_cast<std::size_t>(race.path)];
-  if (!path.is_closed(line_m))
-    throw InputError(value.place, "[race] is for a closed path, whose end meets its beginning");
+  const bool is_drag_race = table.find("braking") != nullptr;
+  if (!is_drag_race && !path.is_closed(line_m))
+    throw InputError(
+        value.place,
+        "[race] is for a closed path, whose end meets its beginning, or has braking = \"1 m\", the "
+        "distance behind the goal line of a drag race");
   race.start = table.quantity("start", Dimension::length, 0.0, 0.0, path.length());
   const ConfigValue& goal = table.require("goal");
   race.goal = as_quantity(goal, "goal", Dimension::length, 0.0, path.length());
+  race.braking = table.quantity("braking", Dimension::length, 0.0, kLeastPiece, path.length());
+  const ConfigValue* const signal = table.find("signal");
+  race.signal = table.quantity("signal", Dimension::time, 0.0, 1e-3, kLatestSignal);
   table.finish();
+  if (signal && !is_drag_race)
+    throw InputError(signal->place, "signal is for a drag race, which has a braking");
   if (race.goal == race.start) throw InputError(goal.place, "the goal line is the start line");
+  if (is_drag_race && (race.goal < race.start || race.goal + race.braking > path.length()))
+    throw InputError(goal.place,
+                     fmt::format("a drag race goes from its start to its goal line and on over its "
+                                 "braking distance; this path is {:.10g} mm long",
+                                 1e3 * path.length()));
   course.race = race;
+}
+
+void read_rescue(const ConfigValue& value, Course& course) {
+  TableReader table(value, "[rescue]");
+  if (course.paths.empty())
+    throw InputError(value.place, "[rescue] is along the first path, and there is no [[path]]");
+  const double length = course.paths.front().length();
+  if (length > kLongestRescue)
+    throw InputError(value.place,
+                     fmt::format("[rescue] is along the first path, which is {:.10g} m long; at most "
+                                 "{:.10g} m are allowed",
+                                 length, kLongestRescue));
+  RescueCourse rescue;
+  rescue.tile = table.quantity("tile", Dimension::length, rescue.tile, 0.1, 1.0);
+  rescue.is_entry = table.choice("league", "line", {"line", "entry"}) == "entry";
+  if (const ConfigValue* const list = table.find("checkpoints")) {
+    if (list->kind != ConfigValue::Kind::array)
+      throw InputError(list->place,
+                       "checkpoints must be a list of lengths along the first path, such as [\"1.35 m\"]");
+    for (const ConfigValue& item : list->items) {
+      const double along = as_quantity(item, "a checkpoint", Dimension::length, 0.0, length);
+      if (!rescue.checkpoints.empty() && along <= rescue.checkpoints.back())
+        throw InputError(item.place, "checkpoints must be in the order in which they are met");
+      rescue.checkpoints.push_back(along);
+    }
+  }
+  table.finish();
+  course.rescue = rescue;
 }
 
 }  // namespace robosim::grid

@@ -15,7 +15,10 @@ void read_marks(const ConfigValue& value, double line_m, Course& course);
 /// Reads all [[area]] tables. Throws InputError.
 void read_areas(const ConfigValue& value, Course& course);
 
-/// Reads [race]. Throws InputError, too, where its path is not closed within `line_m`.
+/// Reads [rescue]. Throws InputError.
+void read_rescue(const ConfigValue& value, Course& course);
+
+/// Reads [race]. Throws InputError, too, where its path is not closed within `line_m` and it is no drag race.
 void read_race(const ConfigValue& value, double line_m, Course& course);
 
 }  // namespace robosim::grid

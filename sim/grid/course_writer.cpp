@@ -26,6 +26,23 @@ std::string segment_text(const PathPiece& piece) {
                      angle_text(piece.turn), gap);
 }
 
+std::string race_text(const RaceLines& race) {
+  std::string text = "[race]\n";
+  if (race.path > 0) text += fmt::format("path = {}\n", race.path + 1);
+  text += fmt::format("start = \"{}\"\ngoal = \"{}\"\n", length_text(race.start), length_text(race.goal));
+  if (race.braking > 0.0) text += fmt::format("braking = \"{}\"\n", length_text(race.braking));
+  if (race.signal > 0.0) text += fmt::format("signal = \"{} s\"\n", race.signal);
+  return text;
+}
+
+std::string rescue_text(const RescueCourse& rescue) {
+  std::string checkpoints;
+  for (const double along : rescue.checkpoints)
+    checkpoints += fmt::format("{}\"{}\"", checkpoints.empty() ? "" : ", ", length_text(along));
+  return fmt::format("[rescue]\ntile = \"{}\"\ncheckpoints = [{}]\n{}", length_text(rescue.tile), checkpoints,
+                     rescue.is_entry ? "league = \"entry\"\n" : "");
+}
+
 std::string area_text(const Area& area) {
   const Vec2 at = area.middle.position;
   std::string text =
@@ -60,10 +77,8 @@ std::string course_text(const Course& course) {
     for (const PathPiece& piece : path.pieces()) text += "  " + segment_text(piece) + ",\n";
     text += "]\n";
   }
-  if (course.race)
-    text += fmt::format("[race]\n{}start = \"{}\"\ngoal = \"{}\"\n",
-                        course.race->path > 0 ? fmt::format("path = {}\n", course.race->path + 1) : "",
-                        length_text(course.race->start), length_text(course.race->goal));
+  if (course.race) text += race_text(*course.race);
+  if (course.rescue) text += rescue_text(*course.rescue);
   for (const Mark& mark : course.marks) {
     text += "[[mark]]\n";
     if (mark.path > 0) text += fmt::format("path = {}\n", mark.path + 1);

@@ -109,7 +109,8 @@ bool is_count(std::string_view digits, int most) {
 }
 
 bool is_goal(std::string_view goal) {
-  for (const char* word : {"tour", "robotrace", "ukmars", "line-maze", "still", "none"})
+  for (const char* word :
+       {"tour", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze", "still", "none"})
     if (goal == word) return true;
   constexpr std::string_view laps = "laps:", station = "station:", maze = "line-maze:";
   if (goal.starts_with(station)) return goal.size() > station.size();
@@ -128,11 +129,10 @@ void read_goal(const ConfigValue& value, FrontMatter& front) {
   front.settings.goal = as_string(value, "goal");
   front.settings.goal_place = value.place;
   if (!is_goal(front.settings.goal))
-    throw InputError(
-        value.place,
-        fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, robotrace, ukmars, line-maze, "
-                    "line-maze:N (N tries, up to {}), still or none",
-                    front.settings.goal, kMostTries));
+    throw InputError(value.place, fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, "
+                                              "robotrace, ukmars, drag-race, rescue-line, line-maze, "
+                                              "line-maze:N (N tries, up to {}), still or none",
+                                              front.settings.goal, kMostTries));
 }
 
 bool is_station_name(std::string_view name) {
@@ -210,6 +210,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
   if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.course);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
+  if (const ConfigValue* rescue = table.find("rescue")) read_rescue(*rescue, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);
   if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);

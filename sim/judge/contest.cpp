@@ -22,6 +22,12 @@ Contest::Contest(const Goal& goal, const grid::Map& map, Vec2 start) {
     case Goal::Kind::ukmars:
       rules_.emplace<Race>(map, Race::Finish::line);
       break;
+    case Goal::Kind::drag_race:
+      rules_.emplace<DragRace>(map);
+      break;
+    case Goal::Kind::rescue_line:
+      rules_.emplace<RescueRun>(map);
+      break;
     case Goal::Kind::line_maze:
       rules_.emplace<MazeTries>(map, start, goal.tries);
       break;
@@ -38,6 +44,22 @@ bool Contest::reached() const {
   return std::visit(Overloaded{[](std::monostate) { return false; },  //
                                [](const auto& rules) { return rules.reached(); }},
                     rules_);
+}
+
+bool Contest::over(SimTime t) const {
+  const auto* const rescue = std::get_if<RescueRun>(&rules_);
+  return rescue && rescue->over(t);
+}
+
+bool Contest::give_up(Events& events) {
+  auto* const rescue = std::get_if<RescueRun>(&rules_);
+  if (rescue) rescue->give_up(events);
+  return rescue;
+}
+
+std::optional<Pose> Contest::take_hand() {
+  auto* const rescue = std::get_if<RescueRun>(&rules_);
+  return rescue ? rescue->take_hand() : std::nullopt;
 }
 
 std::string Contest::summary() const {

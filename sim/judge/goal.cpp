@@ -35,7 +35,7 @@ bool wheels_turn(const world::Body& body) {
 [[noreturn]] void unknown_goal(std::string_view text) {
   throw InputError(fmt::format(
       "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), robotrace, "
-      "ukmars, line-maze, line-maze:N (N tries, up to {}), still and none",
+      "ukmars, drag-race, rescue-line, line-maze, line-maze:N (N tries, up to {}), still and none",
       text, MazeTries::kMost));
 }
 
@@ -60,6 +60,10 @@ Goal parse_goal(std::string_view text) {
     goal.kind = Goal::Kind::robotrace;
   } else if (word == "ukmars" && bare) {
     goal.kind = Goal::Kind::ukmars;
+  } else if (word == "drag-race" && bare) {
+    goal.kind = Goal::Kind::drag_race;
+  } else if (word == "rescue-line" && bare) {
+    goal.kind = Goal::Kind::rescue_line;
   } else if (word == "line-maze") {
     goal.kind = Goal::Kind::line_maze;
     if (!bare) goal.tries = parse_count(rest, MazeTries::kMost, text);
@@ -91,6 +95,10 @@ std::string to_string(const Goal& goal) {
       return "robotrace";
     case Goal::Kind::ukmars:
       return "ukmars";
+    case Goal::Kind::drag_race:
+      return "drag-race";
+    case Goal::Kind::rescue_line:
+      return "rescue-line";
     case Goal::Kind::line_maze:
       return goal.tries == 1 ? "line-maze" : fmt::format("line-maze:{}", goal.tries);
     case Goal::Kind::still:
@@ -246,6 +254,8 @@ std::string Progress::summary() const {
                              : "not visited");
     case Goal::Kind::robotrace:
     case Goal::Kind::ukmars:
+    case Goal::Kind::drag_race:
+    case Goal::Kind::rescue_line:
     case Goal::Kind::line_maze:
       return contest_.summary();
     case Goal::Kind::still:

@@ -15,14 +15,16 @@ namespace robosim::judge {
 
 struct Goal {
   enum class Kind {
-    tour,       ///< all reachable stations visited, then the start's centre covered again
-    laps,       ///< every node of the loop passed in order, `laps` times, either way round
-    station,    ///< `station` visited, and at rest there for 0.5 s
-    robotrace,  ///< from the start line to the goal line of the map's [race], and to rest between them
-    ukmars,     ///< the same, over the goal line
-    line_maze,  ///< to the disc, `tries` times
-    still,      ///< no wheel turned for 1 s after having moved
-    none,       ///< the time is up without a failure
+    tour,         ///< all reachable stations visited, then the start's centre covered again
+    laps,         ///< every node of the loop passed in order, `laps` times, either way round
+    station,      ///< `station` visited, and at rest there for 0.5 s
+    robotrace,    ///< from the start line to the goal line of the map's [race], and to rest between them
+    ukmars,       ///< the same, over the goal line
+    drag_race,    ///< along a straight, and to a stop behind the goal line
+    rescue_line,  ///< over the tiles of the map's [rescue]
+    line_maze,    ///< to the disc, `tries` times
+    still,        ///< no wheel turned for 1 s after having moved
+    none,         ///< the time is up without a failure
   };
   Kind kind = Kind::tour;
   int laps = 1;
@@ -30,8 +32,8 @@ struct Goal {
   std::string station;  ///< number or name
 };
 
-/// "tour", "laps:3", "station:2", "robotrace", "ukmars", "line-maze", "line-maze:3", "still", "none". Throws
-/// InputError naming those.
+/// "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",
+/// "line-maze:3", "still", "none". Throws InputError naming those.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
 /// The map's own goal; else laps:1 on a single loop, else tour.
@@ -68,6 +70,9 @@ class Progress {
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
+  /// Its rules, if it is a competition's.
+  Contest& contest() { return contest_; }
+  const Contest& contest() const { return contest_; }
   /// What a competition's rules give so far.
   void score(wire::Metrics& metrics) const { contest_.score(metrics); }
 

@@ -52,6 +52,7 @@ void Race::advance(const Glance& now, Events& events) {
 }
 
 bool Race::rests(const Glance& now) {
+  if (finish_ == Finish::line) return ended_ != kNever && now.t - ended_ >= kRestInArea;
   const bool there =
       ended_ != kNever && now.at_rest &&
       std::any_of(course_.area.begin(), course_.area.end(), [&](Vec2 p) { return now.body.covers(p); });
@@ -78,7 +79,7 @@ void Race::score(wire::Metrics& metrics) const {
   metrics.score_unit = "s";
   if (ended_ == kNever) return;
   metrics.run_s = time_s();
-  if (reached()) metrics.score = time_s();
+  if (rested_ || finish_ == Finish::line) metrics.score = time_s();
 }
 
 }  // namespace robosim::judge

@@ -1,7 +1,7 @@
 // A lap against the clock, from the start line of the map's [race] to its goal line.
 //
 //   robotrace  NTF, rules 1-7 and 2-8: and to rest in the area between the two lines
-//   ukmars     UK line follower: over the finish line
+//   ukmars     UK line follower: over the finish line, and 2 s on, so that it may say so
 //
 // The time between the lines is the score.
 #pragma once
@@ -22,8 +22,9 @@ class Race {
   Race(const grid::Map& map, Finish finish);
 
   void look(const Glance& now, Events& events);
-  /// Whether it has passed the goal line and, if that is asked, been at rest in the area for 2 s.
-  bool reached() const { return ended_ != kNever && (finish_ == Finish::line || rested_); }
+  /// Whether it has passed the goal line and, if that is asked, been at rest in the area for 2 s; else the
+  /// run ends 2 s later.
+  bool reached() const { return rested_; }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;
 
@@ -44,7 +45,7 @@ class Race {
   std::size_t next_ = 0;
   SimTime began_ = 0, ended_ = kNever;
   SimTime at_rest_since_ = kNever;
-  bool rested_ = false;
+  bool rested_ = false;  ///< it is all done
 };
 
 }  // namespace robosim::judge

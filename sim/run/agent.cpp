@@ -240,7 +240,19 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                        player_.powered(),
                        player_.powered() ? executor_.last_call() : end};
   now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();
-  return judge_.look(now);
+  std::optional<judge::Verdict> verdict = judge_.look(now);
+  const bool lost_or_stuck = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck;
+  if (lost_or_stuck && progress_.contest().give_up(state_.happened)) verdict.reset();
+  if (const auto where = progress_.contest().take_hand()) put(*where);
+  if (!state_.happened.empty()) tell_events(end);
+  if (!verdict && progress_.contest().over(end)) return judge::Verdict::timeout;
+  return verdict;
+}
+
+// A hand that belongs to the goal's rules puts it down.
+void Agent::put(const Pose& where) {
+  body_.place(where);
+  state_.sees_line = true;
 }
 
 void Agent::time_out(SimTime limit) {
@@ -256,7 +268,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   judge::Evidence e;
   e.verdict = verdict;
   e.t = t;
-  e.limit = setup_.limit;
+  e.limit = verdict == judge::Verdict::timeout ? t : setup_.limit;
   e.map = setup_.map;
   e.goal = &goal_;
   e.progress = &progress_;

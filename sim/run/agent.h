@@ -114,6 +114,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void byte_received(std::uint8_t byte, SimTime t) override { state_.listener->byte_received(byte, t); }
 
   std::optional<judge::Verdict> verdict_at(SimTime end);
+  void put(const Pose& where);
   void look_to_the_side();
   void observe(SimTime end);
   void hear_parts(SimTime t);

@@ -1,0 +1,223 @@
+#include "sim/judge/rescue_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+constexpr double kAlong = 0.005;        // m between two points of the path
+constexpr double kLeastStep = 0.01;     // m of path on a tile, for a visit
+constexpr double kCrossing = 0.1;       // m along the path between two points of a crossing, at least
+constexpr double kRoundObstacle = 1.5;  // tiles
+constexpr double kOffTheStart = 0.01;   // m
+constexpr SimTime kRestAtEnd = 5 * kSecond;
+constexpr int kLacksToGoOn = 3;
+constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
+constexpr int kThingPoints = 10, kLineObstaclePoints = 20;
+
+}  // namespace
+
+RescueRun::RescueRun(const grid::Map& map) : path_({}) {
+  if (!map.course.rescue)
+    throw InputError({map.file}, "the goal rescue-line needs a map with a path and a [rescue]");
+  const grid::RescueCourse& rescue = *map.course.rescue;
+  path_ = map.course.paths.front();
+  tile_ = rescue.tile;
+  is_entry_ = rescue.is_entry;
+  time_limit_ = (is_entry_ ? 6 : 8) * 60 * kSecond;
+  make_steps(map);
+  if (steps_.size() < 2)
+    throw InputError(path_.place, "the goal rescue-line needs a path over two tiles at least");
+  for (const double along : rescue.checkpoints) step_at(along)->checkpoint = true;
+  steps_.front().checkpoint = steps_.back().checkpoint = false;
+  mark(map);
+}
+
+void RescueRun::make_steps(const grid::Map&) {
+  const int count = static_cast<int>(path_.length() / kAlong);
+  std::vector<Step> visits;
+  for (int i = 0; i <= count; ++i) {
+    const double along = i * kAlong;
+    const Vec2 p = path_.at(along, false).position;
+    const int column = static_cast<int>(std::floor(p.x / tile_)),
+              row = static_cast<int>(std::floor(p.y / tile_));
+    if (visits.empty() || visits.back().column != column || visits.back().row != row)
+      visits.push_back({column, row, along, along});
+    visits.back().to = along;
+  }
+  visits.back().to = path_.length();
+  for (const Step& visit : visits)
+    if (visit.to - visit.from >= kLeastStep) steps_.push_back(visit);
+}
+
+RescueRun::Step* RescueRun::step_at(double along) {
+  for (Step& step : steps_)
+    if (along <= step.to) return &step;
+  return &steps_.back();
+}
+
+void RescueRun::mark(const grid::Map& map) {
+  double along = 0.0;
+  for (const grid::PathPiece& piece : path_.pieces()) {
+    if (piece.is_gap) ++step_at(along + 0.5 * piece.length)->gaps;
+    along += piece.length;
+  }
+  std::vector<Vec2> others;
+  for (std::size_t i = 1; i < map.course.paths.size(); ++i)
+    for (double at = 0.0; at <= map.course.paths[i].length(); at += kAlong)
+      others.push_back(map.course.paths[i].at(at, false).position);
+  std::vector<Vec2> own;
+  for (double at = 0.0; at <= path_.length(); at += kAlong) own.push_back(path_.at(at, false).position);
+  const auto apart = static_cast<std::ptrdiff_t>(kCrossing / kAlong);
+  double last_crossing = -1.0;
+  bool on_wall = false;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const auto meets = [&](Vec2 p) { return length(p - own[i]) < kAlong; };
+    const auto here = static_cast<std::ptrdiff_t>(i);
+    const bool crosses =
+        std::any_of(others.begin(), others.end(), meets) ||
+        std::any_of(own.begin(), own.begin() + std::max<std::ptrdiff_t>(here - apart, 0), meets) ||
+        std::any_of(own.begin() + std::min<std::ptrdiff_t>(here + apart, std::ssize(own)), own.end(), meets);
+    const double now = static_cast<double>(i) * kAlong;
+    if (crosses && (last_crossing < 0.0 || now - last_crossing > kCrossing)) ++step_at(now)->intersections;
+    if (crosses) last_crossing = now;
+    const auto column = static_cast<int>(std::floor(own[i].x / map.cell_m));
+    const auto row = map.height - 1 - static_cast<int>(std::floor(own[i].y / map.cell_m));
+    const bool wall = map.contains({column, row}) && map.at({column, row}) == grid::Cell::wall;
+    if (wall && !on_wall) {
+      ++step_at(now)->obstacles;
+      obstacles_.push_back(map.centre({column, row}));
+    }
+    on_wall = wall;
+  }
+}
+
+bool RescueRun::is_in(const Step& step, Vec2 at) const {
+  return static_cast<int>(std::floor(at.x / tile_)) == step.column &&
+         static_cast<int>(std::floor(at.y / tile_)) == step.row;
+}
+
+bool RescueRun::is_near_obstacle(Vec2 at) const {
+  return std::any_of(obstacles_.begin(), obstacles_.end(),
+                     [&](Vec2 obstacle) { return length(obstacle - at) < kRoundObstacle * tile_; });
+}
+
+void RescueRun::count(const char* part, int points, int times, Events& events) {
+  if (times == 0) return;
+  auto known = std::find_if(parts_.begin(), parts_.end(), [&](const auto& one) { return one.part == part; });
+  if (known == parts_.end()) known = parts_.insert(parts_.end(), {part, 0, 0.0});
+  known->count += times;
+  known->value += points * times;
+  events.push_back(wire::Scored{times == 1 ? part : fmt::format("{} × {}", times, part),
+                                static_cast<double>(points * times), "points"});
+}
+
+// It is on this tile, and so has passed those before it.
+void RescueRun::arrive(std::size_t step, Events& events) {
+  for (std::size_t i = at_; i < step; ++i) {
+    Step& passed = steps_[i];
+    if (passed.done) continue;
+    passed.done = true;
+    if (i == 0) count("start tile", kStartPoints, 1, events);
+    count("gap", kThingPoints, passed.gaps, events);
+    if (!is_entry_) count("intersection", kThingPoints, passed.intersections, events);
+    count("obstacle", is_entry_ ? kThingPoints : kLineObstaclePoints, passed.obstacles, events);
+  }
+  at_ = step;
+  const bool is_end = step + 1 == steps_.size();
+  if ((!steps_[step].checkpoint && !is_end) || step <= checkpoint_) return;
+  const int each = std::max(kTilePoints - kTileLess * lacks_here_, 0);
+  // The start tile has its own points.
+  const auto tiles = static_cast<int>(step - std::max<std::size_t>(counted_to_, 1) + 1);
+  if (each > 0) count("tile", each, tiles, events);
+  counted_to_ = step + 1;
+  checkpoint_ = step;
+  lacks_here_ = 0;
+}
+
+void RescueRun::give_up(Events& events) {
+  if (reached_ || hand_) return;
+  ++lacks_;
+  ++lacks_here_;
+  std::size_t to = checkpoint_;
+  if (lacks_here_ >= kLacksToGoOn) {
+    const auto next = std::find_if(steps_.begin() + static_cast<std::ptrdiff_t>(checkpoint_) + 1,
+                                   steps_.end(), [](const Step& step) { return step.checkpoint; });
+    if (next != steps_.end()) {
+      to = static_cast<std::size_t>(next - steps_.begin());
+      for (std::size_t i = at_; i < to; ++i) steps_[i].done = true;
+      counted_to_ = to + 1;
+      checkpoint_ = to;
+      lacks_here_ = 0;
+    }
+  }
+  at_ = to;
+  const double along = to == 0 ? 0.0 : 0.5 * (steps_[to].from + steps_[to].to);
+  hand_ = path_.at(along, false);
+  events.push_back(wire::Scored{"lack of progress", 0.0, "points"});
+  events.push_back(wire::ScriptActed{"place", "", fmt::format("{:.0f}mm", 1e3 * along)});
+}
+
+std::optional<Pose> RescueRun::take_hand() {
+  std::optional<Pose> where;
+  where.swap(hand_);
+  if (where) seen_at_.reset();
+  return where;
+}
+
+void RescueRun::look(const Glance& now, Events& events) {
+  const Vec2 at = now.body.pose().position;
+  if (began_ == kNever && length(at - path_.begin().position) >= kOffTheStart) began_ = now.t;
+  const bool taken = now.body.in_hand() && !in_hand_;
+  in_hand_ = now.body.in_hand();
+  if (taken && began_ != kNever) give_up(events);
+  if (in_hand_ || hand_) return;
+  if (now.moved) {
+    const std::size_t last = steps_.size() - 1;
+    if (at_ < last && is_in(steps_[at_ + 1], at))
+      arrive(at_ + 1, events);
+    else if (!is_in(steps_[at_], at) && !(at_ > 0 && is_in(steps_[at_ - 1], at)) && !is_near_obstacle(at))
+      give_up(events);
+    else if (is_near_obstacle(at))
+      // Round an obstacle it may come back to the line a tile farther on.
+      for (std::size_t i = at_ + 2; i <= std::min(at_ + 3, last); ++i)
+        if (is_in(steps_[i], at)) {
+          arrive(i, events);
+          break;
+        }
+  }
+  const bool rests = now.at_rest && at_ + 1 == steps_.size() && is_in(steps_.back(), at);
+  if (!rests) at_rest_since_ = kNever;
+  if (rests && at_rest_since_ == kNever) at_rest_since_ = now.t;
+  if (!rests || reached_ || now.t - at_rest_since_ < kRestAtEnd) return;
+  reached_ = true;
+  ended_ = now.t;
+  count("end tile", std::max(kEndPoints - kEndLess * lacks_, 0), 1, events);
+}
+
+std::string RescueRun::summary() const {
+  double points = 0.0;
+  for (const wire::ScorePart& part : parts_) points += part.value;
+  return fmt::format("{:.0f} points, {} of {} tiles, {} lack{} of progress{}", points, at_ + 1, steps_.size(),
+                     lacks_, lacks_ == 1 ? "" : "s",
+                     reached_                   ? ""
+                     : at_ + 1 == steps_.size() ? ", but the robot was not at rest on the end tile for 5 s"
+                                                : "");
+}
+
+void RescueRun::score(wire::Metrics& metrics) const {
+  metrics.score_unit = "points";
+  metrics.score = 0.0;
+  for (const wire::ScorePart& part : parts_) metrics.score += part.value;
+  metrics.score_parts = parts_;
+  if (lacks_ > 0) metrics.score_parts.push_back({"lack of progress", lacks_, 0.0});
+  if (reached_) metrics.run_s = static_cast<double>(ended_ - began_) * 1e-9;
+}
+
+}  // namespace robosim::judge

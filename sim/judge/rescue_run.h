@@ -1,0 +1,84 @@
+// RoboCupJunior Rescue Line, or Line Entry ([rescue] league): along the first path, tile by tile, from its
+// beginning to its end. Points are those of the organisers' scoring software for 2025 (rcj-rescue-cms,
+// scoreCalculatorRules/2025.js), where n is how many lacks of progress there were:
+//
+//   start tile left              5
+//   each tile up to a checkpoint, or up to the end, once that is reached
+//                                5 - 2 n, not below 0; n since the checkpoint before
+//   gap                          10 for each gap
+//   intersection                 10 each; Entry has none
+//   obstacle                     20, Entry 10
+//   end tile                     60 - 5 n, not below 0; the robot must rest there for 5 s (from memory)
+//
+// What stands on a tile counts when the robot is on the next one, its axle's middle there. A gap is a stretch
+// of the path that is not painted, an obstacle a wall that stands on the path, an intersection a place where
+// the path crosses itself or another path.
+//
+// A lack of progress is where the robot stands on a tile that is neither the last one it was on, nor the next
+// or the one before; where it would be lost or stuck (verdicts.md); or where a script picks it up. Around an
+// obstacle it may be anywhere within 1.5 tiles. The captain's hand then puts it on the last checkpoint, or
+// the start; after the third one in a row on the next checkpoint, and the tiles between count nothing.
+//
+// Time is up after 8 min, Entry 6 min, from the beginning of the run. Not modelled: evacuation zone and
+// victims, ramps, seesaws, speed bumps.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/judge/glance.h"
+
+namespace robosim::judge {
+
+class RescueRun {
+ public:
+  /// Throws InputError if the map has no [rescue], or its path has less than two tiles.
+  explicit RescueRun(const grid::Map& map);
+
+  void look(const Glance& now, Events& events);
+  bool reached() const { return reached_; }
+  bool over(SimTime t) const { return t >= time_limit_; }
+  /// Makes it a lack of progress that the robot is lost, or stuck.
+  void give_up(Events& events);
+  /// Where the captain puts the robot now, once.
+  std::optional<Pose> take_hand();
+  std::string summary() const;
+  void score(wire::Metrics& metrics) const;
+
+ private:
+  /// A visit of a tile by the path.
+  struct Step {
+    int column = 0, row = 0;
+    double from = 0.0, to = 0.0;  ///< m along the path
+    int gaps = 0, intersections = 0, obstacles = 0;
+    bool checkpoint = false;
+    bool done = false;  ///< what stands there has counted
+  };
+  void make_steps(const grid::Map& map);
+  void mark(const grid::Map& map);
+  Step* step_at(double along);
+  void arrive(std::size_t step, Events& events);
+  void count(const char* part, int points, int times, Events& events);
+  bool is_near_obstacle(Vec2 at) const;
+  bool is_in(const Step& step, Vec2 at) const;
+
+  grid::Path path_;
+  double tile_;
+  bool is_entry_;
+  SimTime time_limit_;
+  std::vector<Step> steps_;
+  std::vector<Vec2> obstacles_;
+  std::size_t at_ = 0;              ///< the last step it was on
+  std::size_t counted_to_ = 0;      ///< tiles before this have counted, or never will
+  std::size_t checkpoint_ = 0;      ///< the last one: 0 = the start
+  int lacks_here_ = 0, lacks_ = 0;  ///< since the last checkpoint, and in all
+  std::vector<wire::ScorePart> parts_;
+  std::optional<Pose> hand_;
+  std::optional<Vec2> seen_at_;
+  SimTime began_ = kNever, ended_ = kNever, at_rest_since_ = kNever;
+  bool in_hand_ = false, reached_ = false;
+};
+
+}  // namespace robosim::judge
