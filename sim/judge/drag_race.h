@@ -27,7 +27,7 @@ class DragRace {
   void score(wire::Metrics& metrics) const;
 
  private:
-  double time_s() const { return static_cast<double>(passed_ - began_) * 1e-9; }
+  double time_s() const { return static_cast<double>(passed_ - began_) / 1e9; }
   double score_s() const;
 
   Vec2 finish_;     ///< the middle of the line, m

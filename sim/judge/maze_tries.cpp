@@ -28,7 +28,7 @@ std::vector<Vec2> points_of(const grid::Area& disc) {
   return points;
 }
 
-double seconds_between(SimTime from, SimTime to) { return static_cast<double>(to - from) * 1e-9; }
+double seconds_between(SimTime from, SimTime to) { return static_cast<double>(to - from) / 1e9; }
 
 }  // namespace
 

@@ -217,7 +217,7 @@ void RescueRun::score(wire::Metrics& metrics) const {
   for (const wire::ScorePart& part : parts_) metrics.score += part.value;
   metrics.score_parts = parts_;
   if (lacks_ > 0) metrics.score_parts.push_back({"lack of progress", lacks_, 0.0});
-  if (reached_) metrics.run_s = static_cast<double>(ended_ - began_) * 1e-9;
+  if (reached_) metrics.run_s = static_cast<double>(ended_ - began_) / 1e9;
 }
 
 }  // namespace robosim::judge

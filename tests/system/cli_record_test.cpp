@@ -100,7 +100,8 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   };
   for (const Drawn& one :
        {Drawn{"tight.svg", folder.path(), {"PidFollower", "--map", "tight"}},
-        Drawn{"robotracer.svg", ROBOSIM_SAMPLES "/Robotracer", {".", "--map", "course.map"}}}) {
+        Drawn{"robotracer.svg", ROBOSIM_SAMPLES "/Robotracer", {".", "--map", "course.map"}},
+        Drawn{"rescue-line.svg", ROBOSIM_SAMPLES "/RescueLine", {".", "--map", "course.map"}}}) {
     const std::filesystem::path picture = std::filesystem::path(ROBOSIM_PICTURES) / one.picture;
     std::vector<std::string> words{"run", "--plot", (folder / one.picture).string()};
     words.insert(words.end(), one.run.begin(), one.run.end());

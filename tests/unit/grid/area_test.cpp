@@ -60,6 +60,25 @@ angle = "90 deg")");
   }
 }
 
+TEST(Course, RulesOfRacesAndOfRescueLineAreWrittenAsTheyWereRead) {
+  const std::string strip = R"([race]
+start = "100 mm"
+goal = "600 mm"
+braking = "300 mm"
+signal = "1.5 s"
+)";
+  const std::string tiles = R"([rescue]
+tile = "250 mm"
+checkpoints = ["300 mm", "700 mm"]
+league = "entry"
+)";
+  const std::string path = "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n";
+  const std::string written =
+      write_map(parse_map("+++\nsize = [\"2 m\", \"1 m\"]\n" + path + strip + tiles + "+++\n", "m.map"));
+  EXPECT_THAT(written, HasSubstr(strip));
+  EXPECT_THAT(written, HasSubstr(tiles));
+}
+
 TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   const std::string at = "at = [\"1 m\", \"200 mm\"]\n", size = "size = [\"25 mm\", \"25 mm\"]\n";
   const struct {

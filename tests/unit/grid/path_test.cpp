@@ -188,12 +188,13 @@ length = "25 mm")"));
 }
 
 struct Refused {
-  const char* course;
+  std::string course;
   const char* message;
 };
 
 TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   const std::string path = "[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\n";
+  const std::string straight = "[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\nsegments = [{ length = \"0.5 m\" }]\n";
   const Refused refused[] = {
       {"[path]\nfrom = [\"1 m\", \"1 m\"]", "m.map:3:1: path is a table; write [[path]], with two brackets"},
       {"[[path]]\nsegments = []", "[[path]] lacks the key from"},
@@ -225,6 +226,21 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"[race]\ngoal = \"1 m\"", "[race] is along a path, and there is no [[path]]"},
       {"[[path]]\nfrom = [\"1 m\", \"0.5 m\"]\nsegments = [{ length = \"0.5 m\" }]\n[race]\ngoal = \"0.1 m\"",
        "[race] is for a closed path"},
+      {straight + "[race]\ngoal = \"0.1 m\"\nsignal = \"1 s\"", "[race] is for a closed path"},
+      {straight + "[race]\ngoal = \"0.4 m\"\nbraking = \"0.2 m\"", "a drag race goes from its start to its"},
+      {straight + "[race]\nstart = \"0.4 m\"\ngoal = \"0.2 m\"\nbraking = \"0.1 m\"",
+       "a drag race goes from"},
+      {straight + "[race]\ngoal = \"0.2 m\"\nbraking = \"0.1\"", "braking is \"0.1\""},
+      {straight + "[race]\ngoal = \"0.2 m\"\nbraking = \"0.1 m\"\nsignal = \"1 h\"", "signal is 3600"},
+      {"[rescue]", "[rescue] is along the first path, and there is no [[path]]"},
+      {straight + "[rescue]\ntile = \"1 mm\"", "tile is 0.001"},
+      {straight + "[rescue]\nleague = \"maze\"", "league is \"maze\""},
+      {straight + "[rescue]\ncheckpoints = \"1 m\"",
+       "checkpoints must be a list of lengths along the first path"},
+      {straight + "[rescue]\ncheckpoints = [\"1 m\"]", "a checkpoint is 1 in SI units"},
+      {straight + "[rescue]\ncheckpoints = [\"0.4 m\", \"0.2 m\"]",
+       "checkpoints must be in the order in which"},
+      {straight + "[rescue]\nvictims = 3", "victims"},
       {"variation = \"31 %\"", "variation is 0.31 in SI units; it must be from 0 to 0.3"},
       {"paint = \"red\"", "paint is \"red\"; allowed are black on white or white on black"},
   };

@@ -67,14 +67,15 @@ constexpr const char* kRing =
     "_____\n";
 
 TEST(Goal, IsWrittenAsItIsRead) {
-  for (const char* text : {"tour", "laps:3", "station:2", "station:dock", "robotrace", "ukmars", "line-maze",
-                           "line-maze:3", "still", "none"})
+  for (const char* text : {"tour", "laps:3", "station:2", "station:dock", "robotrace", "ukmars", "drag-race",
+                           "rescue-line", "line-maze", "line-maze:3", "still", "none"})
     EXPECT_EQ(to_string(parse_goal(text)), text);
 }
 
 TEST(Goal, RefusesWhatItDoesNotKnow) {
-  for (const char* text : {"", "win", "laps", "laps:", "laps:0", "laps:x", "laps:3x", "station:", "tour:2",
-                           "still:1", "robotrace:1", "ukmars:2", "line-maze:0", "line-maze:4"})
+  for (const char* text :
+       {"", "win", "laps", "laps:", "laps:0", "laps:x", "laps:3x", "station:", "tour:2", "still:1",
+        "robotrace:1", "ukmars:2", "drag-race:1", "rescue-line:entry", "line-maze:0", "line-maze:4"})
     EXPECT_THROW(parse_goal(text), InputError) << text;
 }
 

@@ -1,0 +1,44 @@
+// DPRG line following: black on white tiles of a foot, straights and curves of half a foot. Five sensors as bits, and
+// a table that says how to steer.
+const uint8_t EYES[5] PROGMEM = {A0, A1, A2, A3, A4};
+const uint8_t L_EN = 5, L_FWD = 7, L_REV = 8, R_EN = 6, R_FWD = 9, R_REV = 10;
+const uint8_t CRUISE = 80;
+
+struct Rule {
+  uint8_t seen;   // left to right, 1 = black
+  int8_t steer;   // to the right
+};
+
+const Rule RULES[] PROGMEM = {
+    {0b10000, -70}, {0b11000, -45}, {0b01000, -26}, {0b01100, -12}, {0b11100, -26},
+    {0b00100, 0},   {0b01110, 0},   {0b00110, 12},  {0b00111, 26},  {0b00010, 26},
+    {0b00011, 45},  {0b00001, 70},
+};
+
+int8_t steering = 0;
+
+uint8_t look() {
+  uint8_t seen = 0;
+  for (uint8_t i = 0; i < 5; i++) seen = seen << 1 | (analogRead(pgm_read_byte(&EYES[i])) > 500);
+  return seen;
+}
+
+void setup() {
+  const uint8_t outputs[] = {L_EN, L_FWD, L_REV, R_EN, R_FWD, R_REV};
+  for (uint8_t pin : outputs) pinMode(pin, OUTPUT);
+  digitalWrite(L_FWD, HIGH);
+  digitalWrite(R_FWD, HIGH);
+  Serial.begin(9600);
+  Serial.println(F("DPRG"));
+  delay(500);
+}
+
+void loop() {
+  uint8_t seen = look();
+  for (uint8_t i = 0; i < sizeof RULES / sizeof RULES[0]; i++)
+    if (pgm_read_byte(&RULES[i].seen) == seen) steering = pgm_read_byte(&RULES[i].steer);
+  // Beside the line it goes on to turn to where it was.
+  analogWrite(L_EN, constrain(CRUISE + steering, 0, 255));
+  analogWrite(R_EN, constrain(CRUISE - steering, 0, 255));
+  delay(2);
+}

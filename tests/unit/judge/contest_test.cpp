@@ -1,0 +1,215 @@
+// Drag races and Rescue Line: a robot of 60 mm radius that is pushed along paths and put from place to place.
+#include "sim/judge/contest.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/judge/goal.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Pushed {
+  explicit Pushed(const std::string& text)
+      : map(grid::parse_map(text, "course.map")),
+        start(grid::default_start(map)),
+        network(grid::trace_network(map, start)),
+        stripes(map, map.cell_m),
+        world(map),
+        body(world.body(world.add_body(params(), stripes.pose_of(start)))),
+        progress(default_goal(map, network), map, stripes, network, start) {}
+
+  static world::BodyParams params() {
+    world::BodyParams p = world::default_body_params();
+    p.outline.clear();
+    p.radius_m = 0.060;
+    p.centre = {};
+    return p;
+  }
+  // 1 m/s.
+  void push(Vec2 to) {
+    const Vec2 from = body.pose().position;
+    const double way = length(to - from);
+    for (double gone = 0.001; gone <= way; gone += 0.001) put(from + (to - from) * (gone / way));
+  }
+  // Along the first path.
+  void follow(double from, double to) {
+    for (double along = from; along <= to; along += 0.001) put(map.course.paths[0].at(along, false).position);
+  }
+  void put(Vec2 at) {
+    body.place({at, {1.0, 0.0}});
+    look();
+  }
+  void wait(SimTime duration) {
+    for (const SimTime end = now + duration; now < end;) look();
+  }
+  void look() { progress.update(body, now += kTick, events); }
+  wire::Metrics score() const {
+    wire::Metrics metrics;
+    progress.score(metrics);
+    return metrics;
+  }
+  std::string summary() const { return progress.summary(); }
+  int lacks() const {
+    for (const wire::ScorePart& part : score().score_parts)
+      if (part.part == "lack of progress") return part.count;
+    return 0;
+  }
+
+  grid::Map map;
+  grid::Start start;
+  grid::Network network;
+  grid::Stripes stripes;
+  world::World world;
+  world::Body& body;
+  Progress progress;
+  SimTime now = 0;
+  Events events;
+};
+
+constexpr const char* kStrip = R"(+++
+size = ["5 m", "600 mm"]
+goal = "drag-race"
+[[path]]
+from = ["200 mm", "300 mm"]
+segments = [{ length = "4.5 m" }]
+[race]
+start = "100 mm"
+goal = "3.1 m"
+braking = "1 m"
+signal = "1 s"
++++
+)";
+
+TEST(DragRace, IsTimedFromTheSignalToTheFinishLineAndEndsWhereTheRobotStops) {
+  Pushed race(kStrip);
+  race.wait(1500 * kMillisecond);
+  EXPECT_EQ(race.summary(), "the finish line was not passed");
+  race.push({3.5, 0.3});
+  // 3.3 m - 0.06 m from 0.2 m, at 1 m/s, half a second after the signal.
+  EXPECT_NEAR(race.score().run_s, 3.54, 0.01);
+  EXPECT_FALSE(race.progress.reached());
+  race.wait(500 * kMillisecond);
+  EXPECT_TRUE(race.progress.reached());
+  EXPECT_NEAR(race.score().score, 3.54, 0.01);
+  EXPECT_THAT(race.summary(), HasSubstr("stopped within the braking distance"));
+}
+
+TEST(DragRace, OverrunningTheBrakingDistanceAndAHandCostFiveSecondsEach) {
+  Pushed race(kStrip);
+  race.wait(1000 * kMillisecond);
+  race.push({1.0, 0.3});
+  race.body.lift(true);
+  race.look();
+  race.body.lift(false);
+  race.push({4.25, 0.3});
+  race.wait(600 * kMillisecond);
+  EXPECT_NEAR(race.score().score, race.score().run_s + 10.0, 1e-9);
+  EXPECT_THAT(race.summary(), HasSubstr("2 × 5 s were added, for the braking distance was overrun"));
+}
+
+TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
+  Pushed race(kStrip);
+  race.push({4.0, 0.3});
+  race.wait(2 * kSecond);
+  EXPECT_FALSE(race.progress.reached());
+  EXPECT_TRUE(std::isnan(race.score().score));
+  EXPECT_EQ(race.summary(), "the robot left before the starting signal, and is out");
+}
+
+// Tiles: start, gap, checkpoint, intersection, obstacle, end. Cells of 100 mm, three to a tile.
+std::string rescue(const char* league = "line") {
+  const std::string empty(18, '_');
+  std::string text = std::string("+++\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") + league + R"("
+checkpoints = ["600 mm"]
+[[path]]
+from = ["150 mm", "450 mm"]
+segments = [{ length = "200 mm" }, { length = "100 mm", gap = true }, { length = "1200 mm" }]
+[[path]]
+from = ["1050 mm", "450 mm"]
+heading = "90 deg"
+segments = [{ length = "150 mm" }]
++++
+)";
+  for (int row = 0; row < 9; ++row) text += (row == 4 ? "_____________#____" : empty) + "\n";
+  return text;
+}
+
+TEST(RescueLine, GivesThePointsOfItsRules) {
+  Pushed run(rescue());
+  run.follow(0.0, 0.35);
+  EXPECT_EQ(run.score().score, 5.0);  // the start tile
+  run.follow(0.35, 0.5);
+  EXPECT_EQ(run.score().score, 5.0 + 10.0 + 2 * 5.0);  // gap, and two tiles at the checkpoint
+  run.follow(0.5, 1.1);
+  EXPECT_EQ(run.score().score, 35.0);  // intersection
+  run.push({1.2, 0.7});                // round the obstacle, which stands at 1.35 m
+  run.push({1.5, 0.7});
+  EXPECT_EQ(run.lacks(), 0);
+  run.push({1.55, 0.45});
+  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 5.0);
+  EXPECT_FALSE(run.progress.reached());
+  run.wait(5100 * kMillisecond);
+  EXPECT_TRUE(run.progress.reached());
+  EXPECT_EQ(run.score().score, 130.0);
+  EXPECT_THAT(run.summary(), HasSubstr("130 points, 6 of 6 tiles, 0 lacks of progress"));
+}
+
+TEST(RescueLine, EntryCountsNoIntersectionsAndLessForAnObstacle) {
+  Pushed run(rescue("entry"));
+  run.follow(0.0, 1.1);
+  run.push({1.2, 0.7});
+  run.push({1.5, 0.7});
+  run.push({1.55, 0.45});
+  run.wait(5100 * kMillisecond);
+  EXPECT_EQ(run.score().score, 110.0);
+  EXPECT_FALSE(run.progress.contest().over(359 * kSecond));
+  EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
+}
+
+TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
+  Pushed run(rescue());
+  run.follow(0.0, 0.5);
+  run.push({0.65, 0.75});  // off the checkpoint's tile
+  EXPECT_EQ(run.lacks(), 1);
+  const std::optional<Pose> hand = run.progress.contest().take_hand();
+  ASSERT_TRUE(hand);
+  EXPECT_NEAR(hand->position.x, 0.75, 0.01);
+  EXPECT_FALSE(run.progress.contest().take_hand());
+  run.put(hand->position);
+  EXPECT_EQ(run.lacks(), 1);
+  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // as lost as can be
+  run.put(run.progress.contest().take_hand()->position);
+  run.follow(0.6, 1.1);
+  run.push({1.2, 0.7});
+  run.push({1.5, 0.7});
+  run.push({1.55, 0.45});
+  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // 5 - 2 x 2 a tile
+  run.wait(5100 * kMillisecond);
+  EXPECT_EQ(run.score().score, 58.0 + 50.0);
+}
+
+TEST(RescueLine, AfterThreeLacksOfProgressItGoesOnAtTheNextCheckpoint) {
+  Pushed run(rescue());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(run.progress.contest().give_up(run.events));
+    run.put(run.progress.contest().take_hand()->position);
+    EXPECT_NEAR(run.body.pose().position.x, i < 2 ? 0.15 : 0.75, 0.01);
+  }
+  run.follow(0.6, 0.95);
+  EXPECT_EQ(run.score().score, 0.0);
+}
+
+TEST(RescueLine, AndDragRacesNeedTheirTables) {
+  std::string text = rescue();
+  text.erase(text.find("[rescue]"), text.find("[[path]]") - text.find("[rescue]"));
+  EXPECT_THROW(Pushed{text}, InputError);
+  text = kStrip;
+  text.erase(text.find("[race]"), text.find("+++", 10) - text.find("[race]"));
+  EXPECT_THROW(Pushed{text}, InputError);
+}
+
+}  // namespace
+}  // namespace robosim::judge
