@@ -113,7 +113,7 @@ Vec2 LiveScene::to_world(double forward_m, double left_m) const {
 }
 
 std::vector<Mark> LiveScene::marks() const {
-  auto marks = floor_marks(map_, started_, visited_);
+  auto marks = floor_marks(map_, started_, trail_, visited_);
   if (sample_) marks.push_back({trail_.last(), {arrow(sample_->yaw_rad), Ink::robot}});
   return marks;
 }

@@ -68,7 +68,7 @@ std::string picture(const Report& report, const grid::Map& map, int columns, Loo
   FloorPicture floor(map);
   floor.look_at(window);
   trail.draw(floor);
-  auto marks = floor_marks(map, report.started, report.result.metrics.stations);
+  auto marks = floor_marks(map, report.started, trail, report.result.metrics.stations);
   if (!trail.empty()) marks.push_back({trail.last(), {arrow(trail.yaw_rad()), Ink::robot}});
   Frame frame(window.columns, window.rows);
   floor.draw(frame, 0, 0, marks, look);
@@ -248,9 +248,10 @@ void Trail::draw(FloorPicture& floor) const {
   if (!points_.empty() && !gap_) floor.add_trail(points_.back(), last_);
 }
 
-std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started,
+std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started, const Trail& trail,
                               const std::vector<std::string>& visited) {
-  std::vector<Mark> marks{{map.centre({started.x, started.y}), {U'S', Ink::mark}}};
+  const Vec2 start = trail.empty() ? map.centre({started.x, started.y}) : trail.points().front();
+  std::vector<Mark> marks{{start, {U'S', Ink::mark}}};
   for (const wire::Started::Station& station : started.stations) {
     const bool seen = std::find(visited.begin(), visited.end(), station.name) != visited.end();
     const std::u32string name = printable(station.name);

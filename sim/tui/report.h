@@ -73,9 +73,9 @@ struct Report {
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.
 std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look);
 
-/// Stations and start as they lie on the floor; visited stations in another ink.
+/// Stations, and where the trail begins (without one the start's cell); visited stations in another ink.
 struct Mark;
-std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started,
+std::vector<Mark> floor_marks(const grid::Map& map, const wire::Started& started, const Trail& trail,
                               const std::vector<std::string>& visited);
 
 }  // namespace robosim::tui

@@ -113,6 +113,20 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
 }
 
+// On a path: not in the middle of the cell that it begins in.
+TEST(EndScreen, MarksTheStartWhereTheRobotBegins) {
+  const auto map = grid::parse_map(
+      "+++\nsize = [\"400 mm\", \"300 mm\"]\n[[path]]\nfrom = [\"20 mm\", \"210 mm\"]\nsegments = [{ length "
+      "= "
+      "\"360 mm\" }]\n+++\n",
+      "t.map");
+  Report r = report();
+  r.started.stations = {};
+  r.trail.add(at(20, 210));
+  r.trail.add(at(300, 210));
+  EXPECT_THAT(end_screen(r, &map, 78, kPlain), HasSubstr("S⠤⠤⠤"));
+}
+
 TEST(EndScreen, DrawsNoTrailToWhereAScriptPutsTheRobot) {
   const auto map = grid::parse_map("1111\n", "t.map");
   Report r = report();
