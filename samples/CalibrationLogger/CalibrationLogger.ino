@@ -20,7 +20,7 @@ const int SWEEP_PWM = 60;              // without encoders: as slow as it turns 
 const unsigned long SWEEP_MS = 12000;  // without encoders: each way round, more than a turn
 const long SWEEP_COUNTS = 3800;        // of both wheels together: two turns
 const int FAST = 255, SLOW = 140;      // PWM of the steps
-const unsigned long STEP_MS = 500, ROLL_MS = 700;
+const unsigned long FAST_MS = 300, SLOW_MS = 500, ROLL_MS = 700;
 
 volatile long countL = 0, countR = 0;
 volatile int signL = 1, signR = 1;     // one channel does not tell the direction
@@ -135,7 +135,7 @@ void sweep(int way) {
 }
 
 // A step from rest, and how it rolls out.
-void step(int left, int right) {
+void step(int left, int right, unsigned long ms) {
   rest();
   Serial.println(HAS_ENCODERS ? "t_us,left,right,count_left,count_right" : "t_us,left,right");
   begin();
@@ -143,9 +143,9 @@ void step(int left, int right) {
   row(false, left, right);
   unsigned long next = 5000;
   bool rolls = false;
-  while (micros() - began < (STEP_MS + ROLL_MS) * 1000) {
+  while (micros() - began < (ms + ROLL_MS) * 1000) {
     unsigned long t = micros() - began;
-    if (!rolls && t >= STEP_MS * 1000) {
+    if (!rolls && t >= ms * 1000) {
       rolls = true;
       drive(0, 0);
       row(false, 0, 0);
@@ -179,12 +179,12 @@ void setup() {
   sweep(1);
   sweep(-1);
   if (HAS_ENCODERS) {                              // else: docs/calibrating.md, by stopwatch
-    step(FAST, FAST);
-    step(-FAST, -FAST);
-    step(SLOW, SLOW);
-    step(-SLOW, -SLOW);
-    step(SLOW, -SLOW);
-    step(-SLOW, SLOW);
+    step(FAST, FAST, FAST_MS);
+    step(-FAST, -FAST, FAST_MS);
+    step(SLOW, SLOW, SLOW_MS);
+    step(-SLOW, -SLOW, SLOW_MS);
+    step(SLOW, -SLOW, SLOW_MS);
+    step(-SLOW, SLOW, SLOW_MS);
   }
   Serial.println("# end");
   Serial.flush();
