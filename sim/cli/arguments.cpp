@@ -14,6 +14,7 @@
 #include "sim/cli/files/print_arguments.h"
 #include "sim/cli/help_text.h"
 #include "sim/cli/options.h"
+#include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
 #include "sim/launch/names.h"
@@ -21,9 +22,9 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "compare", "play",
-                                         "classic", "build",     "flash", "wire",    "map",
-                                         "robot",   "calibrate", "test",  "new"};
+const std::vector<std::string> kCommands{"run",     "replay", "sweep",     "compare", "play",
+                                         "classic", "build",  "flash",     "wire",    "map",
+                                         "robot",   "serve",  "calibrate", "test",    "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -346,6 +347,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "wire") return parse_wire(rest);
   if (first == "robot") return parse_robot(rest);
   if (first == "calibrate") return parse_calibrate(rest);
+  if (first == "serve") return parse_serve(rest);
   if (first == "test") return parse_test(rest);
   if (first == "new") return parse_new(rest);
   if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));

@@ -120,6 +120,13 @@ struct PrintArguments {
   bool black_on_white = false;  ///< whatever the map's paint
 };
 
+/// `robosim serve`
+struct ServeArguments {
+  std::string folder;                 ///< "" = the current one
+  std::string address = "127.0.0.1";  ///< an IP address
+  int port = 0;                       ///< 0 = not given
+};
+
 /// `robosim robot list|show|check`
 struct RobotArguments {
   std::string action;
@@ -194,7 +201,7 @@ struct PrintText {
 using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
                              ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
                              GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
-                             CalibrateArguments, TestArguments, NewArguments, PrintText>;
+                             CalibrateArguments, ServeArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

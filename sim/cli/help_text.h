@@ -10,6 +10,7 @@ inline constexpr const char* kExamples =
   robosim run PidFollower --view            watch it drive
   robosim run PidFollower --record run.html a page that replays it: open it in a browser
   robosim run my/Sketch --map my.map        your own sketch, on your own map
+  robosim serve my                          choose, run, press buttons and look, in the browser
   robosim wire my/Sketch --out my/Sketch/robot.toml    drafts your robot's file from what the sketch does
   robosim play                              choose a map, watch it scanned, send the robot to stations
   robosim run LeftPath --map d --robot uno3 --json     results for a program to read
@@ -21,6 +22,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
   replay FILE                 play what run --record run.html has written, in the terminal
+  serve [FOLDER]              the same in the browser, for all sketches, robots and maps of a folder
   sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?
   compare [SKETCH]            the first thing that host, AVR and STM32 do differently
   play [MAP]                  watch and steer the robot on a map, step by step, in the terminal

@@ -22,6 +22,7 @@
 #include "sim/cli/run/play_command.h"
 #include "sim/cli/run/replay_command.h"
 #include "sim/cli/run/run_command.h"
+#include "sim/cli/serve/serve_command.h"
 #include "sim/cli/sweep/sweep_command.h"
 #include "sim/cli/wire/wire_command.h"
 #include "sim/client/interrupts.h"
@@ -45,6 +46,7 @@ struct Perform {
   int operator()(const RobotArguments& arguments) const { return robot_command(arguments); }
   int operator()(const CalibrateArguments& arguments) const { return calibrate_command(arguments); }
   int operator()(const PlayArguments& arguments) const { return play_command(arguments); }
+  int operator()(const ServeArguments& arguments) const { return serve_command(arguments); }
   int operator()(const TestArguments& arguments) const { return test_command(arguments); }
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }
   int operator()(const PrintText& text) const {

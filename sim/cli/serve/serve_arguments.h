@@ -1,0 +1,14 @@
+// The command line of `robosim serve`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// `words` behind the command's name. Throws InputError.
+Command parse_serve(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

@@ -1,0 +1,12 @@
+// The page that `robosim serve` shows: sim/serve/page, as the build has put it into the program.
+#pragma once
+
+#include <string_view>
+
+namespace robosim::serve {
+
+std::string_view bench_html();
+std::string_view bench_css();
+std::string_view bench_js();
+
+}  // namespace robosim::serve

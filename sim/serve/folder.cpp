@@ -1,0 +1,60 @@
+#include "sim/serve/folder.h"
+
+#include <algorithm>
+
+#include "sim/build/sketch.h"
+#include "sim/launch/names.h"
+
+namespace robosim::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepest = 3;
+constexpr std::size_t kMost = 500;
+
+bool is_within(const fs::path& path, const fs::path& folder) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end();
+}
+
+void look(const fs::path& folder, const fs::path& root, int depth, Choices& choices) {
+  std::error_code error;
+  const std::string below = folder == root ? "." : "./" + fs::relative(folder, root, error).string();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".") || !is_within(fs::weakly_canonical(entry.path(), error), root)) continue;
+    if (entry.is_directory(error)) {
+      if (depth < kDeepest) look(entry.path(), root, depth + 1, choices);
+      continue;
+    }
+    if (!entry.is_regular_file(error)) continue;
+    const std::string extension = entry.path().extension().string();
+    const std::string path = below + "/" + name;
+    if (extension == ".ino" && (choices.sketches.empty() || choices.sketches.back() != below))
+      choices.sketches.push_back(below);
+    if (extension == ".toml" && name != "checks.toml") choices.robots.push_back(path);
+    if (extension == ".map") choices.maps.push_back(path);
+  }
+}
+
+void finish(std::vector<std::string>& own, const std::vector<std::string>& ours) {
+  std::sort(own.begin(), own.end());
+  own.erase(std::unique(own.begin(), own.end()), own.end());
+  if (own.size() > kMost) own.resize(kMost);
+  own.insert(own.end(), ours.begin(), ours.end());
+}
+
+}  // namespace
+
+Choices choices_in(const fs::path& folder) {
+  Choices choices;
+  const fs::path root = fs::canonical(folder);
+  look(root, root, 1, choices);
+  finish(choices.sketches, build::stock_sketches());
+  finish(choices.robots, launch::names_in(launch::stock_robot_folder(), ".toml"));
+  finish(choices.maps, launch::names_in(launch::stock_map_folder(), ".map"));
+  return choices;
+}
+
+}  // namespace robosim::serve

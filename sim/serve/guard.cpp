@@ -1,0 +1,86 @@
+#include "sim/serve/guard.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "sim/base/error.h"
+
+namespace robosim::serve {
+namespace {
+
+constexpr std::size_t kLongestPath = 200;
+
+bool is_plain(std::string_view path) {
+  if (path.empty() || path[0] != '/' || path.size() > kLongestPath) return false;
+  for (const char c : path) {
+    const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '/' || c == '.' || c == '-' || c == '_';
+    if (!fine) return false;
+  }
+  return path.find("..") == path.npos && path.find("//") == path.npos;
+}
+
+// Takes as long for a wrong one as for another.
+bool equal(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
+  return difference == 0;
+}
+
+}  // namespace
+
+Guard::Guard(std::string address, int port, std::string token)
+    : address_(std::move(address)), port_(port), token_(std::move(token)) {}
+
+std::string Guard::url() const {
+  const bool is_v6 = address_.find(':') != address_.npos;
+  return fmt::format("http://{}{}{}:{}/{}", is_v6 ? "[" : "", address_, is_v6 ? "]" : "", port_,
+                     token_.empty() ? "" : "?token=" + token_);
+}
+
+bool Guard::is_ours(std::string_view host) const {
+  const std::string port = fmt::format(":{}", port_);
+  if (!host.ends_with(port)) return false;
+  host.remove_suffix(port.size());
+  if (host == address_ || host == "[" + address_ + "]") return true;
+  if (is_loopback(address_)) return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
+  // On all addresses any may be meant, and the token decides; a name may be anybody's.
+  return address_ == "0.0.0.0" && host.find_first_not_of("0123456789.") == host.npos;
+}
+
+std::optional<Refusal> Guard::refuse(const Asked& asked) const {
+  if (!is_plain(asked.path)) return Refusal{400, "this path is none of Robosim's"};
+  if (!is_ours(asked.host))
+    return Refusal{421, "this server is Robosim's, and goes by another name: see where it was started"};
+  if (!asked.origin.empty() && asked.origin != "http://" + asked.host)
+    return Refusal{403, "a page of another site may not use Robosim"};
+  if (!asked.fetch_site.empty() && asked.fetch_site != "same-origin" && asked.fetch_site != "none")
+    return Refusal{403, "a page of another site may not use Robosim"};
+  if (!token_.empty() && !equal(asked.token, token_))
+    return Refusal{401, "the token is missing: open the address that robosim serve has printed"};
+  if (asked.method == "GET" || asked.method == "HEAD") return std::nullopt;
+  if (asked.method != "POST") return Refusal{405, "allowed are GET and POST"};
+  if (asked.robosim.empty()) return Refusal{403, "the header X-Robosim is missing"};
+  if (asked.content_type != "application/json") return Refusal{415, "what is sent must be application/json"};
+  return std::nullopt;
+}
+
+bool is_loopback(std::string_view address) {
+  return address == "localhost" || address == "::1" || address.starts_with("127.");
+}
+
+std::string random_token() {
+  std::ifstream source("/dev/urandom", std::ios::binary);
+  std::string token;
+  for (int i = 0; i < 16; ++i) {
+    const int byte = source.get();
+    if (byte < 0) throw InputError({"/dev/urandom"}, "gives no random numbers");
+    token += fmt::format("{:02x}", byte);
+  }
+  return token;
+}
+
+}  // namespace robosim::serve

@@ -1,0 +1,174 @@
+// The form above a replay: it asks the server for a run, and shows the run's page below. A button that is pressed, or
+// a text that is sent, becomes a line of the script at the moment that is shown, and the run is made again: equal
+// input gives an equal run, so all before that moment stays as it was.
+
+const $ = (id) => document.getElementById(id);
+let running = null;  // its AbortController
+
+function options(select, names, first) {
+  const before = select.value;
+  select.replaceChildren();
+  if (first !== undefined) select.append(new Option(first, ''));
+  for (const name of names) select.append(new Option(name.replace(/^\.\//, ''), name));
+  if ([...select.options].some((option) => option.value === before)) select.value = before;
+}
+
+async function list() {
+  const answer = await fetch('/api/folder');
+  const folder = await answer.json();
+  if (!answer.ok) throw new Error(folder.error);
+  document.title = `${folder.folder} · Robosim`;
+  options($('sketch'), folder.sketches);
+  options($('robot'), folder.robots, 'the sketch’s own');
+  options($('map'), folder.maps, 'the sketch’s own, or oval');
+}
+
+function say(text, bad = false) {
+  $('said').textContent += text;
+  $('said').classList.toggle('bad', bad);
+  $('said').hidden = !$('said').textContent.trim();
+}
+
+/** The page below, once it shows a run; else null. */
+const shown = () => $('replay').hidden ? null : $('replay').contentWindow?.robosim ?? null;
+
+function show(recording, moment) {
+  const frame = $('replay');
+  frame.hidden = false;
+  $('first').hidden = true;
+  frame.onload = () => {
+    const begun = setInterval(() => {
+      const page = shown();
+      if (!page) return;
+      clearInterval(begun);
+      pressable(page);
+      clickable(page);
+      if (moment === undefined) return;
+      page.player.seek(moment);
+      page.player.toggle();
+    }, 20);
+  };
+  frame.src = `/recording/${recording}.html`;
+}
+
+/** A button for each of the robot's. */
+function pressable(page) {
+  const buttons = page.run.robot.parts.filter((part) => part.type === 'button' || part.type === 'bumper');
+  $('buttons').replaceChildren(...buttons.map(({ name }) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = `press ${name}`;
+    button.onclick = () => act(`press ${name} for 200ms`);
+    return button;
+  }));
+}
+
+/** What a click on the floor does, as a line of the script; null: nothing. */
+function byHand(page, x, y) {
+  const { cell, height } = page.run.header.floor;
+  if ($('hand').value === 'obstacle') return `obstacle ${Math.floor(x / cell)},${Math.floor((height - y) / cell)}`;
+  if ($('hand').value !== 'robot') return null;
+  const eighth = Math.round(page.run.pose(page.player.t).yaw / (Math.PI / 4));
+  return `place ${Math.round(x)}mm,${Math.round(y)}mm,${['E', 'NE', 'N', 'NW', 'W', 'SW', 'S', 'SE'][(eighth + 8) % 8]}`;
+}
+
+function clickable(page) {
+  const floor = $('replay').contentDocument.getElementById('floor');
+  let from = null;
+  floor.addEventListener('pointerdown', (e) => { from = e; });
+  floor.addEventListener('click', (e) => {
+    if (!from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // it was dragged
+    const what = byHand(page, ...page.view.toFloor(e.offsetX, e.offsetY));
+    if (what) act(what);
+  });
+}
+
+/** At the moment that is shown, and the run again from there. */
+function act(what) {
+  const page = shown();
+  const t = page ? Math.floor(page.player.t * 1000) : 0;
+  const before = $('script').value.trimEnd();
+  $('script').value = `${before ? `${before}\n` : ''}at ${t}ms ${what}\n`;
+  $('script-box').open = true;
+  run(t / 1000);
+}
+
+async function run(moment) {
+  running?.abort();
+  const mine = running = new AbortController();
+  $('said').textContent = '';
+  $('said').hidden = true;
+  $('state').textContent = 'building and running …';
+  $('stop').hidden = false;
+  try {
+    await list();  // what there is may have changed
+    const answer = await fetch('/api/run', {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json', 'X-Robosim': '1' },
+      body: JSON.stringify({
+        sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').value,
+        seed: Number($('seed').value), for_s: Number($('seconds').value), script: $('script').value,
+      }),
+      signal: mine.signal,
+    });
+    if (!answer.ok) throw new Error((await answer.json()).error);
+    await finish(answer, moment);
+  } catch (error) {
+    if (mine.signal.aborted) return;
+    const gone = error instanceof TypeError;  // what fetch throws where nobody answers
+    $('state').textContent = gone ? 'the server is gone: start robosim serve again' : '';
+    if (gone) comeBack();
+    else say(`${error.message}\n`, true);
+  } finally {
+    if (running === mine) { running = null; $('stop').hidden = true; }
+  }
+}
+
+async function finish(answer, moment) {
+  const reader = answer.body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = '', done = null, said = '';
+  for (;;) {
+    const { value, done: end } = await reader.read();
+    if (end) break;
+    text += value;
+    const lines = text.split('\n');
+    text = lines.pop();
+    for (const line of lines) {
+      const message = JSON.parse(line);
+      if (message.say) said += message.say;
+      done = message.done ?? done;
+    }
+  }
+  if (!done) throw new Error('The run was cut off.');
+  const failed = !done.recording;
+  $('state').textContent = failed ? 'it did not run' : '';
+  if (failed) say(`${said}${done.sentence ? `${done.sentence}\n` : ''}`, true);
+  if (!failed) show(done.recording, moment);
+}
+
+/** Until the server answers again. */
+function comeBack() {
+  const again = setInterval(async () => {
+    try {
+      await list();
+      clearInterval(again);
+      $('state').textContent = 'the server is back';
+    } catch { /* not yet */ }
+  }, 1000);
+}
+
+$('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
+$('stop').addEventListener('click', () => { running?.abort(); $('state').textContent = 'stopped'; });
+$('send').addEventListener('submit', (e) => {
+  e.preventDefault();
+  act(`send "${$('text').value.replace(/[\\"]/g, '\\$&')}\\n"`);
+});
+/** /#sketch=./Follower&map=oval&run=1 chooses, and runs. */
+async function begin() {
+  await list();
+  const where = new URLSearchParams(location.hash.slice(1));
+  for (const [key, value] of where) if (['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'].includes(key)) $(key).value = value;
+  if (where.has('run')) await run();
+}
+
+begin().catch((error) => say(`${error.message}\n`, true)).finally(() => { document.documentElement.dataset.ready = 'true'; });

@@ -1,0 +1,186 @@
+#include "sim/serve/server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/serve/bench_text.h"
+#include "sim/serve/folder.h"
+#include "sim/serve/guard.h"
+#include "sim/serve/workshop.h"
+
+namespace robosim::serve {
+namespace {
+
+using Json = nlohmann::json;
+using httplib::Request;
+using httplib::Response;
+
+constexpr std::size_t kLongestBody = 256 * 1024;
+constexpr std::size_t kThreads = 64;  // each waits for its client
+constexpr int kUsualPort = 8080;
+constexpr int kPatience_s = 3;  // for a slow client
+constexpr const char* kCookie = "robosim=";
+
+std::string json_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string token_of(const Request& request) {
+  if (request.has_param("token")) return request.get_param_value("token");
+  const std::string cookies = request.get_header_value("Cookie");
+  const std::size_t at = cookies.find(kCookie);
+  if (at == cookies.npos) return "";
+  const std::size_t begin = at + std::string_view(kCookie).size();
+  return cookies.substr(begin, cookies.find(';', begin) - begin);
+}
+
+Asked asked_of(const Request& request) {
+  return {request.method,
+          request.target.substr(0, request.target.find('?')),
+          request.get_header_value("Host"),
+          request.get_header_value("Origin"),
+          request.get_header_value("Sec-Fetch-Site"),
+          request.get_header_value("X-Robosim"),
+          request.get_header_value("Content-Type"),
+          token_of(request)};
+}
+
+void refuse(Response& response, const Refusal& refusal) {
+  response.status = refusal.status;
+  response.set_content(json_text({{"error", refusal.sentence}}), "application/json");
+}
+
+// "7.html": 7; else 0.
+int number_of(std::string_view name) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool whole =
+      error == std::errc() && std::string_view(end, name.data() + name.size() - end) == ".html";
+  return whole ? number : 0;
+}
+
+int bind(httplib::Server& server, const Settings& settings) {
+  server.set_socket_options([](socket_t socket) {  // the library's own let two servers share a port
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+  if (settings.port == 0 && server.bind_to_port(settings.address.c_str(), kUsualPort)) return kUsualPort;
+  const int port = settings.port == 0 ? server.bind_to_any_port(settings.address.c_str())
+                   : server.bind_to_port(settings.address.c_str(), settings.port) ? settings.port
+                                                                                  : -1;
+  if (port < 0)
+    throw InputError(
+        settings.port == 0
+            ? fmt::format("{} cannot be listened on: it is no address of this machine", settings.address)
+            : fmt::format("port {} of {} cannot be listened on: something else does, or it is no address "
+                          "of this machine",
+                          settings.port, settings.address));
+  return port;
+}
+
+}  // namespace
+
+struct Server::Inside {
+  explicit Inside(const Settings& settings)
+      : workshop(settings.robosim, settings.folder),
+        guard(settings.address, bind(http, settings), is_loopback(settings.address) ? "" : random_token()) {
+    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    http.set_payload_max_length(kLongestBody);
+    http.set_read_timeout(kPatience_s);
+    http.set_write_timeout(kPatience_s);
+    http.set_keep_alive_timeout(kPatience_s);
+    http.set_default_headers({{"X-Content-Type-Options", "nosniff"},
+                              {"Referrer-Policy", "no-referrer"},
+                              {"X-Frame-Options", "SAMEORIGIN"},
+                              {"Cache-Control", "no-store"}});
+    http.set_pre_routing_handler(
+        [this](const Request& request, Response& response) { return check(request, response); });
+    http.set_error_handler([](const Request&, Response& response) {
+      if (response.body.empty()) refuse(response, {response.status, "there is nothing of this name here"});
+    });
+    http.Get("/", [this](const Request& request, Response& response) { front(request, response); });
+    give("/bench.css", bench_css(), "text/css");
+    give("/bench.js", bench_js(), "text/javascript");
+    http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
+    http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
+    http.Get(R"(/recording/([0-9]+\.html))", [this](const Request& request, Response& response) {
+      const std::string page = workshop.page_of(number_of(request.matches[1].str()));
+      if (page.empty()) return refuse(response, {404, "this run is not kept any more: run it again"});
+      response.set_content(page, "text/html; charset=utf-8");
+    });
+  }
+
+  httplib::Server::HandlerResponse check(const Request& request, Response& response) const {
+    const auto refusal = guard.refuse(asked_of(request));
+    if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+    refuse(response, *refusal);
+    return httplib::Server::HandlerResponse::Handled;
+  }
+
+  void give(const char* path, std::string_view text, const char* type) {
+    http.Get(path, [text, type](const Request&, Response& response) {
+      response.set_content(text.data(), text.size(), type);
+    });
+  }
+
+  void front(const Request&, Response& response) const {
+    response.set_header(
+        "Content-Security-Policy",
+        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; frame-src 'self'; "
+        "img-src data:; base-uri 'none'; form-action 'none'");
+    if (!guard.token().empty())
+      response.set_header("Set-Cookie", kCookie + guard.token() + "; HttpOnly; SameSite=Strict; Path=/");
+    const std::string_view page = bench_html();
+    response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
+  }
+
+  void list(Response& response) const {
+    const Choices choices = choices_in(workshop.folder());
+    response.set_content(json_text({{"folder", workshop.folder().filename().string()},
+                                    {"sketches", choices.sketches},
+                                    {"robots", choices.robots},
+                                    {"maps", choices.maps}}),
+                         "application/json");
+  }
+
+  void run(const Request& request, Response& response) {
+    Wanted wanted;
+    try {
+      wanted = read_wanted(request.body, choices_in(workshop.folder()));
+    } catch (const InputError& error) {
+      return refuse(response, {400, error.what()});
+    }
+    response.set_chunked_content_provider("application/x-ndjson", [this, wanted](std::size_t,
+                                                                                 httplib::DataSink& sink) {
+      const auto line = [&](const Json& json) {
+        const std::string text = json_text(json) + "\n";
+        return sink.write(text.data(), text.size());
+      };
+      const auto done = workshop.run(wanted, [&](const std::string& text) {
+        return text.empty() ? sink.is_writable() : line({{"say", text}});
+      });
+      if (!done)
+        line({{"done",
+               {{"status", 5}, {"recording", 0}, {"sentence", "others are running already: try again"}}}});
+      else
+        line({{"done",
+               {{"status", done->status}, {"recording", done->recording}, {"sentence", done->sentence}}}});
+      sink.done();
+      return true;
+    });
+  }
+
+  httplib::Server http;
+  Workshop workshop;
+  const Guard guard;
+};
+
+Server::Server(const Settings& settings) : in_(std::make_unique<Inside>(settings)) {}
+Server::~Server() = default;
+std::string Server::url() const { return in_->guard.url(); }
+void Server::serve() { in_->http.listen_after_bind(); }
+void Server::stop() { in_->http.stop(); }
+
+}  // namespace robosim::serve

@@ -1,0 +1,42 @@
+// `robosim serve`: the page for a folder, by HTTP.
+//
+//   GET  /                    the page; /bench.css, /bench.js
+//   GET  /api/folder          what there is to choose from
+//   POST /api/run             runs it; the answer is a line of JSON for each piece of text that it prints,
+//                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
+//   GET  /recording/N.html    the page of run N (docs/recordings.md)
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace robosim::serve {
+
+struct Settings {
+  std::filesystem::path folder;
+  std::filesystem::path robosim;      ///< the program
+  std::string address = "127.0.0.1";  ///< an IP address of this machine; others than loopback get a token
+  int port = 0;                       ///< 0 = 8080, or any that is free
+};
+
+class Server {
+ public:
+  /// Listens from now on. Throws InputError where it cannot.
+  explicit Server(const Settings& settings);
+  ~Server();
+
+  /// What to open in the browser.
+  std::string url() const;
+  /// Answers until stop() is called, by whomever.
+  void serve();
+  /// May be called by a signal handler's thread.
+  void stop();
+
+ private:
+  struct Inside;
+  const std::unique_ptr<Inside> in_;
+};
+
+}  // namespace robosim::serve

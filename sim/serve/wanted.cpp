@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/serve/workshop.h"
+
+namespace robosim::serve {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kLongestScript = 64 * 1024;
+constexpr std::size_t kLongestGoal = 100;
+constexpr double kLongestRun_s = 3600.0;
+
+std::string text(const Json& json, const char* key, const std::string& usual, std::size_t longest) {
+  if (!json.contains(key)) return usual;
+  if (!json[key].is_string() || json[key].get_ref<const std::string&>().size() > longest)
+    throw InputError(fmt::format("{} must be a text of at most {} characters", key, longest));
+  return json[key];
+}
+
+double number(const Json& json, const char* key, double usual, double least, double most) {
+  if (!json.contains(key)) return usual;
+  if (!json[key].is_number() || !(json[key] >= least && json[key] <= most))
+    throw InputError(fmt::format("{} must be a number from {} to {}", key, least, most));
+  return json[key];
+}
+
+std::string one_in(const Json& json, const char* key, const std::vector<std::string>& choices, bool needed) {
+  const std::string name = text(json, key, "", 1000);
+  if (name.empty() && !needed) return name;
+  if (std::find(choices.begin(), choices.end(), name) == choices.end())
+    throw InputError(
+        fmt::format("there is no {} of that name in the folder that is served, nor of ours", key));
+  return name;
+}
+
+}  // namespace
+
+Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
+  const Json json = Json::parse(text_of_it, nullptr, false);
+  if (!json.is_object()) throw InputError("what is sent is no JSON object");
+  for (const auto& item : json.items()) {
+    const char* const known[] = {"sketch", "robot", "map", "target", "seed", "for_s", "goal", "script"};
+    if (std::find(std::begin(known), std::end(known), item.key()) == std::end(known))
+      throw InputError("what is sent has a key that Robosim does not know");
+  }
+  Wanted wanted;
+  wanted.sketch = one_in(json, "sketch", choices.sketches, true);
+  wanted.robot = one_in(json, "robot", choices.robots, false);
+  wanted.map = one_in(json, "map", choices.maps, false);
+  wanted.target = text(json, "target", wanted.target, 10);
+  if (wanted.target != "host" && wanted.target != "avr" && wanted.target != "stm32")
+    throw InputError("target must be host, avr or stm32");
+  wanted.seed = static_cast<std::uint64_t>(number(json, "seed", 1.0, 0.0, 9e15));
+  wanted.for_s = number(json, "for_s", wanted.for_s, 0.001, kLongestRun_s);
+  wanted.goal = text(json, "goal", "", kLongestGoal);
+  if (wanted.goal.starts_with("-"))
+    throw InputError("goal must be tour, laps:N, station:N, robotrace, still or none");
+  wanted.script = text(json, "script", "", kLongestScript);
+  return wanted;
+}
+
+}  // namespace robosim::serve

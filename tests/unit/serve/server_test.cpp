@@ -1,0 +1,167 @@
+#include "sim/serve/server.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "sim/base/descriptor.h"
+#include "sim/base/error.h"
+#include "sim/serve/folder.h"
+#include "sim/serve/workshop.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::serve {
+namespace {
+
+using Json = nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+/// A served folder, and in the place of `robosim` a shell script.
+class Serving : public testing::Test {
+ protected:
+  void SetUp() override {
+    write(root() / "Mine/Mine.ino", "");
+    write(root() / "Mine/robot.toml", "");
+    write(root() / "floors/hall.map", "");
+    write(outside_.path() / "Theirs/Theirs.ino", "");
+    fs::create_directory_symlink(outside_.path(), root() / "away");
+  }
+  void serve(const std::string& program) {
+    const fs::path file = outside_.path() / "robosim";
+    write(file, "#!/bin/sh\n" + program);
+    fs::permissions(file, fs::perms::owner_all);
+    server_.emplace(Settings{root(), file, "127.0.0.1", 0});
+    const std::string url = server_->url();
+    http_.emplace(url.substr(0, url.size() - 1));
+    http_->set_default_headers({{"X-Robosim", "1"}});
+    thread_ = std::thread([this] { server_->serve(); });
+  }
+  void TearDown() override {
+    if (!server_) return;
+    server_->stop();
+    thread_.join();
+  }
+  fs::path root() const { return folder_.path(); }
+  httplib::Result run(const std::string& json) { return http_->Post("/api/run", json, "application/json"); }
+  static Json last_line(const std::string& body) {
+    const std::size_t begin = body.rfind('\n', body.size() - 2);
+    return Json::parse(body.substr(begin == body.npos ? 0 : begin + 1));
+  }
+
+  test::TemporaryFolder folder_, outside_;
+  std::optional<Server> server_;
+  std::optional<httplib::Client> http_;
+  std::thread thread_;
+};
+
+TEST_F(Serving, ListsWhatIsInTheFolderAndWhatIsOursAndNothingThatALinkLeadsTo) {
+  serve("");
+  const auto answer = http_->Get("/api/folder");
+  ASSERT_TRUE(answer);
+  const Json folder = Json::parse(answer->body);
+  EXPECT_EQ(folder["sketches"][0], "./Mine");
+  EXPECT_EQ(folder["robots"][0], "./Mine/robot.toml");
+  EXPECT_EQ(folder["maps"][0], "./floors/hall.map");
+  EXPECT_THAT(folder["maps"], Contains("oval"));
+  EXPECT_THAT(folder["sketches"], Not(Contains("./away/Theirs")));
+}
+
+TEST_F(Serving, RunsWhatIsChosenAndKeepsItsPage) {
+  serve(
+      "echo \"$@\"; for last; do if [ \"$before\" = --record ]; then echo PAGE > \"$last\"; fi; "
+      "before=$last; done; exit 1\n");
+  const auto answer = run(
+      R"({"sketch": "./Mine", "map": "oval", "target": "avr", "seed": 7, "for_s": 2.5, "script": "at 1s press start\n"})");
+  ASSERT_TRUE(answer);
+  EXPECT_THAT(answer->body, HasSubstr("run ./Mine --target avr --seed 7 --for 2.5s"));
+  EXPECT_THAT(answer->body, HasSubstr("--map oval"));
+  EXPECT_THAT(answer->body, HasSubstr("--script "));
+  const Json done = last_line(answer->body)["done"];
+  EXPECT_EQ(done["status"], 1);
+  const auto page = http_->Get("/recording/" + std::to_string(done["recording"].get<int>()) + ".html");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->body, "PAGE\n");
+  EXPECT_EQ(http_->Get("/recording/99.html")->status, 404);
+}
+
+TEST_F(Serving, RefusesWantsThatMakeNoSense) {
+  serve("echo ran\n");
+  const std::pair<const char*, const char*> wrong[] = {
+      {"", "no JSON object"},
+      {"[]", "no JSON object"},
+      {"{\"sketch\": ", "no JSON object"},
+      {R"({"map": "oval"})", "no sketch of that name"},
+      {R"({"sketch": "../outside"})", "no sketch of that name"},
+      {R"({"sketch": "./away/Theirs"})", "no sketch of that name"},
+      {R"({"sketch": "/etc"})", "no sketch of that name"},
+      {R"({"sketch": "--help"})", "no sketch of that name"},
+      {R"({"sketch": 3})", "sketch must be a text"},
+      {R"({"sketch": "./Mine", "robot": "/etc/passwd"})", "no robot of that name"},
+      {R"({"sketch": "./Mine", "map": "./floors/../../x.map"})", "no map of that name"},
+      {R"({"sketch": "./Mine", "map": "oval\u0000"})", "no map of that name"},
+      {R"({"sketch": "./Mine", "target": "; rm -rf /"})", "target must be"},
+      {R"({"sketch": "./Mine", "seed": -1})", "seed must be"},
+      {R"({"sketch": "./Mine", "seed": "1"})", "seed must be"},
+      {R"({"sketch": "./Mine", "for_s": 1e9})", "for_s must be"},
+      {R"({"sketch": "./Mine", "goal": "--record=/tmp/x"})", "goal must be"},
+      {R"({"sketch": "./Mine", "record": "/tmp/x"})", "key that Robosim does not know"},
+  };
+  for (const auto& [json, sentence] : wrong) {
+    const auto answer = run(json);
+    ASSERT_TRUE(answer) << json;
+    EXPECT_EQ(answer->status, 400) << json;
+    EXPECT_THAT(answer->body, HasSubstr(sentence)) << json;
+  }
+  EXPECT_EQ(run(std::string(300 * 1024, ' '))->status, 413);
+  const std::string script = R"({"sketch": "./Mine", "script": ")" + std::string(70000, '#') + "\"}";
+  EXPECT_EQ(run(script)->status, 400);
+}
+
+TEST_F(Serving, RefusesOtherSites) {
+  serve("echo ran\n");
+  http_->set_default_headers({{"Origin", "http://evil.example"}, {"X-Robosim", "1"}});
+  EXPECT_EQ(run(R"({"sketch": "./Mine"})")->status, 403);
+  EXPECT_EQ(http_->Get("/api/folder")->status, 403);
+  http_->set_default_headers({{"Host", "evil.example"}});
+  EXPECT_EQ(http_->Get("/")->status, 421);
+}
+
+// The program holds a pipe open for as long as it lives.
+TEST_F(Serving, EndsARunWhosePageHasGone) {
+  const fs::path pipe = outside_.path() / "alive";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Descriptor reader(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  serve("exec 9>" + pipe.string() + "\necho begun\nexec sleep 1000\n");
+  httplib::Request request;
+  request.method = "POST";
+  request.path = "/api/run";
+  request.headers = {{"X-Robosim", "1"}, {"Content-Type", "application/json"}};
+  request.body = R"({"sketch": "./Mine"})";
+  request.content_receiver = [](const char* text, std::size_t size, std::uint64_t, std::uint64_t) {
+    return std::string_view(text, size).find("begun") == std::string_view::npos;  // then it goes away
+  };
+  EXPECT_FALSE(http_->send(request));
+  pollfd waits{reader.get(), POLLIN, 0};
+  ::poll(&waits, 1, -1);
+  char byte;
+  EXPECT_EQ(::read(reader.get(), &byte, 1), 0) << "the program is gone";
+}
+
+}  // namespace
+}  // namespace robosim::serve
