@@ -120,7 +120,11 @@ black_volts = [{}]
     const Ended exists = calibrate({"--out", robot});
     EXPECT_EQ(exists.status, 2);
     EXPECT_THAT(exists.err, HasSubstr("unknown.toml: exists already, so nothing was written"));
-    EXPECT_EQ(calibrate({"--in-place"}).status, 0);
+    std::filesystem::create_symlink("unknown.toml", folder / "link.toml");
+    const Ended in_place =
+        robosim_command({"calibrate", folder / "link.toml", log, "--tape", "19 mm", "--in-place"});
+    EXPECT_EQ(in_place.status, 0) << in_place.err;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.toml"));
     const std::string after = read_file(robot);
     EXPECT_THAT(
         after, AllOf(HasSubstr("wheel = \"32 mm\"\ntrack = { value = "), HasSubstr("\nheight = \"3 mm\"\n")));

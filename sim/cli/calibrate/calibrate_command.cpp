@@ -65,6 +65,9 @@ Command parse_calibrate(const std::vector<std::string>& words) {
                                       "a voltage from 1 V to 30 V, as in \"7.4 V\"");
   if (!calibrate.out.empty() && calibrate.in_place)
     throw InputError("--out names a new file, --in-place takes the old one; give one of them");
+  if (!calibrate.plot.empty() && calibrate.plot == calibrate.out)
+    throw InputError(
+        fmt::format("--out and --plot both name {}; give them files of their own", calibrate.out));
   if (!calibrate.plot.empty() && !calibrate.plot.ends_with(".svg"))
     refuse_value("--plot", calibrate.plot, "a file that ends in .svg");
   return calibrate;
@@ -84,13 +87,14 @@ int calibrate_command(const CalibrateArguments& arguments) {
   const calibrate::Task task{arguments.robot, arguments.logs, arguments.stopwatch, arguments.tape_m,
                              arguments.supply_volts};
   const calibrate::Calibration result = calibrate::calibrate(task);
-  const std::string file = arguments.in_place ? arguments.robot : arguments.out;
+  // Of a link it is the file that is written.
+  const std::string file = arguments.in_place ? fs::canonical(arguments.robot).string() : arguments.out;
   std::string written;
   if (!file.empty()) written = calibrate::calibrated_text(task, result, file);
   if (!arguments.plot.empty()) write_file(arguments.plot, calibrate::plot(result));
   if (!file.empty()) write_file(file, written);
   std::string text = calibrate::report(result);
-  for (const std::string& name : {arguments.plot, file})
+  for (const std::string& name : {arguments.plot, arguments.in_place ? arguments.robot : file})
     if (!name.empty()) text += name + " is written\n";
   if (file.empty()) text += "no robot file is written: that takes --out FILE or --in-place\n";
   print(text);
