@@ -1,0 +1,104 @@
+// The page of `robosim serve` in a browser: a folder of a user's, built, run, and acted on.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/browser/driver.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+// Until a run is shown, and nothing is under way.
+constexpr const char* kShown =
+    "const shown = () => $('replay').contentWindow?.robosim;"
+    "const ready = () => until(() => !$('replay').hidden && shown() && $('stop').hidden && "
+    "!$('state').textContent);";
+
+class Serve : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists("/usr/bin/chromedriver")) {
+      const char* required = std::getenv("ROBOSIM_REQUIRE");
+      const std::string missing = "chromedriver is missing: sudo apt install chromium-driver";
+      if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
+      GTEST_SKIP() << missing;
+    }
+    folder_.write("Echo/Echo.ino",
+                  "void setup() { Serial.begin(115200); Serial.println(\"ready\"); }\n"
+                  "void loop() { if (Serial.available()) Serial.write(Serial.read()); }\n");
+    folder_.write("Broken/Broken.ino", "void setup() { oops }\nvoid loop() {}\n");
+    server_.emplace(std::vector<std::string>{ROBOSIM_COMMAND, "serve", folder_.path().string()}, "Open ");
+    driver_.emplace();
+  }
+  Json in_page(const std::string& where, const std::string& body) {
+    driver_->open(server_->where() + "#" + where);
+    return driver_->run(kShown + body);
+  }
+
+  Folder folder_;
+  std::optional<Started> server_;
+  std::optional<Driver> driver_;
+};
+
+TEST_F(Serve, RunsASketchAndActsAtTheMomentThatIsShown) {
+  const Json seen = in_page("sketch=PidFollower&map=oval&robot=uno5&run=1", R"(
+    await ready();
+    const before = shown().run;
+    shown().player.seek(2);
+    $('hand').value = 'obstacle';
+    const [x, y] = shown().view.toScreen(1250, 1450);
+    const floor = $('replay').contentDocument.getElementById('floor');
+    const box = floor.getBoundingClientRect();
+    for (const kind of ['pointerdown', 'click'])
+      floor.dispatchEvent(new PointerEvent(kind, { clientX: box.left + x, clientY: box.top + y, bubbles: true }));
+    await until(() => shown() && shown().run !== before);
+    await ready();
+    return { verdict: before.result.verdict, script: $('script').value, now: shown().run.result.verdict,
+      same: before.columns.x_mm.slice(0, 200).every((value, i) => value === shown().run.columns.x_mm[i]),
+      at: shown().player.t };)");
+  EXPECT_EQ(seen["verdict"], "reached");
+  EXPECT_EQ(seen["script"], "at 2000ms obstacle 12,2\n");
+  EXPECT_EQ(seen["now"], "stuck");
+  EXPECT_EQ(seen["same"], true) << "all before that moment is as it was";
+  EXPECT_GE(seen["at"], 2.0);
+  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve.png");
+}
+
+TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
+  const Json lines = in_page("sketch=./Echo&map=oval&seconds=3&run=1", R"(
+    await ready();
+    const before = shown().run;
+    shown().player.seek(1);
+    $('text').value = 'say "hi"';
+    $('send').requestSubmit();
+    await until(() => shown() && shown().run !== before);
+    await ready();
+    return shown().run.lines.map((line) => line.text.trim());)");
+  EXPECT_THAT(lines, Contains("ready"));
+  EXPECT_THAT(lines, Contains("say \"hi\""));
+}
+
+TEST_F(Serve, ShowsWhatTheCompilerSays) {
+  const Json said = in_page("sketch=./Broken&run=1",
+                            "await until(() => $('said').textContent); return $('said').textContent;");
+  EXPECT_THAT(said.get<std::string>(), HasSubstr("Broken.ino:1:16: error: 'oops' was not declared"));
+}
+
+TEST_F(Serve, SaysThatItsServerIsGone) {
+  const Json state =
+      in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
+  EXPECT_EQ(state, 1);
+  EXPECT_TRUE(server_->end().ok());
+  EXPECT_THAT(driver_
+                  ->run("$('run').click(); await until(() => $('state').textContent.includes('gone')); "
+                        "return $('state').textContent;")
+                  .get<std::string>(),
+              HasSubstr("start robosim serve again"));
+}
+
+}  // namespace
+}  // namespace robosim::test
