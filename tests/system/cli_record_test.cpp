@@ -101,7 +101,15 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   for (const Drawn& one :
        {Drawn{"tight.svg", folder.path(), {"PidFollower", "--map", "tight"}},
         Drawn{"robotracer.svg", ROBOSIM_SAMPLES "/Robotracer", {".", "--map", "course.map"}},
-        Drawn{"rescue-line.svg", ROBOSIM_SAMPLES "/RescueLine", {".", "--map", "course.map"}}}) {
+        Drawn{"rescue-line.svg", ROBOSIM_SAMPLES "/RescueLine", {".", "--map", "course.map"}},
+        Drawn{"ukmars.svg", ROBOSIM_SAMPLES "/Ukmars", {".", "--map", "course.map"}},
+        Drawn{"drag-race.svg",
+              ROBOSIM_SAMPLES "/DragRacer",
+              {".", "--map", "course.map", "--script", "signal.txt"}},
+        Drawn{"dprg.svg", ROBOSIM_SAMPLES "/DprgLine", {".", "--map", "course.map"}},
+        Drawn{"line-maze.svg",
+              ROBOSIM_SAMPLES "/LineMaze",
+              {".", "--map", "lvbots.map", "--script", "tries.txt", "--for", "60s"}}}) {
     const std::filesystem::path picture = std::filesystem::path(ROBOSIM_PICTURES) / one.picture;
     std::vector<std::string> words{"run", "--plot", (folder / one.picture).string()};
     words.insert(words.end(), one.run.begin(), one.run.end());
