@@ -58,4 +58,26 @@ grid::Path path_of(const Polyline& all) {
   return path;
 }
 
+std::vector<double> tile_middles(const grid::Path& path, double tile) {
+  constexpr double kStep = 0.005, kLeast = 0.010;  // m
+  std::vector<double> middles;
+  double from = 0.0, to = 0.0;
+  Vec2 on{-1.0, -1.0};
+  const auto end_tile = [&] {
+    if (to - from >= kLeast) middles.push_back(0.5 * (from + to));
+  };
+  for (double at = 0.0; at <= path.length(); at += kStep) {
+    const Vec2 p = path.at(at, false).position;
+    const Vec2 now{std::floor(p.x / tile), std::floor(p.y / tile)};
+    if (!(now == on)) {
+      end_tile();
+      from = at;
+      on = now;
+    }
+    to = at;
+  }
+  end_tile();
+  return middles;
+}
+
 }  // namespace robosim::course

@@ -21,4 +21,7 @@ void reverse(Polyline& line);
 /// Of at least two points that are not the same. In metres; lengths and radii are rounded to micrometres.
 grid::Path path_of(const Polyline& line);
 
+/// The middles of its ways over square tiles, m along it; of those that are 10 mm or longer.
+std::vector<double> tile_middles(const grid::Path& path, double tile);
+
 }  // namespace robosim::course

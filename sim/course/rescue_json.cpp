@@ -21,29 +21,8 @@ using Json = nlohmann::json;
 
 constexpr double kTile = 0.300, kRescueLine = 0.020, kGreen = 0.025, kStrip = 0.250;  // m
 constexpr int kCells = 3;                                                             // of 100 mm, a tile
-constexpr int kAround = 2;  // cells around the field: robots reach beyond the tiles
+constexpr int kAround = 3;  // cells around the field, a tile: robots reach beyond it
 constexpr int kMostTiles = 100;
-constexpr std::string_view kSides = "LTRB";  // clockwise
-
-// A side of a tile turned clockwise by quarters.
-char turned(char side, int quarters) {
-  return kSides[(kSides.find(side) + static_cast<std::size_t>(quarters + 4)) % 4];
-}
-
-// Percent of a tile, y down.
-Vec2 turned(Vec2 p, int quarters) {
-  for (int i = 0; i < quarters; ++i) p = {100.0 - p.y, p.x};
-  return p;
-}
-
-Vec2 middle_of(char side) {
-  return side == 'L' ? Vec2{0, 50} : side == 'T' ? Vec2{50, 0} : side == 'R' ? Vec2{100, 50} : Vec2{50, 100};
-}
-
-// 0 = within the tile.
-char side_of(Vec2 p) {
-  return p.x <= 0.0 ? 'L' : p.x >= 100.0 ? 'R' : p.y <= 0.0 ? 'T' : p.y >= 100.0 ? 'B' : '\0';
-}
 
 struct Key {
   int x, y, z;
@@ -245,6 +224,7 @@ class RescueReader {
       const char exit = exit_of(*tile, entry);
       if (!exit) break;
       ++tiles_on_route_;
+      if (lines_.empty()) checkpoints_.push_back(tile->checkpoint);
       bool is_line = false;
       for (Drawn& drawn : tile->lines) {
         Polyline part = drawn.line;
@@ -322,6 +302,20 @@ class RescueReader {
     }
   }
 
+  // Along the first path, whose tiles are those of the route unless levels or lines on a tile's edge confuse
+  // it.
+  void set_goal(grid::Map& map) {
+    const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
+    map.goal = "none";
+    if (middles.size() != checkpoints_.size() || middles.size() < 2)
+      return remarks_.push_back("the way cannot be followed tile by tile, so the goal is none");
+    map.goal = "rescue-line";
+    grid::RescueCourse& rescue = map.course.rescue.emplace();
+    rescue.tile = kTile;
+    for (std::size_t i = 1; i + 1 < middles.size(); ++i)
+      if (checkpoints_[i]) rescue.checkpoints.push_back(rounded(middles[i]));
+  }
+
   Imported finish(std::size_t routes) {
     Imported imported;
     grid::Map& map = imported.map;
@@ -333,9 +327,9 @@ class RescueReader {
     for (const Polyline& line : lines_) map.course.paths.push_back(path_of(line));
     if (routes == 0) refuse("no route begins at the start tile");
     map.course.areas = areas_;
-    map.goal = "none";
+    set_goal(map);
     map.start = grid::start_on(map, {0, 0.5 * kTile, false});
-    int obstacles = 0, bumps = 0, ramps = 0, seesaws = 0, checkpoints = 0, evacuation = 0, levels = 0;
+    int obstacles = 0, bumps = 0, ramps = 0, seesaws = 0, evacuation = 0, levels = 0;
     for (const auto& [at, tile] : tiles_) {
       if (tile.obstacles > 0)
         map.cells[map.index_of({kAround + kCells * at.x + 1, kAround + kCells * at.y + 1})] =
@@ -344,7 +338,6 @@ class RescueReader {
       bumps += tile.bumps;
       ramps += tile.ramp || tile.up || tile.down;
       seesaws += tile.id == kRescueSeesaw;
-      checkpoints += tile.checkpoint;
       evacuation += is_evacuation(tile.id);
       levels += at.z != tiles_.begin()->first.z;
     }
@@ -359,8 +352,8 @@ class RescueReader {
     say(ramps, "tile", "of ramps: floors are flat, so they are level lines");
     say(seesaws, "seesaw", "left out: floors are flat");
     say(levels, "tile", "of another level: all levels lie in one plane");
-    say(evacuation, "tile", "of the evacuation zone: its floor is there, its walls and victims are not");
-    say(checkpoints, "checkpoint", "not in the map: its goal is none");
+    say(evacuation, "tile",
+        "of the evacuation zone: its floor is there, its walls and victims are not; the goal ends before it");
     say(simplified_, "tile",
         "with roundabouts, or of a type that is not known: only the way through is drawn");
     if (json_.contains("indexCount") && json_["indexCount"].is_number_integer() &&
@@ -376,6 +369,7 @@ class RescueReader {
   std::map<Key, Tile> tiles_;
   std::vector<Polyline> lines_;
   std::vector<grid::Area> areas_;
+  std::vector<bool> checkpoints_;  // of the first route, tile by tile
   std::vector<std::string> remarks_;
   int simplified_ = 0;
   std::size_t tiles_on_route_ = 0;

@@ -6,6 +6,8 @@
 namespace robosim::course {
 namespace {
 
+constexpr std::string_view kSides = "LTRB";  // clockwise
+
 constexpr TileKind kTiles[] = {
     {"570c27c3f5a9dabe23f3af90", {{"0,50 100,50"}}},
     {"570c27c3f5a9dabe23f3af91", {{"0,50 15,50 15,38 50,38 50,63 85,63 85,50 100,50"}}},
@@ -115,6 +117,23 @@ Polyline polyline_of(const TileLine& line) {
         {{std::stod(text.substr(0, comma)), std::stod(text.substr(comma + 1))}, line.rounding_mm * 1e-3});
   }
   return points;
+}
+
+char turned(char side, int quarters) {
+  return kSides[(kSides.find(side) + static_cast<std::size_t>(quarters + 4)) % 4];
+}
+
+Vec2 turned(Vec2 p, int quarters) {
+  for (int i = 0; i < quarters; ++i) p = {100.0 - p.y, p.x};
+  return p;
+}
+
+Vec2 middle_of(char side) {
+  return side == 'L' ? Vec2{0, 50} : side == 'T' ? Vec2{50, 0} : side == 'R' ? Vec2{100, 50} : Vec2{50, 100};
+}
+
+char side_of(Vec2 p) {
+  return p.x <= 0.0 ? 'L' : p.x >= 100.0 ? 'R' : p.y <= 0.0 ? 'T' : p.y >= 100.0 ? 'B' : '\0';
 }
 
 }  // namespace robosim::course

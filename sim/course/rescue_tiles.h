@@ -35,6 +35,13 @@ std::span<const TileKind> rescue_tiles();
 /// In percent of a tile; roundings in m.
 Polyline polyline_of(const TileLine& line);
 
+/// A side of a tile, L T R or B, turned clockwise by quarters; and a point, percent, about the tile's middle.
+char turned(char side, int quarters);
+Vec2 turned(Vec2 percent, int quarters);
+Vec2 middle_of(char side);
+/// The side on which a point is, 0 = within the tile.
+char side_of(Vec2 percent);
+
 inline constexpr std::string_view kRescueExit = "58cfd6549792e9313b1610e0";
 inline constexpr std::string_view kRescueSeesaw = "58cfd6549792e9313b1610df";
 /// Of the evacuation zone.

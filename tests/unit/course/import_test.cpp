@@ -243,6 +243,19 @@ TEST(ImportRescue, AStraightAGapAndTheExitAreOneWay) {
   EXPECT_NEAR(map.start->on_path->along, 0.15, 1e-9);
 }
 
+TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
+  const std::string marked = R"(,"checkPoint":true)";
+  const grid::Map map =
+      import(rescue(rescue_tile(0, 0, 0, kStraight, marked) + "," + rescue_tile(1, 0, 0, kArc) + "," +
+                        rescue_tile(1, 1, 90, kStraight, marked) + "," + rescue_tile(1, 2, 180, kExit),
+                    "", 3, 3));
+  EXPECT_EQ(map.goal, "rescue-line");
+  ASSERT_TRUE(map.course.rescue);
+  EXPECT_NEAR(map.course.rescue->tile, 0.3, 1e-12);
+  ASSERT_EQ(map.course.rescue->checkpoints.size(), 1u);
+  EXPECT_NEAR(map.course.rescue->checkpoints[0], 0.3 + kPi / 2.0 * 0.15 + 0.15, 0.01);
+}
+
 // An arc of 150 mm down, and back to the left by one that is turned.
 TEST(ImportRescue, TilesAreTurnedClockwise) {
   const grid::Map map =
@@ -250,8 +263,8 @@ TEST(ImportRescue, TilesAreTurnedClockwise) {
                     rescue_tile(1, 1, 90, kArc) + "," + rescue_tile(0, 1, 180, kStraight)));
   const grid::Path& path = map.course.paths.at(0);
   EXPECT_NEAR(path.length(), 0.3 + kPi * 0.15 + 0.3, kRounding);
-  EXPECT_NEAR(path.end().position.x, 0.2, kRounding);
-  EXPECT_NEAR(path.end().position.y, 0.2 + 0.15, kRounding);
+  EXPECT_NEAR(path.end().position.x, 0.3, kRounding);
+  EXPECT_NEAR(path.end().position.y, 0.3 + 0.15, kRounding);
 }
 
 // Entered from the left, the green square before it to the left: its route turns there.
@@ -265,15 +278,15 @@ TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay)
   ASSERT_EQ(map.course.areas.size(), 1u);
   const grid::Area& green = map.course.areas[0];
   EXPECT_EQ(green.colour.hue, grid::Hue::green);
-  EXPECT_NEAR(green.middle.position.x, 0.2 + 0.45 + 0.0225, 1e-9);
-  EXPECT_NEAR(green.middle.position.y, 0.2 + 0.45 + 0.0225, 1e-9);
+  EXPECT_NEAR(green.middle.position.x, 0.3 + 0.45 + 0.0225, 1e-9);
+  EXPECT_NEAR(green.middle.position.y, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(2.0 * green.half_length, 0.025, 1e-12);
   // Turned by a half turn it is entered from its right, where the square is on the left: the way leads down.
   const grid::Map turned =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 180, kPlus) + "," +
                     rescue_tile(1, 1, 90, kStraight)));
-  EXPECT_NEAR(turned.course.paths[0].end().position.x, 0.65, kRounding);
-  EXPECT_NEAR(turned.course.paths[0].end().position.y, 0.2, kRounding);
+  EXPECT_NEAR(turned.course.paths[0].end().position.x, 0.75, kRounding);
+  EXPECT_NEAR(turned.course.paths[0].end().position.y, 0.3, kRounding);
 }
 
 TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
@@ -283,11 +296,12 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
                            R"("startTile2":{"x":2,"y":1,"z":0},"indexCount":2,)"),
                     "own.json", "own");
   ASSERT_EQ(imported.map.course.paths.size(), 2u);
-  EXPECT_NEAR(imported.map.course.paths[1].begin().position.x, 0.2 + 0.6, kRounding);
+  EXPECT_NEAR(imported.map.course.paths[1].begin().position.x, 0.3 + 0.6, kRounding);
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
-  ASSERT_EQ(imported.remarks.size(), 1u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("2 tiles of the evacuation zone"));
+  ASSERT_EQ(imported.remarks.size(), 2u);
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the goal is none"));  // one tile before the zone is no way
+  EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 
 TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
@@ -299,10 +313,10 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
       "own.json", "own");
   std::string all;
   for (const std::string& remark : imported.remarks) all += remark + "\n";
-  for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile of ramps", "1 checkpoint",
+  for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile of ramps",
                            "the way leads over 2 tiles, and the file says 5"})
     EXPECT_THAT(all, HasSubstr(what));
-  EXPECT_EQ(imported.map.at({2 + 3 + 1, 2 + 1}), grid::Cell::wall);
+  EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), grid::Cell::wall);
 }
 
 // Each tile in the middle of four straights, entered from one that it is joined to.
