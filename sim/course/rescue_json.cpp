@@ -249,6 +249,7 @@ class RescueReader {
       if (is_evacuation(beyond->second.id)) {
         const Vec2 inward = middle_of(turned(exit, -tile->quarters));
         strip(world(*tile, inward), exit, grid::Hue::silver, kStrip);
+        to_zone_ = true;
         break;
       }
       entry = turned(exit, 2);
@@ -312,6 +313,7 @@ class RescueReader {
     map.goal = "rescue-line";
     grid::RescueCourse& rescue = map.course.rescue.emplace();
     rescue.tile = kTile;
+    rescue.to_zone = to_zone_;
     for (std::size_t i = 1; i + 1 < middles.size(); ++i)
       if (checkpoints_[i]) rescue.checkpoints.push_back(rounded(middles[i]));
   }
@@ -372,6 +374,7 @@ class RescueReader {
   std::vector<bool> checkpoints_;  // of the first route, tile by tile
   std::vector<std::string> remarks_;
   int simplified_ = 0;
+  bool to_zone_ = false;  // the first way ends there
   std::size_t tiles_on_route_ = 0;
 };
 

@@ -62,6 +62,8 @@ struct RaceLines {
 /// A course of tiles, along the first path, from its beginning to its end: RoboCupJunior's Rescue Line.
 struct RescueCourse {
   double tile = 0.3;                ///< m, side
+  Vec2 origin;                      ///< m, a corner of a tile
+  bool to_zone = false;             ///< it ends at the evacuation zone, not at the end tile
   std::vector<double> checkpoints;  ///< m along the path, ascending: the tiles there
   bool is_entry = false;            ///< by the rules of Rescue Line Entry
 };

@@ -135,6 +135,8 @@ void read_rescue(const ConfigValue& value, Course& course) {
   RescueCourse rescue;
   rescue.tile = table.quantity("tile", Dimension::length, rescue.tile, 0.1, 1.0);
   rescue.is_entry = table.choice("league", "line", {"line", "entry"}) == "entry";
+  if (const ConfigValue* const origin = table.find("origin")) rescue.origin = read_point(*origin, "origin");
+  rescue.to_zone = table.choice("end", "tile", {"tile", "zone"}) == "zone";
   if (const ConfigValue* const list = table.find("checkpoints")) {
     if (list->kind != ConfigValue::Kind::array)
       throw InputError(list->place,

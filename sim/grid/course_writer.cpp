@@ -39,8 +39,13 @@ std::string rescue_text(const RescueCourse& rescue) {
   std::string checkpoints;
   for (const double along : rescue.checkpoints)
     checkpoints += fmt::format("{}\"{}\"", checkpoints.empty() ? "" : ", ", length_text(along));
-  return fmt::format("[rescue]\ntile = \"{}\"\ncheckpoints = [{}]\n{}", length_text(rescue.tile), checkpoints,
-                     rescue.is_entry ? "league = \"entry\"\n" : "");
+  std::string text =
+      fmt::format("[rescue]\ntile = \"{}\"\ncheckpoints = [{}]\n", length_text(rescue.tile), checkpoints);
+  if (rescue.is_entry) text += "league = \"entry\"\n";
+  if (rescue.to_zone) text += "end = \"zone\"\n";
+  if (const Vec2 corner = rescue.origin; corner.x != 0.0 || corner.y != 0.0)
+    text += fmt::format("origin = [\"{}\", \"{}\"]\n", length_text(corner.x), length_text(corner.y));
+  return text;
 }
 
 std::string area_text(const Area& area) {

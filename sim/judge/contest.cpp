@@ -26,7 +26,7 @@ Contest::Contest(const Goal& goal, const grid::Map& map, Vec2 start) {
       rules_.emplace<DragRace>(map);
       break;
     case Goal::Kind::rescue_line:
-      rules_.emplace<RescueRun>(map);
+      rules_.emplace<RescueRun>(map, start);
       break;
     case Goal::Kind::line_maze:
       rules_.emplace<MazeTries>(map, start, goal.tries);

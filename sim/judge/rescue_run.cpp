@@ -23,15 +23,17 @@ constexpr int kThingPoints = 10, kLineObstaclePoints = 20;
 
 }  // namespace
 
-RescueRun::RescueRun(const grid::Map& map) : path_({}) {
+RescueRun::RescueRun(const grid::Map& map, Vec2 start) : path_({}), start_(start) {
   if (!map.course.rescue)
     throw InputError({map.file}, "the goal rescue-line needs a map with a path and a [rescue]");
   const grid::RescueCourse& rescue = *map.course.rescue;
   path_ = map.course.paths.front();
   tile_ = rescue.tile;
+  origin_ = rescue.origin;
   is_entry_ = rescue.is_entry;
+  to_zone_ = rescue.to_zone;
   time_limit_ = (is_entry_ ? 6 : 8) * 60 * kSecond;
-  make_steps(map);
+  make_steps();
   if (steps_.size() < 2)
     throw InputError(path_.place, "the goal rescue-line needs a path over two tiles at least");
   for (const double along : rescue.checkpoints) step_at(along)->checkpoint = true;
@@ -39,14 +41,16 @@ RescueRun::RescueRun(const grid::Map& map) : path_({}) {
   mark(map);
 }
 
-void RescueRun::make_steps(const grid::Map&) {
+int RescueRun::column_of(Vec2 at) const { return static_cast<int>(std::floor((at.x - origin_.x) / tile_)); }
+int RescueRun::row_of(Vec2 at) const { return static_cast<int>(std::floor((at.y - origin_.y) / tile_)); }
+
+void RescueRun::make_steps() {
   const int count = static_cast<int>(path_.length() / kAlong);
   std::vector<Step> visits;
   for (int i = 0; i <= count; ++i) {
     const double along = i * kAlong;
     const Vec2 p = path_.at(along, false).position;
-    const int column = static_cast<int>(std::floor(p.x / tile_)),
-              row = static_cast<int>(std::floor(p.y / tile_));
+    const int column = column_of(p), row = row_of(p);
     if (visits.empty() || visits.back().column != column || visits.back().row != row)
       visits.push_back({column, row, along, along});
     visits.back().to = along;
@@ -99,8 +103,7 @@ void RescueRun::mark(const grid::Map& map) {
 }
 
 bool RescueRun::is_in(const Step& step, Vec2 at) const {
-  return static_cast<int>(std::floor(at.x / tile_)) == step.column &&
-         static_cast<int>(std::floor(at.y / tile_)) == step.row;
+  return column_of(at) == step.column && row_of(at) == step.row;
 }
 
 bool RescueRun::is_near_obstacle(Vec2 at) const {
@@ -158,7 +161,10 @@ void RescueRun::give_up(Events& events) {
     }
   }
   at_ = to;
-  const double along = to == 0 ? 0.0 : 0.5 * (steps_[to].from + steps_[to].to);
+  double along = 0.5 * (steps_[to].from + steps_[to].to);
+  if (to == 0)
+    for (along = 0.0; along < steps_[0].to && length(path_.at(along, false).position - start_) > kAlong;)
+      along += kAlong;
   hand_ = path_.at(along, false);
   events.push_back(wire::Scored{"lack of progress", 0.0, "points"});
   events.push_back(wire::ScriptActed{"place", "", fmt::format("{:.0f}mm", 1e3 * along)});
@@ -167,13 +173,12 @@ void RescueRun::give_up(Events& events) {
 std::optional<Pose> RescueRun::take_hand() {
   std::optional<Pose> where;
   where.swap(hand_);
-  if (where) seen_at_.reset();
   return where;
 }
 
 void RescueRun::look(const Glance& now, Events& events) {
   const Vec2 at = now.body.pose().position;
-  if (began_ == kNever && length(at - path_.begin().position) >= kOffTheStart) began_ = now.t;
+  if (began_ == kNever && length(at - start_) >= kOffTheStart) began_ = now.t;
   const bool taken = now.body.in_hand() && !in_hand_;
   in_hand_ = now.body.in_hand();
   if (taken && began_ != kNever) give_up(events);
@@ -195,10 +200,11 @@ void RescueRun::look(const Glance& now, Events& events) {
   const bool rests = now.at_rest && at_ + 1 == steps_.size() && is_in(steps_.back(), at);
   if (!rests) at_rest_since_ = kNever;
   if (rests && at_rest_since_ == kNever) at_rest_since_ = now.t;
-  if (!rests || reached_ || now.t - at_rest_since_ < kRestAtEnd) return;
+  const bool arrived = to_zone_ ? at_ + 1 == steps_.size() : rests && now.t - at_rest_since_ >= kRestAtEnd;
+  if (!arrived || reached_) return;
   reached_ = true;
   ended_ = now.t;
-  count("end tile", std::max(kEndPoints - kEndLess * lacks_, 0), 1, events);
+  if (!to_zone_) count("end tile", std::max(kEndPoints - kEndLess * lacks_, 0), 1, events);
 }
 
 std::string RescueRun::summary() const {

@@ -8,7 +8,8 @@
 //   gap                          10 for each gap
 //   intersection                 10 each; Entry has none
 //   obstacle                     20, Entry 10
-//   end tile                     60 - 5 n, not below 0; the robot must rest there for 5 s (from memory)
+//   end tile                     60 - 5 n, not below 0; the robot must rest there for 5 s (from memory).
+//                                Nothing, and no rest, where the path ends at the evacuation zone
 //
 // What stands on a tile counts when the robot is on the next one, its axle's middle there. A gap is a stretch
 // of the path that is not painted, an obstacle a wall that stands on the path, an intersection a place where
@@ -35,7 +36,7 @@ namespace robosim::judge {
 class RescueRun {
  public:
   /// Throws InputError if the map has no [rescue], or its path has less than two tiles.
-  explicit RescueRun(const grid::Map& map);
+  RescueRun(const grid::Map& map, Vec2 start);
 
   void look(const Glance& now, Events& events);
   bool reached() const { return reached_; }
@@ -56,7 +57,9 @@ class RescueRun {
     bool checkpoint = false;
     bool done = false;  ///< what stands there has counted
   };
-  void make_steps(const grid::Map& map);
+  void make_steps();
+  int column_of(Vec2 at) const;
+  int row_of(Vec2 at) const;
   void mark(const grid::Map& map);
   Step* step_at(double along);
   void arrive(std::size_t step, Events& events);
@@ -66,6 +69,9 @@ class RescueRun {
 
   grid::Path path_;
   double tile_;
+  Vec2 origin_;
+  Vec2 start_;
+  bool to_zone_;
   bool is_entry_;
   SimTime time_limit_;
   std::vector<Step> steps_;
@@ -76,7 +82,6 @@ class RescueRun {
   int lacks_here_ = 0, lacks_ = 0;  ///< since the last checkpoint, and in all
   std::vector<wire::ScorePart> parts_;
   std::optional<Pose> hand_;
-  std::optional<Vec2> seen_at_;
   SimTime began_ = kNever, ended_ = kNever, at_rest_since_ = kNever;
   bool in_hand_ = false, reached_ = false;
 };

@@ -254,6 +254,7 @@ TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
   EXPECT_NEAR(map.course.rescue->tile, 0.3, 1e-12);
   ASSERT_EQ(map.course.rescue->checkpoints.size(), 1u);
   EXPECT_NEAR(map.course.rescue->checkpoints[0], 0.3 + kPi / 2.0 * 0.15 + 0.15, 0.01);
+  EXPECT_FALSE(map.course.rescue->to_zone);
 }
 
 // An arc of 150 mm down, and back to the left by one that is turned.

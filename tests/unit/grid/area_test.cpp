@@ -71,6 +71,8 @@ signal = "1.5 s"
 tile = "250 mm"
 checkpoints = ["300 mm", "700 mm"]
 league = "entry"
+end = "zone"
+origin = ["100 mm", "200 mm"]
 )";
   const std::string path = "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n";
   const std::string written =

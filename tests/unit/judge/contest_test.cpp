@@ -169,6 +169,19 @@ TEST(RescueLine, EntryCountsNoIntersectionsAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
+TEST(RescueLine, WithoutAnEndTileEndsAtTheEvacuationZone) {
+  std::string text = rescue();
+  text.insert(text.find("checkpoints"), "end = \"zone\"\norigin = [\"0 mm\", \"300 mm\"]\n");
+  Pushed run(text);
+  run.follow(0.0, 1.1);
+  run.push({1.2, 0.7});
+  run.push({1.5, 0.7});
+  EXPECT_FALSE(run.progress.reached());
+  run.push({1.52, 0.45});
+  EXPECT_TRUE(run.progress.reached());
+  EXPECT_EQ(run.score().score, 70.0);
+}
+
 TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   Pushed run(rescue());
   run.follow(0.0, 0.5);
