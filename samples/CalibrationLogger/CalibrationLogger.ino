@@ -57,8 +57,8 @@ unsigned int readSensor(byte pin) {
   digitalWrite(pin, HIGH);
   delayMicroseconds(10);
   pinMode(pin, INPUT);
-  digitalWrite(pin, LOW);
   unsigned long start = micros();
+  digitalWrite(pin, LOW);
   while (digitalRead(pin) == HIGH && micros() - start < RC_TIMEOUT_US) polls++;
   return micros() - start;
 }

@@ -18,8 +18,9 @@ constexpr double kMostSaturated = 0.3;      // of the readings over floor, or ov
 constexpr double kLeastContrast = 0.03;     // of the converter's range
 constexpr double kMostDisagreement = 0.35;  // of the tape's width
 
-double signal(double reading, const robot::ReflectanceSpec& part, double supply) {
-  if (part.read == robot::ReflectanceSpec::Read::rc) return 1e6 / std::max(reading, 1.0);
+/// `late`: how much later than it falls a pin is seen to be low, in the mean, us.
+double signal(double reading, const robot::ReflectanceSpec& part, double supply, double late) {
+  if (part.read == robot::ReflectanceSpec::Read::rc) return 1e6 / std::max(reading - late, 1.0);
   return (reading + 0.5) * supply / kCodes;
 }
 
@@ -65,7 +66,7 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
       throw InputError(
           {log.file, sweep.lines[i]},
           fmt::format("{} is {}; a code of analogRead() is from 0 to 1023", sweep.names[column], reading));
-    trace.y.push_back(signal(reading, part, supply));
+    trace.y.push_back(signal(reading, part, supply, 0.5e6 * trace.timing));
   }
   const robot::EncoderSpec* encoders[2] = {encoder_of(robot, 0), encoder_of(robot, 1)};
   if (!sweep.counted || !encoders[0] || !encoders[1] || !log.counts_per_period) return trace;

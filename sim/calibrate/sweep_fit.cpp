@@ -17,8 +17,9 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;      // m of floor that are as good as one reading of it
-constexpr double kMostChange = 0.25;  // of white to black, from sweep to sweep
+constexpr double kPatch = 0.012;                       // m of floor that are as good as one reading of it
+constexpr double kMostChange = 0.25;                   // of white to black, from sweep to sweep
+constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s: of both ends of a time by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
 constexpr std::size_t kMostEdges = 1500;  // of a part: more of them make nothing surer
 constexpr double kMostClipped =
@@ -113,7 +114,8 @@ void measure_levels(Element& element) {
   // A time's step is one of its rate, 1 / time.
   const auto step_at = [&](const std::vector<double>& rates) {
     const double rate = rates.empty() ? 0.0 : mean(rates);
-    return std::hypot(step, element.traces.front().timing * rate * rate);
+    const double timing = element.traces.front().timing;
+    return std::hypot(step, timing > 0.0 ? std::hypot(timing, kClock) * rate * rate : 0.0);
   };
   fit.noise = noise_of(rough_white, step_at(white));
   fit.dark_noise = noise_of(rough_black, step_at(black));
@@ -122,6 +124,9 @@ void measure_levels(Element& element) {
       std::max((radius > 0.0 ? std::min(length, 2.0 * std::numbers::pi * radius) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
   fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
+  // Where within its step a time falls is known in the mean only, to a quarter of it.
+  fit.white.sd =
+      std::hypot(fit.white.sd, 0.25 * element.traces.front().timing * fit.white.value * fit.white.value);
   fit.black = {mean(black),
                std::max(deviation(black) / std::sqrt(static_cast<double>(black.size())), 0.5 * step)};
 }
