@@ -17,7 +17,7 @@ Imported import_picture(std::string png, const std::string& file, const std::str
   map.height = static_cast<int>(std::ceil(high / map.cell_m - 1e-9));
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   if (cells > grid::kMaxBareCells)
-    throw InputError("as a floor it is larger than a map may be; are its pixels so large?");
+    throw InputError({file}, "as a floor it is larger than a map may be; are its pixels so large?");
   map.cells.assign(cells, grid::Cell::floor);
   map.light_line = map.image->darkness_in({0.0, 0.0}, {wide, high}) > 0.5;
   imported.remarks.push_back(

@@ -58,17 +58,20 @@ double FloorImage::darkness_in(Vec2 low, Vec2 high) const {
   if (!(area > 0.0)) return 0.0;
   const Runs columns(low.x * per_pixel_, high.x * per_pixel_, width_);
   const Runs rows(height_ - high.y * per_pixel_, height_ - low.y * per_pixel_, height_);
+  // The sums at all crossings of the runs' edges, each looked up once.
+  std::array<std::uint32_t, 4> above{}, below{};
+  const auto look_up = [&](std::array<std::uint32_t, 4>& sums, int row) {
+    for (std::size_t c = 0; c < 4; ++c) sums[c] = sum(columns.edges[c], row);
+  };
+  look_up(above, rows.edges[0]);
   double dark = 0.0;
   for (std::size_t r = 0; r < 3; ++r) {
-    if (rows.shares[r] <= 0.0) continue;
-    const int top = rows.edges[r], bottom = rows.edges[r + 1];
+    look_up(below, rows.edges[r + 1]);
     double of_row = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int left = columns.edges[c], right = columns.edges[c + 1];
-      const std::uint32_t all = sum(right, bottom) - sum(left, bottom) - sum(right, top) + sum(left, top);
-      of_row += columns.shares[c] * all;
-    }
+    for (std::size_t c = 0; c < 3; ++c)
+      of_row += columns.shares[c] * (below[c + 1] - below[c] - above[c + 1] + above[c]);
     dark += rows.shares[r] * of_row;
+    above = below;
   }
   return std::min(dark / (255.0 * area), 1.0);
 }
