@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "sim/base/error.h"
 #include "sim/world/world.h"
@@ -11,15 +12,59 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kAlong = 0.005;        // m between two points of the path
-constexpr double kLeastStep = 0.01;     // m of path on a tile, for a visit
-constexpr double kCrossing = 0.1;       // m along the path between two points of a crossing, at least
-constexpr double kRoundObstacle = 1.5;  // tiles
-constexpr double kOffTheStart = 0.01;   // m
+constexpr double kAlong = 0.005;            // m between two points of the path
+constexpr double kLeastStep = 0.01;         // m of path on a tile, for a visit
+constexpr double kCrossing = 0.1;           // m along the path between two points of a crossing, at least
+constexpr double kRoundObstacle = 1.5;      // tiles
+constexpr double kOffTheStart = 0.01;       // m
+constexpr double kMostOfAllPaths = 1000.0;  // m
 constexpr SimTime kRestAtEnd = 5 * kSecond;
 constexpr int kLacksToGoOn = 3;
 constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
 constexpr int kThingPoints = 10, kLineObstaclePoints = 20;
+
+// Where paths are, in squares of kAlong.
+class PathPoints {
+ public:
+  explicit PathPoints(const grid::Map& map) {
+    double length = 0.0;
+    for (const grid::Path& path : map.course.paths) length += path.length();
+    if (length > kMostOfAllPaths)
+      throw InputError({map.file},
+                       fmt::format("the paths are {:.10g} m long in all; with the goal rescue-line at "
+                                   "most {:.10g} m are allowed",
+                                   length, kMostOfAllPaths));
+    for (std::size_t i = 0; i < map.course.paths.size(); ++i)
+      for (double at = 0.0; at <= map.course.paths[i].length(); at += kAlong) {
+        const Vec2 p = map.course.paths[i].at(at, false).position;
+        points_.push_back({square(p.x), square(p.y), p, i, at});
+      }
+    std::sort(points_.begin(), points_.end(), before);
+  }
+
+  /// Whether another path is at p, or the first one at another place than `along`.
+  bool meet(Vec2 p, double along) const {
+    for (std::int64_t x = square(p.x) - 1; x <= square(p.x) + 1; ++x)
+      for (std::int64_t y = square(p.y) - 1; y <= square(p.y) + 1; ++y)
+        for (auto it = std::lower_bound(points_.begin(), points_.end(), Point{x, y, {}, 0, 0.0}, before);
+             it != points_.end() && it->x == x && it->y == y; ++it)
+          if (length(it->at - p) < kAlong && (it->path > 0 || std::fabs(it->along - along) > kCrossing))
+            return true;
+    return false;
+  }
+
+ private:
+  struct Point {
+    std::int64_t x, y;
+    Vec2 at;
+    std::size_t path;
+    double along;
+  };
+  static std::int64_t square(double metres) { return static_cast<std::int64_t>(std::floor(metres / kAlong)); }
+  static bool before(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+  std::vector<Point> points_;
+};
 
 }  // namespace
 
@@ -72,23 +117,14 @@ void RescueRun::mark(const grid::Map& map) {
     if (piece.is_gap) ++step_at(along + 0.5 * piece.length)->gaps;
     along += piece.length;
   }
-  std::vector<Vec2> others;
-  for (std::size_t i = 1; i < map.course.paths.size(); ++i)
-    for (double at = 0.0; at <= map.course.paths[i].length(); at += kAlong)
-      others.push_back(map.course.paths[i].at(at, false).position);
+  const PathPoints points(map);
   std::vector<Vec2> own;
   for (double at = 0.0; at <= path_.length(); at += kAlong) own.push_back(path_.at(at, false).position);
-  const auto apart = static_cast<std::ptrdiff_t>(kCrossing / kAlong);
   double last_crossing = -1.0;
   bool on_wall = false;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    const auto meets = [&](Vec2 p) { return length(p - own[i]) < kAlong; };
-    const auto here = static_cast<std::ptrdiff_t>(i);
-    const bool crosses =
-        std::any_of(others.begin(), others.end(), meets) ||
-        std::any_of(own.begin(), own.begin() + std::max<std::ptrdiff_t>(here - apart, 0), meets) ||
-        std::any_of(own.begin() + std::min<std::ptrdiff_t>(here + apart, std::ssize(own)), own.end(), meets);
     const double now = static_cast<double>(i) * kAlong;
+    const bool crosses = points.meet(own[i], now);
     if (crosses && (last_crossing < 0.0 || now - last_crossing > kCrossing)) ++step_at(now)->intersections;
     if (crosses) last_crossing = now;
     const auto column = static_cast<int>(std::floor(own[i].x / map.cell_m));

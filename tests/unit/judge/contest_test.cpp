@@ -220,6 +220,9 @@ TEST(RescueLine, AndDragRacesNeedTheirTables) {
   text.erase(text.find("[rescue]"), text.find("[[path]]") - text.find("[rescue]"));
   EXPECT_THROW(Pushed{text}, InputError);
   text = kStrip;
+  text.replace(text.find("drag-race"), 9, "robotrace");
+  EXPECT_THROW(Pushed{text}, InputError);  // an open path
+  text = kStrip;
   text.erase(text.find("[race]"), text.find("+++", 10) - text.find("[race]"));
   EXPECT_THROW(Pushed{text}, InputError);
 }
