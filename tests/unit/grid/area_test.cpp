@@ -87,7 +87,7 @@ TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
     std::string area;
     const char* message;
   } refused[] = {
-      {at + size, "m.map:3:1: colour is missing in [[area]]"},
+      {at + size, "m.map:3:1: [[area]] lacks the key colour"},
       {"colour = \"blue\"\n" + at + size, "m.map:4:10: colour is \"blue\"; allowed are black, white, grey,"},
       {"colour = \"grey 140 %\"\n" + at + size, "grey with its share of black, as in \"grey 40 %\""},
       {"colour = 3\n" + at + size, "colour is a whole number"},
@@ -97,12 +97,12 @@ TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"colour = \"red\"\nat = [\"1 m\"]\n" + size, "at must be two lengths"},
       {"colour = \"red\"\nat = [\"3 m\", \"0 mm\"]\n" + size,
        "the middle of this area, 3000 mm, 0 mm, is beside the floor, which is 2000 x 1000 mm"},
-      {"colour = \"red\"\nalong = \"3 m\"\n" + size, "m.map:5:9: along is 3 m"},
+      {"colour = \"red\"\nalong = \"3 m\"\n" + size, "m.map:5:9: along is 3 in SI units"},
       {"colour = \"red\"\nalong = \"1 m\"\npath = 2\n" + size, "path is 2"},
       {"colour = \"red\"\nalong = \"1 m\"\nside = \"middle\"\n" + size, "side is \"middle\""},
       {"colour = \"red\"\n" + at, "an area is either a rectangle, size = [\"25 mm\", \"250 mm\"], or a disc"},
       {"colour = \"red\"\nradius = \"5 mm\"\n" + at + size, "an area is either a rectangle"},
-      {"colour = \"red\"\nradius = \"0 mm\"\n" + at, "radius is 0 mm"},
+      {"colour = \"red\"\nradius = \"0 mm\"\n" + at, "radius is 0 in SI units"},
       {"colour = \"red\"\nradius = \"5 mm\"\nangle = \"5 deg\"\n" + at, "a disc has no angle"},
       {"colour = \"red\"\nsize = [\"25 mm\", \"25\"]\n" + at, "size is \"25\""},
       {"colour = \"red\"\nover_lines = \"yes\"\n" + at + size, "over_lines is "},
