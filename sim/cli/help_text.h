@@ -8,9 +8,8 @@ inline constexpr const char* kExamples =
 
   robosim run PidFollower --map oval        a sketch of ours on a map of ours
   robosim run PidFollower --view            watch it drive
-  robosim run PidFollower --record run.html a page that replays it: open it in a browser
+  robosim serve                             choose, run, press buttons and look, in the browser
   robosim run my/Sketch --map my.map        your own sketch, on your own map
-  robosim serve my                          choose, run, press buttons and look, in the browser
   robosim wire my/Sketch --out my/Sketch/robot.toml    drafts your robot's file from what the sketch does
   robosim play                              choose a map, watch it scanned, send the robot to stations
   robosim run LeftPath --map d --robot uno3 --json     results for a program to read
