@@ -69,6 +69,7 @@ export class FloorPicture {
     ctx.translate(-view.x, -view.y);
     if (this.run.floor) this.drawFloor(this.run.floor);
     this.px = 1 / view.scale;  // a pixel, mm
+    this.drawPut(t);
     if (other) this.drawOther(other, otherT);
     this.drawTrail(t);
     ctx.restore();
@@ -271,6 +272,16 @@ export class FloorPicture {
       ctx.beginPath();
       ctx.arc(px, py, 3, 0, 2 * Math.PI);
       ctx.fill();
+    }
+  }
+
+  drawPut(t) {
+    this.ctx.fillStyle = '#8a4b08';
+    for (const { x, y, radius, from, to } of this.run.put ?? []) {
+      if (t < from || t >= to) continue;
+      this.ctx.beginPath();
+      this.ctx.arc(x, y, radius, 0, 2 * Math.PI);
+      this.ctx.fill();
     }
   }
 

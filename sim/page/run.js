@@ -116,12 +116,25 @@ export function runOf({ header, streams }) {
   run.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 
   addSerial(run, streams.get('serial'));
+  run.put = putBy(header.notes);
   run.hand = handOf(run.t, header.notes);
   for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
   addLineEvents(run);
   run.addEvent(result.time_s, 'end', `${result.verdict}: ${result.why}`);
   run.sortEvents();
   return run;
+}
+
+/** What a script has put in the way: { x, y, radius, from, to }. */
+function putBy(notes) {
+  const all = [];
+  for (const { verb, argument, disc, t_ns } of notes) {
+    if (verb !== 'obstacle' && verb !== 'clear') continue;
+    const t = t_ns / 1e9;
+    for (const one of all) if (one.cell === argument) one.to = Math.min(one.to, t);
+    if (verb === 'obstacle' && disc) all.push({ x: disc[0], y: disc[1], radius: disc[2], cell: argument, from: t, to: Infinity });
+  }
+  return all;
 }
 
 /** For each sample, whether a script's hand moved the robot to there. */

@@ -233,12 +233,15 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
   carry_out_before(std::numeric_limits<std::uint64_t>::max());
 }
 
-void ScenarioPlayer::put_obstacle(const Action& action) {
+wire::ScriptActed ScenarioPlayer::put_obstacle(const Action& action) {
   clear_obstacle(action.text);
   const grid::CellAt cell = parse_cell(stage_.map, action.text);
   const Vec2 at =
       grid::is_line(stage_.map.at(cell)) ? stage_.stripes.point_of(cell) : stage_.map.centre(cell);
   state_.obstacles.push_back({cell, stage_.world.add_obstacle(at, action.radius)});
+  wire::ScriptActed event = acted("obstacle", action);
+  event.disc_mm = {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius};
+  return event;
 }
 
 void ScenarioPlayer::clear_obstacle(const std::string& text) {
@@ -330,8 +333,7 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
       stage_.body.tilt(state_.tilt->at(t));
       return acted("tilt", action);
     case Action::Verb::obstacle:
-      put_obstacle(action);
-      return acted("obstacle", action);
+      return put_obstacle(action);
     case Action::Verb::clear:
       clear_obstacle(action.text);
       return acted("clear", action);

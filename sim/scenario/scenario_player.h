@@ -118,7 +118,7 @@ class ScenarioPlayer {
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
-  void put_obstacle(const Action& action);
+  wire::ScriptActed put_obstacle(const Action& action);
   void clear_obstacle(const std::string& cell);
   /// Throws InputError, with the step's place. Gives its fault, if it is one.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;

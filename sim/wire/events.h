@@ -2,6 +2,7 @@
 // place where they become sentences, so a sketch that prints "collision" is not one.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -54,8 +55,9 @@ struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
   std::string
       verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle, clear
-  std::string part;  ///< press, release, cover, and send to a part; else empty
-  std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
+  std::string part;                 ///< press, release, cover, and send to a part; else empty
+  std::string text;                 ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
+  std::array<double, 3> disc_mm{};  ///< obstacle: its centre, and its radius
 };
 
 template <class V>
@@ -63,6 +65,8 @@ void fields(V& v, Same<V, ScriptActed>& e) {
   v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
   v("part", e.part, "`script_acted`: of press, release, cover, and send to a part; else empty");
   v("argument", e.text, "`script_acted`: of send, place, obstacle and clear; else empty");
+  v("disc", e.disc_mm, "`script_acted`: of obstacle: x and y of its centre, and its radius",
+    {.unit = "mm", .presence = when(e.disc_mm[2] > 0.0)});
 }
 
 /// The script broke something.

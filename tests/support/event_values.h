@@ -1,6 +1,8 @@
 // The values of an event, for tests that do not depend on its sentence.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -29,6 +31,12 @@ class ValueWriter {
     std::string all;
     for (const std::string& value : values) all += (all.empty() ? "" : ",") + value;
     return all;
+  }
+  /// In whole numbers; all 0 is empty.
+  static std::string shown_as(const std::array<double, 3>& values) {
+    std::string all;
+    for (const double value : values) all += (all.empty() ? "" : ",") + std::to_string(std::lround(value));
+    return all == "0,0,0" ? "" : all;
   }
   template <class T>
   static std::string shown_as(const std::optional<T>& value) {

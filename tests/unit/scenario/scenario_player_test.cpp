@@ -153,7 +153,8 @@ TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
   EXPECT_EQ(outcome.metrics.collisions, 1);
   EXPECT_LT(seen.at(1.9).speed, 0.02);
   EXPECT_GT(seen.at(2.5).speed, 0.1);
-  EXPECT_THAT(seen.happenings, Contains("1 script_acted verb=obstacle argument=" + cell));
+  EXPECT_THAT(seen.happenings,
+              Contains("1 script_acted verb=obstacle argument=" + cell + " disc=1350,250,33"));
   EXPECT_THAT(seen.happenings, Contains("2001 script_acted verb=clear argument=" + cell));
   seen = {};
   play("at 0s obstacle " + cell + "\nat 1s clear " + cell + "\n", 2.0);
@@ -209,10 +210,10 @@ TEST_F(Scripts, DoWhatIsDueAtOneTimeInTheirOwnOrderWhateverItWaitedFor) {
 
 TEST_F(Scripts, EndWhatIsOverAtOneTimeInTheOrderInWhichItBegan) {
   play("at 1ms obstacle 1,0 for 8900us\nat 2ms obstacle 0,0 for 7500us\n", 0.02);
-  EXPECT_THAT(
-      seen.happenings,
-      ElementsAre("2 script_acted verb=obstacle argument=1,0", "3 script_acted verb=obstacle argument=0,0",
-                  "11 script_acted verb=clear argument=1,0", "11 script_acted verb=clear argument=0,0"));
+  EXPECT_THAT(seen.happenings, ElementsAre("2 script_acted verb=obstacle argument=1,0 disc=150,1650,33",
+                                           "3 script_acted verb=obstacle argument=0,0 disc=50,1650,33",
+                                           "11 script_acted verb=clear argument=1,0",
+                                           "11 script_acted verb=clear argument=0,0"));
 }
 
 std::string repeated(const std::string& line, std::size_t times) {
