@@ -3,70 +3,24 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/judge/goal.h"
-#include "sim/world/world.h"
+#include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
 namespace {
 
 using ::testing::HasSubstr;
 
-struct Pushed {
-  explicit Pushed(const std::string& text)
-      : map(grid::parse_map(text, "course.map")),
-        start(grid::default_start(map)),
-        network(grid::trace_network(map, start)),
-        stripes(map, map.cell_m),
-        world(map),
-        body(world.body(world.add_body(params(), stripes.pose_of(start)))),
-        progress(default_goal(map, network), map, stripes, network, start) {}
-
-  static world::BodyParams params() {
-    world::BodyParams p = world::default_body_params();
-    p.outline.clear();
-    p.radius_m = 0.060;
-    p.centre = {};
-    return p;
-  }
-  // 1 m/s.
-  void push(Vec2 to) {
-    const Vec2 from = body.pose().position;
-    const double way = length(to - from);
-    for (double gone = 0.001; gone <= way; gone += 0.001) put(from + (to - from) * (gone / way));
-  }
+struct Pushed : HandMoved {
+  using HandMoved::HandMoved;
   // Along the first path.
   void follow(double from, double to) {
     for (double along = from; along <= to; along += 0.001) put(map.course.paths[0].at(along, false).position);
   }
-  void put(Vec2 at) {
-    body.place({at, {1.0, 0.0}});
-    look();
-  }
-  void wait(SimTime duration) {
-    for (const SimTime end = now + duration; now < end;) look();
-  }
-  void look() { progress.update(body, now += kTick, events); }
-  wire::Metrics score() const {
-    wire::Metrics metrics;
-    progress.score(metrics);
-    return metrics;
-  }
-  std::string summary() const { return progress.summary(); }
   int lacks() const {
     for (const wire::ScorePart& part : score().score_parts)
       if (part.part == "lack of progress") return part.count;
     return 0;
   }
-
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
-  grid::Stripes stripes;
-  world::World world;
-  world::Body& body;
-  Progress progress;
-  SimTime now = 0;
-  Events events;
 };
 
 constexpr const char* kStrip = R"(+++

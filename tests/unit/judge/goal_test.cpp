@@ -6,50 +6,23 @@
 #include <cmath>
 
 #include "sim/base/error.h"
-#include "sim/world/body.h"
-#include "sim/world/world.h"
+#include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
 namespace {
 
-// A robot of 60 mm radius that is put by hand from place to place.
-struct Course {
-  explicit Course(const char* text, const char* goal)
-      : map(grid::parse_map(text, "test.map")),
-        start(grid::default_start(map)),
-        network(grid::trace_network(map, start)),
-        stripes(map, map.cell_m),
-        world(map),
-        body(world.body(world.add_body(params(), {map.centre(start.cell), grid::heading(start.facing)}))),
-        progress(goal ? parse_goal(goal) : default_goal(map, network), map, stripes, network, start) {}
-
-  static world::BodyParams params() {
-    world::BodyParams p = world::default_body_params();
-    p.outline.clear();
-    p.radius_m = 0.060;
-    p.centre = {};
-    return p;
-  }
+struct Course : HandMoved {
+  explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
+  // Each says whether the goal is reached.
   bool visit(int x, int y) {
-    body.place({map.centre({x, y}), {1.0, 0.0}});
-    for (int i = 0; i < 10; ++i) progress.update(body, now += kTick, events);
+    put(map.centre({x, y}));
+    for (int i = 0; i < 9; ++i) look();
     return progress.reached();
   }
   bool wait(SimTime duration) {
-    for (const SimTime end = now + duration; now < end && !progress.reached();)
-      progress.update(body, now += kTick, events);
+    for (const SimTime end = now + duration; now < end && !progress.reached();) look();
     return progress.reached();
   }
-
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
-  grid::Stripes stripes;
-  world::World world;
-  world::Body& body;
-  Progress progress;
-  SimTime now = 0;
-  Events events;
 };
 
 constexpr const char* kFork =

@@ -2,8 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/judge/goal.h"
-#include "sim/world/world.h"
+#include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
 namespace {
@@ -22,50 +21,11 @@ _S11111111G__
 _____________
 )";
 
-// A robot of 60 mm radius that is pushed along the line, 0.5 m/s, and put from place to place.
-struct Maze {
-  explicit Maze(const std::string& text = kMaze)
-      : map(grid::parse_map(text, "maze.map")),
-        start(grid::default_start(map)),
-        network(grid::trace_network(map, start)),
-        stripes(map, map.cell_m),
-        world(map),
-        body(world.body(world.add_body(params(), {map.centre(start.cell), {1.0, 0.0}}))),
-        progress(default_goal(map, network), map, stripes, network, start) {}
-
-  static world::BodyParams params() {
-    world::BodyParams p = world::default_body_params();
-    p.outline.clear();
-    p.radius_m = 0.060;
-    p.centre = {};
-    return p;
-  }
-  void put(double x) {
-    body.place({{x, 0.15}, {1.0, 0.0}});
-    look();
-  }
-  void push(double to) {
-    for (double x = body.pose().position.x; x < to; x += 5e-4) put(x);
-  }
-  void wait(SimTime duration) {
-    for (const SimTime end = now + duration; now < end;) look();
-  }
-  void look() { progress.update(body, now += kTick, events); }
-  wire::Metrics score() const {
-    wire::Metrics metrics;
-    progress.score(metrics);
-    return metrics;
-  }
-
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
-  grid::Stripes stripes;
-  world::World world;
-  world::Body& body;
-  Progress progress;
-  SimTime now = 0;
-  Events events;
+struct Maze : HandMoved {
+  explicit Maze(const std::string& text = kMaze) : HandMoved(text) {}
+  void put(double x) { HandMoved::put({x, 0.15}); }
+  // 0.5 m/s along the line.
+  void push(double to) { HandMoved::push({to, 0.15}, 5e-4); }
 };
 
 TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {

@@ -1,0 +1,62 @@
+// A robot of 60 mm radius that a hand moves over a map, and what its goal makes of it.
+#pragma once
+
+#include <string>
+
+#include "sim/judge/goal.h"
+#include "sim/world/body.h"
+#include "sim/world/world.h"
+
+namespace robosim::judge {
+
+struct HandMoved {
+  /// It stands at the map's default start. `goal`: "" = the map's.
+  explicit HandMoved(const std::string& text, const std::string& goal = "")
+      : map(grid::parse_map(text, "test.map")),
+        start(grid::default_start(map)),
+        network(grid::trace_network(map, start)),
+        stripes(map, map.cell_m),
+        world(map),
+        body(world.body(world.add_body(params(), stripes.pose_of(start)))),
+        progress(goal.empty() ? default_goal(map, network) : parse_goal(goal), map, stripes, network, start) {}
+
+  static world::BodyParams params() {
+    world::BodyParams p = world::default_body_params();
+    p.outline.clear();
+    p.radius_m = 0.060;
+    p.centre = {};
+    return p;
+  }
+  void put(Vec2 at) {
+    body.place({at, {1.0, 0.0}});
+    look();
+  }
+  /// Straight, `step_m` a tick of 1 ms.
+  void push(Vec2 to, double step_m = 0.001) {
+    const Vec2 from = body.pose().position;
+    const double way = length(to - from);
+    for (double gone = step_m; gone <= way; gone += step_m) put(from + (to - from) * (gone / way));
+  }
+  void wait(SimTime duration) {
+    for (const SimTime end = now + duration; now < end;) look();
+  }
+  void look() { progress.update(body, now += kTick, events); }
+  wire::Metrics score() const {
+    wire::Metrics metrics;
+    progress.score(metrics);
+    return metrics;
+  }
+  std::string summary() const { return progress.summary(); }
+
+  grid::Map map;
+  grid::Start start;
+  grid::Network network;
+  grid::Stripes stripes;
+  world::World world;
+  world::Body& body;
+  Progress progress;
+  SimTime now = 0;
+  Events events;
+};
+
+}  // namespace robosim::judge
