@@ -58,8 +58,7 @@ Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
   wanted.seed = static_cast<std::uint64_t>(number(json, "seed", 1.0, 0.0, 9e15));
   wanted.for_s = number(json, "for_s", wanted.for_s, 0.001, kLongestRun_s);
   wanted.goal = text(json, "goal", "", kLongestGoal);
-  if (wanted.goal.starts_with("-"))
-    throw InputError("goal must be tour, laps:N, station:N, robotrace, still or none");
+  if (wanted.goal.starts_with("-")) throw InputError("goal must be the name of a goal, such as laps:3");
   wanted.script = text(json, "script", "", kLongestScript);
   return wanted;
 }

@@ -33,7 +33,7 @@ class Workshop {
  public:
   static constexpr int kAtOnce = 2;            ///< runs
   static constexpr std::size_t kKept = 8;      ///< pages of runs
-  static constexpr double kLongest_s = 120.0;  ///< of wall time, compiling included
+  static constexpr double kLongest_s = 600.0;  ///< of wall time, compiling included
 
   /// `robosim`: the program. Pages are kept in a temporary folder until this ends.
   Workshop(std::filesystem::path robosim, std::filesystem::path folder);

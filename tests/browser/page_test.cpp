@@ -262,7 +262,6 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
 // People look at these: a wide screen and a phone's, light and dark.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
-  std::filesystem::create_directories(pictures);
   for (const char* tab : {"plots", "pins", "serial", "events"}) {
     for (const auto& [theme, width] : {std::pair{"light", 1400}, std::pair{"dark", 500}}) {
       const auto picture = pictures / (std::string(tab) + "-" + theme + "-" + std::to_string(width) + ".png");

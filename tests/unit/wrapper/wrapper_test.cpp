@@ -50,13 +50,14 @@ class Wrapper : public testing::Test {
     tool("cmake", R"(
       case $1 in
         --version) echo 'cmake version 3.25.1' ;;
-        --preset) mkdir -p build/$2; printf 'build robosim-%s: phony\n' avr stm32 >build/$2/build.ninja
+        --preset) mkdir -p build/$2; printf 'build robosim-%s: phony\n' avr stm32 serve >build/$2/build.ninja
                   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
                   echo 'ROBOSIM_TESTS:BOOL='${3#*=} >>build/$2/CMakeCache.txt ;;
         --build) echo compiling
                  printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim
                  case "$*" in *robosim-avr*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-avr ;; esac
-                 case "$*" in *robosim-stm32*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-stm32 ;; esac ;;
+                 case "$*" in *robosim-stm32*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-stm32 ;; esac
+                 case "$*" in *robosim-serve*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-serve ;; esac ;;
       esac)");
     write_file(folder_ / "have", "scarce\n");
   }
@@ -148,6 +149,30 @@ TEST_F(Wrapper, BuildsTheChipsRunnerOnceItIsWantedAndKeepsItUpToDate) {
   fs::last_write_time(checkout() / "sim/new.cpp", fs::file_time_type::clock::now() + std::chrono::hours(1));
   run("../checkout/robosim");
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
+TEST_F(Wrapper, BuildsTheServerOnceItIsWantedAndKeepsItUpToDate) {
+  run("../checkout/robosim");
+  EXPECT_THAT(calls(), Not(HasSubstr("robosim-serve")));
+  run("../checkout/robosim serve");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-serve\n"));
+  run("../checkout/robosim serve");
+  EXPECT_EQ(calls(), "");
+  write_file(checkout() / "sim/new.cpp", "");
+  fs::last_write_time(checkout() / "sim/new.cpp", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  run("../checkout/robosim");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-serve\n"));
+}
+
+TEST_F(Wrapper, TellsTheCommandWhereItIsForAServersRuns) {
+  tool("cmake", R"(
+      case $1 in
+        --version) echo 'cmake version 3.25.1' ;;
+        --preset) mkdir -p build/$2; echo >build/$2/build.ninja
+                  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt ;;
+        --build) printf '#!/bin/sh\nprintf "$ROBOSIM_WRAPPER"\n' >$2/robosim; chmod +x $2/robosim ;;
+      esac)");
+  EXPECT_EQ(run("../checkout/robosim run X").out, (checkout() / "robosim").string());
 }
 
 TEST_F(Wrapper, BuildsTheChipsRunnerForAFinishedProgramToo) {
