@@ -20,7 +20,7 @@ std::string to_string(const Place& place);
 /// The process's exit statuses, the same for every command.
 enum class ExitStatus : int {
   ok = 0,            ///< goal reached, or the check holds
-  failed = 1,        ///< lost, stuck, hung, ended, crashed, over_budget, or a difference found
+  failed = 1,        ///< lost, stuck, toppled, hung, ended, crashed, over_budget, or a difference found
   bad_input = 2,     ///< usage, bad file, sketch does not compile
   internal = 3,      ///< an internal error of Robosim
   timeout = 4,       ///< simulated time is up

@@ -44,7 +44,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
 SKETCH is a folder, an .ino file or the name of a sketch of ours; without it, the current folder. A name with / or . in
 it is a path.
 
-Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, hung, ended, crashed, or a difference · 2 usage, a bad file, or
+Exit status: 0 the goal was reached, or the check holds · 1 lost, stuck, toppled, hung, ended, crashed, or a difference · 2 usage, a bad file, or
 a sketch that does not compile · 3 a fault of Robosim's own · 4 time was up · 5 a tool is missing · 130 Ctrl-C
 )";
 

@@ -277,7 +277,7 @@ class RescueReader {
   // Across the way, on this side of a tile's edge.
   void strip(Vec2 at, char side, grid::Hue hue, double across) {
     const Vec2 out{(side == 'R') - 1.0 * (side == 'L'), (side == 'T') - 1.0 * (side == 'B')};
-    areas_.push_back({{hue}, {at - out * (0.5 * kGreen), out}, 0.5 * kGreen, 0.5 * across});
+    areas_.push_back({{{at - out * (0.5 * kGreen), out}, 0.5 * kGreen, 0.5 * across}, {hue}});
   }
 
   // Lines that the route does not take, and green squares.
@@ -296,10 +296,8 @@ class RescueReader {
     for (const char green : tile.greens) {
       const double x = green == 'b' || green == 'd' ? 1.0 : -1.0,
                    y = green == 'c' || green == 'd' ? 1.0 : -1.0;
-      areas_.push_back({{grid::Hue::green},
-                        {world(tile, {50.0 + x * away, 50.0 + y * away}), {1.0, 0.0}},
-                        0.5 * kGreen,
-                        0.5 * kGreen});
+      const Pose middle{world(tile, {50.0 + x * away, 50.0 + y * away}), {1.0, 0.0}};
+      areas_.push_back({{middle, 0.5 * kGreen, 0.5 * kGreen}, {grid::Hue::green}});
     }
   }
 

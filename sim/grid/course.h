@@ -1,12 +1,13 @@
 // What a map has besides its cells: paths, marks beside them, and painted areas.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "sim/grid/colour.h"
+#include "sim/grid/patch.h"
 #include "sim/grid/path.h"
+#include "sim/grid/relief.h"
 
 namespace robosim::grid {
 
@@ -29,24 +30,9 @@ inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, 
 }
 
 /// A painted rectangle or disc.
-struct Area {
+struct Area : Patch {
   Colour colour;
-  Pose middle;               ///< m; the heading is that of a rectangle's length
-  double half_length = 0.0;  ///< m, of a rectangle
-  double half_width = 0.0;   ///< m, of a rectangle
-  double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
-  bool over_lines = false;   ///< painted over lines and marks; else they are painted over it
-  Place place;               ///< where the map's file has it
-
-  /// From its middle to its farthest point, m.
-  double reach() const {
-    return radius > 0.0 ? radius : std::sqrt(half_length * half_length + half_width * half_width);
-  }
-  bool contains(Vec2 p) const {
-    const Vec2 own = middle.to_body(p);
-    if (radius > 0.0) return dot(own, own) <= radius * radius;
-    return std::fabs(own.x) <= half_length && std::fabs(own.y) <= half_width;
-  }
+  bool over_lines = false;  ///< painted over lines and marks; else they are painted over it
 };
 
 /// Start and goal line of a path, m along it; a race goes from the one on to the other. The path is closed
@@ -74,6 +60,8 @@ struct Course {
   std::optional<RescueCourse> rescue;
   std::vector<Mark> marks;
   std::vector<Area> areas;  ///< in the order in which they are painted
+  std::vector<Hill> hills;
+  std::vector<Surface> surfaces;  ///< of which overlap, the last one counts
   /// Whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }
 };

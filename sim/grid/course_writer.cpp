@@ -49,19 +49,10 @@ std::string rescue_text(const RescueCourse& rescue) {
 }
 
 std::string area_text(const Area& area) {
-  const Vec2 at = area.middle.position;
-  std::string text =
-      fmt::format("[[area]]\ncolour = \"{}{}\"\nat = [\"{}\", \"{}\"]\n", area.colour.figures().name,
-                  area.colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * area.colour.black) : "",
-                  length_text(at.x), length_text(at.y));
-  if (area.radius > 0.0) {
-    text += fmt::format("radius = \"{}\"\n", length_text(area.radius));
-  } else {
-    text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(2.0 * area.half_length),
-                        length_text(2.0 * area.half_width));
-    if (const double angle = angle_of(area.middle.heading); angle != 0.0)
-      text += fmt::format("angle = \"{}\"\n", angle_text(angle));
-  }
+  const std::string text =
+      fmt::format("[[area]]\ncolour = \"{}{}\"\n", area.colour.figures().name,
+                  area.colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * area.colour.black) : "") +
+      patch_text(area);
   return area.over_lines ? text + "over_lines = true\n" : text;
 }
 
@@ -70,6 +61,17 @@ std::string area_text(const Area& area) {
 std::string length_text(double m) {
   const std::string mm = fmt::format("{} mm", std::round(m * 1e6) / 1e3);
   return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
+}
+
+std::string patch_text(const Patch& patch) {
+  const Vec2 at = patch.middle.position;
+  const std::string text = fmt::format("at = [\"{}\", \"{}\"]\n", length_text(at.x), length_text(at.y));
+  if (patch.radius > 0.0) return text + fmt::format("radius = \"{}\"\n", length_text(patch.radius));
+  const double angle = angle_of(patch.middle.heading);
+  return text +
+         fmt::format("size = [\"{}\", \"{}\"]\n", length_text(2.0 * patch.half_length),
+                     length_text(2.0 * patch.half_width)) +
+         (angle != 0.0 ? fmt::format("angle = \"{}\"\n", angle_text(angle)) : "");
 }
 
 std::string course_text(const Course& course) {
@@ -93,7 +95,7 @@ std::string course_text(const Course& course) {
                         length_text(2.0 * mark.half_width));
   }
   for (const Area& area : course.areas) text += area_text(area);
-  return text;
+  return text + relief_text(course);
 }
 
 }  // namespace robosim::grid

@@ -209,6 +209,8 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
   if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
   if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.course);
+  if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course);
+  if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* rescue = table.find("rescue")) read_rescue(*rescue, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);

@@ -291,16 +291,8 @@ void MapParser::check_course() const {
   if (map_.raster && !map_.course.empty())
     throw InputError({map_.file}, "floor = \"raster\" paints cells, and this map has paths");
   if (map_.image) check_picture(map_, front_.picture_place);
+  check_patches(map_);
   const double wide = map_.width * map_.cell_m, high = map_.height * map_.cell_m;
-  for (const Area& area : map_.course.areas) {
-    const Vec2 p = area.middle.position;
-    if (p.x < 0.0 || p.y < 0.0 || p.x > wide || p.y > high)
-      throw InputError(
-          area.place,
-          fmt::format("the middle of this area, {:.0f} mm, {:.0f} mm, is beside the floor, which is "
-                      "{:.10g} x {:.10g} mm",
-                      1e3 * p.x, 1e3 * p.y, 1e3 * wide, 1e3 * high));
-  }
   for (const Path& path : map_.course.paths)
     for (std::size_t i = 0; i < path.pieces().size(); ++i) {
       const PathPiece& piece = path.pieces()[i];

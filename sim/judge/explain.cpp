@@ -194,6 +194,10 @@ std::string sentence(const Evidence& e) {
           left.empty() ? "" : left + ", and ",
           e.in_contact ? "; it pushes against a wall or the map's edge" : "", done);
     }
+    case Verdict::toppled:
+      return fmt::format("The robot {} near {} ({}).",
+                         e.toppled == world::Toppled::off_an_edge ? "fell off an edge" : "tipped over",
+                         cell_of(*e.map, e.at), done);
     case Verdict::hung:
       if (!e.activity.stopped_by.empty())
         return fmt::format("The sketch stopped itself by {}{} while the motors were running ({}).",

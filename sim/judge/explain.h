@@ -12,6 +12,7 @@
 #include "sim/judge/outcome.h"
 #include "sim/judge/script_fault.h"
 #include "sim/robot/robot.h"
+#include "sim/world/body.h"
 
 namespace robosim::judge {
 
@@ -42,6 +43,8 @@ struct Evidence {
   double line_side = 0.0;  ///< where the line was when it was last seen to a side: left of the middle, m
   double steered = 0.0;    ///< then: the mean difference of the commands, towards the line; below 0: away
   bool moved = false;      ///< a wheel turned
+  world::Toppled toppled = world::Toppled::no;
+  Vec2 at;                          ///< where it is
   std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
 };
 

@@ -16,6 +16,8 @@ const char* to_string(Verdict verdict) {
       return "lost";
     case Verdict::stuck:
       return "stuck";
+    case Verdict::toppled:
+      return "toppled";
     case Verdict::hung:
       return "hung";
     case Verdict::ended:
@@ -75,6 +77,7 @@ bool Judge::stuck(const Situation& now) {
 std::optional<Verdict> Judge::look(const Situation& now) {
   const bool is_lost = lost(now);
   const bool is_stuck = stuck(now);
+  if (now.toppled) return Verdict::toppled;
   if (is_lost) return Verdict::lost;
   if (now.powered && now.hangs && now.t - now.last_call >= kSilentAfter)
     return now.driven ? Verdict::hung : Verdict::ended;

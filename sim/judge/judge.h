@@ -24,6 +24,7 @@ struct Situation {
   bool sees_line = false;       ///< any reflectance sensor's footprint on a line
   bool driven = false;          ///< a motor is commanded
   bool lifted = false;          ///< picked up: neither lost nor stuck
+  bool toppled = false;         ///< it lies on its side
   bool powered = true;
   SimTime last_call = 0;  ///< the firmware's last API call
   bool hangs = false;     ///< it will never call again (Executor::hangs)
@@ -34,8 +35,8 @@ class Judge {
   /// `senses`: whether the robot has reflectance sensors; without any it cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
-  /// lost, stuck, hung or ended; nothing while all is well. A sketch that is silent, and may yet go on, is
-  /// well.
+  /// toppled, lost, stuck, hung or ended; nothing while all is well. A sketch that is silent, and may yet go
+  /// on, is well.
   std::optional<Verdict> look(const Situation& now);
 
   /// When a sensor last saw the line, and where the robot was; nothing where none has seen one yet.

@@ -19,6 +19,7 @@ enum class Verdict {
   reached,      ///< the goal was reached
   lost,         ///< the wheels have turned 1 m with no sensor over a line
   stuck,        ///< motors driven for 3 s, neither moved 1 mm nor turned 1 degree
+  toppled,      ///< it tipped over, or fell off an edge
   hung,         ///< no API call for 2 s, motors driven
   ended,        ///< no API call for 2 s, motors off: it parked itself
   crashed,      ///< the firmware cannot go on

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/robot/describe.h"
 #include "sim/robot/part_context.h"
 
@@ -20,6 +22,18 @@ double plate_inertia(const Chassis& chassis) {
     moment += c * (dot(a, a) + dot(a, b) + dot(b, b));
   }
   return moment / (6.0 * area2);
+}
+
+// Three quarters of the way to its rear, or where nothing is behind the axle to its front.
+double usual_caster(const Chassis& chassis) {
+  double rear = chassis.circle_centre.x - chassis.circle_radius,
+         front = chassis.circle_centre.x + chassis.circle_radius;
+  for (const Vec2 corner : chassis.polygon) {
+    rear = std::min(rear, corner.x);
+    front = std::max(front, corner.x);
+  }
+  constexpr double kShare = 0.75, kLeast = 0.01;
+  return -rear > kLeast ? kShare * rear : kShare * std::max(front, kLeast);
 }
 
 }  // namespace
@@ -61,6 +75,9 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   params.rolling_resistance = chassis(c.rolling, "rolling");
   params.grip = chassis(c.grip, "grip");
   params.wall_friction = chassis(c.wall_friction, "wall_friction");
+  params.caster_m = c.caster.value != 0.0 ? chassis(c.caster, "caster") : usual_caster(c);
+  params.caster_radius_m = chassis(c.caster_radius, "caster_radius");
+  params.centre_height_m = chassis(c.height, "height");
   params.outline = c.polygon;
   params.radius_m = c.circle_radius;
   params.centre = c.circle_centre;

@@ -82,6 +82,15 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.grip = read_figure(reader, "grip", Dimension::ratio, {0.8, 0.0}, 0.05, 3.0);
   chassis.rolling = read_figure(reader, "rolling", Dimension::ratio, {0.02, 0.0}, 0.0, 0.5);
   chassis.wall_friction = read_figure(reader, "wall_friction", Dimension::ratio, {0.3, 0.0}, 0.0, 2.0);
+  chassis.caster = read_figure(reader, "caster", Dimension::length, {}, -0.3, 0.3);
+  if (const ConfigValue* const caster = reader.find("caster");
+      caster && std::abs(chassis.caster.value) < 0.005)
+    throw InputError(
+        caster->place,
+        "caster is where the caster stands, ahead of the axle, or behind it where it is below 0: at "
+        "least 5 mm from it");
+  chassis.caster_radius = read_figure(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
+  chassis.height = read_figure(reader, "height", Dimension::length, {}, 0.0, 0.3);
   read_outline(reader, chassis);
   reader.finish();
   return chassis;

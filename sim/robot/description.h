@@ -36,6 +36,9 @@ struct Chassis {
   Number grip;                ///< coefficient of friction between tyre and floor
   Number rolling;             ///< force / weight of tyres and caster
   Number wall_friction;       ///< coefficient of friction between outline and wall
+  Number caster;              ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
+  Number caster_radius;       ///< m
+  Number height;              ///< m, of the mass's centre; 0 = loads do not shift
   Vec2 circle_centre;         ///< m; the outline, if it is a circle
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
   std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex

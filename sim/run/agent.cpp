@@ -237,12 +237,14 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                        state_.sees_line,
                        robot_.driven(),
                        body_.in_hand(),
+                       body_.toppled() != world::Toppled::no,
                        player_.powered(),
                        player_.powered() ? executor_.last_call() : end};
   now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();
   std::optional<judge::Verdict> verdict = judge_.look(now);
-  const bool lost_or_stuck = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck;
-  if (lost_or_stuck && progress_.contest().give_up(state_.happened)) verdict.reset();
+  const bool needs_hand = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck ||
+                          verdict == judge::Verdict::toppled;
+  if (needs_hand && progress_.contest().give_up(state_.happened)) verdict.reset();
   if (const auto where = progress_.contest().take_hand()) put(*where);
   if (!state_.happened.empty()) tell_events(end);
   if (!verdict && progress_.contest().over(end)) return judge::Verdict::timeout;
@@ -283,6 +285,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.was_output = state_.was_output;
   e.was_pulled_up = state_.was_pulled_up;
   e.in_contact = body_.in_contact();
+  e.toppled = body_.toppled();
+  e.at = body_.pose().position;
   e.left_command = robot_.left_command();
   e.right_command = robot_.right_command();
   for (const robot::WiredPin& wired : e.wiring) {

@@ -22,8 +22,8 @@ namespace {
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 bool is_failure(const std::string& verdict) {
-  return verdict == "lost" || verdict == "stuck" || verdict == "hung" || verdict == "crashed" ||
-         verdict == "over_budget";
+  return verdict == "lost" || verdict == "stuck" || verdict == "toppled" || verdict == "hung" ||
+         verdict == "crashed" || verdict == "over_budget";
 }
 
 /// Up to the next whole tick.

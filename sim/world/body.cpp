@@ -114,7 +114,7 @@ void Body::solve_friction(double* speed, const double* impulse, const double* fr
 
 // At least one tyre slips, or nearly: ground and tread have speeds of their own, joined by traction of at
 // most `limit`. Wheel by wheel, the other's traction given, until nothing changes.
-void Body::solve_slip(const Motor* m, const double* friction, double limit) {
+void Body::solve_slip(const Motor* m, const double* friction, const double* limit) {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   const double turning = half_track_ * half_track_ * per_inertia_;
   const double give_own = per_mass_ + turning, give_cross = per_mass_ - turning;
@@ -129,9 +129,9 @@ void Body::solve_slip(const Motor* m, const double* friction, double limit) {
       const double own = unit_[i].inertia + m[i].drag;
       double y = after_friction(impulse + base / give_own, friction[i]) / (own + 1.0 / give_own);
       double t = (y - base) / give_own;
-      if (std::fabs(t) > limit) {
+      if (std::fabs(t) > limit[i]) {
         slips = true;
-        t = t > 0.0 ? limit : -limit;
+        t = t > 0.0 ? limit[i] : -limit[i];
         y = after_friction(impulse - t, friction[i]) / own;
       }
       traction[i] = t;
@@ -153,14 +153,16 @@ void Body::accelerate() {
 
   // Sideways: the tyres take what the turn of the frame leaves, up to their grip.
   const double sideways = -side_free_ * params_.mass_kg;
-  double limit = grip_limit_;
+  double limit[2] = {grip_limit_[0], grip_limit_[1]};
   bool skids = false;
-  if (std::fabs(sideways) <= 2.0 * kSkidShare * grip_limit_) {
+  if (std::fabs(sideways) <= kSkidShare * (limit[0] + limit[1])) {
     u_ = 0.0;
   } else {
     skids = true;
-    limit = kSkidShare * grip_limit_;
-    u_ = bounded(side_free_ + (sideways > 0.0 ? 2.0 : -2.0) * limit * per_mass_, kMaxSpeed);
+    limit[0] *= kSkidShare;
+    limit[1] *= kSkidShare;
+    const double most = (limit[0] + limit[1]) * per_mass_;
+    u_ = bounded(side_free_ + (sideways > 0.0 ? most : -most), kMaxSpeed);
     v_ = along_free_;
   }
 
@@ -181,15 +183,20 @@ void Body::accelerate() {
 
   const double traction0 = mass_own_ * y[0] + mass_cross_ * y[1] - momentum0;
   const double traction1 = mass_cross_ * y[0] + mass_own_ * y[1] - momentum1;
-  const double most = skids ? limit * limit : limit * limit - 0.25 * sideways * sideways;
-  if (traction0 * traction0 <= most && traction1 * traction1 <= most) {
+  double most[2];
+  for (int i = 0; i < 2; ++i) {
+    const double side = side_share_[i] * sideways;
+    most[i] = skids ? limit[i] * limit[i] : limit[i] * limit[i] - side * side;
+  }
+  if (traction0 * traction0 <= most[0] && traction1 * traction1 <= most[1]) {
     slips_ = skids;
     surface_[0] = bounded(y[0], kMaxSpeed);
     surface_[1] = bounded(y[1], kMaxSpeed);
     v_ = 0.5 * (surface_[0] + surface_[1]);
     omega_ = bounded((surface_[1] - surface_[0]) * per_track_, kMaxTurn);
   } else {
-    solve_slip(m, friction, std::sqrt(std::max(most, 0.0)));
+    const double left_over[2] = {std::sqrt(std::max(most[0], 0.0)), std::sqrt(std::max(most[1], 0.0))};
+    solve_slip(m, friction, left_over);
     slips_ |= skids;
   }
 }
@@ -208,10 +215,11 @@ void Body::spin() {
   draw_energy();
 }
 
-void Body::step(const Walls& walls) {
-  if (lifted_) return spin();
-  if (v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 &&
-      std::fabs(motor(left).push) <= unit_[left].friction[1] &&
+void Body::step(const Walls& walls, Ground* ground) {
+  if (lifted_ || stance_.toppled != Toppled::no) return spin();
+  const bool rough = ground || params_.centre_height_m > 0.0;
+  if ((!rough || stance_.eases) && v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 &&
+      surface_[1] == 0.0 && std::fabs(motor(left).push) <= unit_[left].friction[1] &&
       std::fabs(motor(right).push) <= unit_[right].friction[1]) {
     if (driven()) draw_energy();
     if (in_contact_ || !walls.discs().empty()) collide(walls);
@@ -221,6 +229,7 @@ void Body::step(const Walls& walls) {
   const double stride = walls.stride(bound_radius_);
   along_free_ = v_;
   side_free_ = u_;
+  const Pose before = rough ? pose_ : Pose{};
   if (travel <= stride) {
     free_way_ -= way_per_travel_ * travel;
     advance(kDt);
@@ -233,7 +242,7 @@ void Body::step(const Walls& walls) {
     }
     free_way_ = 0.0;
   }
-  accelerate();
+  if (!rough || stand(ground, before, travel)) accelerate();
   draw_energy();
   if (!driven() && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&
       std::fabs(surface_[0]) < kStill && std::fabs(surface_[1]) < kStill) {

@@ -25,7 +25,8 @@
 //   F^2 + S^2 <= (grip load_share m g / 2)^2, S the sideways force, halved between the wheels
 // While F stays below that limit the wheel rolls (r w = ground speed); at the limit it slips, and wheel and
 // ground speed differ. Where S alone exceeds its part, the body skids sideways. Time is implicit in the
-// velocities, so that no parameter makes a step unstable.
+// velocities, so that no parameter makes a step unstable. Hills, surfaces and loads that shift:
+// body_ground.cpp.
 #pragma once
 
 #include <cmath>
@@ -35,6 +36,7 @@
 
 namespace robosim::world {
 
+class Ground;
 class Walls;
 struct Contact;
 
@@ -79,11 +81,18 @@ struct BodyParams {
   std::vector<Vec2> outline;
   double radius_m = 0.0;  ///< m, of the circle; not used with a polygon
   Vec2 centre;            ///< m, of the circle; not used with a polygon
+  // What hills need, and loads that shift.
+  double caster_m = -0.05;         ///< m, where the caster stands, ahead of the axle; not 0
+  double caster_radius_m = 0.008;  ///< m, of the caster, a ball
+  double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
 };
 
 /// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
 /// docs/models.md.
 BodyParams default_body_params();
+
+/// How a body has come to lie on its side.
+enum class Toppled { no, over, off_an_edge };
 
 /// How a body leans, and turns as it does so, in its own frame (x ahead, y to the left).
 struct Lean {
@@ -146,9 +155,13 @@ class Body {
   void lift(bool lifted);
   /// A hand moves it over the floor: the same, but its sensors see the floor. lift() and place() end it.
   void carry(const Pose&);
-  /// Lifted, it leans. lift(), carry() and place() make it level.
+  /// Lifted, it leans. lift(), carry() and place() make it level. On hills it leans as they do.
   void tilt(const Lean&);
   const Lean& lean() const { return lean_; }
+  /// Whether it lies on its side, its wheels in the air; place() puts it on them again.
+  Toppled toppled() const { return stance_.toppled; }
+  /// m by which a place of its chassis (in its frame) is higher than on a plane floor.
+  double raised(Vec2 own) const { return stance_.axle + stance_.pitch * own.x + stance_.roll * own.y; }
   bool lifted() const { return lifted_ && !carried_; }
   bool in_hand() const { return lifted_; }  ///< lifted or carried
 
@@ -171,14 +184,38 @@ class Body {
     double push, drag;
   };
 
-  void step(const Walls&);
+  // How it stands on a floor that is not plane.
+  struct Stance {
+    bool known = false;                  // the rest is of where it is
+    double height[3] = {0.0, 0.0, 0.0};  // m: of the left wheel, the right one, the caster
+    Vec2 rise[3];                        // their gradients
+    double axle = 0.0;                   // m: of the chassis
+    bool is_at_face = false;             // that stops a wheel
+    Pose face;                           // where that was
+    double pitch = 0.0, roll = 0.0;      // sines: its front is up, its left side is up
+    bool eases = false;                  // nothing pulls at it
+    double speed = 0.0, gain = 0.0;      // m/s in the tick before, m/s2 since
+    double tip[2] = {0.0, 0.0};          // rad: the caster is up, a wheel is up
+    double tip_rate[2] = {0.0, 0.0};     // rad/s
+    Toppled toppled = Toppled::no;
+  };
+
+  // `ground`: null where it is plane, and of one kind.
+  void step(const Walls&, Ground* ground);
+  bool stand(Ground* ground, const Pose& before, double travel);
+  bool halt();
+  void find_footing(const Ground*, Vec2* at, Vec2* rises);
+  void bump(const Vec2* before, const Vec2* rises);
+  void pull(const Vec2* at, const Vec2* rises);
+  void share_load(Ground*, const Vec2* at);
+  void tip(int which, double push, double arm);
   void rub(Side);
   void spin();
   void advance(double dt);
   void accelerate();
   Motor motor(Side) const;
   void solve_friction(double* speed, const double* impulse, const double* friction, const Motor* m) const;
-  void solve_slip(const Motor* m, const double* friction, double limit);
+  void solve_slip(const Motor* m, const double* friction, const double* limit);
   void draw_energy();
   bool driven() const { return unit_[left].drive != 0.0 || unit_[right].drive != 0.0; }
   void collide(const Walls&);
@@ -198,7 +235,9 @@ class Body {
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
   double half_track_ = 0.0, per_track_ = 0.0;
-  double grip_limit_ = 0.0;  // N s of a tick, for each wheel
+  double grip_limit_[2] = {0.0, 0.0};  // N s of a tick, of each wheel
+  double side_share_[2] = {0.5, 0.5};  // of a sideways force, on each wheel
+  double rolling_[2] = {0.0, 0.0};     // N at each wheel's tread
   double per_mass_ = 0.0, per_inertia_ = 0.0;
   double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;
@@ -207,6 +246,7 @@ class Body {
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;
   Lean lean_;
+  Stance stance_;
   bool blocked_[2] = {false, false};
   bool touched_ = false, near_ = false, in_contact_ = false;
   bool near_ahead_ = false, pressed_ahead_ = false;

@@ -87,7 +87,7 @@ void Body::set_velocity(Vec2 velocity) {
 void Body::grip_after_contact() {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   for (int i = 0; i < 2; ++i) {
-    const double most = grip_limit_ / unit_[i].inertia;
+    const double most = grip_limit_[i] / unit_[i].inertia;
     const double slip = ground[i] - surface_[i];
     if (std::fabs(slip) <= most) {
       surface_[i] = ground[i];

@@ -10,7 +10,6 @@ namespace robosim::world {
 
 namespace {
 
-constexpr double kGravity = 9.80665;  // m/s2
 // N s of a tick: a friction that nothing overcomes.
 constexpr double kHeld = 1e6;
 
@@ -50,6 +49,9 @@ void check(const BodyParams& p) {
   require(not_negative(p.rolling_resistance), "rolling_resistance must not be negative");
   require(positive(p.grip), "grip must be more than 0");
   require(not_negative(p.wall_friction), "wall_friction must not be negative");
+  require(p.caster_m != 0.0 && std::isfinite(p.caster_m), "caster_m must not be 0");
+  require(positive(p.caster_radius_m), "caster_radius_m must be more than 0");
+  require(not_negative(p.centre_height_m), "centre_height_m must not be negative");
   if (p.outline.empty()) {
     require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");
     return;
@@ -102,6 +104,8 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     unit.per_radius = 1.0 / w.radius_m;
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
     unit.inertia = inertia * unit.per_radius * unit.per_radius;
+    rolling_[side] = params_.rolling_resistance * m * kGravity * 0.5;
+    grip_limit_[side] = params_.grip * params_.load_share * m * kGravity * 0.5 * kDt;
     rub(static_cast<Side>(side));
   }
   supply(params_.supply_volts);
@@ -112,7 +116,6 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
   mass_cross_ = m * 0.25 - turning;
   per_mass_ = 1.0 / m;
   per_inertia_ = 1.0 / params_.yaw_inertia_kgm2;
-  grip_limit_ = params_.grip * params_.load_share * m * kGravity * 0.5 * kDt;
   if (params_.outline.empty()) {
     bound_centre_ = params_.centre;
     bound_radius_ = params_.radius_m;
@@ -132,7 +135,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
 void Body::rub(Side side) {
   const WheelParams& w = params_.wheel[side];
   Unit& unit = unit_[side];
-  const double rolling = lifted_ ? 0.0 : params_.rolling_resistance * params_.mass_kg * kGravity * 0.5;
+  const double rolling = lifted_ ? 0.0 : rolling_[side];
   const double gear = torque_per_ampere(w) * w.no_load_current * unit.per_radius;
   unit.friction[0] = blocked_[side] ? kHeld : (gear + rolling) * kDt;
   unit.friction[1] = blocked_[side] ? kHeld : (gear * w.static_friction + rolling) * kDt;
@@ -178,6 +181,7 @@ void Body::tilt(const Lean& lean) {
 void Body::lift(bool lifted) {
   carried_ = false;
   lean_ = {};
+  stance_ = {};
   if (lifted == lifted_) return;
   lifted_ = lifted;
   v_ = u_ = omega_ = 0.0;

@@ -8,6 +8,8 @@ namespace robosim::world {
 /// A tick, s.
 constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
 
+constexpr double kGravity = 9.80665;  // m/s2
+
 // No motor reaches these limits; they keep a step finite for any parameters.
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s

@@ -2,7 +2,7 @@
 
 namespace robosim::world {
 
-World::World(const grid::Map& map) : floor_(map), lighting_(map.lights), walls_(map) {}
+World::World(const grid::Map& map) : floor_(map), ground_(map), lighting_(map.lights), walls_(map) {}
 
 std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
   bodies_.push_back(std::make_unique<Body>(params, pose));
@@ -11,7 +11,7 @@ std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
 }
 
 World::State World::save() const {
-  State state{{}, walls_.save()};
+  State state{{}, walls_.save(), ground_.save()};
   state.bodies.reserve(bodies_.size());
   for (const auto& body : bodies_) state.bodies.push_back(*body);
   return state;
@@ -20,10 +20,13 @@ World::State World::save() const {
 void World::restore(const State& saved) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) *bodies_[i] = saved.bodies[i];
   walls_.restore(saved.walls);
+  ground_.restore(saved.ground);
 }
 
 void World::step() {
-  for (const auto& body : bodies_) body->step(walls_);
+  Ground* const ground = ground_.plain() ? nullptr : &ground_;
+  for (const auto& body : bodies_) body->step(walls_, ground);
+  if (ground) ground->settle();
   if (bodies_.size() > 1) collide_bodies();
   for (const auto& body : bodies_) body->settle_contact();
 }

@@ -9,6 +9,7 @@
 #include "sim/grid/map.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
+#include "sim/world/ground.h"
 #include "sim/world/lighting.h"
 #include "sim/world/walls.h"
 
@@ -22,6 +23,8 @@ class World {
   const Floor& floor() const { return floor_; }
   /// As Floor::vary.
   void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
+  /// Null where the floor is a plane of one kind.
+  const Ground* ground() const { return ground_.plain() ? nullptr : &ground_; }
   const Lighting& lighting() const { return lighting_; }
   /// As Lighting::draw_phases.
   void draw_light_phases(const NoiseStream& noise) { lighting_.draw_phases(noise); }
@@ -46,6 +49,7 @@ class World {
   struct State {
     std::vector<Body> bodies;
     Walls::State walls;
+    Ground::State ground;
   };
   State save() const;
   /// Of this world; bodies stay where they are in memory.
@@ -58,6 +62,7 @@ class World {
   void collide_bodies();
 
   Floor floor_;
+  Ground ground_;
   Lighting lighting_;
   Walls walls_;
   std::vector<std::unique_ptr<Body>> bodies_;

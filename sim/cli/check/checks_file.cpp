@@ -47,7 +47,7 @@ constexpr Flag kFlags[] = {
     {"stop-early", Kind::yes_or_no, Text::plain},
 };
 
-const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "hung",
+const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "toppled", "hung",
                                          "ended",   "crashed", "over_budget", "timeout"};
 
 /// A value as one would type it after its flag.

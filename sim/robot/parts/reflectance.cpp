@@ -12,7 +12,8 @@ namespace {
 
 using Read = ReflectanceSpec::Read;
 
-constexpr double kBestHeight = 0.003;  // m: Pololu, QTR-8A and QTR-8RC user's guide
+constexpr double kLowest = 0.0005, kHighest = 0.06;  // m, on hills
+constexpr double kBestHeight = 0.003;                // m: Pololu, QTR-8A and QTR-8RC user's guide
 
 // Light that comes back from white, against height: reflectance.h. Beyond 15 mm its exponent of 5 to 12 mm
 // goes on, -1.24.
@@ -235,6 +236,8 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       footprint_(footprint_of(spec, context.individual, name_, height_)),
       exposure_(world::exposure(height_)),
       lag_(static_cast<SimTime>(emitter.lag())),
+      hilly_(context.view.world && context.view.world->ground()),
+      widens_(spec.footprint.value == 0.0),
       healthy_{light_from(height_, context.individual.profile()),
                -context.individual.draw(spec.ambient, name_, "ambient"),
                context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise"),
@@ -245,15 +248,27 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
 }
 
 double Sensor::room_light(const Pose& pose, SimTime t) const {
-  return state_.covered ? 0.0 : exposure_ * context_.view.world->lighting().at(pose.to_world(state_.at), t);
+  return state_.covered
+             ? 0.0
+             : optics(pose).exposure * context_.view.world->lighting().at(pose.to_world(state_.at), t);
 }
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
   const Pose& pose = context_.view.body->pose();
   const double white = (1.0 - darkness()) * brightness(pose);
-  return clamp01(1.0 - state_.now.light * context_.view.supply.led * emitter_.brightness() * white +
+  return clamp01(1.0 - optics(pose).light * context_.view.supply.led * emitter_.brightness() * white +
                  state_.now.shift - room_light(pose, context_.view.tick_start));
+}
+
+Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
+  const double higher =
+      context_.view.body->raised(state_.at) - context_.view.world->ground()->height(pose.to_world(state_.at));
+  if (higher == 0.0) return {state_.now.light, footprint_, exposure_};
+  const double height = std::clamp(height_ + higher, kLowest, kHighest);
+  const Profile profile = context_.individual.profile();
+  return {state_.now.light * light_from(height, profile) / light_from(height_, profile),
+          widens_ ? footprint_ * height / height_ : footprint_, world::exposure(height)};
 }
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }

@@ -13,7 +13,8 @@
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
 // and before, and in `ideal`,
 //   s = min(1, (3 mm / height)^2)                                               n = 1
-// Then, by `read`:
+// On hills the height is that of the chassis there over the floor there, and s, x and f, where the file does
+// not say it, follow. Then, by `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
 //   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its
 //            state between reads. black = "high" or "low" says what it answers over black
@@ -115,7 +116,8 @@ class Sensor : public Breakable {
   /// The share of it that is dark.
   double darkness() const {
     if (dark()) return 1.0;
-    return context_.view.floor->darkness(context_.view.body->pose().to_world(state_.at), footprint_);
+    const Pose& pose = context_.view.body->pose();
+    return context_.view.floor->darkness(pose.to_world(state_.at), optics(pose).footprint);
   }
   /// What people are shown: 0 white .. 1 black.
   double shown() const;
@@ -129,12 +131,12 @@ class Sensor : public Breakable {
   /// Takes a sample of noise.
   double blackness(SimTime t) {
     const Pose pose = context_.view.pose_at(t - lag_);
-    const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at));
+    const Optics optics = this->optics(pose);
+    const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at), optics.footprint);
     const double white = 1.0 - c;
-    double b =
-        1.0 -
-        state_.now.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
-        state_.now.shift;
+    double b = 1.0 -
+               optics.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
+               state_.now.shift;
     if (context_.view.world->lighting().is_lit()) b -= room_light(pose, t);
     if (state_.now.noise > 0.0)
       b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
@@ -156,13 +158,21 @@ class Sensor : public Breakable {
     return context_.view.floor->brightness(pose.to_world(state_.at));
   }
   /// Of the floor there; asked once where the robot stands still.
-  double darkness_at(Vec2 p) {
+  double darkness_at(Vec2 p, double footprint) {
     if (p.x != state_.looked_at.x || p.y != state_.looked_at.y) {
       state_.looked_at = p;
-      state_.darkness = context_.view.floor->darkness(p, footprint_);
+      state_.darkness = context_.view.floor->darkness(p, footprint);
     }
     return state_.darkness;
   }
+  /// What its height does: as it is mounted, or on hills as it is there.
+  struct Optics {
+    double light, footprint, exposure;
+  };
+  Optics optics(const Pose& pose) const {
+    return hilly_ ? optics_on_hills(pose) : Optics{state_.now.light, footprint_, exposure_};
+  }
+  Optics optics_on_hills(const Pose&) const;
   /// By how much the light of the room makes it look whiter.
   double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
@@ -192,6 +202,7 @@ class Sensor : public Breakable {
   const Vec2 home_;  // where it sits
   const double height_, footprint_, exposure_;
   const SimTime lag_;
+  const bool hilly_, widens_;  // its footprint follows its height
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;

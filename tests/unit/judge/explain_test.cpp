@@ -63,8 +63,8 @@ class Explain : public ::testing::Test {
 TEST_F(Explain, EveryVerdictIsASentenceOfItsOwn) {
   std::vector<std::string> all;
   for (const Verdict verdict :
-       {Verdict::reached, Verdict::lost, Verdict::stuck, Verdict::hung, Verdict::ended, Verdict::crashed,
-        Verdict::timeout, Verdict::over_budget, Verdict::interrupted}) {
+       {Verdict::reached, Verdict::lost, Verdict::stuck, Verdict::toppled, Verdict::hung, Verdict::ended,
+        Verdict::crashed, Verdict::timeout, Verdict::over_budget, Verdict::interrupted}) {
     all.push_back(why(verdict));
     EXPECT_THAT(all.back(), EndsWith(".")) << to_string(verdict);
     EXPECT_EQ(std::count(all.begin(), all.end(), all.back()), 1) << all.back();

@@ -129,9 +129,9 @@ TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
 TEST(Answers, EveryVerdictHasTheExitStatusOfItsKind) {
   using judge::Verdict;
   const std::pair<Verdict, int> all[] = {
-      {Verdict::reached, 0}, {Verdict::lost, 1},        {Verdict::stuck, 1},
-      {Verdict::hung, 1},    {Verdict::ended, 1},       {Verdict::crashed, 1},
-      {Verdict::timeout, 4}, {Verdict::over_budget, 1}, {Verdict::interrupted, 130}};
+      {Verdict::reached, 0},     {Verdict::lost, 1},         {Verdict::stuck, 1},   {Verdict::toppled, 1},
+      {Verdict::hung, 1},        {Verdict::ended, 1},        {Verdict::crashed, 1}, {Verdict::timeout, 4},
+      {Verdict::over_budget, 1}, {Verdict::interrupted, 130}};
   for (const auto& [verdict, status] : all) {
     judge::Outcome outcome;
     outcome.verdict = verdict;

@@ -1,0 +1,43 @@
+// A rectangle or a disc on the floor: what [[area]], [[hill]] and [[surface]] of a map have in common.
+#pragma once
+
+#include <cmath>
+
+#include "sim/base/config.h"
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+
+namespace robosim::grid {
+
+struct Course;
+struct Map;
+
+struct Patch {
+  Pose middle;               ///< m; the heading is that of a rectangle's length
+  double half_length = 0.0;  ///< m, of a rectangle
+  double half_width = 0.0;   ///< m, of a rectangle
+  double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
+  Place place;               ///< where the map's file has it
+
+  /// From its middle to its farthest point, m.
+  double reach() const {
+    return radius > 0.0 ? radius : std::sqrt(half_length * half_length + half_width * half_width);
+  }
+  bool contains(Vec2 p) const {
+    const Vec2 own = middle.to_body(p);
+    if (radius > 0.0) return dot(own, own) <= radius * radius;
+    return std::fabs(own.x) <= half_length && std::fabs(own.y) <= half_width;
+  }
+};
+
+/// Reads at, or along, path, away and side, and size and angle, or radius, of a table that messages call
+/// "[[NAME]]", and its thing "a NAME". `course`: paths that have been read. Throws InputError.
+Patch read_patch(TableReader& table, const Course& course, const char* name);
+
+/// That all middles of a map's areas, hills and surfaces are on its floor. Throws InputError.
+void check_patches(const Map& map);
+
+/// at and size, angle, or radius as read_patch reads them.
+std::string patch_text(const Patch& patch);
+
+}  // namespace robosim::grid

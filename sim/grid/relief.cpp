@@ -1,0 +1,154 @@
+#include "sim/grid/relief.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/angle.h"
+#include "sim/grid/course.h"
+#include "sim/grid/course_writer.h"
+#include "sim/grid/front_tables.h"
+
+namespace robosim::grid {
+namespace {
+
+constexpr std::size_t kMostHills = 64, kMostSurfaces = 256, kMostHeights = 33;
+constexpr double kMostHeight = 0.5;  // m
+constexpr double kSteepest = 0.75;   // sine: 48.6 degrees
+constexpr double kDegrees = std::numbers::pi / 180.0;
+constexpr double kMostSlope = 45.0 * kDegrees;
+constexpr double kMostTilt = 0.5;                    // sine, of a seesaw: 30 degrees
+constexpr double kLightest = 0.05, kHeaviest = 5.0;  // kg
+constexpr double kUsualPlank = 0.6;
+
+std::vector<double> read_heights(const ConfigValue& value, double length) {
+  if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
+    throw InputError(
+        value.place,
+        fmt::format("heights must be 2 to {} of them, at even distances from the hill's beginning to "
+                    "its end, such as [\"0 mm\", \"60 mm\", \"60 mm\", \"0 mm\"]",
+                    kMostHeights));
+  std::vector<double> heights;
+  for (const ConfigValue& item : value.items)
+    heights.push_back(as_quantity(item, "a height", Dimension::length, 0.0, kMostHeight));
+  const double step = length / static_cast<double>(heights.size() - 1);
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const double rise = std::fabs(heights[i] - heights[i - 1]);
+    if (rise <= kSteepest * step) continue;
+    throw InputError(
+        value.items[i].place,
+        fmt::format("from {:.10g} to {:.10g} mm within {:.10g} mm of way is too steep: lengths run "
+                    "along the slope, and {:.0f} % of the way may be height; a step is a hill that "
+                    "begins or ends high",
+                    1e3 * heights[i - 1], 1e3 * heights[i], 1e3 * step, 100.0 * kSteepest));
+  }
+  return heights;
+}
+
+Hill read_hill(const ConfigValue& item, const Course& course) {
+  TableReader table(item, "[[hill]]");
+  Hill hill;
+  static_cast<Patch&>(hill) = read_patch(table, course, "hill");
+  if (hill.radius > 0.0)
+    throw InputError(table.require("radius").place,
+                     "a hill is a rectangle: size = [\"600 mm\", \"300 mm\"], its length and its width");
+  const double length = 2.0 * hill.half_length;
+  const ConfigValue* const heights = table.find("heights");
+  const ConfigValue* const slope = table.find("slope");
+  const ConfigValue* const seesaw = table.find("seesaw");
+  const ConfigValue* const plank = table.find("plank");
+  if ((heights != nullptr) + (slope != nullptr) + (seesaw != nullptr) != 1)
+    throw InputError(
+        item.place,
+        "a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for an even ramp, or "
+        "seesaw = \"50 mm\", the height at which it turns");
+  if (plank && !seesaw) throw InputError(plank->place, "plank is the mass of a seesaw, and this is none");
+  if (heights) hill.heights = read_heights(*heights, length);
+  if (slope) {
+    const double angle = as_quantity(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
+    const double rise = length * unit_vector(angle).y;
+    if (std::fabs(rise) > kMostHeight)
+      throw InputError(slope->place,
+                       fmt::format("this ramp would be {:.4g} m high; a hill is at most {:.4g} m",
+                                   std::fabs(rise), kMostHeight));
+    hill.heights = {std::fmax(-rise, 0.0), std::fmax(rise, 0.0)};
+  }
+  if (seesaw) {
+    hill.pivot = as_quantity(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
+    if (hill.pivot > kMostTilt * hill.half_length)
+      throw InputError(
+          seesaw->place,
+          fmt::format("a seesaw {:.10g} mm long that turns at {:.10g} mm stands at more than 30 deg",
+                      1e3 * length, 1e3 * hill.pivot));
+    hill.plank_kg = plank ? as_quantity(*plank, "plank", Dimension::mass, kLightest, kHeaviest) : kUsualPlank;
+  }
+  table.finish();
+  return hill;
+}
+
+Surface read_surface(const ConfigValue& item, const Course& course) {
+  TableReader table(item, "[[surface]]");
+  Surface surface;
+  static_cast<Patch&>(surface) = read_patch(table, course, "surface");
+  const ConfigValue* const kind = table.find("kind");
+  const ConfigValue* const grip = table.find("grip");
+  const ConfigValue* const rolling = table.find("rolling");
+  if ((kind != nullptr) == (grip || rolling))
+    throw InputError(
+        item.place,
+        "a surface has either a kind, as in kind = \"carpet\", or figures: grip = 0.5, times the "
+        "robot's, and rolling = 0.03, which comes to the robot's");
+  if (kind) {
+    std::vector<std::string> names;
+    for (const SurfaceKind& one : kSurfaces) names.emplace_back(one.name);
+    const std::string name = table.choice("kind", "", names);
+    for (const SurfaceKind& one : kSurfaces)
+      if (name == one.name) surface.grip = one.grip, surface.rolling = one.rolling;
+  }
+  if (grip) surface.grip = as_quantity(*grip, "grip", Dimension::ratio, 0.05, 2.0);
+  if (rolling) surface.rolling = as_quantity(*rolling, "rolling", Dimension::ratio, 0.0, 0.5);
+  table.finish();
+  return surface;
+}
+
+}  // namespace
+
+void read_hills(const ConfigValue& value, Course& course) {
+  for (const ConfigValue& item : tables_of(value, "hill")) {
+    if (course.hills.size() == kMostHills)
+      throw InputError(item.place,
+                       fmt::format("this is one [[hill]] too many; a map has at most {}", kMostHills));
+    course.hills.push_back(read_hill(item, course));
+  }
+}
+
+void read_surfaces(const ConfigValue& value, Course& course) {
+  for (const ConfigValue& item : tables_of(value, "surface")) {
+    if (course.surfaces.size() == kMostSurfaces)
+      throw InputError(item.place,
+                       fmt::format("this is one [[surface]] too many; a map has at most {}", kMostSurfaces));
+    course.surfaces.push_back(read_surface(item, course));
+  }
+}
+
+std::string relief_text(const Course& course) {
+  std::string text;
+  for (const Hill& hill : course.hills) {
+    text += "[[hill]]\n" + patch_text(hill);
+    if (hill.pivot > 0.0) {
+      text += fmt::format("seesaw = \"{}\"\nplank = \"{} kg\"\n", length_text(hill.pivot), hill.plank_kg);
+      continue;
+    }
+    std::string list;
+    for (const double height : hill.heights)
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", length_text(height));
+    text += fmt::format("heights = [{}]\n", list);
+  }
+  for (const Surface& surface : course.surfaces)
+    text += fmt::format("[[surface]]\n{}grip = {}\nrolling = {}\n", patch_text(surface), surface.grip,
+                        surface.rolling);
+  return text;
+}
+
+}  // namespace robosim::grid

@@ -1,0 +1,51 @@
+// [[hill]] and [[surface]] of a map: how high the floor is, and what it is made of. Where a map has neither,
+// the floor is a plane of one kind.
+//
+// The map is the floor unrolled, as a course's tiles are before they are put on a ramp: its lengths run along
+// the slope, so that dh/ds of a height h is the sine of its angle.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/base/config.h"
+#include "sim/grid/patch.h"
+
+namespace robosim::grid {
+
+struct Course;
+
+/// A rectangle that is higher than the floor: its heights run along its length, and are the same across it.
+/// At its ends and sides, where it is higher than what lies there, it is a step.
+struct Hill : Patch {
+  std::vector<double> heights;  ///< m, at even distances from its beginning to its end, straight in between
+  double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
+  double plank_kg = 0.0;        ///< of a seesaw
+};
+
+/// What the floor is made of, against the one that the robot file's figures are for.
+struct SurfaceKind {
+  const char* name;
+  double grip;     ///< times the robot's
+  double rolling;  ///< comes to the robot's rolling resistance: force / weight
+};
+
+// Rubber: wet asphalt has 0.55 to 0.65 of dry asphalt's friction, 0.4 to 0.5 against 0.7 to 0.8 (Engineering
+// ToolBox, friction coefficients of tyres). What dust leaves is an estimate. Rolling resistance of small
+// wheels on low pile: an estimate, from 0.02 on a hard floor to 0.07.
+constexpr SurfaceKind kSurfaces[] = {{"wet", 0.6, 0.0}, {"dusty", 0.5, 0.0}, {"carpet", 1.0, 0.05}};
+
+struct Surface : Patch {
+  double grip = 1.0;
+  double rolling = 0.0;
+};
+
+/// Reads all [[hill]] tables, and all [[surface]] tables; `course` has the paths that they may lie along.
+/// Throw InputError.
+void read_hills(const ConfigValue& value, Course& course);
+void read_surfaces(const ConfigValue& value, Course& course);
+
+/// Both as they are read. An implementation detail of write_map.
+std::string relief_text(const Course& course);
+
+}  // namespace robosim::grid

@@ -1,0 +1,203 @@
+// A body on hills and surfaces, and on wheels whose loads shift.
+//
+// Its weight m g is shared: load_share on the axle, half on each wheel, the rest on the caster, at caster_m =
+// c. Each stands as high as its wheel does (ground.h), so that gravity pulls with
+//   force  = - m g (load_share (rise_left + rise_right) / 2 + (1 - load_share) rise_caster)
+//   torque = the same forces, each with its arm about the axle's centre
+// which change the velocities before motors, friction and grip do. The weight that presses on the floor is m
+// g cos, with the cosine of its lean; rolling resistance and grip follow it, and the surface under each
+// wheel.
+//
+// With centre_height_m = h loads shift by what the speed gains, a (the mean with the tick before), and by the
+// slope:
+//   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
+//   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
+// Where N_caster would be negative it leaves the floor, and the body turns about its axle; where a wheel's
+// would be, about the other's side. With f the force m g sine + m a across the line about which it turns, d
+// the mass's distance from it and phi the angle,
+//   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)    I = m (h^2 + d^2 +
+//   bound_radius^2 / 4)
+// Beyond 45 degrees it has toppled. So, standing, it tips where tan(slope) > d / h.
+//
+// A wheel that meets a slope, from the slope k_0 to a steeper one k_1, keeps of its speed the cosine of the
+// angle between them: v falls by (1 - cos) of its share of the mass. Where it lands, coming from k_0 < 0, its
+// share of v^2 falls by no more than 2 g r (1 - 1 / sqrt(1 + k_0^2)), what it fell by.
+//
+// It has also toppled where the ground under one of its wheels falls off by more than the wheel's radius at
+// once; and what rises in front of a wheel by more than three times its way is a face: it stops there, as at
+// a wall.
+//
+// Not modelled: a tip about the caster (its wheels lose their grip instead), a chassis that sits on a crest.
+#include <algorithm>
+
+#include "sim/base/turn.h"
+#include "sim/world/body.h"
+#include "sim/world/ground.h"
+#include "sim/world/step.h"
+#include "sim/world/walls.h"
+
+namespace robosim::world {
+
+namespace {
+
+constexpr double kMostSine = 0.99;
+constexpr double kToppled = 0.78539816339744831;       // rad: 45 degrees
+constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m for m of way, and m
+
+}  // namespace
+
+// Where it is now. False where it has run into a face: it is back where it was, and stands.
+bool Body::stand(Ground* ground, const Pose& before, double travel) {
+  Vec2 at[3], rises[3];
+  const Stance last = stance_;
+  const double speed = v_;
+  find_footing(ground, at, rises);
+  if (last.known && ground) {
+    const double most = kFaceSlope * travel + ground->heave() + kFaceLeast;
+    bool is_face = false;
+    for (int i = 0; i < 3; ++i) {
+      const double radius = i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m;
+      is_face |= stance_.height[i] - last.height[i] > most;
+      if (last.height[i] - stance_.height[i] > radius) stance_.toppled = Toppled::off_an_edge;
+    }
+    if (is_face) {
+      stance_ = last;
+      stance_.is_at_face = true;
+      stance_.face = pose_ = before;
+      touched_ = near_ = true;
+      return halt();
+    }
+    const Vec2 away = pose_.position - stance_.face.position;
+    stance_.is_at_face = stance_.is_at_face && dot(away, away) < Walls::kNear * Walls::kNear;
+    near_ |= stance_.is_at_face;
+  }
+  share_load(ground, at);
+  if (stance_.toppled != Toppled::no) return halt();
+  if (last.known) bump(last.rise, rises);
+  for (int i = 0; i < 3; ++i) stance_.rise[i] = rises[i];
+  stance_.speed = speed;
+  pull(at, rises);
+  return true;
+}
+
+bool Body::halt() {
+  v_ = u_ = omega_ = along_free_ = side_free_ = surface_[0] = surface_[1] = 0.0;
+  return false;
+}
+
+void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
+  at[left] = pose_.to_world({0.0, half_track_});
+  at[right] = pose_.to_world({0.0, -half_track_});
+  at[2] = pose_.to_world({params_.caster_m, 0.0});
+  const bool known = stance_.known;
+  const double pitch = stance_.pitch, roll = stance_.roll;
+  double chassis[3];
+  for (int i = 0; i < 3; ++i) {
+    Footing footing;
+    if (ground)
+      footing = i < 2 ? ground->under_wheel(at[i], pose_.heading, params_.wheel[i].radius_m)
+                      : ground->under_ball(at[i], params_.caster_radius_m);
+    stance_.height[i] = footing.height;
+    rises[i] = footing.rise;
+    // On a slope a large wheel's axle is higher than a small one's; the chassis still lies along the slope.
+    chassis[i] = footing.height > 0.0 && i < 2 ? ground->under_ball(at[i], params_.caster_radius_m).height
+                                               : footing.height;
+  }
+  const double caster = chassis[2] + stance_.tip[0] * std::fabs(params_.caster_m);
+  stance_.axle = 0.5 * (chassis[left] + chassis[right]);
+  stance_.pitch = bounded((caster - stance_.axle) / params_.caster_m, kMostSine);
+  stance_.axle -= params_.caster_radius_m * (std::sqrt(1.0 + stance_.pitch * stance_.pitch) - 1.0);
+  stance_.roll = bounded((chassis[left] - chassis[right]) * per_track_, kMostSine);
+  stance_.known = true;
+  const double lean2 = stance_.pitch * stance_.pitch + stance_.roll * stance_.roll;
+  lean_ = {{-stance_.pitch, -stance_.roll}, std::sqrt(std::max(1.0 - lean2, 0.0)), {}};
+  if (known) lean_.rate = Vec2{pitch - stance_.pitch, roll - stance_.roll} * (1.0 / kDt);
+}
+
+// What comes to rise more steeply, or falls less, turns its share of the speed upward at once.
+void Body::bump(const Vec2* before, const Vec2* rises) {
+  const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
+  const double on_wheel = 0.5 * params_.load_share;
+  for (int i = 0; i < 3; ++i) {
+    const double from = dot(before[i], way), to = dot(rises[i], way);
+    if (!(to > from)) continue;
+    const double share = i < 2 ? on_wheel : 1.0 - 2.0 * on_wheel;
+    const double radius = i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m;
+    const double stretch = std::sqrt(1.0 + from * from);
+    const double cosine = (1.0 + from * to) / (stretch * std::sqrt(1.0 + to * to));
+    double left_over = 1.0 - share * (1.0 - cosine);
+    if (from < 0.0 && v_ != 0.0) {
+      const double fallen = 2.0 * kGravity * radius * (1.0 - 1.0 / stretch) / (v_ * v_);
+      left_over = std::max(left_over, std::sqrt(std::max(1.0 - share * fallen, 0.0)));
+    }
+    v_ *= left_over;
+    along_free_ *= left_over;
+  }
+}
+
+void Body::pull(const Vec2* at, const Vec2* rises) {
+  const double weight = params_.mass_kg * kGravity;
+  const double on_wheel = 0.5 * params_.load_share * weight;
+  const double share[3] = {on_wheel, on_wheel, weight - 2.0 * on_wheel};
+  Vec2 force;
+  double torque = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 pulls = rises[i] * -share[i];
+    force = force + pulls;
+    torque += cross(at[i] - pose_.position, pulls);
+  }
+  stance_.eases = force.x == 0.0 && force.y == 0.0 && torque == 0.0 && stance_.tip[0] == 0.0 &&
+                  stance_.tip[1] == 0.0 && stance_.gain == 0.0;
+  const Vec2 gain = force * (kDt * per_mass_);
+  const double along = dot(gain, pose_.heading);
+  v_ += along;
+  along_free_ += along;
+  side_free_ += cross(pose_.heading, gain);
+  omega_ += torque * per_inertia_ * kDt;
+}
+
+void Body::share_load(Ground* ground, const Vec2* at) {
+  const double m = params_.mass_kg, h = params_.centre_height_m;
+  const double weight = m * kGravity * lean_.level;
+  double caster = (1.0 - params_.load_share) * weight, shift = 0.0;
+  if (h > 0.0) {
+    const double gain = in_contact_ ? 0.0 : (v_ - stance_.speed) * (1.0 / kDt);
+    stance_.gain = std::fabs(stance_.gain) + std::fabs(gain) < 1e-6 ? 0.0 : 0.5 * (stance_.gain + gain);
+    const double ahead = kGravity * stance_.pitch + stance_.gain;
+    const double sideways = kGravity * stance_.roll + bounded(v_ * omega_, params_.grip * kGravity);
+    const double c = params_.caster_m;
+    const double pushes = c > 0.0 ? ahead : -ahead;
+    tip(0, pushes, (1.0 - params_.load_share) * std::fabs(c));
+    tip(1, std::fabs(sideways), params_.load_share * half_track_);
+    caster = std::min(std::max(caster - m * ahead * h / c, 0.0), weight);
+    if (stance_.tip[0] > 0.0) caster = 0.0;
+    shift = bounded(m * sideways * h * per_track_, 0.5 * (weight - caster));
+  }
+  const double load[3] = {0.5 * (weight - caster) - shift, 0.5 * (weight - caster) + shift, caster};
+  for (int i = 0; i < 2; ++i) {
+    const Ground::Kind kind = ground ? ground->kind(at[i]) : Ground::Kind{};
+    grip_limit_[i] = params_.grip * kind.grip * load[i] * kDt;
+    rolling_[i] = (params_.rolling_resistance + kind.rolling) * weight * 0.5;
+    rub(static_cast<Side>(i));
+  }
+  const double both = grip_limit_[0] + grip_limit_[1];
+  side_share_[0] = both > 0.0 ? grip_limit_[0] / both : 0.5;
+  side_share_[1] = 1.0 - side_share_[0];
+  if (!ground) return;
+  for (int i = 0; i < 3; ++i) ground->press(at[i], load[i] / kGravity, load[i]);
+}
+
+// `push`: m/s2 across the line about which it turns, `arm`: m from there to the mass's centre.
+void Body::tip(int which, double push, double arm) {
+  const double h = params_.centre_height_m;
+  double &angle = stance_.tip[which], &rate = stance_.tip_rate[which];
+  const Vec2 turn = direction_of(angle);
+  const double down = kGravity * lean_.level;
+  const double torque = push * (h * turn.x + arm * turn.y) - down * (arm * turn.x - h * turn.y);
+  rate += torque / (h * h + arm * arm + 0.25 * bound_radius_ * bound_radius_) * kDt;
+  angle += rate * kDt;
+  if (!(angle > 0.0)) angle = rate = 0.0;
+  if (angle > kToppled) stance_.toppled = Toppled::over;
+}
+
+}  // namespace robosim::world

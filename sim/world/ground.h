@@ -1,0 +1,79 @@
+// How high the floor is, how steep, and what it is made of: [[hill]] and [[surface]] of a map.
+//
+// Coordinates run along the slope (grid/relief.h), so that the gradient of the height h is the sine of its
+// angle. A wheel of radius r does not follow every corner: its axle is, above r,
+//   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r         s along the hill, within the wheel's
+//   reach
+// found exactly: each corner of the profile, and each straight of slope k, whose part is h(s) + r sqrt(1 +
+// k^2) - r. A wheel that rolls obliquely to a hill reaches r |cos| along it and r |sin| across. So a step of
+// height H is met r sqrt(1 - (1 - H/r)^2) before it, with the slope tan(acos(1 - H/r)), which a wheel at rest
+// climbs only as far as its grip goes: H <= r (1 - 1 / sqrt(1 + grip^2)) if all of the weight is on it. Where
+// hills lie on one another the highest counts. dz/ds is cut at 4.
+//
+// A seesaw is a plank on a pivot at height p, with its own mass M, length L, even and thin:
+//   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
+// It stops where an end is on the floor. Taken: sine for angle, and that masses on it move slowly along it.
+//
+// Not modelled: the way that a wheel gains at a crest and loses at a foot; soft ground; what hangs over an
+// edge.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/grid/map.h"
+
+namespace robosim::world {
+
+/// What is under a wheel.
+struct Footing {
+  double height = 0.0;  ///< m, of its axle over where it is on a plane floor
+  Vec2 rise;            ///< its gradient, in the world's frame
+};
+
+class Ground {
+ public:
+  explicit Ground(const grid::Map& map);
+
+  /// Whether it is all one plane of one kind.
+  bool plain() const { return hills_.empty() && surfaces_.empty(); }
+
+  /// Of a wheel of that radius (m) whose contact point is p; `rolls`: which way, a unit vector.
+  Footing under_wheel(Vec2 p, Vec2 rolls, double radius) const;
+  /// Of a ball.
+  Footing under_ball(Vec2 p, double radius) const;
+  /// m, of the floor itself.
+  double height(Vec2 p) const;
+  /// The surface there: grip, times the robot's, and rolling resistance, which comes to its own.
+  struct Kind {
+    double grip = 1.0, rolling = 0.0;
+  };
+  Kind kind(Vec2 p) const;
+
+  /// A mass (kg) presses on p with a force (N), in this tick.
+  void press(Vec2 p, double mass, double force);
+  /// Seesaws move by what has pressed on them. At the end of a tick.
+  void settle();
+  /// m by which a seesaw lifts what is on it in this tick, at most.
+  double heave() const;
+
+  /// What changes during a run.
+  struct Seesaw {
+    double sine = 0.0, rate = 0.0;       ///< of the plank; positive: its end is up
+    double torque = 0.0, inertia = 0.0;  ///< of what presses, in this tick
+  };
+  struct State {
+    std::vector<Seesaw> seesaws;  ///< one for each hill, at rest where that is none
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  Footing under(Vec2 p, Vec2 along, double radius, bool ball) const;
+
+  const std::vector<grid::Hill> hills_;
+  const std::vector<grid::Surface> surfaces_;
+  State state_;
+};
+
+}  // namespace robosim::world

@@ -1,0 +1,130 @@
+#include "sim/grid/relief.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/grid/map.h"
+#include "sim/grid/map_writer.h"
+
+namespace robosim::grid {
+namespace {
+
+using ::testing::HasSubstr;
+
+Map map_of(const std::string& tables) {
+  return parse_map(
+      "+++\nsize = [\"2 m\", \"1 m\"]\n" + tables +
+          "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n+++\n",
+      "m.map");
+}
+
+constexpr const char* kHills = R"([[hill]]
+along = "300 mm"
+size = ["600 mm", "300 mm"]
+slope = "-25 deg"
+[[hill]]
+at = ["1 m", "500 mm"]
+size = ["60 mm", "300 mm"]
+angle = "90 deg"
+heights = ["0 mm", "10 mm", "3 mm"]
+[[hill]]
+at = ["1.5 m", "500 mm"]
+size = ["600 mm", "300 mm"]
+seesaw = "50 mm"
+plank = "400 g"
+[[surface]]
+at = ["1 m", "500 mm"]
+radius = "100 mm"
+kind = "carpet"
+[[surface]]
+along = "500 mm"
+size = ["200 mm", "300 mm"]
+grip = "40 %"
+rolling = 0.01
+)";
+
+TEST(Relief, IsRampsProfilesSeesawsAndSurfaces) {
+  const Map map = map_of(kHills);
+  for (const Map& m : {map, parse_map(write_map(map), "again.map")}) {
+    ASSERT_EQ(m.course.hills.size(), 3u);
+    const Hill &ramp = m.course.hills[0], &bump = m.course.hills[1], &seesaw = m.course.hills[2];
+    ASSERT_EQ(ramp.heights.size(), 2u);
+    EXPECT_NEAR(ramp.heights[0], 0.6 * 0.42261826174, 1e-8);
+    EXPECT_EQ(ramp.heights[1], 0.0);
+    EXPECT_NEAR(ramp.middle.position.x, 0.5, 1e-12);
+    EXPECT_EQ(bump.heights, (std::vector<double>{0.0, 0.010, 0.003}));
+    EXPECT_NEAR(bump.middle.heading.y, 1.0, 1e-12);
+    EXPECT_EQ(seesaw.pivot, 0.05);
+    EXPECT_EQ(seesaw.plank_kg, 0.4);
+    ASSERT_EQ(m.course.surfaces.size(), 2u);
+    EXPECT_EQ(m.course.surfaces[0].rolling, 0.05);
+    EXPECT_EQ(m.course.surfaces[0].grip, 1.0);
+    EXPECT_EQ(m.course.surfaces[1].grip, 0.4);
+    EXPECT_EQ(m.course.surfaces[1].rolling, 0.01);
+  }
+}
+
+TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
+  const std::string hill = "[[hill]]\n", surface = "[[surface]]\n", at = "at = [\"1 m\", \"200 mm\"]\n",
+                    size = "size = [\"300 mm\", \"300 mm\"]\n", ramp = "slope = \"20 deg\"\n";
+  const struct {
+    std::string table;
+    const char* message;
+  } refused[] = {
+      {hill + at + size, "m.map:3:1: a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope"},
+      {hill + at + size + ramp + "seesaw = \"20 mm\"", "a hill has one of: heights"},
+      {hill + at + size + ramp + "heights = [\"0 mm\", \"9 mm\"]", "a hill has one of: heights"},
+      {hill + at + ramp, "a hill is either a rectangle, size = "},
+      {hill + at + ramp + "radius = \"100 mm\"", "m.map:6:10: a hill is a rectangle: size = "},
+      {hill + size + ramp, "a hill has a middle: either at = [\"X\", \"Y\"]"},
+      {hill + at + size + "slope = \"60 deg\"", "m.map:6:9: slope is 1.0"},
+      {hill + at + size + "slope = \"20 %\"", "slope is \"20 %\""},
+      {hill + at + size + "slope = 20", "slope is a whole number"},
+      {hill + at + "size = [\"2 m\", \"300 mm\"]\nslope = \"20 deg\"", "this ramp would be 0.684 m high"},
+      {hill + at + size + "heights = \"9 mm\"", "heights must be 2 to 33 of them"},
+      {hill + at + size + "heights = []", "heights must be 2 to 33 of them"},
+      {hill + at + size + "heights = [\"9 mm\"]", "heights must be 2 to 33 of them"},
+      {hill + at + size + "heights = [\"0 mm\", \"-3 mm\"]", "m.map:6:20: a height is -0.003"},
+      {hill + at + size + "heights = [\"0 mm\", \"1 m\"]", "a height is 1 in SI units"},
+      {hill + at + size + "heights = [\"0 mm\", 3]", "a height is a whole number"},
+      {hill + at + size + "heights = [\"0 mm\", \"3 g\"]", "a height is \"3 g\""},
+      {hill + at + size + "heights = [\"0 mm\", \"300 mm\"]",
+       "m.map:6:20: from 0 to 300 mm within 300 mm of way is too steep"},
+      {hill + at + size + "heights = [\"0 mm\", \"200 mm\", \"0 mm\"]", "is too steep"},
+      {hill + at + size + ramp + "plank = \"600 g\"", "plank is the mass of a seesaw, and this is none"},
+      {hill + at + size + "seesaw = \"100 mm\"", "turns at 100 mm stands at more than 30 deg"},
+      {hill + at + size + "seesaw = \"0 mm\"", "seesaw is 0 in SI units"},
+      {hill + at + size + "seesaw = \"20 mm\"\nplank = \"6 kg\"", "plank is 6 in SI units"},
+      {hill + at + size + ramp + "colour = \"red\"", "colour"},
+      {hill + "at = [\"3 m\", \"0 mm\"]\n" + size + ramp,
+       "the middle of this hill, 3000 mm, 0 mm, is beside"},
+      {hill + "along = \"3 m\"\n" + size + ramp, "along is 3 in SI units"},
+      {"[hill]\n" + at + size + ramp, "write [[hill]], with two brackets"},
+      {surface + at + size, "m.map:3:1: a surface has either a kind, as in kind = \"carpet\", or figures"},
+      {surface + at + size + "kind = \"wet\"\ngrip = 0.5", "a surface has either a kind"},
+      {surface + at + size + "kind = \"ice\"", "kind is \"ice\"; allowed are wet, dusty or carpet"},
+      {surface + at + size + "grip = 0", "grip is 0"},
+      {surface + at + size + "grip = \"3 mm\"", "grip is \"3 mm\""},
+      {surface + at + size + "rolling = -0.1", "rolling is -0.1"},
+      {surface + at + size + "kind = \"wet\"\nheights = []", "heights"},
+      {surface + at + "kind = \"wet\"", "a surface is either a rectangle"},
+      {surface + "at = [\"1 m\", \"2 m\"]\n" + size + "kind = \"wet\"",
+       "the middle of this surface, 1000 mm, 2000"},
+      {"surface = 3\n", "write [[surface]], with two brackets"},
+  };
+  for (const auto& one : refused) {
+    try {
+      map_of(one.table + "\n");
+      ADD_FAILURE() << one.table;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.table;
+    }
+  }
+  std::string hills, surfaces;
+  for (int i = 0; i <= 64; ++i) hills += hill + at + size + ramp;
+  for (int i = 0; i <= 256; ++i) surfaces += surface + at + size + "kind = \"wet\"\n";
+  EXPECT_THROW(map_of(hills), InputError);
+  EXPECT_THROW(map_of(surfaces), InputError);
+}
+
+}  // namespace
+}  // namespace robosim::grid
