@@ -140,6 +140,8 @@ std::string survey_json(const Survey& s) {
   lines.add_list("paths", paths);
   lines.add("marks", map.course.marks.size());
   lines.add("areas", map.course.areas.size());
+  lines.add("hills", map.course.hills.size());
+  lines.add("surfaces", map.course.surfaces.size());
   return lines.text();
 }
 
@@ -166,6 +168,8 @@ void describe(const Survey& s, std::ostream& out) {
   for (const grid::Path& path : map.course.paths) out << describe_path(grid::survey_path(path, map.line_m));
   if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
   if (!map.course.areas.empty()) out << fmt::format("  areas     {}\n", map.course.areas.size());
+  if (!map.course.hills.empty()) out << fmt::format("  hills     {}\n", map.course.hills.size());
+  if (!map.course.surfaces.empty()) out << fmt::format("  surfaces  {}\n", map.course.surfaces.size());
   out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
   if (!start.on_path)
