@@ -1,6 +1,7 @@
 #include "sim/analysis/alignment.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace robosim::analysis {
 
@@ -31,6 +32,12 @@ std::int64_t Clocks::map(std::int64_t t, std::int64_t Pair::*from, std::int64_t 
   const Pair& next = pairs_[i + 1];
   const double share = static_cast<double>(t - last.*from) / static_cast<double>(next.*from - last.*from);
   return last.*to + static_cast<std::int64_t>(share * static_cast<double>(next.*to - last.*to));
+}
+
+std::int64_t Clocks::near_ns(std::size_t side, std::int64_t t) const {
+  std::int64_t away = t;
+  for (const Pair& pair : pairs_) away = std::min(away, std::abs(t - (side == 0 ? pair.first : pair.second)));
+  return kNear_ns + away * kApart_percent / 100;
 }
 
 }  // namespace robosim::analysis

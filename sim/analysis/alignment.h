@@ -12,6 +12,9 @@ namespace robosim::analysis {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kNear_ns = kSecond_ns;  ///< what is no further apart happens at about one time
+/// Two boards of one kind, of which one is 0.5 % fast and the other as slow (an Uno's resonator, Murata
+/// CSTCE16M0V53), are so much of the time further apart that has passed since an event that both have.
+constexpr std::int64_t kApart_percent = 1;
 
 /// Until when what the robot does counts: until it has lost the line, else to the end.
 std::int64_t seen_ns(const History& history);
@@ -30,6 +33,8 @@ class Clocks {
   void finish();
   std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }
   std::int64_t to_a(std::int64_t t) const { return map(t, &Pair::second, &Pair::first); }
+  /// How far apart what happens at about one time may be, at `t` of the first side (0) or the second (1).
+  std::int64_t near_ns(std::size_t side, std::int64_t t) const;
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:

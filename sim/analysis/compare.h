@@ -11,7 +11,8 @@
 //   numbers   those of a line: within 10 % of each other; of a stream: within what the other side printed in
 //             the second before and after
 //   times     from one place or line to the next: within 0.5 s and 25 %
-//   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second;
+//   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second and 1 % of the
+//             time since the last place or line that both have;
 //             the mean command between two common events: within 0.25
 //   the end   the verdict
 #pragma once

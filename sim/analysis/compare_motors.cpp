@@ -28,12 +28,13 @@ std::optional<Difference> missing_manoeuvre(const std::array<const History*, 2>&
     if (stretch.duration_ns() < kLong_ns) continue;
     const std::int64_t from = map(stretch.from_ns), to = map(stretch.to_ns);
     if (to > seen_ns(*sides[other])) break;
+    const std::int64_t near = clocks.near_ns(side, stretch.from_ns);
     std::int64_t found = 0;
     const Stretch* there = nullptr;
     for (const Stretch& s : sides[other]->stretches) {
       if (s.from_ns <= from && s.to_ns > from) there = &s;
       if (s.manoeuvre != stretch.manoeuvre) continue;
-      const std::int64_t overlap = std::min(s.to_ns, to + kNear_ns) - std::max(s.from_ns, from - kNear_ns);
+      const std::int64_t overlap = std::min(s.to_ns, to + near) - std::max(s.from_ns, from - near);
       found += std::max<std::int64_t>(overlap, 0);
     }
     if (found >= kShort_ns) continue;

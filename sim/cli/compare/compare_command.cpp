@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/analysis/edge.h"
 #include "sim/base/error.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/compare/compare_report.h"
@@ -25,7 +26,6 @@ constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // r
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by as much as this.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
-constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 // The robot's axle is so far from the square line, and the middle of its sensors from the line with its
 // bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
@@ -132,47 +132,31 @@ class CompareCommand {
     return request;
   }
 
-  /// Where the robot is, and when: not what it says.
-  static bool is_of_driving(const analysis::Difference& d) {
-    using enum analysis::Difference::Kind;
-    return d.cause.empty() && d.kind != line && d.kind != number;
-  }
-
   /// What happens to one target only, such as a race of its interrupts, is its own doing: so both must be on
-  /// the edge.
+  /// the edge, and at least one of them there and then.
   void find_edges(Compared& compared, const std::array<std::size_t, 2>& lanes,
                   const std::array<const analysis::History*, 2>& histories) {
     compared.edges.clear();
-    if (!is_of_driving(*compared.difference) || compared.sides[0].finding || compared.sides[1].finding)
+    if (!analysis::is_of_driving(*compared.difference) || compared.sides[0].finding ||
+        compared.sides[1].finding)
       return;
+    bool there = false;
     for (std::size_t side = 0; side < 2; ++side) {
       std::optional<Edge> edge = find_edge(compared, lanes[side], *histories[side]);
       if (!edge) return compared.edges.clear();
+      there |= edge->like == analysis::Alike::there;
       compared.edges.push_back(std::move(*edge));
     }
+    if (!there) compared.edges.clear();
   }
 
-  /// Whether a lane's difference from itself is that between two targets: of the same kind, about then, and
-  /// if it is how they end, with the same two verdicts.
-  static bool is_like(const analysis::Difference& own, const analysis::Difference& found) {
-    using enum analysis::Difference::Kind;
-    const auto sort = [](const analysis::Difference& d) {
-      return d.kind == place || d.kind == time     ? place
-             : d.kind == motors || d.kind == speed ? motors
-                                                   : d.kind;
-    };
-    if (sort(own) != sort(found) || !is_of_driving(own)) return false;
-    if (own.kind != verdict) return std::abs(own.first_ns() - found.first_ns()) <= kAboutThen_ns;
-    const auto word = [](const std::string& side) { return side.substr(0, side.find(':')); };
-    return word(own.sides[0]) != word(own.sides[1]) &&
-           (word(own.sides[1]) == word(found.sides[0]) || word(own.sides[1]) == word(found.sides[1]));
-  }
-
-  /// Whether this lane alone, with its clock a little off, differs from itself in the same way.
+  /// Where this lane alone, with its clock a little off, differs from itself in the same way: there, if it
+  /// does.
   std::optional<Edge> find_edge(const Compared& compared, std::size_t number,
                                 const analysis::History& history) {
     Lane& lane = lanes_[number];
     progress_.say(fmt::format("is {} alike to itself, its clock a little off? …", lane.run.target));
+    std::optional<Edge> found;
     for (const int ppm : kClocksOff_ppm) {
       wire::RunRequest request = request_of(lane, compared.seed);
       request.script += fmt::format("\nat 0s fault clock drift {}ppm\n", ppm);
@@ -180,10 +164,13 @@ class CompareCommand {
       const wire::RunResult result =
           lane.runner.run(request, [&](const wire::Event& event) { recorder.add(event); });
       const analysis::Comparison comparison = analysis::compare(history, recorder.finish(result));
-      if (comparison.first && is_like(*comparison.first, *compared.difference))
-        return Edge{lane.run.target, ppm, *comparison.first};
+      const auto like =
+          comparison.first ? analysis::alike(*comparison.first, *compared.difference) : analysis::Alike::no;
+      if (like == analysis::Alike::no || (found && like != analysis::Alike::there)) continue;
+      found = Edge{lane.run.target, ppm, *comparison.first, like};
+      if (like == analysis::Alike::there) break;
     }
-    return std::nullopt;
+    return found;
   }
 
   std::vector<analysis::History> run_lanes(std::uint64_t seed, Compared& compared) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/analysis/compare.h"
+#include "sim/analysis/edge.h"
 #include "sim/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
@@ -37,6 +38,7 @@ struct Edge {
   std::string target;
   int ppm = 0;                  ///< by which its clock was off
   analysis::Difference itself;  ///< sides[0]: as it is; sides[1]: with that clock
+  analysis::Alike like = analysis::Alike::there;
 };
 
 /// A comparison of all targets with one seed.

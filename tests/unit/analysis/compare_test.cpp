@@ -177,6 +177,22 @@ TEST(Compare, ManoeuvresAreFoundThoughTheRobotIsLateByMoreThanASecond) {
   EXPECT_EQ(kind(a, b), std::nullopt) << "late at all places";
 }
 
+TEST(Compare, ManoeuvresMayBeFurtherApartTheLongerAgoTheLastCommonEventWas) {
+  const auto long_run = [](std::int64_t turns_at) {
+    History h = run();
+    h.end_ns = 600 * kS;
+    h.stretches = {{0, turns_at, Manoeuvre::ahead, 0.5, 0.5},
+                   {turns_at, turns_at + 700 * kMs, Manoeuvre::turns_left},
+                   {turns_at + 700 * kMs, 600 * kS, Manoeuvre::ahead, 0.5, 0.5}};
+    return h;
+  };
+  EXPECT_EQ(kind(long_run(300 * kS), long_run(303 * kS)), std::nullopt) << "1 % of five minutes are 3 s";
+  EXPECT_EQ(kind(long_run(300 * kS), long_run(306 * kS)), Kind::motors);
+  History a = long_run(300 * kS), b = long_run(303 * kS);
+  a.places = b.places = {{0, "station 1"}, {299 * kS, "junction 1"}};
+  EXPECT_EQ(kind(a, b), Kind::motors) << "both were at one place a second before";
+}
+
 TEST(Compare, WhatARobotDoesOffTheLineDoesNotCount) {
   History a = places({{0, "station 1"}, {4 * kS, kOffTheLine}}), b = a;
   a.lost_ns = b.lost_ns = 4 * kS;
