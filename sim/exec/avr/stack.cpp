@@ -4,6 +4,7 @@ namespace robosim::exec::avr {
 namespace {
 
 constexpr std::size_t kMostScannedCalls = 12;
+constexpr int kIcall = 0x9509, kEicall = 0x9519;
 
 }  // namespace
 
@@ -35,8 +36,9 @@ bool Stack::find_call(std::uint32_t pc, Call& call) const {
     return true;
   }
   const int last = word(pc - 2);
-  if (last == 0x9509 || (last & 0xF000) == 0xD000) {
-    call = {pc - 2, last == 0x9509};
+  const bool by_pointer = last == kIcall || last == kEicall;
+  if (by_pointer || (last & 0xF000) == 0xD000) {
+    call = {pc - 2, by_pointer};
     return true;
   }
   return false;

@@ -32,7 +32,7 @@ class Stack {
   /// An instruction in the code that called something.
   struct Call {
     std::uint32_t pc = 0;     ///< of the call instruction
-    bool by_pointer = false;  ///< icall
+    bool by_pointer = false;  ///< icall, eicall
   };
   /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
   /// Saved registers may happen to look like one.

@@ -56,6 +56,7 @@ TEST_F(FailuresTest, TheyAreToldWhereReturnAddressesHaveThreeBytes) {
   board_name_ = "mega";
   for (const auto& [sketch, reason, function] :
        {std::array{"ChipWildRead", "where the chip has no memory", "look"},
+        std::array{"ChipWildCall", "call through a wrong function pointer to address 0x7400", "call"},
         std::array{"ChipSmash", "the return address on the stack was overwritten", "copy"},
         std::array{"ChipDeep", "stack overflow", "deeper"},
         std::array{"ChipWatchdog", "the watchdog has reset the chip 3 times", "work"}}) {
