@@ -338,10 +338,10 @@ std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, c
 Image build(const Request& request) try {
   const Target& target = find_target(request.target);
   if (request.sanitize) check_can_sanitize(request.target);
-  if (request.coverage) check_can_cover(request.target);
   const Sketch sketch = read_sketch(request.sketch, request.rules);
   if (!target.chip && !sketch.assembler.empty())
     throw InputError({sketch.assembler[0]}, "assembler sources are for the chip: build for the target avr");
+  const bool counts_itself = request.coverage && !target.chip;  // on a chip the emulator counts
   const Cache cache(cache_folder());
   const GenuineCore genuine = find_core();
   const Compiler compiler = find_compiler(target);
@@ -352,7 +352,7 @@ Image build(const Request& request) try {
                       request.board,
                       request.warnings,
                       request.sanitize,
-                      request.coverage,
+                      counts_itself,
                       Registers::objects,
                       request.untrusted,
                       request.rules,
@@ -361,7 +361,7 @@ Image build(const Request& request) try {
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);
-  if (const auto entry = cache.find(key); entry && (!request.coverage || cache.find(notes_key(*entry))))
+  if (const auto entry = cache.find(key); entry && (!counts_itself || cache.find(notes_key(*entry))))
     return image_of(target, sketch, *entry, cache, true);
 
   const auto since = fs::file_time_type::clock::now();
@@ -387,7 +387,7 @@ Image build(const Request& request) try {
                                    {"text_bytes", std::to_string(text_bytes)},
                                    {"data_bytes", std::to_string(size.data)}},
                                   since);
-  if (request.coverage) {
+  if (counts_itself) {
     const WorkFolder work(cache);
     write_file(work.path() / "notes", pack(build->notes()));
     cache.store(notes_key(entry), {}, work.path() / "notes", sketch.name + ".notes", {}, since);

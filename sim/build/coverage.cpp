@@ -107,11 +107,29 @@ Number number(std::string_view& text) {
   return value;
 }
 
+/// What an emulated chip has counted: "LINE COUNT FILE".
+Coverage read_line_counts(const Sketch& sketch, const std::vector<BundledFile>& counters) {
+  const std::vector<std::string> own = own_files(sketch);
+  Coverage coverage;
+  for (const BundledFile& counter : counters) {
+    std::istringstream lines(counter.content);
+    int line = 0;
+    std::uint64_t count = 0;
+    for (std::string name; lines >> line >> count && std::getline(lines >> std::ws, name);) {
+      name = fs::path(name).lexically_normal().string();
+      if (std::find(own.begin(), own.end(), name) != own.end())
+        file_of(coverage, sketch.folder / name).lines[line] += count;
+    }
+  }
+  return coverage;
+}
+
 }  // namespace
 
 Coverage read_coverage(const Request& request, const Image& image, const std::string& counters) {
   const Target& target = find_target(request.target);
   const Sketch sketch = read_sketch(request.sketch);
+  if (target.chip) return read_line_counts(sketch, unpack(counters));
   const Cache cache(cache_folder());
   const fs::path gcov = find_tool(target, {"gcov", "gcc"});
   const std::vector<BundledFile> notes = unpack(read_file(image.notes));

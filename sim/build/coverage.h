@@ -1,5 +1,6 @@
-// Which lines of a sketch ran. The image is compiled with gcc's counters (Request::coverage), a runner
-// returns their values after a run, gcov maps them to lines, and the result is kept in lcov's format.
+// Which lines of a sketch ran. For the host the image is compiled with gcc's counters (Request::coverage), a
+// runner returns their values after a run, and gcov maps them to lines; of a chip the runner counts, and
+// returns lines. The result is kept in lcov's format.
 //
 //   Request request{…}; request.coverage = true;
 //   const Image image = build(request);

@@ -31,12 +31,6 @@ void check_can_sanitize(const std::string& target) {
     throw InputError(fmt::format("there are no checks for the target {}", target));
 }
 
-void check_can_cover(const std::string& target) {
-  if (find_target(target).coverage.own.empty())
-    throw InputError(
-        "lines that ran are counted on the target host only; a chip has no room for the counters");
-}
-
 std::vector<Limit> stated_limits(const Image& image) {
   std::string file = read_file(image.image);
   if (!ElfFile::is_one(file)) return {};

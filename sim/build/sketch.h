@@ -31,7 +31,7 @@ struct Request {
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< sketch and libraries check themselves while they run
-  bool coverage = false;  ///< the sketch's own lines are counted (coverage.h); for the host only
+  bool coverage = false;  ///< the sketch's own lines are counted (coverage.h)
   /// Of what lies outside of the sketch's folder it sees its libraries alone: not what it shares (project.h).
   bool untrusted = false;
   ProjectRules rules = {};
@@ -84,9 +84,8 @@ std::vector<std::string> boards_of(const std::string& target);
 /// there. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);
 
-/// These throw InputError for a target whose sketches cannot be built with Request::sanitize, or coverage.
+/// Throws InputError for a target whose sketches cannot be built with Request::sanitize.
 void check_can_sanitize(const std::string& target);
-void check_can_cover(const std::string& target);
 
 /// A limit that the firmware states by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
 /// (firmware/src/nav/Limits.h).

@@ -61,7 +61,7 @@ Command parse_run(const Words& words) {
                 "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
   options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg");
   options.text("--coverage", run.coverage, "DIR",
-               "which lines of the sketch ran, over all runs with this DIR (host only)");
+               "which lines of the sketch ran, over all runs with this DIR");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
   options.text("--gdb", port, "PORT", "wait at this port for gdb, which then halts sketch and world (chip)");
   options.flag("--untrusted", run.untrusted, kUntrusted);

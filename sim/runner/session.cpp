@@ -128,6 +128,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
 
   if (request.clock_ns > 0) executor->set_clock_start(request.clock_ns);
 
+  if (!request.counters.empty()) executor->count_lines();
+
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);

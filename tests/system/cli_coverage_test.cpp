@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/require_target.h"
@@ -113,13 +115,56 @@ TEST_F(CliCoverage, GoesTogetherWithChecks) {
   EXPECT_THAT(ended.out, HasSubstr("coverage: 12 of 18 lines of Mine.ino ran"));
 }
 
-TEST_F(CliCoverage, IsRefusedForAChipAndAFolderThatCannotBe) {
-  const Ended chip =
-      robosim_command({"run", "PidFollower", "--target", "avr", "--coverage", "out"}, folder_.path());
-  EXPECT_EQ(chip.status, 2);
-  EXPECT_EQ(chip.err,
-            "robosim: --coverage: lines that ran are counted on the target host only; a chip has no room for "
-            "the counters\n");
+// Its lines are those that the optimiser has left.
+TEST_F(CliCoverage, IsCountedOnAChipByTheEmulatorAndChangesNothing) {
+  for (const auto& [target, robot] :
+       {std::pair{"avr", "uno5"}, std::pair{"avr", "mega5"}, std::pair{"avr", "leonardo5"},
+        std::pair{"avr", "uno5@nano168"}, std::pair{"stm32", "bluepill5"}}) {
+    std::filesystem::remove_all(folder_ / "out");
+    const std::vector<std::string> chip = {"--target", target, "--robot", robot, "--json"};
+    const Ended counted = run(chip);
+    ASSERT_EQ(counted.status, 0) << robot << counted.err;
+    EXPECT_THAT(counted.err, HasSubstr("of Mine.ino ran; never: 5")) << robot;
+    EXPECT_THAT(counted.err, HasSubstr(", 16-19\n")) << robot;
+    EXPECT_THAT(info(),
+                AllOf(HasSubstr("\nDA:11,1\n"), HasSubstr("\nDA:17,0\n"), Not(HasSubstr("Arduino.h"))))
+        << robot;
+    std::vector<std::string> words = {"run", "My Sketches/Mine/Mine.ino", "--goal", "none", "--for", "2s"};
+    words.insert(words.end(), chip.begin(), chip.end());
+    EXPECT_EQ(robosim_command(words, folder_.path()).out, counted.out) << robot << ": the same run";
+    std::vector<std::string> sends = chip;
+    sends.insert(sends.end(), {"--send", "m"});
+    run(sends);
+    EXPECT_THAT(info(), AllOf(HasSubstr("\nDA:5,1\n"), HasSubstr("\nDA:11,2\n"), HasSubstr("\nDA:17,1\n")))
+        << robot;
+  }
+}
+
+TEST_F(CliCoverage, OnAChipEachPowerCycleAndWhatWasLeftOutWhileItWaitedCount) {
+  folder_.write("cut.txt", "at 1s power off 100ms\n");
+  folder_.write("Waits/Waits.ino",
+                "void setup() {\n"
+                "  pinMode(13, OUTPUT);\n"
+                "}\n"
+                "void loop() {\n"
+                "  if (PIND & 16)\n"
+                "    PORTB = 32;\n"
+                "}\n");
+  const Ended ended =
+      robosim_command({"run", "./Waits", "--target", "avr", "--robot", "uno5", "--goal", "none", "--for",
+                       "2s", "--script", "cut.txt", "--coverage", "out", "--json"},
+                      folder_.path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(info(), HasSubstr("\nDA:2,2\n"));
+  const auto rounds = nlohmann::json::parse(ended.out)["resources"]["loops"].get<std::uint64_t>();
+  std::uint64_t looked = 0;
+  const std::string text = info();
+  std::istringstream(text.substr(text.find("\nDA:5,") + 6)) >> looked;
+  EXPECT_GT(looked, 10'000u);
+  EXPECT_GE(looked, rounds) << "rounds are those since the power came back";
+}
+
+TEST_F(CliCoverage, IsRefusedForAFolderThatCannotBe) {
   folder_.write("file", "");
   const Ended bad = robosim_command({"run", "PidFollower", "--coverage", "file"}, folder_.path());
   EXPECT_EQ(bad.status, 2);

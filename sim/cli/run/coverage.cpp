@@ -8,16 +8,12 @@
 
 #include "sim/base/file.h"
 #include "sim/build/coverage.h"
-#include "sim/launch/names.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 std::string coverage_folder(const std::string& option, const std::string& target) {
-  if (!option.empty()) {
-    launch::name_flag("--coverage", [&] { build::check_can_cover(target); });
-    return option;
-  }
+  if (!option.empty()) return option;
   const char* const everywhere = std::getenv("ROBOSIM_COVERAGE");
   return everywhere && target == "host" ? everywhere : "";
 }

@@ -29,6 +29,7 @@ class AvrExecutor::Running final : public RunningChip {
     if (chip_ == &machine_.chip().chip()) chip_ = nullptr;
   }
 
+  void count(LineCounts& lines) { machine_.chip().count(lines); }
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.chip().fault().has_value(); }
   Crash crash() const override { return diagnosis().crash(*machine_.chip().fault()); }
@@ -80,11 +81,16 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
     auto running = std::make_unique<Running>(image_, board, t, debugger_.get(), chip);
     chip->idle().allow(!runs_waiting_loops);
+    if (lines) running->count(*lines);
     return running;
   }
 
+  void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
+  std::string line_counts() const override { return lines ? lines->text() : ""; }
+
   robosim::avr::Chip* chip = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false;
+  std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 
  private:
   const Image image_;

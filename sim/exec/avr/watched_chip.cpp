@@ -146,18 +146,20 @@ void WatchedChip::was_reset() {
 
 // --- traps
 
+std::vector<WatchedChip::TrapPlace>::iterator WatchedChip::trap_from(std::uint32_t pc) {
+  return std::ranges::lower_bound(state_.traps, pc, {}, &TrapPlace::pc);
+}
+
 void WatchedChip::set_trap(Trap trap, std::uint32_t pc) {
-  auto place = std::find_if(state_.traps.begin(), state_.traps.end(),
-                            [&](const TrapPlace& at) { return at.pc == pc; });
-  if (place == state_.traps.end()) place = state_.traps.insert(place, {pc, 0});
+  auto place = trap_from(pc);
+  if (place == state_.traps.end() || place->pc != pc) place = state_.traps.insert(place, {pc, 0});
   place->traps |= trap;
   chip_.cpu().set_mark(pc / 2, true);
 }
 
 void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
-  const auto place = std::find_if(state_.traps.begin(), state_.traps.end(),
-                                  [&](const TrapPlace& at) { return at.pc == pc; });
-  if (place == state_.traps.end()) return;
+  const auto place = trap_from(pc);
+  if (place == state_.traps.end() || place->pc != pc) return;
   place->traps &= ~static_cast<unsigned>(trap);
   if (place->traps != 0) return;
   chip_.cpu().set_mark(pc / 2, false);
@@ -165,9 +167,14 @@ void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
 }
 
 unsigned WatchedChip::traps_at(std::uint32_t pc) const {
-  for (const TrapPlace& trap : state_.traps)
-    if (trap.pc == pc) return trap.traps;
-  return 0;
+  const auto place = std::ranges::lower_bound(state_.traps, pc, {}, &TrapPlace::pc);
+  return place != state_.traps.end() && place->pc == pc ? place->traps : 0;
+}
+
+void WatchedChip::count(LineCounts& lines) {
+  lines_ = &lines;
+  for (const LineCounts::Begin& begin : lines.begins())
+    if (begin.address < firmware_.code_end) set_trap(kLineTrap, begin.address);
 }
 
 void WatchedChip::restore(const Saved& saved) {
@@ -178,13 +185,18 @@ void WatchedChip::restore(const Saved& saved) {
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
-  if (!rounds_ || !rounds_->is_running() || traps_at(2 * pc) != kLoopTrap) return false;
+  const unsigned traps = traps_at(2 * pc), others = traps & ~unsigned{kLineTrap};
+  if (traps & kLineTrap) lines_->ran(2 * pc);
+  if (others == 0) return true;
+  if (!rounds_ || !rounds_->is_running() || others != kLoopTrap) return false;
   rounds_->began(at);
   return true;
 }
 
-void WatchedChip::left_out(std::uint32_t, Cycle first, Cycle period, std::uint64_t count) {
-  rounds_->began(first, period, count);
+void WatchedChip::left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) {
+  const unsigned traps = traps_at(2 * pc);
+  if (traps & kLoopTrap) rounds_->began(first, period, count);
+  if (traps & kLineTrap) lines_->ran(2 * pc, count);
 }
 
 unsigned WatchedChip::take_traps() { return std::exchange(state_.trapped, 0); }

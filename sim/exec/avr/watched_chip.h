@@ -13,6 +13,7 @@
 #include "sim/avr/chip.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
+#include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/round_counter.h"
 
 namespace robosim::exec::avr {
@@ -60,9 +61,12 @@ class WatchedChip final : robosim::avr::Visitor {
     kBreakpoint = 4,
     kWriteTrap = 8,
     kRestartTrap = 16,
-    kFirstLoopTrap = 32
+    kFirstLoopTrap = 32,
+    kLineTrap = 64
   };
   void set_trap(Trap trap, std::uint32_t pc);
+  /// Where lines begin has kLineTraps: it is counted how often they run.
+  void count(LineCounts& lines);
   /// From the second round on, rounds are counted at a kLoopTrap, and run_to() runs on if nobody else wants
   /// to know.
   void count(RoundCounter<Cycle>& rounds) { rounds_ = &rounds; }
@@ -102,7 +106,7 @@ class WatchedChip final : robosim::avr::Visitor {
   };
   /// All that changes while the chip runs, but for the chip itself.
   struct State {
-    std::vector<TrapPlace> traps;
+    std::vector<TrapPlace> traps;  ///< by their places
     unsigned trapped = 0;
     std::optional<Fault> fault;
     bool off = false;
@@ -142,11 +146,14 @@ class WatchedChip final : robosim::avr::Visitor {
   bool was_loaded() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
   unsigned traps_at(std::uint32_t pc) const;
+  /// The first place of a trap that is not before `pc`.
+  std::vector<TrapPlace>::iterator trap_from(std::uint32_t pc);
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
   const std::uint32_t clock_hz_;
   RoundCounter<Cycle>* rounds_ = nullptr;
+  LineCounts* lines_ = nullptr;
   bool singly_ = false;
   State state_;
   robosim::avr::Chip chip_;

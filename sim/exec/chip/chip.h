@@ -67,6 +67,10 @@ class ChipFirmware {
 
   /// From the next power-on, a debugger may halt it. Both outlive this.
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
+  /// From the next power-on, it is counted how often lines run.
+  virtual void count_lines() = 0;
+  /// As LineCounts has it; empty where nothing is counted.
+  virtual std::string line_counts() const = 0;
   /// One at a time; it ends before `board` and this do.
   virtual std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) = 0;
 };

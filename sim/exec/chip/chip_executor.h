@@ -34,6 +34,8 @@ class ChipExecutor : public Executor {
   bool has_boards_eeprom() const override { return firmware_->has_boards_eeprom(); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
   void debug_with(gdb::Server& server) override { firmware_->debug_with(server, clocked_); }
+  void count_lines() override { firmware_->count_lines(); }
+  std::vector<BundledFile> counters() override { return {{"lines", firmware_->line_counts()}}; }
   std::any save() const override;
   void restore(const std::any& saved) override;
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }

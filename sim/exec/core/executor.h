@@ -75,8 +75,12 @@ class Executor {
     static const std::vector<DivisionByZero> none;
     return none;
   }
-  /// What an image that was built for coverage has counted since the first power-on: of each power cycle and
-  /// each source a file as gcov reads it (.gcda). Nothing of an image that was not.
+  /// Before the first power-on: counters() shall tell which lines ran. On the host an image that was built
+  /// for coverage counts by itself.
+  virtual void count_lines() {}
+  /// What has been counted since the first power-on. On the host of each power cycle and each source a file
+  /// as gcov reads it (.gcda), and nothing of an image that was not built for coverage; on a chip one file
+  /// with lines "LINE COUNT FILE" (exec/elf/line_counts.h).
   virtual std::vector<BundledFile> counters() { return {}; }
   /// A copy of all that changes in firmware, chip and board. Throws InputError where that cannot be.
   virtual std::any save() const { throw InputError(kCannotBeSaved); }

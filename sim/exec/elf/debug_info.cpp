@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace robosim::exec {
 namespace {
 
@@ -94,6 +97,43 @@ SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   return place;
 }
 
+/// Statements, as the table of lines has them.
+void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
+  Dwarf_Lines* rows = nullptr;
+  std::size_t count = 0;
+  if (dwarf_getsrclines(&unit, &rows, &count) != 0) return;
+  bool first = true, left_out = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    Dwarf_Line* const row = dwarf_onesrcline(rows, i);
+    Dwarf_Addr address = 0;
+    bool ends = false, begins = false;
+    dwarf_lineaddr(row, &address);
+    dwarf_lineendsequence(row, &ends);
+    // What the linker has left out lies at 0.
+    if (std::exchange(first, ends)) left_out = address == 0;
+    if (ends || left_out || dwarf_linebeginstatement(row, &begins) != 0 || !begins) continue;
+    DebugInfo::CodeLine line{static_cast<std::uint32_t>(address), tidy(dwarf_linesrc(row, nullptr, nullptr))};
+    dwarf_lineno(row, &line.line);
+    lines.push_back(std::move(line));
+  }
+}
+
+/// Lines of which nothing is left but a call, whose function was inlined.
+void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines) {
+  Dwarf_Die child;
+  if (dwarf_child(&parent, &child) != 0) return;
+  do {
+    Dwarf_Addr base = 0, begin = 0, end = 0;
+    const bool inlined = dwarf_tag(&child) == DW_TAG_inlined_subroutine;
+    if (inlined && (dwarf_entrypc(&child, &begin) == 0 || dwarf_ranges(&child, 0, &base, &begin, &end) > 0) &&
+        begin != 0) {
+      const SourceLine call = call_of(unit, child);
+      lines.push_back({static_cast<std::uint32_t>(begin), call.file, call.line});
+    }
+    add_calls(unit, child, lines);
+  } while (dwarf_siblingof(&child, &child) == 0);
+}
+
 }  // namespace
 
 bool is_core_file(const std::string& file) {
@@ -132,6 +172,23 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
     }
   });
   return frames;
+}
+
+std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
+  std::vector<CodeLine> all;
+  if (dwarf_)
+    for_each_unit(dwarf_, [&](Dwarf_Die unit) {
+      std::vector<CodeLine> calls;
+      add_rows(unit, all);
+      add_calls(unit, unit, calls);
+      std::erase_if(calls, [&](const CodeLine& call) {
+        return std::ranges::any_of(
+            all, [&](const CodeLine& row) { return row.line == call.line && row.file == call.file; });
+      });
+      all.insert(all.end(), calls.begin(), calls.end());
+    });
+  std::erase_if(all, [](const CodeLine& line) { return line.line <= 0 || is_core_file(line.file); });
+  return all;
 }
 
 DebugInfo::CodeOf DebugInfo::code_of(const std::string& function) const {

@@ -37,6 +37,15 @@ class DebugInfo {
   };
   CodeOf code_of(const std::string& function) const;
 
+  /// Where a statement of a line begins: several for one line, and several lines may begin at one.
+  struct CodeLine {
+    std::uint32_t address = 0;
+    std::string file;
+    int line = 0;
+  };
+  /// But for those of core files.
+  std::vector<CodeLine> lines() const;
+
  private:
   int descriptor_ = -1;
   Dwarf* dwarf_ = nullptr;

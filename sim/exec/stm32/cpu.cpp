@@ -239,26 +239,6 @@ const Step* Cpu::step_at(std::uint32_t pc) {
   return &step;
 }
 
-Cpu::Mark* Cpu::mark_at(std::uint32_t pc) {
-  for (Mark& mark : marks_)
-    if (mark.pc == pc) return &mark;
-  return nullptr;
-}
-
-void Cpu::mark(std::uint32_t pc, bool Mark::*flag, bool set) {
-  if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
-  if (!mark_at(pc)) {
-    marks_.push_back({});
-    marks_.back().pc = pc;
-  }
-  mark_at(pc)->*flag = set;
-  std::erase_if(marks_, [](const Mark& mark) {
-    return !mark.starts && !mark.loop && !mark.call && !mark.sets && !mark.watched && !mark.breaks &&
-           !mark.head;
-  });
-  code_[(pc - kFlash) / 2].kind = Step::Kind::fetch;
-}
-
 std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
   if (pc - kFlash >= kFlashBytes) return 0;
   const Step& step = code_[(pc - kFlash) / 2];
@@ -348,7 +328,7 @@ bool Cpu::halts_at(std::uint32_t pc) {
 }
 
 void Cpu::reached(const Mark& mark) {
-  if (idle_.is_recording() && (mark.sets || mark.watched)) idle_.interrupted();
+  if (idle_.is_recording() && (mark.sets || mark.watched || mark.counted)) idle_.interrupted();
   if (mark.loop || (mark.starts && !rounds_.is_running())) {
     rounds_.began(clock_.time_of(clock_.now));
     idle_.round_began();
@@ -362,6 +342,7 @@ void Cpu::reached(const Mark& mark) {
     early_.reset();
   }
   if (mark.watched && watcher_) watcher_();
+  if (mark.counted) lines_->ran(mark.pc);
 }
 
 Cycle Cpu::handler_cycles() const {

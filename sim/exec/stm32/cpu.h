@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/round_counter.h"
 #include "sim/exec/elf/rounds.h"
 #include "sim/exec/stm32/bus.h"
@@ -122,6 +123,8 @@ class Cpu {
   bool interruptible() const { return !(primask_ | faultmask_); }
   const RoundCounter<SimTime>& rounds() const { return rounds_; }
 
+  /// Where lines begin, it is counted how often they run.
+  void count(LineCounts& lines);
   /// Whom to call whenever the instruction at `pc` is about to run.
   void watch(std::uint32_t pc, std::function<void()> watcher);
   /// Once, when the instruction at `pc` is about to run, the word at `variable` becomes `value`.
@@ -138,9 +141,10 @@ class Cpu {
   /// What happens before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
-    bool starts = false, loop = false, call = false, sets = false, watched = false, breaks = false,
-         head = false;
+    bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
+         breaks = false, head = false;
     Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
+    bool is_set() const { return starts || loop || call || sets || watched || counted || breaks || head; }
   };
   struct Handler {
     Exception exception;
@@ -218,7 +222,8 @@ class Cpu {
   /// Of code outside of flash: an instruction, and what leads on behind it. Those made last are kept.
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
-  std::vector<Mark> marks_;
+  std::vector<Mark> marks_;  ///< by their addresses
+  LineCounts* lines_ = nullptr;
   Idle idle_{*this};
   std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write by itself
 

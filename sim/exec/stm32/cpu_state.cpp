@@ -173,4 +173,26 @@ void Cpu::emulate() {
   if (error != UC_ERR_OK && !ends_) fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
 }
 
+Cpu::Mark* Cpu::mark_at(std::uint32_t pc) {
+  const auto at = std::ranges::lower_bound(marks_, pc, {}, &Mark::pc);
+  return at != marks_.end() && at->pc == pc ? &*at : nullptr;
+}
+
+void Cpu::mark(std::uint32_t pc, bool Mark::*flag, bool set) {
+  if (pc < kFlash || pc >= kFlash + kFlashBytes) return;
+  auto at = std::ranges::lower_bound(marks_, pc, {}, &Mark::pc);
+  if (at == marks_.end() || at->pc != pc) {
+    at = marks_.emplace(at);
+    at->pc = pc;
+  }
+  (*at).*flag = set;
+  if (!at->is_set()) marks_.erase(at);
+  code_[(pc - kFlash) / 2].kind = Step::Kind::fetch;
+}
+
+void Cpu::count(LineCounts& lines) {
+  lines_ = &lines;
+  for (const LineCounts::Begin& begin : lines.begins()) mark(begin.address, &Mark::counted);
+}
+
 }  // namespace robosim::exec::stm32

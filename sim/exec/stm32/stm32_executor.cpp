@@ -35,6 +35,7 @@ class Stm32Executor::Running final : public RunningChip {
   }
 
   void run_waiting_loops() { machine_.cpu().idle().allow(false); }
+  void count(LineCounts& lines) { machine_.cpu().count(lines); }
 
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.cpu().fault().has_value(); }
@@ -85,11 +86,16 @@ class Stm32Executor::Firmware final : public ChipFirmware {
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
     auto running = std::make_unique<Running>(image_, board, flash_, t, debugger_.get(), machine);
     if (runs_waiting_loops) running->run_waiting_loops();
+    if (lines) running->count(*lines);
     return running;
   }
 
+  void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
+  std::string line_counts() const override { return lines ? lines->text() : ""; }
+
   const stm32::Machine* machine = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false;
+  std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 
  private:
   const Image image_;

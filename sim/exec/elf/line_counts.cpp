@@ -1,0 +1,37 @@
+#include "sim/exec/elf/line_counts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace robosim::exec {
+
+LineCounts::LineCounts(const DebugInfo& debug) : lines_(debug.lines()) {
+  for (const DebugInfo::CodeLine& line : lines_) begins_.push_back({line.address, 0});
+  const auto address = [](const Begin& begin) { return begin.address; };
+  std::ranges::sort(begins_, {}, address);
+  const auto [first, last] = std::ranges::unique(begins_, {}, address);
+  begins_.erase(first, last);
+}
+
+void LineCounts::ran(std::uint32_t address, std::uint64_t times) {
+  const auto at = std::ranges::lower_bound(begins_, address, {}, &Begin::address);
+  if (at != begins_.end() && at->address == address) at->count += times;
+}
+
+std::string LineCounts::text() const {
+  std::map<std::pair<std::string, int>, std::uint64_t> counts;
+  for (const DebugInfo::CodeLine& line : lines_) {
+    const auto at = std::ranges::lower_bound(begins_, line.address, {}, &Begin::address);
+    std::uint64_t& count = counts[{line.file, line.line}];
+    count = std::max(count, at->count);
+  }
+  std::string text;
+  for (const auto& [place, count] : counts)
+    text += fmt::format("{} {} {}\n", place.second, count, place.first);
+  return text;
+}
+
+}  // namespace robosim::exec
