@@ -112,13 +112,13 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   const Ended ended = robosim_command({"compare", "RightPath", "--map", "tight", "--robot", "uno3",
                                        "--target", "host,stm32", "--for", "14s", "--json"});
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  const auto json = nlohmann::json::parse(ended.out);
-  EXPECT_EQ(json["same"], true);
-  EXPECT_EQ(json["difference"]["kind"], "motors");
-  ASSERT_EQ(json["edges"].size(), 2u);
-  EXPECT_EQ(json["edges"][0]["target"], "host");
-  EXPECT_EQ(json["edges"][1]["target"], "stm32");
-  EXPECT_NE(json["edges"][0]["texts"][0], json["edges"][0]["texts"][1]);
+  const auto result = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(result["same"], true);
+  EXPECT_EQ(result["difference"]["kind"], "motors");
+  ASSERT_EQ(result["edges"].size(), 2u);
+  EXPECT_EQ(result["edges"][0]["target"], "host");
+  EXPECT_EQ(result["edges"][1]["target"], "stm32");
+  EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
 TEST_F(CliCompare, SketchesOnPinsThatOnlyOneBoardHasDoTheSameOnItsTargets) {

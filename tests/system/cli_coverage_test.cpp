@@ -17,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kSketch =
+const std::string kCovered =
     "#include \"limits.h\"\n"                       // 1
     "int runs;\n"                                   // 2
     "void remember(int what) {\n"                   // 3
@@ -44,7 +44,7 @@ const std::string kSketch =
 class CliCoverage : public ::testing::Test {
  protected:
   CliCoverage() {
-    folder_.write("My Sketches/Mine/Mine.ino", kSketch);
+    folder_.write("My Sketches/Mine/Mine.ino", kCovered);
     folder_.write("My Sketches/Mine/limits.h", "constexpr int kMost = 9;\nint doubled(int n);\n");
     folder_.write("My Sketches/Mine/src/double.cpp",
                   "int doubled(int n) {\n  if (n < 0)\n    return 0;\n  return 2 * n;\n}\n");

@@ -16,7 +16,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string kSketch =
+const std::string kFlashed =
     "void setup() { Serial.begin(9600); }\nvoid loop() { Serial.println(millis()); }\n";
 
 std::string after(const std::string& text, const std::string& mark, const std::string& end) {
@@ -28,7 +28,7 @@ std::string after(const std::string& text, const std::string& mark, const std::s
 
 class CliFlash : public ::testing::Test {
  protected:
-  CliFlash() : path_(std::getenv("PATH")) { folder_.write("My/My.ino", kSketch); }
+  CliFlash() : path_(std::getenv("PATH")) { folder_.write("My/My.ino", kFlashed); }
   ~CliFlash() override { ::setenv("PATH", path_.c_str(), 1); }
 
   /// An avrdude first on PATH that writes down its words and a copy of its file, and ends with `status`.

@@ -20,7 +20,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const std::string kSketch =
+const std::string kDebugged =
     "unsigned passes;\n"                              // 1
     "void blink() {\n"                                // 2
     "  digitalWrite(13, passes % 2);\n"               // 3
@@ -67,7 +67,7 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     const std::string remedy = debugger() + " is missing: apt install " + d.package;
     if (missing && is_required(d.debugger)) FAIL() << remedy;
     if (missing) GTEST_SKIP() << remedy;
-    folder_.write("My/My.ino", kSketch);
+    folder_.write("My/My.ino", kDebugged);
     const Ended built = robosim_command(
         {"build", "My/", "--target", d.target, "--robot", d.robot, "--out", "out"}, folder_.path());
     ASSERT_EQ(built.status, 0) << built.err;

@@ -22,11 +22,11 @@ using Words = std::vector<std::string>;
 const std::string kGreets =
     "void setup() { Serial.begin(9600); Serial.println(\"hello\"); }\nvoid loop() { delay(1); }\n";
 
-const std::string kShort = "goal = \"none\"\nfor = \"50ms\"\nmap = \"oval\"\n";
+const std::string kShortCheck = "goal = \"none\"\nfor = \"50ms\"\nmap = \"oval\"\n";
 
 /// A `[[check]]` of 50 ms.
 std::string check(const std::string& name, const std::string& more) {
-  return "[[check]]\nname = \"" + name + "\"\n" + kShort + more + "\n";
+  return "[[check]]\nname = \"" + name + "\"\n" + kShortCheck + more + "\n";
 }
 
 TEST(CliTest, TellsOfEachCheckWhetherItPassedAndIfNotWhyAndWhatShowsIt) {

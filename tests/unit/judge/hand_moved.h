@@ -18,7 +18,8 @@ struct HandMoved {
         stripes(map, map.cell_m),
         world(map),
         body(world.body(world.add_body(params(), stripes.pose_of(start)))),
-        progress(goal.empty() ? default_goal(map, network) : parse_goal(goal), map, stripes, network, start) {}
+        progress(goal.empty() ? default_goal(map, network) : parse_goal(goal), map, stripes, network, start) {
+  }
 
   static world::BodyParams params() {
     world::BodyParams p = world::default_body_params();

@@ -11,6 +11,8 @@
 
 namespace robosim::robot {
 
+inline constexpr Pin kA0 = 14, kA1 = 15;  ///< of the bench's Nano
+
 /// A small robot file without parts; tests append theirs.
 inline const std::string kBareRobot = R"(
 board = "nano"

@@ -21,7 +21,7 @@ std::vector<std::string> told(BenchRobot& bench, int ticks) {
   return texts;
 }
 
-constexpr Pin kRs = 12, kEnable = 11;
+constexpr Pin kRs = 12, kE = 11;
 
 constexpr const char* kLcd =
     "[[part]]\nname = \"lcd\"\ntype = \"lcd\"\npins = { rs = 12, en = 11, d4 = 5, d5 = 4, d6 = 3, d7 = 2 }\n";
@@ -30,9 +30,9 @@ class Lcd {
  public:
   void nibble(unsigned bits) {
     for (int i = 0; i < 4; ++i) bench.board.output(static_cast<Pin>(5 - i), bits >> i & 1, t());
-    bench.board.output(kEnable, true, t());
+    bench.board.output(kE, true, t());
     us_ += 1;
-    bench.board.output(kEnable, false, t());
+    bench.board.output(kE, false, t());
   }
   void write(bool data, unsigned byte, SimTime wait_us = 100) {
     bench.board.output(kRs, data, t());

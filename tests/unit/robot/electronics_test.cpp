@@ -8,8 +8,6 @@
 namespace robosim::robot {
 namespace {
 
-constexpr Pin kA0 = 14, kA1 = 15;
-
 const std::string kParts =
     "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A0\"\nshare = 0.5\n"
     "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A1\"\nat = [\"0 mm\", \"0 mm\"]\n"

@@ -18,7 +18,6 @@
 namespace robosim::robot {
 namespace {
 
-constexpr Pin kA0 = 14;
 constexpr int kSeeds = 40;
 
 struct Range {

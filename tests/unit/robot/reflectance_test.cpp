@@ -9,8 +9,6 @@
 namespace robosim::robot {
 namespace {
 
-constexpr Pin kA0 = 14;
-
 // One sensor at the axle's centre; `keys` go into its table.
 std::string sensor(const std::string& keys) {
   return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
@@ -119,7 +117,6 @@ TEST(AnalogReflectance, SeesASmallerSpotFromTypical2OnOneForAllElements) {
     for (const double v : seen) between += v > low + 0.01 && v < high - 0.01;
     return between * 1e-4;
   };
-  const Pin kA1 = kA0 + 1;
   double least = 1.0, most = 0.0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     BenchRobot bench(keys, Profile::typical_2, seed);

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Pin kData = 11, kClock = 13, kLatch = 10, kEnable = 9;
+constexpr Pin kSer = 11, kSrclk = 13, kRclk = 10, kOe = 9;
 
 const std::string kRegister = R"(
 [[part]]
@@ -39,19 +39,19 @@ class RegisterBench : public BenchRobot {
  public:
   explicit RegisterBench(const std::string& parts, Profile profile = Profile::ideal, std::uint64_t seed = 1)
       : BenchRobot(parts, profile, seed) {
-    for (const Pin pin : {kData, kClock, kLatch}) board.output(pin, false, now);
+    for (const Pin pin : {kSer, kSrclk, kRclk}) board.output(pin, false, now);
   }
 
   void shift(unsigned bits, int count, SimTime t) {
     for (int i = count - 1; i >= 0; --i) {
-      board.output(kData, (bits >> i & 1) != 0, t);
-      board.output(kClock, true, t);
-      board.output(kClock, false, t);
+      board.output(kSer, (bits >> i & 1) != 0, t);
+      board.output(kSrclk, true, t);
+      board.output(kSrclk, false, t);
     }
   }
   void latch(SimTime t) {
-    board.output(kLatch, true, t);
-    board.output(kLatch, false, t);
+    board.output(kRclk, true, t);
+    board.output(kRclk, false, t);
   }
   /// What the LEDs on the outputs of that register show, Q0 in bit 0.
   unsigned shown(const std::string& reg) {
@@ -86,12 +86,12 @@ TEST(ShiftRegister, TheFirstByteEndsUpInTheLastRegisterOfTheChain) {
 
 TEST(ShiftRegister, FallingEdgesDoNothing) {
   RegisterBench bench(kRegister + leds("REG1"));
-  bench.board.output(kData, true, 0);
-  bench.board.output(kClock, true, 0);
-  bench.board.output(kLatch, true, 0);
+  bench.board.output(kSer, true, 0);
+  bench.board.output(kSrclk, true, 0);
+  bench.board.output(kRclk, true, 0);
   EXPECT_EQ(bench.shown("REG1"), 1u);
-  bench.board.output(kClock, false, 0);
-  bench.board.output(kLatch, false, 0);
+  bench.board.output(kSrclk, false, 0);
+  bench.board.output(kRclk, false, 0);
   EXPECT_EQ(bench.shown("REG1"), 1u);
 }
 
@@ -103,9 +103,9 @@ TEST(ShiftRegister, EnableHighSwitchesItsOutputsOff) {
   bench.shift(0xFF, 8, 0);
   bench.latch(0);
   EXPECT_EQ(bench.shown("REG1"), 0xFFu);
-  bench.board.output(kEnable, true, 0);
+  bench.board.output(kOe, true, 0);
   EXPECT_EQ(bench.shown("REG1"), 0u);
-  bench.board.output(kEnable, false, 0);
+  bench.board.output(kOe, false, 0);
   EXPECT_EQ(bench.shown("REG1"), 0xFFu);
 }
 

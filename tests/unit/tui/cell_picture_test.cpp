@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/tui/looks.h"
+
 namespace robosim::tui {
 namespace {
 
-constexpr Look kPlain{false, false};
-
 std::string drawn(const std::string& map_text, int columns, int rows, const grid::Start& robot,
-                  std::vector<CellLabel> labels = {}, Look look = kPlain) {
+                  std::vector<CellLabel> labels = {}, Look look = kAscii) {
   const grid::Map map = grid::parse_map(map_text, "test.map");
   CellPicture picture(map);
   Frame frame(columns, rows);
@@ -57,7 +57,7 @@ TEST(CellPicture, TheTrailIsInAnotherInk) {
   picture.add_trail({2, 1});
   picture.add_trail({-1, 5});  // outside: nothing
   Frame frame(10, 3);
-  picture.draw(frame, 0, 3, {1, 1}, std::nullopt, {}, kPlain);
+  picture.draw(frame, 0, 3, {1, 1}, std::nullopt, {}, kAscii);
   EXPECT_EQ(frame.at(3, 1).ink, Ink::trail);
   EXPECT_EQ(frame.at(5, 1).ink, Ink::line);
 }

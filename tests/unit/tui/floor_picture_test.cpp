@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/tui/looks.h"
+
 namespace robosim::tui {
 namespace {
-
-constexpr Look kPlain{true, false};
-constexpr Look kColour{true, true};
-constexpr Look kAscii{false, false};
 
 std::string drawn(const FloorPicture& floor, const std::vector<Mark>& marks, Look look) {
   Frame frame(floor.window().columns, floor.window().rows);

@@ -4,12 +4,10 @@
 
 #include <cstdlib>
 
+#include "tests/unit/tui/looks.h"
+
 namespace robosim::tui {
 namespace {
-
-constexpr Look kPlain{true, false};
-constexpr Look kAscii{false, false};
-constexpr Look kColour{true, true};
 
 TEST(Frame, TextIsCutAtTheEdgeAndLinesLoseTheirTrailingBlanks) {
   Frame frame(5, 2);

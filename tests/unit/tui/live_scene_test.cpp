@@ -3,14 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/unit/tui/looks.h"
+
 namespace robosim::tui {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-constexpr Look kPlain{true, false};
 
 wire::RobotInfo robot() {
   wire::RobotInfo info;

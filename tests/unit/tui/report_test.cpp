@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
+#include "tests/unit/tui/looks.h"
+
 namespace robosim::tui {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-constexpr Look kPlain{true, false};
 
 wire::Sample at(double x_mm, double y_mm, double yaw_rad = 0.0) {
   wire::Sample sample;

@@ -12,11 +12,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const BoardSpec& uno() { return *find_board("uno"); }
+Pin pin(const char* name) { return find_pin(*find_board("uno"), name); }
 
-Pin pin(const char* name) { return find_pin(uno(), name); }
-
-SketchNames names(const std::string& text) { return names_in_text(text, "a.ino", uno()); }
+SketchNames names(const std::string& text) { return names_in_text(text, "a.ino", *find_board("uno")); }
 
 TEST(SketchNames, AConstantIsANameWhereAFunctionOfPinsTakesIt) {
   const SketchNames found = names(

@@ -1,0 +1,12 @@
+// What a terminal can show, for tests.
+#pragma once
+
+#include "sim/tui/frame.h"
+
+namespace robosim::tui {
+
+inline constexpr Look kPlain{true, false};  // no colours
+inline constexpr Look kColour{true, true};
+inline constexpr Look kAscii{false, false};
+
+}  // namespace robosim::tui
