@@ -119,6 +119,8 @@ class Cpu {
   std::uint32_t last_io_pc() const { return last_io_pc_; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return sleep_cycles_; }
+  /// When the handler that is open, or that ran last, began.
+  Cycle handler_began() const { return handler_began_; }
   /// Neither PRIMASK nor FAULTMASK holds interrupts back.
   bool interruptible() const { return !(primask_ | faultmask_); }
   const RoundCounter<SimTime>& rounds() const { return rounds_; }

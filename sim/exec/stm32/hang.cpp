@@ -2,11 +2,27 @@
 
 namespace robosim::exec::stm32 {
 
+namespace {
+
+using namespace robosim::stm32;
+
+// A loop may mask interrupts for a moment, to read what a handler writes. Where one waits, and none, not even
+// the core's clock of 1 ms, has come for so long, they stay masked.
+constexpr SimTime kMaskedFor = kSecond;
+
+bool are_masked_for_good(const Machine& machine) {
+  const Cpu& cpu = machine.cpu();
+  const SimTime now = machine.time_of(machine.bus().link().clock.now);
+  return !cpu.interruptible() && !cpu.in_handler() && machine.nvic().any_pending() &&
+         now - machine.time_of(cpu.handler_began()) >= kMaskedFor;
+}
+
+}  // namespace
+
 bool hangs(const Machine& machine, const Firmware& firmware) {
-  using namespace robosim::stm32;
   if (machine.is_off()) return true;
   if (!firmware.symbols.find("robosim_millis") || machine.bus().may_reset()) return false;
-  // Masked ones count: a loop may mask them for a moment, to read what a handler writes.
+  if (are_masked_for_good(machine)) return true;
   const Nvic& nvic = machine.nvic();
   for (int irq = 0; irq < kIrqCount; ++irq)
     if (nvic.is_enabled(static_cast<Irq>(irq)) && irq != kIrqTim2 && irq != kIrqUsart1) return false;

@@ -71,6 +71,21 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
   std::string serial_;
 };
 
+TEST_F(Stm32ChipTest, ASilentSketchHangsThoughAnInterruptIsEnabledIfTheyAreOffForGood) {
+  const std::string begins =
+      "volatile int n;\nvoid count() { ++n; }\nvoid setup() {\n"
+      "  attachInterrupt(digitalPinToInterrupt(2), count, CHANGE);\n";
+  const auto hangs = [&](const std::string& loop) {
+    start(begins + "}\nvoid loop() { " + loop + " }\n");
+    run(3 * kSecond);
+    return chip_->hangs();
+  };
+  EXPECT_TRUE(hangs("noInterrupts(); for (;;);"));
+  EXPECT_FALSE(hangs("for (;;);")) << "an edge may come";
+  EXPECT_FALSE(hangs("for (;;) { noInterrupts(); for (volatile int i = n; i < 30000; i++); interrupts(); }"))
+      << "off for a moment, but nearly always";
+}
+
 TEST_F(Stm32ChipTest, PrintsNumbersOfItsOwnWidths) {
   EXPECT_EQ(output("void setup() { Serial.begin(115200); Serial.println(-1, HEX); Serial.println(1.5, 3);\n"
                    "Serial.println(sizeof(int)); char t[16]; dtostrf(-2.345, 8, 2, t); Serial.println(t);\n"
