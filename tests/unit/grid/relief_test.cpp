@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Map map_of(const std::string& tables) {
+Map relief_of(const std::string& tables) {
   return parse_map(
       "+++\nsize = [\"2 m\", \"1 m\"]\n" + tables +
           "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n+++\n",
@@ -43,7 +43,7 @@ rolling = 0.01
 )";
 
 TEST(Relief, IsRampsProfilesSeesawsAndSurfaces) {
-  const Map map = map_of(kHills);
+  const Map map = relief_of(kHills);
   for (const Map& m : {map, parse_map(write_map(map), "again.map")}) {
     ASSERT_EQ(m.course.hills.size(), 3u);
     const Hill &ramp = m.course.hills[0], &bump = m.course.hills[1], &seesaw = m.course.hills[2];
@@ -78,14 +78,14 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {hill + size + ramp, "a hill has a middle: either at = [\"X\", \"Y\"]"},
       {hill + at + size + "slope = \"60 deg\"", "m.map:6:9: slope is 1.0"},
       {hill + at + size + "slope = \"20 %\"", "slope is \"20 %\""},
-      {hill + at + size + "slope = 20", "slope is a whole number"},
+      {hill + at + size + "slope = 20", "slope is 20 without a unit"},
       {hill + at + "size = [\"2 m\", \"300 mm\"]\nslope = \"20 deg\"", "this ramp would be 0.684 m high"},
       {hill + at + size + "heights = \"9 mm\"", "heights must be 2 to 33 of them"},
       {hill + at + size + "heights = []", "heights must be 2 to 33 of them"},
       {hill + at + size + "heights = [\"9 mm\"]", "heights must be 2 to 33 of them"},
       {hill + at + size + "heights = [\"0 mm\", \"-3 mm\"]", "m.map:6:20: a height is -0.003"},
       {hill + at + size + "heights = [\"0 mm\", \"1 m\"]", "a height is 1 in SI units"},
-      {hill + at + size + "heights = [\"0 mm\", 3]", "a height is a whole number"},
+      {hill + at + size + "heights = [\"0 mm\", 3]", "a height is 3 without a unit"},
       {hill + at + size + "heights = [\"0 mm\", \"3 g\"]", "a height is \"3 g\""},
       {hill + at + size + "heights = [\"0 mm\", \"300 mm\"]",
        "m.map:6:20: from 0 to 300 mm within 300 mm of way is too steep"},
@@ -113,7 +113,7 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   };
   for (const auto& one : refused) {
     try {
-      map_of(one.table + "\n");
+      relief_of(one.table + "\n");
       ADD_FAILURE() << one.table;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.table;
@@ -122,8 +122,8 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   std::string hills, surfaces;
   for (int i = 0; i <= 64; ++i) hills += hill + at + size + ramp;
   for (int i = 0; i <= 256; ++i) surfaces += surface + at + size + "kind = \"wet\"\n";
-  EXPECT_THROW(map_of(hills), InputError);
-  EXPECT_THROW(map_of(surfaces), InputError);
+  EXPECT_THROW(relief_of(hills), InputError);
+  EXPECT_THROW(relief_of(surfaces), InputError);
 }
 
 }  // namespace
