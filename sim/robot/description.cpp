@@ -269,6 +269,7 @@ Description read_description(const RobotSource& source, const fs::path& file, co
   std::vector<Wire> driver_wires;
   robot.driver = read_driver(reader.require("driver"), terminals, driver_wires);
   if (const ConfigValue* table = reader.find("electronics")) robot.electronics = read_electronics(*table);
+  if (const ConfigValue* table = reader.find("battery")) robot.battery = read_battery(*table);
   if (parts)
     for (const ConfigValue& part : parts->items) robot.parts.push_back(read_part(part, terminals, robot));
   reader.finish();

@@ -11,6 +11,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
+#include "sim/robot/battery.h"
 #include "sim/robot/electronics.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/number.h"
@@ -139,6 +140,7 @@ struct Description {
   Motors motors;
   Driver driver;
   Electronics electronics;
+  Battery battery;
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, as netlist.h numbers them
   std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
 };

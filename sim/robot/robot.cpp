@@ -43,6 +43,7 @@ struct Robot::Inside {
         netlist(board, d.registers.size(), kept),
         analog(analog_inputs(board)),
         context(d, board, netlist, view, individual, kept, analog.get()) {
+    begin_battery();
     find_supply();
     kept.add(view);
     kept.add(state);
@@ -58,6 +59,26 @@ struct Robot::Inside {
                                           steps * board.spec().supply_volts / board.spec().adc_steps,
                                           individual.noise("electronics", "adc"), kept);
   }
+  void begin_battery() {
+    const Battery& battery = description.battery;
+    if (!battery.kind) return;
+    const auto own = [this](const Number& figure, const char* key) {
+      return individual.draw(figure, "battery", key);
+    };
+    cells = {battery.kind, battery.cells, own(battery.resistance, "resistance"),
+             own(battery.capacity_as, "capacity"), own(battery.board, "board")};
+    state.charge = own(battery.charge, "charge");
+    feed();
+  }
+  // What the battery gives in the tick that begins.
+  void feed() {
+    const Cells::Load load = cells.under(body, state.charge);
+    state.charge -= load.taken;
+    view.battery = load.volts / body.params().supply_volts;
+    body.supply(load.volts);
+    find_supply();
+  }
+  bool feeds() const { return cells.kind && !state.is_forced; }
   void find_supply() {
     if (description.electronics.fed_by_battery)
       view.supply = supply_at(view.battery * body.params().supply_volts, *description.board);
@@ -75,11 +96,14 @@ struct Robot::Inside {
     bool edges = false;  // the board wanted some in the last tick
     world::WheelCommand command[2];
     std::size_t last_seen = 0;  // the sensor that saw the line last
+    double charge = 0.0;        // of a battery, 0..1
+    bool is_forced = false;     // a script says its volts
   };
 
   const Description& description;
   world::Body& body;
   const Individual individual;
+  Cells cells;  // none without [battery]; as it was drawn
   Kept kept;
   View view;
   Netlist netlist;
@@ -192,6 +216,12 @@ void Robot::end_tick(SimTime t) {
     last = command;
     in_->body.command(side, command);
   }
+  if (in_->feeds()) in_->feed();
+}
+
+std::optional<double> Robot::fed_volts() const {
+  if (!in_->feeds()) return std::nullopt;
+  return in_->view.battery * battery();
 }
 
 Kept::Copy Robot::save() const { return in_->kept.copy(); }
@@ -260,6 +290,7 @@ void Robot::power(bool on, SimTime t) {
 double Robot::battery() const { return in_->body.params().supply_volts; }
 
 void Robot::set_battery(double volts) {
+  in_->state.is_forced = volts != battery();
   in_->view.battery = volts / battery();
   in_->find_supply();
   in_->body.supply(volts);

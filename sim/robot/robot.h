@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,8 +91,11 @@ class Robot {
 
   /// V, of a healthy battery ([motors] supply, as drawn for this robot).
   double battery() const;
-  /// Sets the battery's voltage from now on: it affects the motors, and the parts that measure it.
+  /// Sets the battery's voltage from now on: it affects the motors, and the parts that measure it. One of
+  /// [battery] goes on by itself where that is the healthy one's.
   void set_battery(double volts);
+  /// V, of a [battery] as it is loaded now; nothing where the robot has none, or a script says its volts.
+  std::optional<double> fed_volts() const;
 
   /// All that changes during a run, but for its body and its board.
   Kept::Copy save() const;

@@ -190,6 +190,15 @@ void BoardFaults::begin(const ClockDrift& fault, SimTime t) {
 
 void BoardFaults::set_battery(double volts, SimTime t) {
   robot_.set_battery(volts);
+  supply_board(volts, t);
+}
+
+void BoardFaults::feed(double volts, SimTime t) {
+  supply_board(volts, t);
+  update_power(t);
+}
+
+void BoardFaults::supply_board(double volts, SimTime t) {
   const BoardSpec& spec = executor_.board().spec();
   const bool feeds_board = robot_.battery() - spec.regulator_drop_volts >= spec.brown_out_volts;
   state_.chip_volts =

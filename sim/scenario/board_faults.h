@@ -73,6 +73,8 @@ class BoardFaults final : EepromWatcher {
   /// What has this fault is whole again.
   void repair(const BoardFault& fault, SimTime t);
 
+  /// The battery gives so much now. Whether the chip runs may change by it.
+  void feed(double volts, SimTime t);
   /// The switch between battery and board. Parts that share the board's supply lose their state.
   void switch_power(bool on, SimTime t);
   /// Whether the chip runs: it is switched on and has its voltage.
@@ -112,6 +114,7 @@ class BoardFaults final : EepromWatcher {
  private:
   void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
   void set_battery(double volts, SimTime t);
+  void supply_board(double volts, SimTime t);
   void update_power(SimTime t);
   void begin(const PowerFault& fault, SimTime t);
   void begin(const SerialFault& fault, SimTime t);

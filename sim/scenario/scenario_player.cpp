@@ -291,6 +291,13 @@ wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const
   return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
 }
 
+void ScenarioPlayer::feed(double volts, SimTime t, judge::Events& events) {
+  const bool ran = board_.powered();
+  board_.feed(volts, t);
+  if (ran && !board_.powered()) events.push_back(wire::PowerLost{});
+  if (!ran && board_.powered()) events.push_back(wire::PowerBack{});
+}
+
 wire::RunEvent::What ScenarioPlayer::switch_power(const Action& action, SimTime t) {
   const bool ran = board_.powered();
   board_.switch_power(action.part == "on", t);

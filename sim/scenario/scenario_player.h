@@ -49,6 +49,8 @@ class ScenarioPlayer {
 
   /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
   void act(SimTime t, const judge::Progress& progress, judge::Events& events);
+  /// The battery sags and recovers by itself: at the beginning of a tick it gives so many volts.
+  void feed(double volts, SimTime t, judge::Events& events);
   /// A part has told something that people would see or hear.
   void hear(const robot::Told& told);
   /// The firmware has sent a byte.

@@ -148,6 +148,11 @@ class Body {
   // What goes wrong with it, until the next call.
   /// The driver's supply, V; of the constructor on it is params().supply_volts.
   void supply(double supply_volts);
+  /// What its motors take of a supply of that many volts, with their commands and at their speeds now.
+  struct Draw {
+    double amps = 0.0, amps_per_volt = 0.0;
+  };
+  Draw draw(double supply_volts) const;
   /// Something holds the wheel: it does not turn, whatever motor and floor do. Its motor stalls.
   void block(Side, bool blocked);
   /// Lifted, the body stands still where it is and touches nothing; its wheels turn freely, without what
@@ -179,6 +184,7 @@ class Body {
     // brake_from.
     double push, drag, push_until, brake_push, brake_from, joule0, joule1;
     double drive, brake;  // the command
+    double per_ohm, volts_per_speed;
   };
   struct Motor {
     double push, drag;

@@ -152,6 +152,8 @@ void Body::supply(double supply_volts) {
     const double ohms = winding + params_.driver_ohms;
     const double impulse_per_volt = torque_per_ampere(w) / ohms * unit.per_radius * kDt;
     const double volts_per_speed = per_rate * unit.per_radius;
+    unit.per_ohm = 1.0 / ohms;
+    unit.volts_per_speed = volts_per_speed;
     unit.push = impulse_per_volt * volts;
     unit.drag = impulse_per_volt * volts_per_speed;
     unit.push_until = volts / volts_per_speed;
@@ -160,6 +162,20 @@ void Body::supply(double supply_volts) {
     unit.joule0 = supply_volts * volts / ohms * kDt;
     unit.joule1 = supply_volts * volts_per_speed / ohms * kDt;
   }
+}
+
+Body::Draw Body::draw(double supply_volts) const {
+  Draw draw;
+  const double volts = supply_volts - params_.driver_drop_volts;
+  for (int side = 0; side < 2; ++side) {
+    const Unit& unit = unit_[side];
+    const double drives =
+        std::max(volts, 0.0) - std::copysign(1.0, unit.drive) * surface_[side] * unit.volts_per_speed;
+    if (!(drives > 0.0)) continue;
+    draw.amps += std::fabs(unit.drive) * drives * unit.per_ohm;
+    if (volts > 0.0) draw.amps_per_volt += std::fabs(unit.drive) * unit.per_ohm;
+  }
+  return draw;
 }
 
 void Body::block(Side side, bool blocked) {
