@@ -6,6 +6,8 @@
 namespace robosim::robot {
 namespace {
 
+constexpr double kWeightOfKg = 9.80665;  // N
+
 // Of a uniform plate of that shape, about the origin, for each kilogram (m2).
 double plate_inertia(const Chassis& chassis) {
   if (chassis.polygon.empty())
@@ -78,6 +80,8 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   params.caster_m = c.caster.value != 0.0 ? chassis(c.caster, "caster") : usual_caster(c);
   params.caster_radius_m = chassis(c.caster_radius, "caster_radius");
   params.centre_height_m = chassis(c.height, "height");
+  params.wheelbase_m = chassis(c.wheelbase, "wheelbase");
+  params.downforce_n = kWeightOfKg * chassis(c.downforce, "downforce");
   params.outline = c.polygon;
   params.radius_m = c.circle_radius;
   params.centre = c.circle_centre;

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostParts = 64;
+constexpr double kTrackAsWheels = 0.57735026918962576;  // 1 / sqrt(3): sim/world/body_skid.cpp
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
 std::string board_names() {
@@ -91,6 +92,15 @@ Chassis read_chassis(const ConfigValue& table) {
         "least 5 mm from it");
   chassis.caster_radius = read_figure(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
   chassis.height = read_figure(reader, "height", Dimension::length, {}, 0.0, 0.3);
+  chassis.wheelbase = read_figure(reader, "wheelbase", Dimension::length, {}, 0.02, 0.5);
+  if (const ConfigValue* const tracks = reader.find("tracks")) {
+    if (reader.find("wheelbase"))
+      throw InputError(tracks->place,
+                       "tracks is the length of tracks, and wheelbase is for wheels; give one of them");
+    chassis.wheelbase =
+        read_figure(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
+  }
+  chassis.downforce = read_figure(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   read_outline(reader, chassis);
   reader.finish();
   return chassis;

@@ -40,6 +40,8 @@ struct Chassis {
   Number caster;              ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
   Number caster_radius;       ///< m
   Number height;              ///< m, of the mass's centre; 0 = loads do not shift
+  Number wheelbase;           ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
+  Number downforce;           ///< kg whose weight a fan presses it down with
   Vec2 circle_centre;         ///< m; the outline, if it is a circle
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
   std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex

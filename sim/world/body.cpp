@@ -243,6 +243,7 @@ void Body::step(const Walls& walls, Ground* ground) {
     free_way_ = 0.0;
   }
   if (!rough || stand(ground, before, travel)) accelerate();
+  if (scrub_rolling_ > 0.0) scrub();
   draw_energy();
   if (!driven() && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&
       std::fabs(surface_[0]) < kStill && std::fabs(surface_[1]) < kStill) {

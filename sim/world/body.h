@@ -22,7 +22,7 @@
 //   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
 // F is what the wheel exerts on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
-//   F^2 + S^2 <= (grip load_share m g / 2)^2, S the sideways force, halved between the wheels
+//   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2, S the sideways force, halved between the wheels
 // While F stays below that limit the wheel rolls (r w = ground speed); at the limit it slips, and wheel and
 // ground speed differ. Where S alone exceeds its part, the body skids sideways. Time is implicit in the
 // velocities, so that no parameter makes a step unstable. Hills, surfaces and loads that shift:
@@ -85,11 +85,18 @@ struct BodyParams {
   double caster_m = -0.05;         ///< m, where the caster stands, ahead of the axle; not 0
   double caster_radius_m = 0.008;  ///< m, of the caster, a ball
   double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
+  double wheelbase_m =
+      0.0;  ///< m between the two wheels of a side that turns by skidding; 0 = it has a caster
+  double downforce_n =
+      0.0;  ///< N that a fan presses it down with, half on each wheel, drawn down all the time
 };
 
 /// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
 /// docs/models.md.
 BodyParams default_body_params();
+
+/// m that treads so far apart seem to be apart, on wheels that skid when they turn: body_skid.cpp.
+double effective_track(double track, double wheelbase);
 
 /// How a body has come to lie on its side.
 enum class Toppled { no, over, off_an_edge };
@@ -211,6 +218,8 @@ class Body {
   bool stand(Ground* ground, const Pose& before, double travel);
   bool halt();
   void find_footing(const Ground*, Vec2* at, Vec2* rises);
+  void set_scrub();
+  void scrub();
   void bump(const Vec2* before, const Vec2* rises);
   void pull(const Vec2* at, const Vec2* rises);
   void share_load(Ground*, const Vec2* at);
@@ -241,9 +250,10 @@ class Body {
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
   double half_track_ = 0.0, per_track_ = 0.0;
-  double grip_limit_[2] = {0.0, 0.0};  // N s of a tick, of each wheel
-  double side_share_[2] = {0.5, 0.5};  // of a sideways force, on each wheel
-  double rolling_[2] = {0.0, 0.0};     // N at each wheel's tread
+  double grip_limit_[2] = {0.0, 0.0};                  // N s of a tick, of each wheel
+  double side_share_[2] = {0.5, 0.5};                  // of a sideways force, on each wheel
+  double rolling_[2] = {0.0, 0.0};                     // N at each wheel's tread
+  double scrub_rolling_ = 0.0, scrub_slipping_ = 0.0;  // rad/s of a tick
   double per_mass_ = 0.0, per_inertia_ = 0.0;
   double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
   Vec2 bound_centre_;

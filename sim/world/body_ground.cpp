@@ -176,8 +176,8 @@ void Body::share_load(Ground* ground, const Vec2* at) {
   const double load[3] = {0.5 * (weight - caster) - shift, 0.5 * (weight - caster) + shift, caster};
   for (int i = 0; i < 2; ++i) {
     const Ground::Kind kind = ground ? ground->kind(at[i]) : Ground::Kind{};
-    grip_limit_[i] = params_.grip * kind.grip * load[i] * kDt;
-    rolling_[i] = (params_.rolling_resistance + kind.rolling) * weight * 0.5;
+    grip_limit_[i] = params_.grip * kind.grip * (load[i] + 0.5 * params_.downforce_n) * kDt;
+    rolling_[i] = (params_.rolling_resistance + kind.rolling) * (weight + params_.downforce_n) * 0.5;
     rub(static_cast<Side>(i));
   }
   const double both = grip_limit_[0] + grip_limit_[1];

@@ -52,6 +52,8 @@ void check(const BodyParams& p) {
   require(p.caster_m != 0.0 && std::isfinite(p.caster_m), "caster_m must not be 0");
   require(positive(p.caster_radius_m), "caster_radius_m must be more than 0");
   require(not_negative(p.centre_height_m), "centre_height_m must not be negative");
+  require(not_negative(p.wheelbase_m), "wheelbase_m must not be negative");
+  require(not_negative(p.downforce_n), "downforce_n must not be negative");
   if (p.outline.empty()) {
     require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");
     return;
@@ -106,6 +108,10 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     unit.inertia = inertia * unit.per_radius * unit.per_radius;
     rolling_[side] = params_.rolling_resistance * m * kGravity * 0.5;
     grip_limit_[side] = params_.grip * params_.load_share * m * kGravity * 0.5 * kDt;
+    if (params_.downforce_n > 0.0) {
+      rolling_[side] += params_.rolling_resistance * params_.downforce_n * 0.5;
+      grip_limit_[side] += params_.grip * params_.downforce_n * 0.5 * kDt;
+    }
     rub(static_cast<Side>(side));
   }
   supply(params_.supply_volts);
@@ -116,6 +122,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
   mass_cross_ = m * 0.25 - turning;
   per_mass_ = 1.0 / m;
   per_inertia_ = 1.0 / params_.yaw_inertia_kgm2;
+  set_scrub();
   if (params_.outline.empty()) {
     bound_centre_ = params_.centre;
     bound_radius_ = params_.radius_m;
