@@ -21,7 +21,7 @@ std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
   if (compress2(bytes_of(out.data()), &size, bytes_of(bytes.data()), static_cast<uLong>(bytes.size()),
-                Z_DEFAULT_COMPRESSION) != Z_OK)
+                Z_BEST_SPEED) != Z_OK)
     throw std::runtime_error("zlib cannot compress a recording");
   out.resize(size);
   return out;

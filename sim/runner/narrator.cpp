@@ -10,7 +10,7 @@ namespace robosim::runner {
 namespace {
 
 // How often columns are sent: what is lost if firmware takes its process down.
-constexpr SimTime kColumnsEvery = 500 * kMillisecond;
+constexpr SimTime kColumnsEvery = 2 * kSecond;
 
 }  // namespace
 

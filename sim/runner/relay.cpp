@@ -10,6 +10,7 @@
 #include <cstring>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "sim/exec/host/confinement.h"
 #include "sim/runner/lines.h"
@@ -156,6 +157,7 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
   watch_->follow(run.pid());
   Told told;
   std::string taken;
+  std::vector<char> buffer(kChunk);
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
                                  pollfd{lines ? STDIN_FILENO : -1, POLLIN, 0}};
   if (lines) write_all(lines_.write.get(), take_unread());
@@ -171,16 +173,13 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
       if (n <= 0) ready[1].fd = -1, lines_.write.close();
     }
     if (!ready[0].revents) continue;
-    const std::size_t had = taken.size();
-    taken.resize(had + kChunk);
-    const ssize_t n = ::read(told_.read.get(), taken.data() + had, kChunk);
-    const int error = errno;
-    taken.resize(had + static_cast<std::size_t>(n > 0 ? n : 0));
-    if (n < 0 && error == EINTR) continue;
+    const ssize_t n = ::read(told_.read.get(), buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       told.forged |= !taken.empty();
       return told;
     }
+    taken.append(buffer.data(), static_cast<std::size_t>(n));
     told.forged = !take(taken, ask, told);
     if (told.forged) return told;
     watch_->heard();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "sim/wire/columns_line.h"
 #include "sim/wire/json_reader.h"
 #include "sim/wire/protocol.h"
 
@@ -11,6 +12,9 @@ using Json = nlohmann::json;
 
 constexpr const char* kEeprom = "eeprom";
 constexpr const char* kRefused = "refused";
+
+// A line's id and the name of its event stand in these.
+constexpr std::size_t kBegin_bytes = 64;
 
 // ---- Writing ----
 
@@ -135,6 +139,13 @@ Line line_of(const Json& object) {
 std::string to_line(const Id& id, const Answer& answer) {
   OrderedJson line;
   line["id"] = json_of(id);
+  const auto* event = std::get_if<Event>(&answer);
+  if (const auto* columns = event ? std::get_if<Columns>(event) : nullptr) {
+    line["event"] = Columns::kEvent;
+    std::string text = text_of(line);
+    text.pop_back();  // the object's }
+    return text + ",\"streams\":" + streams_text(*columns) + "}\n";
+  }
   std::visit(Adder{line}, answer);
   return text_of(line) + "\n";
 }
@@ -156,10 +167,16 @@ Hello parse_hello(std::string_view text, const std::string& program) {
 }
 
 Line parse_line(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const bool has_columns = text.substr(0, kBegin_bytes).find(R"("event":"columns")") != text.npos;
+  LongTexts long_texts;
+  const Json json =
+      has_columns ? Json::parse(long_texts.cut(text), nullptr, false) : Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw RunnerError("the runner said something that is not JSON: " + excerpt(text));
   try {
-    return line_of(json);
+    Line line = line_of(json);
+    if (auto* event = has_columns ? std::get_if<Event>(&line.content) : nullptr)
+      if (auto* columns = std::get_if<Columns>(event)) long_texts.put_back(*columns);
+    return line;
   } catch (const BadValue& error) {
     throw RunnerError(std::string("the runner said something unexpected (") + error.what() +
                       "): " + excerpt(text));

@@ -10,14 +10,18 @@ namespace robosim::wire {
 void Column::add(double value) {
   constexpr auto kMost = static_cast<double>(kMostSteps);
   const double scaled = value * spec_.scale;
-  const std::int64_t steps = std::isnan(scaled) ? 0 : std::llround(std::clamp(scaled, -kMost, kMost));
+  std::int64_t steps = 0;  // of what is no number
+  if (std::fabs(scaled) < kMost)
+    steps = static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
+  else if (!std::isnan(scaled))
+    steps = scaled < 0.0 ? -kMostSteps : kMostSteps;
   const std::int64_t change = steps - last_;
   const std::int64_t d = spec_.order == 2 ? change - change_ : change;
   last_ = steps;
   change_ = change;
   auto z = (static_cast<std::uint64_t>(d) << 1) ^ static_cast<std::uint64_t>(d >> 63);
-  for (; z >= 0x80; z >>= 7) bytes_ += static_cast<char>(z | 0x80);
-  bytes_ += static_cast<char>(z);
+  for (; z >= 0x80; z >>= 7) bytes_.push_back(static_cast<char>(z | 0x80));
+  bytes_.push_back(static_cast<char>(z));
 }
 
 std::optional<std::vector<std::int64_t>> ColumnReader::read(std::string_view bytes, std::size_t count) {

@@ -20,12 +20,12 @@ std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings)
 }
 
 const std::vector<ColumnSpec>& pin_columns() {
-  static const std::vector<ColumnSpec> columns{{"t_ns"}, {"level"}, {"duty", 10'000}, {"tone_hz"}};
+  static const std::vector<ColumnSpec> columns{{"t_ns", 1, 2}, {"level"}, {"duty", 10'000}, {"tone_hz"}};
   return columns;
 }
 
 const std::vector<ColumnSpec>& volts_columns() {
-  static const std::vector<ColumnSpec> columns{{"t_ns"}, {"volts", 1000}};
+  static const std::vector<ColumnSpec> columns{{"t_ns", 1, 2}, {"volts", 1000}};
   return columns;
 }
 

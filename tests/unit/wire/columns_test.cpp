@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "sim/base/base64.h"
+#include "sim/wire/json_writer.h"
+#include "sim/wire/protocol.h"
 #include "sim/wire/run_columns.h"
 #include "sim/wire/stream.h"
 
@@ -64,6 +66,33 @@ TEST(RunColumns, HoldWhatIsNewAndNothingElse) {
   EXPECT_EQ(taken.streams[1].stream, "pin D2");
   EXPECT_EQ(taken.streams[1].count, 2);
   EXPECT_EQ(taken.streams[2].stream, "volts A0");
+}
+
+TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
+  const std::string longer(100, 'q'), hostile = "no base64: \" \\ \x01 ü, and long enough to be cut out";
+  const Columns columns{{{"samples",
+                          2,
+                          {{"t_us", 1, 2}, {"a name \"in\" quotes, of more than 24 letters", 10, 1}},
+                          {longer, "AA=="}},
+                         {"pin D2", 1, {}, {longer + "/+", hostile}},
+                         {"none", 0, {}, {}}}};
+  const std::string line = to_line(Id(std::int64_t{7}), Answer(Event(columns)));
+  EXPECT_EQ(nlohmann::json::parse(line)["streams"],
+            nlohmann::json::parse(text_of(to_json(columns)))["streams"]);
+  const Line read = parse_line(line);
+  EXPECT_EQ(read.id, 7);
+  const auto& streams = std::get<Columns>(std::get<Event>(read.content)).streams;
+  ASSERT_THAT(streams, SizeIs(3));
+  EXPECT_EQ(streams[0].columns[1].name, columns.streams[0].columns[1].name);
+  EXPECT_THAT(streams[0].bytes, ElementsAre(longer, "AA=="));
+  EXPECT_THAT(streams[1].bytes, ElementsAre(longer + "/+", hostile));
+
+  const Columns plain{
+      {{"samples", 2, {{"of a column, a name of many letters", 1, 2}}, {longer, longer + "2"}}}};
+  const Line again = parse_line(to_line(Id(), Answer(Event(plain))));
+  const auto& rows = std::get<Columns>(std::get<Event>(again.content)).streams[0];
+  EXPECT_EQ(rows.columns[0].name, plain.streams[0].columns[0].name);
+  EXPECT_THAT(rows.bytes, ElementsAre(longer, longer + "2"));
 }
 
 TEST(PinLevels, ArePulsingWhereEdgesAreTooFastToBeTold) {

@@ -1,0 +1,74 @@
+#include "sim/wire/columns_line.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "sim/wire/json_writer.h"
+
+namespace robosim::wire {
+namespace {
+
+constexpr std::size_t kLong = 24;
+
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= '+' && c <= 'z' && c != '\\'; });  // base64 is
+}
+
+}  // namespace
+
+std::string streams_text(const Columns& columns) {
+  std::string text = "[";
+  for (const Rows& rows : columns.streams) {
+    if (text.size() > 1) text += ',';
+    text += text_of(to_json(Rows{rows.stream, rows.count, rows.columns, {}}));
+    text.resize(text.size() - 2);  // ]} of an empty "bytes", which stands last
+    for (std::size_t i = 0; i < rows.bytes.size(); ++i) {
+      if (i > 0) text += ',';
+      if (is_plain(rows.bytes[i]))
+        text.append(1, '"').append(rows.bytes[i]).append(1, '"');
+      else
+        text += text_of(OrderedJson(rows.bytes[i]));
+    }
+    text += "]}";
+  }
+  return text += ']';
+}
+
+std::string LongTexts::cut(std::string_view line) {
+  texts_.clear();
+  if (line.find('\\') != line.npos) return std::string(line);
+  std::string left;
+  std::size_t from = 0;
+  for (;;) {
+    const std::size_t begin = line.find('"', from);
+    const std::size_t end = begin == line.npos ? line.npos : line.find('"', begin + 1);
+    if (end == line.npos) break;
+    const std::string_view text = line.substr(begin + 1, end - begin - 1);
+    const bool in_array = begin > 0 && (line[begin - 1] == '[' || line[begin - 1] == ',');
+    if (in_array && text.size() >= kLong) {
+      left.append(line.substr(from, begin + 1 - from)).append("#" + std::to_string(texts_.size()));
+      texts_.push_back(text);
+      from = end;  // its quote follows
+    } else {
+      left.append(line.substr(from, end - from));
+      from = end;
+    }
+    left += '"';
+    ++from;
+  }
+  return left.append(line.substr(from));
+}
+
+void LongTexts::put_back(Columns& columns) const {
+  for (Rows& rows : columns.streams)
+    for (std::string& bytes : rows.bytes) {
+      std::size_t number = 0;
+      if (!bytes.starts_with('#')) continue;
+      const auto [end, error] = std::from_chars(bytes.data() + 1, bytes.data() + bytes.size(), number);
+      if (error == std::errc() && end == bytes.data() + bytes.size() && number < texts_.size())
+        bytes = texts_[number];
+    }
+}
+
+}  // namespace robosim::wire
