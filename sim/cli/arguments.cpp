@@ -22,9 +22,9 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",     "replay", "sweep",     "compare", "play",
-                                         "classic", "build",  "flash",     "wire",    "map",
-                                         "robot",   "serve",  "calibrate", "test",    "new"};
+const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "compare", "play",
+                                         "classic", "build",     "flash", "wire",   "map",     "robot",
+                                         "serve",   "calibrate", "test",  "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -59,7 +59,7 @@ Command parse_run(const Words& words) {
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   options.texts("--record", run.record, "FILE",
                 "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
-  options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg");
+  options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg or .png");
   options.text("--coverage", run.coverage, "DIR",
                "which lines of the sketch ran, over all runs with this DIR");
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
@@ -89,6 +89,11 @@ Command parse_replay(const Words& words) {
   Options options("replay", "Plays a recorded run in the terminal.");
   options.positional("FILE", replay.file, "what run --record has written: .html or .rec");
   options.text("--speed", speed, "N", "default: 1, real time; 0: as fast as possible");
+  options.text("--over", replay.over, "OTHER",
+               "how far apart it is from another run: a recording, or a .csv log with time, x and y");
+  options.texts(
+      "--record", replay.record, "FILE",
+      "writes it anew: a page (.html; with --over it shows both), .rec, .perfetto.json; may be repeated");
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (replay.file.empty())
     throw InputError("robosim replay needs a recording, as in robosim replay run.html");

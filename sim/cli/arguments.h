@@ -30,7 +30,9 @@ struct RunArguments : launch::Launch {
 /// `robosim replay`
 struct ReplayArguments {
   std::string file;
-  double speed = 1.0;  ///< as of RunArguments
+  double speed = 1.0;               ///< as of RunArguments
+  std::string over;                 ///< a file; empty = none
+  std::vector<std::string> record;  ///< files
 };
 
 /// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
@@ -198,9 +200,9 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments, PlayArguments,
-                             ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
-                             GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
+using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments,
+                             PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments,
+                             MapArguments, GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
                              CalibrateArguments, ServeArguments, TestArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.

@@ -73,6 +73,7 @@ export class FloorPicture {
     if (other) this.drawOther(other, otherT);
     this.drawTrail(t);
     ctx.restore();
+    this.drawTold(t);
     this.drawStations();
     this.drawCollisions(t);
     ctx.save();
@@ -244,6 +245,32 @@ export class FloorPicture {
       ctx.arc(0, 0, 2.5 * px, 0, 2 * Math.PI);
       ctx.stroke();
     });
+  }
+
+  /** The graph that the sketch has told until then. */
+  drawTold(t) {
+    const { ctx, view } = this, { nodes = [], edges = [] } = this.run.told ?? {};
+    const at = (node) => view.toScreen(node.x, node.y);
+    ctx.save();
+    ctx.strokeStyle = ctx.fillStyle = style('told');
+    ctx.lineWidth = 4;
+    ctx.setLineDash([2, 6]);
+    ctx.lineCap = 'round';
+    for (const { t: since, a, b } of edges) {
+      if (since > t) continue;
+      ctx.beginPath();
+      ctx.moveTo(...at(nodes[a]));
+      ctx.lineTo(...at(nodes[b]));
+      ctx.stroke();
+    }
+    ctx.setLineDash([]);
+    for (const node of nodes) {
+      if (node.t > t) continue;
+      ctx.beginPath();
+      ctx.arc(...at(node), node.name ? 15 : 8, 0, 2 * Math.PI);
+      ctx.stroke();
+    }
+    ctx.restore();
   }
 
   drawStations() {

@@ -7,7 +7,7 @@ import { TimedList } from './lists.js';
 import { PinRow } from './pins.js';
 import { Player, SPEEDS } from './player.js';
 import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
-import { runOf, runOfTable } from './run.js';
+import { apart, runOf, runOfTable } from './run.js';
 import { Timeline, timeText } from './timeline.js';
 import { View } from './view.js';
 
@@ -123,20 +123,23 @@ class Page {
     panel.replaceChildren();
     this.charts = [];
     const add = (title, names, onClose) => {
-      const signals = names.map((n) => run.signal(n)).filter(Boolean);
-      const others = this.other ? signals.map((s) => this.other.signal(s.name)).filter(Boolean) : [];
+      const signals = names.map((n) => run.signal(n) ?? this.other?.signal(n)).filter(Boolean);
+      const others = this.other ? signals.map((s) => this.other.signal(s.name)).filter((s) => s && !signals.includes(s)) : [];
       if (signals.length) this.charts.push(new Chart(panel, span, title, signals, others, onClose));
     };
     if (run.sensors.length) this.charts.push(new SensorStripes(panel, span, run));
+    if (this.other) this.charts.push(new Chart(panel, span, 'apart from the other', [apart(run, this.other)]));
     add('off the line', ['cross_track_mm']);
     add('speed', ['speed_mm_s', 'wheel_left_mm_s', 'wheel_right_mm_s']);
     add('motor commands', ['left', 'right']);
     for (const name of this.extra)
-      add(run.signal(name).label, [name], () => { this.extra.delete(name); this.makeCharts(); });
+      add((run.signal(name) ?? this.other?.signal(name))?.label, [name], () => { this.extra.delete(name); this.makeCharts(); });
     const more = make('select', { id: 'add-signal' });
     more.setAttribute('aria-label', 'plot another signal');
     more.append(make('option', { textContent: '+ another signal …', value: '' }));
     for (const { name, label } of run.signals) more.append(make('option', { textContent: label, value: name }));
+    for (const { name, label } of this.other?.signals ?? [])
+      if (!run.signal(name)) more.append(make('option', { textContent: `${label}, of the other`, value: name }));
     more.addEventListener('change', () => { this.extra.add(more.value); this.makeCharts(); });
     panel.append(more);
     this.drawTracks();
@@ -327,13 +330,14 @@ class Page {
   }
 }
 
-async function runOfFile(file) {
-  const bytes = new Uint8Array(await file.arrayBuffer());
+const runOfFile = async (file) => runOfBytes(new Uint8Array(await file.arrayBuffer()), file.name);
+
+async function runOfBytes(bytes, name) {
   const begin = new TextDecoder('latin1').decode(bytes.subarray(0, 64)).trimStart().toLowerCase();
   if (begin.startsWith('robosim.rec/')) return runOf(await readRecording(bytes));
   const text = new TextDecoder().decode(bytes);
   if (begin.startsWith('<!doctype html')) return runOf(await readRecording(bytesOfPage(text)));
-  return runOfTable(text, file.name);
+  return runOfTable(text, name);
 }
 
 function complain(error) {
@@ -350,6 +354,11 @@ async function begin() {
     if (typeof DecompressionStream === 'undefined') throw new BadFile('This browser is too old for the page: it needs Chromium 80, Firefox 113, Safari 16.4 or later.');
     const page = new Page(runOf(await readRecording(bytesOfBase64($('recording').textContent))));
     dark.addEventListener('change', (e) => page.setTheme(e.matches ? 'dark' : 'light'));
+    const { textContent: over, dataset } = $('over');
+    if (over) {
+      const name = new TextDecoder().decode(bytesOfBase64(dataset.name));
+      page.compare(await runOfBytes(bytesOfBase64(over), name), name);
+    }
     page.goTo(new URLSearchParams(location.hash.slice(1)));
     window.robosim = page;  // for tests, and for the curious at the console
   } catch (error) {

@@ -88,6 +88,46 @@ export class Run {
   sortEvents() { this.events.sort((a, b) => a.t - b.t); }
 }
 
+/** The graph that the sketch has told, as ours do while they scan: "found station 2", "found junction 1". A node is where
+ *  the robot was then; an edge is what it has driven between two of them. { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
+function toldGraph(run) {
+  const nodes = [], edges = [];
+  const { cell = 0, height = 0, junctions = [] } = run.floor ?? {};
+  const places = [...run.started.stations.map(({ x, y }) => [(x + 0.5) * cell, height - (y + 0.5) * cell]), ...junctions];
+  const near = (from, x, y, most) => {
+    let best = -1, distance = most;
+    from.forEach(([px, py], i) => { const d = Math.hypot(px - x, py - y); if (d < distance) [best, distance] = [i, d]; });
+    return best;
+  };
+  for (const { t, text } of run.lines) {
+    const found = /^found (station|junction) ?(\d*)$/.exec(text);
+    if (!found) continue;
+    const { x, y } = run.pose(t), place = near(places, x, y, 1.5 * cell);
+    const [nx, ny] = places[place] ?? [x, y];
+    nodes.push({ t, x: nx, y: ny, name: found[1] === 'station' ? found[2] : '' });
+  }
+  if (!nodes.length) return { nodes, edges };
+  const { x_mm: x, y_mm: y } = run.columns, spots = nodes.map((n) => [n.x, n.y]);
+  for (let i = 0, last = -1; i < run.t.length; i++) {
+    const at = near(spots, x[i], y[i], 0.6 * cell);
+    if (at < 0 || at === last) continue;
+    const t = Math.max(run.t[i], nodes[at].t);
+    if (last >= 0 && !edges.some(({ a, b }) => (a === at && b === last) || (a === last && b === at))) edges.push({ t, a: last, b: at });
+    last = at;
+  }
+  return { nodes, edges };
+}
+
+/** How far apart two robots are at equal times, as a signal. */
+export function apart(run, other) {
+  const t = run.t.filter((at) => at >= other.t[0] && at <= other.duration);
+  const values = t.map((at) => {
+    const one = run.pose(at), two = other.pose(at);
+    return Math.hypot(one.x - two.x, one.y - two.y);
+  });
+  return { name: 'apart_mm', unit: 'mm', label: 'apart', t, values, steps: false };
+}
+
 export function runOf({ header, streams }) {
   const samples = streams.get('samples') ?? { t_us: new Float64Array() };
   const { result, started, robot_info: robot } = header;
@@ -116,6 +156,7 @@ export function runOf({ header, streams }) {
   run.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 
   addSerial(run, streams.get('serial'));
+  run.told = toldGraph(run);
   run.put = putBy(header.notes);
   run.hand = handOf(run.t, header.notes);
   for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
@@ -203,7 +244,7 @@ export function runOfTable(text, title) {
   const columns = names.map(() => new Float64Array(rows.length - 1));
   for (let i = 1; i < rows.length; i++) {
     const row = cells(rows[i]);
-    for (let k = 0; k < names.length; k++) columns[k][i - 1] = Number(row[k]);
+    for (let k = 0; k < names.length; k++) columns[k][i - 1] = Number(separator === ',' ? row[k] : row[k]?.replace(',', '.'));
     if (![time, x, y].every((k) => Number.isFinite(columns[k][i - 1]) && row[k] !== ''))
       throw new BadFile(`${title}, line ${i + 1}: time, x and y must be numbers, and are ${row[time]}, ${row[x]}, ${row[y]}.`);
     if (i > 1 && columns[time][i - 1] < columns[time][i - 2])

@@ -1,5 +1,7 @@
 #include "sim/record/record_page.h"
 
+#include <fmt/format.h>
+
 #include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -10,6 +12,7 @@ namespace {
 
 // In the page's source an empty element, which begins and ends so.
 constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
+constexpr std::string_view kOver = R"(<script id="over" type="application/octet-stream">)";
 constexpr std::string_view kEnd = "</script>";
 
 }  // namespace
@@ -23,12 +26,19 @@ void RecRecorder::finish(const wire::RunResult& result) {
   write_file(path_, content(gatherer_.encoded(result)));
 }
 
-std::string PageRecorder::page_of(const std::string& recording) {
+std::string page_of(const std::string& recording, const Over* over) {
   const std::string_view page = page_text();
   const std::size_t at = page.find(kBegin) + kBegin.size();
   std::string text(page.substr(0, at));
   text += base64(recording);
-  text += page.substr(at);
+  const std::size_t next = page.find(kOver, at);
+  text += page.substr(at, next - at);
+  if (over)
+    text += fmt::format(R"({} data-name="{}">{})", kOver.substr(0, kOver.size() - 1), base64(over->name),
+                        base64(over->bytes));
+  else
+    text += kOver;
+  text += page.substr(next + kOver.size());
   return text;
 }
 

@@ -25,15 +25,21 @@ class RecRecorder : public Recorder {
   Gatherer gatherer_;
 };
 
+/// Another run that a page lays over its own.
+struct Over {
+  std::string bytes;  ///< of a .rec or of a table
+  std::string name;   ///< of its file
+};
+
+/// The page that replays a recording, the bytes of a .rec.
+std::string page_of(const std::string& recording, const Over* over = nullptr);
+
 class PageRecorder final : public RecRecorder {
  public:
   using RecRecorder::RecRecorder;
 
  protected:
   std::string content(const std::string& recording) const override { return page_of(recording); }
-
- private:
-  static std::string page_of(const std::string& recording);
 };
 
 /// The recording in a page; throws InputError, without a place, if it holds none.

@@ -56,11 +56,11 @@ class Drawing {
         floor_.width_mm, height, kWidth_px, kWidth_px * height / std::max(floor_.width_mm, 1.0), em_);
     put("<title>{}</title>", xml(title));
     put(R"(<rect width="100%" height="100%" fill="#fff"/>)");
-    put(R"(<rect width="{:.1f}" height="{:.1f}" fill="{}"/>)", floor_.width_mm, floor_.height_mm,
-        floor_.light_line ? kDark : kLight);
   }
 
   void floor() {
+    put(R"(<rect width="{:.1f}" height="{:.1f}" fill="{}"/>)", floor_.width_mm, floor_.height_mm,
+        floor_.light_line ? kDark : kLight);
     if (const auto& picture = floor_.picture)
       put(R"(<image x="0" y="{:.1f}" width="{:.1f}" height="{:.1f}" preserveAspectRatio="none" href="data:image/png;base64,{}"/>)",
           floor_.height_mm - picture->height_mm, picture->width_mm, picture->height_mm, picture->png);
@@ -185,8 +185,10 @@ class Drawing {
 
   std::string close() {
     put("</svg>");
-    return std::move(text_);
+    return text();
   }
+
+  std::string text() { return std::move(text_); }
 
  private:
   template <class... Values>
@@ -227,6 +229,13 @@ FloorShapes shapes_of(const std::string& file, const wire::Started& started) {
 
 }  // namespace
 
+std::string floor_elements(const FloorShapes& floor) {
+  const RecordedRun none;
+  Drawing drawing(floor, none);
+  drawing.floor();
+  return drawing.text();
+}
+
 void SvgRecorder::ask(wire::RunRequest& request) const {
   Recorder::ask(request);
   request.notes = true;
@@ -265,7 +274,7 @@ void SvgRecorder::finish(const wire::RunResult& result) {
                       : fmt::format(", its sensors {:.1f} mm off the line at most",
                                     result.metrics.cross_track_max_mm),
                   run_.robot, result.seed));
-  write_file(path_, drawing.close());
+  write_file(path_, content(drawing.close()));
 }
 
 }  // namespace robosim::record

@@ -5,12 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "sim/record/floor_shapes.h"
 #include "sim/record/recorder.h"
 #include "sim/wire/hand.h"
 
 namespace robosim::record {
 
-class SvgRecorder final : public Recorder {
+/// A floor as elements of an SVG: unit mm, x east, y down from the map's top edge.
+std::string floor_elements(const FloorShapes& floor);
+
+class SvgRecorder : public Recorder {
  public:
   explicit SvgRecorder(std::filesystem::path path) : path_(std::move(path)) {}
   void ask(wire::RunRequest& request) const override;
@@ -23,6 +27,10 @@ class SvgRecorder final : public Recorder {
     double x_mm = 0.0, y_mm = 0.0, speed_mm_s = 0.0;
     bool carried = false;  ///< to here, by a hand
   };
+
+ protected:
+  /// What is written.
+  virtual std::string content(const std::string& svg) const { return svg; }
 
  private:
   std::filesystem::path path_;

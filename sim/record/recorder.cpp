@@ -5,7 +5,9 @@
 #include "sim/base/error.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_page.h"
+#include "sim/record/record_png.h"
 #include "sim/record/record_svg.h"
+#include "sim/record/record_trace.h"
 #include "sim/record/record_vcd.h"
 
 namespace robosim::record {
@@ -26,7 +28,14 @@ constexpr Kind kKinds[] = {{".csv", false, make<CsvRecorder>},
                            {".vcd", false, make<VcdRecorder>},
                            {".html", false, make<PageRecorder>},
                            {".rec", false, make<RecRecorder>},
-                           {".svg", true, make<SvgRecorder>}};
+                           {".perfetto.json", false, make<TraceRecorder>},
+                           {".svg", true, make<SvgRecorder>},
+                           {".png", true, make<PngRecorder>}};
+
+bool has_ending(const std::filesystem::path& file, const std::string& ending) {
+  const std::string name = file.filename();
+  return name.size() > ending.size() && name.ends_with(ending);
+}
 
 std::vector<std::string> endings_where(bool only_pictures) {
   std::vector<std::string> endings;
@@ -49,12 +58,13 @@ const std::vector<std::string>& record_endings() {
 
 void check_is_picture(const std::filesystem::path& file) {
   const std::vector<std::string> pictures = endings_where(true);
-  if (std::find(pictures.begin(), pictures.end(), file.extension()) == pictures.end()) refuse(file, pictures);
+  const auto is = [&](const std::string& ending) { return has_ending(file, ending); };
+  if (std::none_of(pictures.begin(), pictures.end(), is)) refuse(file, pictures);
 }
 
 std::unique_ptr<Recorder> make_recorder(const std::filesystem::path& file) {
   for (const Kind& kind : kKinds)
-    if (file.extension() == kind.ending) return kind.make(file);
+    if (has_ending(file, kind.ending)) return kind.make(file);
   refuse(file, record_endings());
 }
 

@@ -1,5 +1,6 @@
 // The page of `robosim run --record run.html`, as a browser shows it: every number against the recording.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -216,6 +217,56 @@ TEST_F(Page, LaysAnotherRecordingOverTheRun) {
   EXPECT_TRUE(over[3].get<bool>());
 }
 
+TEST_F(Page, BeginsWithTheRunThatReplayHasLaidOverIt) {
+  // A log of a robot that stands where the recorded one begins.
+  const auto samples = recording->stream("samples");
+  write_file(*folder / "my \"log\" ü.csv", fmt::format("t_s;x_mm;y_mm;volts\n0;{0};{1};7,4\n9;{0};{1};7,1\n",
+                                                       samples[1][0], samples[2][0]));
+  const Ended ended = robosim_command(
+      {"replay", "run.html", "--over", "my \"log\" ü.csv", "--record", "both.html"}, folder->path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json shown = in_page(*folder / "both.html", R"(
+    page.player.seek(5);
+    const apart = Number(document.querySelector('#plots [data-signal="apart_mm"]').textContent);
+    const { x, y } = page.run.pose(5), begin = page.run.pose(0);
+    $('add-signal').value = 'volts';
+    $('add-signal').dispatchEvent(new Event('change'));
+    page.player.seek(1);
+    const volts = document.querySelector('#plots [data-signal="volts"]').textContent;
+    return [$('other-box').textContent, apart, Math.hypot(x - begin.x, y - begin.y), volts];)");
+  EXPECT_THAT(shown[0].get<std::string>(), HasSubstr("my \"log\" ü.csv"));
+  EXPECT_GT(shown[1], 300);
+  EXPECT_NEAR(shown[1], shown[2], 0.6);
+  EXPECT_EQ(shown[3], "7.40");
+}
+
+TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
+  write_file(*folder / "scan.script", "at 1s press start 100ms\n");
+  const Ended ended = robosim_command({"run", "AiNavigator", "--map", "b", "--goal", "none", "--for", "60s",
+                                       "--script", "scan.script", "--record", "scan.html"},
+                                      folder->path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  // Around a node there is the colour of the graph once it is told, and not before.
+  const Json shown = in_page(*folder / "scan.html", R"(
+    const { nodes, edges } = page.run.told, { height, cell } = page.run.floor;
+    const stations = page.run.started.stations.map((s) => [s.name, (s.x + 0.5) * cell, height - (s.y + 0.5) * cell]);
+    page.setTheme('light');
+    const pink = (t, { x, y }) => {
+      page.player.seek(t);
+      const canvas = $('floor'), ratio = canvas.width / canvas.clientWidth, [px, py] = page.view.toScreen(x, y);
+      const { data } = canvas.getContext('2d').getImageData((px - 22) * ratio, (py - 22) * ratio, 44 * ratio, 44 * ratio);
+      for (let i = 0; i < data.length; i += 4) if (data[i] === 204 && data[i + 1] === 121 && data[i + 2] === 167) return true;
+      return false;
+    };
+    return { named: nodes.filter((n) => n.name).map((n) => [n.name, n.x, n.y]), stations, nodes: nodes.length,
+      edges: edges.map(({ a, b }) => [a, b]), before: nodes.map((n) => pink(n.t - 0.01, n)), after: nodes.map((n) => pink(n.t + 0.01, n)) };)");
+  EXPECT_EQ(shown["named"], shown["stations"]) << "each where it is";
+  EXPECT_EQ(shown["nodes"], 6);
+  EXPECT_EQ(shown["edges"], Json::parse("[[0,1],[1,2],[2,3],[2,4],[1,5]]"));
+  EXPECT_EQ(shown["before"], Json::parse("[false,false,false,false,false,false]"));
+  EXPECT_EQ(shown["after"], Json::parse("[true,true,true,true,true,true]"));
+}
+
 TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   const std::string good = read_file(file());
   const std::size_t at = good.find("octet-stream\">") + 14;
@@ -270,6 +321,31 @@ TEST_F(Page, IsPhotographed) {
       EXPECT_GT(std::filesystem::file_size(picture), 20'000u);
     }
   }
+}
+
+TEST_F(Page, IsInTheDocs) {
+  const std::filesystem::path pictures = ROBOSIM_PICTURES;
+  std::filesystem::create_directories(pictures);
+  const auto run = [&](std::vector<std::string> words) {
+    ASSERT_EQ(robosim_command(std::move(words), folder->path()).status, 0);
+  };
+  const auto picture = [&](const char* page, const char* name, int height) {
+    open_in_chromium("--screenshot=" + (pictures / name).string(), (*folder / page).string(), 1200, height);
+    EXPECT_GT(std::filesystem::file_size(pictures / name), 20'000u);
+    if (std::getenv("ROBOSIM_WRITE_DOCS"))
+      std::filesystem::copy_file(pictures / name, std::filesystem::path(ROBOSIM_DOCS_PICTURES) / name,
+                                 std::filesystem::copy_options::overwrite_existing);
+  };
+  run({"run", "PidFollower", "--map", "tight", "--record", "one.html"});
+  run({"run", "PidFollower", "--map", "tight", "--seed", "2", "--record", "two.rec"});
+  run({"replay", "one.html", "--over", "two.rec", "--record", "both.html"});
+  run({"new", "MyFollower"});
+  run({"sweep", "PidFollower", "MyFollower", "--map", "tight", "--robot", "uno5", "--seeds", "1..30", "--csv",
+       "runs.csv"});
+  run({"report", "runs.csv"});
+  picture("one.html#t=2.6&theme=light", "page.png", 760);
+  picture("both.html#t=5&theme=light", "two-runs.png", 760);
+  picture("report.html", "report.png", 860);
 }
 
 }  // namespace

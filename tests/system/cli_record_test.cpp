@@ -28,7 +28,7 @@ TEST(Record, APageHoldsTheSameFiguresAsTheTable) {
   const Folder folder;
   const std::vector<std::string> words{"run", "PidFollower", "--map", "tight", "--for", "3s", "--json"};
   std::vector<std::string> recorded = words;
-  for (const char* file : {"run.html", "run.csv", "run.rec", "run.vcd", "run.svg"}) {
+  for (const char* file : {"run.html", "run.csv", "run.rec", "run.vcd", "run.svg", "run.perfetto.json"}) {
     recorded.push_back("--record");
     recorded.push_back(file);
   }
@@ -82,10 +82,60 @@ TEST(Record, WhatIsNoRecordingIsRefusedInOneSentence) {
   }
 }
 
+TEST(Record, ARunIsHeldAgainstAnotherAndBothAreOnOnePage) {
+  const Folder folder;
+  const auto run = [&](const char* seed, const char* file) {
+    robosim_command({"run", "PidFollower", "--map", "tight", "--for", "3s", "--seed", seed, "--record", file},
+                    folder.path());
+  };
+  run("1", "one.rec");
+  run("2", "two.html");
+  const Ended ended =
+      robosim_command({"replay", "one.rec", "--over", "two.html", "--record", "both.html"}, folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("over it: two.html: PidFollower on tight, seed 2, host: timeout after 3.00 s"),
+                    HasSubstr("apart:   1 mm at 0."), HasSubstr("until 3.00 s")));
+  EXPECT_EQ(record::Recording::read(folder / "both.html").header().result.seed, 1u);
+  EXPECT_THAT(robosim_command({"replay", "one.rec", "--over", "one.rec"}, folder.path()).out,
+              HasSubstr("apart:   never 1 mm, in 3.00 s"));
+
+  write_file(folder / "real.csv", "t_ms,x_mm,y_mm\n0,1,2\n10,one,2\n");
+  const Ended bad = robosim_command({"replay", "one.rec", "--over", "real.csv"}, folder.path());
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, HasSubstr("real.csv:3: time, x and y must be numbers"));
+  const Ended ending = robosim_command({"replay", "one.rec", "--record", "x.vcd"}, folder.path());
+  EXPECT_EQ(ending.status, 2);
+  EXPECT_THAT(ending.err,
+              HasSubstr("x.vcd: a recording can be written anew as .html, .rec or .perfetto.json"));
+}
+
+TEST(Record, APngIsThePictureInPixels) {
+  const Folder folder;
+  const std::vector<std::string> words{"run",   "PidFollower", "--map",  "tight",
+                                       "--for", "1s",          "--plot", "run.png"};
+  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+    const Ended ended = robosim_command(words, folder.path());
+    EXPECT_EQ(ended.status, 5);
+    EXPECT_THAT(ended.err, HasSubstr("run.png: rsvg-convert, which paints .png, is missing; install it (sudo "
+                                     "apt install librsvg2-bin)"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "run.png"));
+    return;
+  }
+  EXPECT_EQ(robosim_command(words, folder.path()).status, 4);
+  const std::string png = read_file(folder / "run.png");
+  ASSERT_THAT(png, StartsWith("\x89PNG\r\n\x1A\n"));
+  const auto number = [&](std::size_t at) {
+    return static_cast<unsigned char>(png[at + 2]) << 8 | static_cast<unsigned char>(png[at + 3]);
+  };
+  EXPECT_EQ(number(16), 1920) << "twice the width of the .svg";
+  EXPECT_GT(number(20), 1000);
+}
+
 TEST(Record, APlotIsAPictureOrIsRefused) {
   const Ended ended = robosim_command({"run", "PidFollower", "--plot", "x.csv"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, AllOf(HasSubstr("--plot"), HasSubstr("must be .svg")));
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("--plot"), HasSubstr("must be .svg or .png")));
 }
 
 TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {

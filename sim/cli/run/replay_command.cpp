@@ -4,14 +4,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/base64.h"
 #include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/base/write_claim.h"
 #include "sim/cli/output.h"
 #include "sim/client/interrupts.h"
+#include "sim/record/record_page.h"
+#include "sim/record/record_trace.h"
 #include "sim/record/recording.h"
+#include "sim/record/track.h"
 #include "sim/tui/live_view.h"
 #include "sim/tui/report.h"
 
@@ -41,10 +47,55 @@ void watch(const record::Recording& recording, const grid::Map& map, double spee
   view.finish(header.result);
 }
 
+/// The bytes of a .rec.
+std::string bytes_of(const std::string& file) {
+  const std::string content = read_file(file);
+  return content.starts_with(record::kRecordingMagic) ? content : record::recording_in_page(content);
+}
+
+/// Writes what a recording has in other formats.
+void write(const record::Recording& recording, const ReplayArguments& arguments, const record::Over* over) {
+  for (const std::string& file : arguments.record) {
+    const WriteClaim claim(file);
+    if (file.ends_with(".html"))
+      write_file(file, record::page_of(bytes_of(arguments.file), over));
+    else if (file.ends_with(".rec"))
+      write_file(file, bytes_of(arguments.file));
+    else
+      write_file(file, record::trace_of(recording));
+  }
+}
+
+void check_endings(const std::vector<std::string>& files) {
+  static const std::vector<std::string> known{".html", ".rec", ".perfetto.json"};
+  for (const std::string& file : files)
+    if (std::none_of(known.begin(), known.end(), [&](const std::string& e) { return file.ends_with(e); }))
+      throw InputError("--record: " + file + ": a recording can be written anew as " + one_of(known));
+}
+
+std::string apart_text(const record::Track& one, const record::Track& other, const std::string& file) {
+  const record::Apart a = record::apart(one, other);
+  std::string text = fmt::format("\nover it: {}: {}\n", file, other.what);
+  if (a.from_1mm_s < 0.0) return text + fmt::format("apart:   never 1 mm, in {:.2f} s\n", a.until_s);
+  return text + fmt::format(
+                    "apart:   1 mm at {:.2f} s, at most {:.0f} mm at {:.2f} s; {:.0f} mm in the mean, until "
+                    "{:.2f} s\n",
+                    a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
+}
+
 }  // namespace
 
 int replay_command(const ReplayArguments& arguments) {
+  check_endings(arguments.record);
   const record::Recording recording = record::Recording::read(arguments.file);
+  record::Over over;
+  std::optional<std::string> apart;
+  if (!arguments.over.empty()) {
+    over.name = std::filesystem::path(arguments.over).filename();
+    const record::Track other = record::read_track(arguments.over, &over.bytes);
+    apart = apart_text(record::track_of(recording), other, arguments.over);
+  }
+  write(recording, arguments, apart ? &over : nullptr);
   const record::RecordingHeader& header = recording.header();
   std::optional<grid::Map> map;
   const bool has_picture = header.floor && header.floor->picture;
@@ -75,6 +126,7 @@ int replay_command(const ReplayArguments& arguments) {
   print(tui::end_screen(report, map ? &*map : nullptr,
                         std::min(size ? size->columns - 1 : kWidestEnd_columns, kWidestEnd_columns),
                         tui::look_from_environment(size.has_value())));
+  if (apart) print(*apart);
   return 0;
 }
 

@@ -49,10 +49,10 @@ TEST(CsvRecorder, IsOnTheDiskOnlyOnceItIsSaved) {
 TEST(CsvRecorder, OtherEndingsAreRefusedNamingTheOnesThatExist) {
   EXPECT_NO_THROW(make_recorder("a/b.csv"));
   try {
-    make_recorder("a.png");
+    make_recorder("a.json");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("must be .csv, .vcd, .html, .rec or .svg"));
+    EXPECT_THAT(error.what(), HasSubstr("must be .csv, .vcd, .html, .rec, .perfetto.json, .svg or .png"));
   }
 }
 

@@ -1,0 +1,22 @@
+// Pictures of a run as .png: those of record_svg.h, painted by Debian's rsvg-convert.
+#pragma once
+
+#include <string>
+
+#include "sim/record/record_svg.h"
+
+namespace robosim::record {
+
+class PngRecorder final : public SvgRecorder {
+ public:
+  /// Throws ToolMissing if there is no rsvg-convert.
+  explicit PngRecorder(std::filesystem::path path);
+
+ protected:
+  std::string content(const std::string& svg) const override;
+
+ private:
+  std::string name_;
+};
+
+}  // namespace robosim::record

@@ -1,0 +1,81 @@
+#include "sim/record/record_trace.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/wire/run_columns.h"
+
+namespace robosim::record {
+namespace {
+
+using Json = nlohmann::json;
+
+// The events of a trace of which a key has a value.
+std::vector<Json> those(const Json& trace, const std::string& key, const Json& value) {
+  std::vector<Json> found;
+  for (const Json& event : trace["traceEvents"])
+    if (event.contains(key) && event[key] == value) found.push_back(event);
+  return found;
+}
+
+class ATrace : public ::testing::Test {
+ protected:
+  ATrace() {
+    RecordedRun run;
+    run.sketch = "My \"Sketch\"";
+    run.robot_info.board.name = "uno";
+    gatherer.begin(run);
+    wire::Started started;
+    started.readings = {"S1"};
+    gatherer.add(started);
+    columns.begin(started.readings);
+  }
+  Json written() {
+    gatherer.add(columns.take());
+    wire::RunResult result;
+    result.verdict = "lost";
+    result.why = "no line";
+    result.time_s = 2.0;
+    return Json::parse(trace_of(Recording::decode(gatherer.encoded(result), "x.rec")));
+  }
+  Gatherer gatherer;
+  wire::RunColumns columns{{"D5", "A0"}};
+};
+
+TEST_F(ATrace, HasASignalsValueWhereItChanges) {
+  for (const auto& [t_us, speed] : {std::pair{0, 0.0}, {10'000, 120.5}, {20'000, 120.5}, {30'000, 90.0}})
+    columns.add(wire::Sample{t_us, 0, 0, 0, speed, 0, 0, 0, {0.25}, "", {}});
+  const auto speeds = those(written(), "name", "speed, mm/s");
+  ASSERT_EQ(speeds.size(), 3u);
+  EXPECT_EQ(speeds[1]["ts"], 10'000.0);
+  EXPECT_EQ(speeds[1]["args"]["value"], 120.5);
+  EXPECT_EQ(speeds[2]["ts"], 30'000.0);
+}
+
+TEST_F(ATrace, HasABarForAPinThatIsHighOrPulses) {
+  columns.add_pin(0, 1'000'000, wire::PinLevel::low, 0.0, 0);
+  columns.add_pin(0, 2'000'500, wire::PinLevel::high, 1.0, 0);
+  columns.add_pin(0, 3'000'000, wire::PinLevel::pulsing, 0.25, 0);
+  const auto bars = those(written(), "ph", "X");
+  ASSERT_EQ(bars.size(), 2u);
+  EXPECT_EQ(bars[0]["name"], "high");
+  EXPECT_EQ(bars[0]["ts"], 2000.5) << "microseconds";
+  EXPECT_EQ(bars[0]["dur"], 999.5);
+  EXPECT_EQ(bars[1]["name"], "PWM 25 %");
+  EXPECT_EQ(bars[1]["dur"], 2e6 - 3000.0) << "until the end";
+}
+
+TEST_F(ATrace, HasWhatHappenedAndWhatWasSent) {
+  gatherer.add(wire::note_of({1'000'000'000, 0, wire::CollisionBegan{}}));
+  gatherer.add(wire::SerialText{1'500'000'000, "say \"hi\"\r\n"});
+  const auto moments = those(written(), "ph", "i");
+  ASSERT_EQ(moments.size(), 3u);
+  EXPECT_EQ(moments[0]["ts"], 1e6);
+  EXPECT_EQ(moments[1]["name"], "say \"hi\"");
+  EXPECT_EQ(moments[2]["name"], "lost: no line");
+}
+
+}  // namespace
+}  // namespace robosim::record

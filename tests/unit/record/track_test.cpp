@@ -1,0 +1,57 @@
+#include "sim/record/track.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace robosim::record {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string refusal(const std::string& table) {
+  try {
+    track_of_table(table, "log.csv");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(ATableOfARealRobot, MayHaveAnyUnitsSeparatorsAndColumns) {
+  const Track track =
+      track_of_table("# my robot\nvolts;X_m;t_ms;y_cm\r\n7,4;0.5;100;2\n7,3;0,6;200;3\n", "log.csv");
+  EXPECT_THAT(track.t_s, ElementsAre(0.1, 0.2));
+  EXPECT_THAT(track.x_mm, ElementsAre(500, 600));
+  EXPECT_THAT(track.y_mm, ElementsAre(20, 30));
+}
+
+TEST(ATableOfARealRobot, IsRefusedWithItsLine) {
+  EXPECT_THAT(refusal("a,b\n1,2\n"),
+              AllOf(StartsWith("log.csv:1"), HasSubstr("columns for time, x and y"), HasSubstr("“a,b”")));
+  EXPECT_THAT(refusal("t,x,y\n0,1,2\n1,,2\n"), AllOf(StartsWith("log.csv:3"), HasSubstr("must be numbers")));
+  EXPECT_THAT(refusal("t,x,y\n1,1,2\n0.5,1,2\n"), AllOf(StartsWith("log.csv:3"), HasSubstr("goes back")));
+  EXPECT_THAT(refusal("t,x,y\n1,1,2\n"), HasSubstr("at least two rows"));
+  EXPECT_THAT(refusal(""), HasSubstr("at least two rows"));
+  EXPECT_THAT(refusal("t,x,y\n0,nan,2\n1,1,2\n"), HasSubstr("must be numbers"));
+}
+
+TEST(TwoTracks, AreHeldAgainstEachOtherAtEqualTimes) {
+  const Track one{"", {0, 1, 2, 3}, {0, 100, 200, 300}, {0, 0, 0, 0}};
+  const Track other{"", {0, 2, 4}, {0, 200, 400}, {0, 0, 80}};  // straight on until 2 s; then it leaves
+  const Apart a = apart(one, other);
+  EXPECT_EQ(a.from_1mm_s, 3.0);
+  EXPECT_EQ(a.most_mm, 40.0);
+  EXPECT_EQ(a.most_s, 3.0);
+  EXPECT_EQ(a.mean_mm, 10.0);
+  EXPECT_EQ(a.until_s, 3.0);
+  EXPECT_LT(apart(one, one).from_1mm_s, 0.0) << "never";
+  EXPECT_THROW(apart(one, Track{"", {7, 8}, {0, 0}, {0, 0}}), InputError);
+}
+
+}  // namespace
+}  // namespace robosim::record
