@@ -14,6 +14,7 @@
 #include "sim/cli/files/print_arguments.h"
 #include "sim/cli/help_text.h"
 #include "sim/cli/options.h"
+#include "sim/cli/report/report_arguments.h"
 #include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
@@ -22,7 +23,7 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "compare", "play",
+const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "report", "compare", "play",
                                          "classic", "build",     "flash", "wire",   "map",     "robot",
                                          "serve",   "calibrate", "test",  "new"};
 
@@ -343,6 +344,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "run") return parse_run(rest);
   if (first == "replay") return parse_replay(rest);
   if (first == "sweep") return parse_sweep(rest);
+  if (first == "report") return parse_report(rest);
   if (first == "compare") return parse_compare(rest);
   if (first == "play") return parse_play(rest);
   if (first == "classic") return parse_classic(rest);

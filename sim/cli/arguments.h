@@ -53,6 +53,14 @@ struct SweepArguments {
   bool json = false;
 };
 
+/// `robosim report`
+struct ReportArguments {
+  std::string file;  ///< of sweep --csv, or JUnit's XML
+  std::string out = "report.html";
+  std::size_t runs = 40;  ///< that are made again, at most
+  RunArguments each;      ///< as of SweepArguments
+};
+
 /// `robosim compare`
 struct CompareArguments {
   std::string sketch;
@@ -200,7 +208,7 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, CompareArguments,
+using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, ReportArguments, CompareArguments,
                              PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments,
                              MapArguments, GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
                              CalibrateArguments, ServeArguments, TestArguments, NewArguments, PrintText>;

@@ -23,6 +23,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   replay FILE                 play what run --record has written, in the terminal; hold it against another
   serve [FOLDER]              the same in the browser, for all sketches, robots and maps of a folder
   sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?
+  report FILE                 a page of a sweep's table, or of the checks of a class: who passed, where the line was left
   compare [SKETCH]            the first thing that host, AVR and STM32 do differently
   play [MAP]                  watch and steer the robot on a map, step by step, in the terminal
   classic MAP                 the robot on cells: walk, scan and find the way

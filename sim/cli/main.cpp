@@ -18,6 +18,7 @@
 #include "sim/cli/files/new_command.h"
 #include "sim/cli/files/robot_command.h"
 #include "sim/cli/output.h"
+#include "sim/cli/report/report_command.h"
 #include "sim/cli/run/classic_command.h"
 #include "sim/cli/run/play_command.h"
 #include "sim/cli/run/replay_command.h"
@@ -34,6 +35,7 @@ struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
   int operator()(const ReplayArguments& arguments) const { return replay_command(arguments); }
   int operator()(const SweepArguments& arguments) const { return sweep_command(arguments); }
+  int operator()(const ReportArguments& arguments) const { return report_command(arguments); }
   int operator()(const CompareArguments& arguments) const { return compare_command(arguments); }
   int operator()(const ClassicArguments& arguments) const { return classic_command(arguments); }
   int operator()(const BuildArguments& arguments) const { return build_command(arguments); }

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/file.h"
+#include "sim/record/recording.h"
 #include "tests/system/json_of.h"
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
@@ -229,6 +232,32 @@ TEST(CliSweep, BadInputIsOneSentence) {
   };
   EXPECT_THAT(sentence({"--start", "0,0,E"}), HasSubstr("is not on a line"));
   EXPECT_THAT(sentence({"--csv", "/nowhere/a.csv"}), HasSubstr("/nowhere/a.csv: cannot be written"));
+}
+
+TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
+  const Folder folder;
+  const auto command = [&](std::vector<std::string> words) {
+    const Ended ended = robosim_command(std::move(words), folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return ended.out;
+  };
+  command({"sweep", "PidFollower", "--map", "oval", "--for", "3s", "--seeds", "1..3", "--csv", "runs.csv"});
+  EXPECT_EQ(command({"report", "runs.csv", "--for", "3s"}),
+            "report.html is written, and a replay beside it\n");
+  EXPECT_THAT(
+      read_file(folder / "report.html"),
+      AllOf(HasSubstr("3 runs, 0 reached their goal"), HasSubstr("3 timeout"),
+            HasSubstr("<a href=\"report-runs/PidFollower-oval-uno5-host-1.html\">timeout, seed 1</a>"),
+            HasSubstr("the line was left 0 times in 3 of the runs made again")));
+  const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-1.html");
+  EXPECT_EQ(replay.header().result.verdict, "timeout");
+
+  EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}), "other.html is written\n");
+  EXPECT_THAT(read_file(folder / "other.html"),
+              HasSubstr("3 of the runs came out otherwise when they were made again"));
+  const Ended ended = robosim_command({"report", "report.html"}, folder.path());
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("report.html:1: a document type is not allowed here"));
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "sim/cli/report/sweep_rows.h"
+
+#include <charconv>
+#include <map>
+
+#include "sim/base/csv.h"
+#include "sim/base/error.h"
+
+namespace robosim::cli {
+namespace {
+
+template <class Number>
+Number number_of(const std::string& text, const char* column, const Place& place) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw InputError(place, std::string(column) + " must be a number, and is “" + text.substr(0, 40) + "”");
+  return value;
+}
+
+}  // namespace
+
+std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& file) {
+  std::map<std::string, std::size_t> columns;
+  std::vector<SweptRun> runs;
+  for (int line = 1; !text.empty(); ++line) {
+    const std::size_t end = text.find('\n');
+    const auto fields = csv_fields(text.substr(0, end));
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    const Place place{file, line};
+    if (!fields) throw InputError(place, "a quote is not closed");
+    if (line == 1) {
+      for (std::size_t i = 0; i < fields->size(); ++i) columns[(*fields)[i]] = i;
+      for (const char* needed : {"sketch", "map", "robot", "target", "seed", "verdict", "time_s",
+                                 "cross_track_max_mm", "trace_hash", "why"})
+        if (!columns.contains(needed))
+          throw InputError(
+              place,
+              std::string("this is no table of robosim sweep --csv, nor JUnit's XML: there is no column ") +
+                  needed);
+      continue;
+    }
+    if (fields->size() != columns.size())
+      throw InputError(place, "this row has " + std::to_string(fields->size()) +
+                                  " fields, and the first line " + std::to_string(columns.size()));
+    const auto at = [&](const char* name) { return (*fields)[columns[name]]; };
+    SweptRun& run = runs.emplace_back();
+    run = {at("sketch"),
+           at("map"),
+           at("robot"),
+           at("target"),
+           number_of<std::uint64_t>(at("seed"), "seed", place),
+           at("verdict"),
+           0.0,
+           0.0,
+           at("trace_hash"),
+           at("why")};
+    if (run.verdict == "error") continue;
+    run.time_s = number_of<double>(at("time_s"), "time_s", place);
+    run.cross_track_max_mm = number_of<double>(at("cross_track_max_mm"), "cross_track_max_mm", place);
+  }
+  if (runs.empty()) throw InputError({file}, "there is no run in it");
+  return runs;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,25 @@
+// The table of a sweep, as a report reads it: any that sweep --csv has written, whatever it came from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::cli {
+
+struct SweptRun {
+  std::string sketch, map, robot, target;
+  std::uint64_t seed = 0;
+  std::string verdict;
+  double time_s = 0.0;
+  double cross_track_max_mm = 0.0;
+  std::string trace_hash, why;
+
+  bool reached() const { return verdict == "reached"; }
+};
+
+/// Throws InputError with file and line.
+std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& file);
+
+}  // namespace robosim::cli

@@ -1,0 +1,116 @@
+// What `robosim report` reads, and the page that it makes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/cli/report/junit_cases.h"
+#include "sim/cli/report/report_page.h"
+#include "sim/cli/report/sweep_rows.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+constexpr const char* kHeader =
+    "sketch,map,robot,target,seed,verdict,time_s,cross_track_max_mm,trace_hash,why\n";
+
+template <class Read>
+std::string refusal(const Read& read, const std::string& text) {
+  try {
+    read(text, "x");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(AReportsXml, IsWhatRobosimCtestAndGoogleTestWrite) {
+  const auto cases = read_junit(R"(<?xml version="1.0"?>
+<!-- <testcase name="no"> -->
+<testsuites><testsuite name="all" tests="5">
+  <testcase classname="Ada" name="drives &quot;two&quot; laps &lt;3&#10;" time="1.5"/>
+  <testcase classname="Bo &amp; Co" name="drives" time="0.5"><properties><property name="x" value="1"/></properties>
+    <failure message="lost&#x21;">text with <![CDATA[<testcase name="no">]]></failure></testcase>
+  <testcase classname='Suite.Test' name='Suite.Test' status="fail"><failure message=""></failure></testcase>
+  <testcase name="Suite.Other" classname="Suite.Other" status="notrun"/>
+  <testcase classname="Ada" name="waits"><skipped/></testcase>
+</testsuite></testsuites>)",
+                                "x.xml");
+  ASSERT_THAT(cases, SizeIs(5));
+  EXPECT_EQ(cases[0].name, "drives \"two\" laps <3\n");
+  EXPECT_EQ(cases[0].time_s, 1.5);
+  EXPECT_EQ(cases[1].group, "Bo & Co");
+  EXPECT_EQ(cases[1].ending, JunitCase::Ending::failed);
+  EXPECT_EQ(cases[1].message, "lost!");
+  EXPECT_EQ(cases[2].group, "Suite") << "of ctest's tests, which have no class";
+  EXPECT_EQ(cases[2].ending, JunitCase::Ending::failed);
+  EXPECT_EQ(cases[3].ending, JunitCase::Ending::skipped);
+  EXPECT_EQ(cases[4].ending, JunitCase::Ending::skipped);
+}
+
+TEST(AReportsXml, IsRefusedWithItsLine) {
+  EXPECT_THAT(refusal(read_junit, "<a>\n<b x=1/></a>"),
+              StartsWith("x:2: an attribute's value is not in quotes"));
+  EXPECT_THAT(refusal(read_junit, "<!DOCTYPE a [<!ENTITY b \"c\">]><a/>"), HasSubstr("document type"));
+  EXPECT_THAT(refusal(read_junit, "<testsuite/>"), HasSubstr("no <testcase> in it"));
+  for (const char* cut : {"<", "<a", "<a ", "<a b", "<a b=", "<a b=\"c", "<a b=\"c\"", "<!-- a", "</"})
+    EXPECT_THAT(refusal(read_junit, cut), StartsWith("x:1: ")) << cut;
+}
+
+TEST(AReportsTable, IsRefusedWithItsLine) {
+  EXPECT_THAT(refusal(read_swept_runs, "a,b\n1,2\n"),
+              HasSubstr("x:1: this is no table of robosim sweep --csv"));
+  EXPECT_THAT(refusal(read_swept_runs, kHeader), HasSubstr("there is no run in it"));
+  EXPECT_THAT(refusal(read_swept_runs, kHeader + std::string("a,b\n")),
+              HasSubstr("x:2: this row has 2 fields"));
+  EXPECT_THAT(refusal(read_swept_runs, kHeader + std::string("S,m,r,host,1,lost,soon,1,h,why\n")),
+              HasSubstr("x:2: time_s must be a number, and is “soon”"));
+}
+
+TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
+  const auto runs = read_swept_runs(kHeader + std::string("Ada,m,r,host,1,reached,2,5,h,ok\n"
+                                                          "Ada,m,r,host,2,reached,4,5,h,ok\n"
+                                                          "<b>Bo,m,r,host,1,reached,3,5,h,ok\n"
+                                                          "<b>Bo,m,r,host,2,lost,1,5,h,\"left, at 1 s\"\n"),
+                                    "runs.csv");
+  const auto combinations = combinations_of(runs);
+  EXPECT_THAT(combinations, ElementsAre(ElementsAre(0, 1), ElementsAre(2, 3)));
+  EXPECT_EQ(worst_of(runs, combinations[0]), 1u) << "the slowest";
+  EXPECT_EQ(worst_of(runs, combinations[1]), 3u) << "the one that failed";
+  Shown shown;
+  shown.replays[3] = "runs/Bo.html";
+  shown.other = 2;
+  record::FloorShapes floor;
+  floor.width_mm = 1000;
+  floor.height_mm = 500;
+  shown.left["m"] = {floor, {{100.0, 200.0}}, 1};
+  const std::string page = sweep_page("runs.csv", runs, shown);
+  EXPECT_THAT(
+      page, AllOf(HasSubstr("4 runs, 3 reached their goal"), HasSubstr("</span>2/2"), HasSubstr("</span>1/2"),
+                  HasSubstr("3.00 s"), HasSubstr("slowest, seed 2"), HasSubstr("1 lost"),
+                  HasSubstr("<a href=\"runs/Bo.html\">lost, seed 2</a>"), HasSubstr("left, at 1 s")));
+  EXPECT_THAT(page, AllOf(HasSubstr("&lt;b&gt;Bo"), Not(HasSubstr("<b>Bo"))));
+  EXPECT_THAT(page, HasSubstr("<circle cx=\"100\" cy=\"300\"")) << "y is down in a picture";
+  EXPECT_THAT(page, HasSubstr("2 of the runs came out otherwise"));
+}
+
+TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
+  using Ending = JunitCase::Ending;
+  const std::string page = junit_page("class.xml", {{"Ada", "starts", Ending::passed, 0.1, ""},
+                                                    {"Ada", "laps", Ending::passed, 0.2, ""},
+                                                    {"Bo", "starts", Ending::passed, 0.1, ""},
+                                                    {"Bo", "laps", Ending::failed, 0.2, "lost \"it\""}});
+  EXPECT_THAT(page, AllOf(HasSubstr("4 checks: 3 passed, 1 failed, 0 left out"),
+                          HasSubstr("<th>starts</th><th>laps</th>"),
+                          HasSubstr("title=\"lost &quot;it&quot;\">✗"), HasSubstr("</span>1/2")));
+}
+
+}  // namespace
+}  // namespace robosim::cli
