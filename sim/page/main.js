@@ -4,7 +4,7 @@ import { Chart, SensorStripes, short, Span } from './charts.js';
 import { drawMark, GRADIENT, MARKS, seen } from './colours.js';
 import { areaOf, FloorPicture } from './floor.js';
 import { TimedList } from './lists.js';
-import { PinRow } from './pins.js';
+import { PinRow, Wiring } from './pins.js';
 import { Player, SPEEDS } from './player.js';
 import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
 import { apart, runOf, runOfTable } from './run.js';
@@ -47,6 +47,7 @@ class Page {
     this.makePins();
     this.serial = new TimedList($('serial'), run.lines, this.player, 'The sketch sent nothing.');
     this.events = new TimedList($('events'), run.events, this.player, 'Nothing happened.');
+    this.wiring = new Wiring($('wiring'), run, this.player);
     this.connect();
     this.player.onChange(() => this.move());
     this.span.onChange(() => this.drawTracks());
@@ -248,6 +249,7 @@ class Page {
     }
     this.drawTracks();
     for (const list of [this.serial, this.events]) { list.now = -2; list.move(); list.draw(); }
+    this.wiring.move();
   }
 
   setTheme(theme) {
@@ -327,6 +329,7 @@ class Page {
     for (const track of this.tracks) track.move();
     this.serial.move();
     this.events.move();
+    this.wiring.move();
   }
 }
 

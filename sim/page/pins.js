@@ -89,3 +89,44 @@ export class PinRow {
     this.now.textContent = pinText(this.pin, this.span.player.t);
   }
 }
+
+/** Which part is on which pin, as a table: what the robot's file says, and what the sketch did there. */
+export class Wiring {
+  constructor(panel, run, player) {
+    Object.assign(this, { panel, player, cells: [] });
+    const on = new Map(run.header.pins.map((pin) => [pin, []]));
+    for (const { name, type, pins } of run.robot.parts)
+      for (const [use, pin] of Object.entries(pins)) {
+        const key = run.header.pins[pin] ?? String(pin);
+        on.set(key, [...(on.get(key) ?? []), { name, type, use }]);
+      }
+    const unwired = new Map(run.result.usage?.unwired.map(({ pin, how }) => [pin, how]));
+    const unused = new Set(run.result.usage?.unused);
+    const table = Object.assign(document.createElement('table'), { className: 'wiring' });
+    table.createCaption().textContent = `${run.header.robot} · ${run.robot.board?.name ?? ''}`;
+    const row = (texts, tag = 'td') => {
+      const line = table.insertRow();
+      for (const text of texts) line.append(Object.assign(document.createElement(tag), { textContent: text }));
+      return line;
+    };
+    row(['pin', 'leads to', 'of', 'now'], 'th');
+    for (const [pin, parts] of on) {
+      const loose = unwired.get(pin);
+      const line = row([pin, parts.map(({ name, use }) => `${name} ${use}`).join(', ') || (loose ? `nothing, but the sketch has ${loose} it` : 'free'),
+        [...new Set(parts.map(({ type }) => type))].join(', ')]);
+      if (loose) line.className = 'loose';
+      if (!parts.length && !loose) line.className = 'free';
+      if (parts.length && parts.every(({ name }) => unused.has(name))) line.cells[2].append(' (never used)');
+      const now = document.createElement('td');
+      now.dataset.wire = pin;
+      line.append(now);
+      this.cells.push({ now, tracks: run.pins.filter((track) => track.name === pin) });
+    }
+    panel.append(table);
+  }
+
+  move() {
+    if (this.panel.hidden) return;
+    for (const { now, tracks } of this.cells) now.textContent = tracks.map((track) => pinText(track, this.player.t)).filter(Boolean).join(', ');
+  }
+}

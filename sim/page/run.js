@@ -206,11 +206,12 @@ function addSerial(run, serial) {
 
 /** When the line was left, and which sensor saw it last: what everybody asks first. */
 function addLineEvents(run) {
-  // Each sensor has its own idea of white, so the line begins a tenth above the least that it ever read.
+  // Each sensor has its own idea of the floor, so the line begins a tenth above the least that it ever read. A sensor that
+  // always reads the same was over the line throughout, or never.
   const sensors = run.sensors.map(({ name }) => {
-    const values = run.columns[name];
+    const values = run.floor?.light_line ? run.columns[name].map((v) => 1 - v) : run.columns[name];
     const least = values.reduce((a, b) => Math.min(a, b), 1), most = values.reduce((a, b) => Math.max(a, b), 0);
-    return { name, values, from: most - least > 0.2 ? least + 0.1 * (most - least) : Infinity };
+    return { name, values, from: most - least > 0.2 ? least + 0.1 * (most - least) : least > 0.5 ? 0.5 : Infinity };
   });
   let last = -1, by, left = false;
   for (let i = 0; i < run.t.length; i++) {

@@ -240,6 +240,37 @@ TEST_F(Page, BeginsWithTheRunThatReplayHasLaidOverIt) {
   EXPECT_EQ(shown[3], "7.40");
 }
 
+TEST_F(Page, SaysThatTheLineIsLeftWhereNoSensorSeesItAndNowhereElse) {
+  const auto lines_of = [&](const std::string& map) {
+    robosim_command({"run", "PidFollower", "--map", map, "--for", "6s", "--record", "line.html"},
+                    folder->path());
+    return in_page(*folder / "line.html",
+                   "return page.run.events.filter((e) => e.kind === 'line').map((e) => e.text);");
+  };
+  EXPECT_EQ(lines_of("oval"), Json::array())
+      << "one sensor is over the line throughout, and always reads the same";
+  EXPECT_THAT(lines_of("f")[0].get<std::string>(), HasSubstr("the line is left: S"));
+}
+
+TEST_F(Page, SaysWhichPinLeadsWhereAndWhatIsOnIt) {
+  const Json rows = in_page(file(), R"(
+    document.getElementById('tab-wiring').click();
+    page.player.seek(3);
+    return [...document.querySelectorAll('.wiring tr')].map((row) => [...row.cells].map((cell) => cell.textContent));)");
+  const auto row = [&](const std::string& pin) {
+    for (const Json& one : rows)
+      if (one[0] == pin) return one;
+    return Json();
+  };
+  EXPECT_EQ(row("D0")[1], "free");
+  EXPECT_EQ(row("D4"), Json::parse(R"(["D4", "start pin", "button", "high"])"));
+  EXPECT_EQ(row("D5")[1], "left en");
+  EXPECT_THAT(row("D5")[3].get<std::string>(), HasSubstr("PWM "));
+  EXPECT_EQ(row("A2")[1], "S S3");
+  EXPECT_THAT(row("A2")[3].get<std::string>(), HasSubstr(" V"));
+  EXPECT_THAT(row("D11")[2].get<std::string>(), HasSubstr("never used"));
+}
+
 TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
   write_file(*folder / "scan.script", "at 1s press start 100ms\n");
   const Ended ended = robosim_command({"run", "AiNavigator", "--map", "b", "--goal", "none", "--for", "60s",
@@ -259,7 +290,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
       return false;
     };
     return { named: nodes.filter((n) => n.name).map((n) => [n.name, n.x, n.y]), stations, nodes: nodes.length,
-      edges: edges.map(({ a, b }) => [a, b]), before: nodes.map((n) => pink(n.t - 0.01, n)), after: nodes.map((n) => pink(n.t + 0.01, n)) };)");
+      edges: edges.map(({ a, b }) => [a, b]), before: nodes.map((n) => pink(n.t - 0.01, n)), after: nodes.map((n) => pink(n.t + 4, n)) };)");
   EXPECT_EQ(shown["named"], shown["stations"]) << "each where it is";
   EXPECT_EQ(shown["nodes"], 6);
   EXPECT_EQ(shown["edges"], Json::parse("[[0,1],[1,2],[2,3],[2,4],[1,5]]"));
@@ -313,7 +344,7 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
 // People look at these: a wide screen and a phone's, light and dark.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
-  for (const char* tab : {"plots", "pins", "serial", "events"}) {
+  for (const char* tab : {"plots", "pins", "serial", "events", "wiring"}) {
     for (const auto& [theme, width] : {std::pair{"light", 1400}, std::pair{"dark", 500}}) {
       const auto picture = pictures / (std::string(tab) + "-" + theme + "-" + std::to_string(width) + ".png");
       open_in_chromium("--screenshot=" + picture.string(),
@@ -325,7 +356,6 @@ TEST_F(Page, IsPhotographed) {
 
 TEST_F(Page, IsInTheDocs) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
-  std::filesystem::create_directories(pictures);
   const auto run = [&](std::vector<std::string> words) {
     ASSERT_EQ(robosim_command(std::move(words), folder->path()).status, 0);
   };
@@ -340,8 +370,8 @@ TEST_F(Page, IsInTheDocs) {
   run({"run", "PidFollower", "--map", "tight", "--seed", "2", "--record", "two.rec"});
   run({"replay", "one.html", "--over", "two.rec", "--record", "both.html"});
   run({"new", "MyFollower"});
-  run({"sweep", "PidFollower", "MyFollower", "--map", "tight", "--robot", "uno5", "--seeds", "1..30", "--csv",
-       "runs.csv"});
+  run({"sweep", "PidFollower", "./MyFollower", "--map", "tight", "--robot", "uno5", "--seeds", "1..30",
+       "--csv", "runs.csv"});
   run({"report", "runs.csv"});
   picture("one.html#t=2.6&theme=light", "page.png", 760);
   picture("both.html#t=5&theme=light", "two-runs.png", 760);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "sim/cli/launching.h"
 #include "sim/record/record_page.h"
@@ -12,9 +13,10 @@ namespace {
 // As sim/page/run.js has them.
 constexpr double kLeft_s = 0.02;
 constexpr double kSpread = 0.2, kBegins = 0.1;  // of what a sensor reads
+constexpr double kAlways = 0.5;  // less than that a sensor that is always over the line never reads
 
 struct Seen {
-  const std::vector<double>* values;
+  std::vector<double> values;
   double from;  ///< more is line
 };
 
@@ -32,16 +34,19 @@ std::vector<std::array<double, 2>> places_left(const std::string& bytes) {
     for (std::size_t i = 0; i < info.columns.size(); ++i)
       for (const auto& sensor : header.robot_info.sensors) {
         if (sensor.name != info.columns[i].name || samples[i].empty()) continue;
-        const auto [least, most] = std::minmax_element(samples[i].begin(), samples[i].end());
-        const double spread = *most - *least;
-        sensors.push_back({&samples[i], spread > kSpread ? *least + kBegins * spread
-                                                         : std::numeric_limits<double>::infinity()});
+        std::vector<double> values = samples[i];
+        if (header.floor && header.floor->light_line)
+          for (double& value : values) value = 1.0 - value;
+        const double least = *std::min_element(values.begin(), values.end());
+        const double spread = *std::max_element(values.begin(), values.end()) - least;
+        const double steady = least > kAlways ? kAlways : std::numeric_limits<double>::infinity();
+        sensors.push_back({std::move(values), spread > kSpread ? least + kBegins * spread : steady});
       }
   }
   bool left = false;
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < samples[0].size(); ++i) {
-    if (std::any_of(sensors.begin(), sensors.end(), [&](const Seen& s) { return (*s.values)[i] > s.from; })) {
+    if (std::any_of(sensors.begin(), sensors.end(), [&](const Seen& s) { return s.values[i] > s.from; })) {
       left = false;
       last = i;
     } else if (!left && last && (samples[0][i] - samples[0][*last]) * 1e-6 > kLeft_s) {

@@ -118,16 +118,20 @@ std::string heat_map(const std::string& map, const LeftOn& left) {
       "<stop offset=\"1\" stop-color=\"#d55e00\" stop-opacity=\"0\"/></radialGradient></defs>{3}",
       floor.width_mm, floor.height_mm, html(map), record::floor_elements(floor));
   const double radius = std::max(floor.width_mm, floor.height_mm) / 28.0;
+  // Many places lie over each other: the fewer, the stronger each.
+  text += fmt::format("<g fill-opacity=\"{:.2f}\">",
+                      std::clamp(20.0 / static_cast<double>(left.places_mm.size() + 1), 0.08, 1.0));
   for (const auto& [x, y] : left.places_mm)
-    fmt::format_to(std::back_inserter(text), R"x(<circle cx="{:.0f}" cy="{:.0f}" r="{:.0f}" fill="url(#heat)"/>)x", x,
+    fmt::format_to(std::back_inserter(text),
+                   R"x(<circle cx="{:.0f}" cy="{:.0f}" r="{:.0f}" fill="url(#heat)"/>)x", x,
                    floor.height_mm - y, radius);
   return text +
-         fmt::format("</svg><figcaption><b>{}</b>: {} in {} of the runs made again</figcaption></figure>\n",
-                     html(map),
-                     left.places_mm.size() == 1
-                         ? "the line was left once"
-                         : fmt::format("the line was left {} times", left.places_mm.size()),
-                     left.runs);
+         fmt::format(
+             "</g></svg><figcaption><b>{}</b>: {} in {} of the runs made again</figcaption></figure>\n",
+             html(map),
+             left.places_mm.size() == 1 ? "the line was left once"
+                                        : fmt::format("the line was left {} times", left.places_mm.size()),
+             left.runs);
 }
 
 }  // namespace
@@ -168,10 +172,9 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
   body += fmt::format(
       "<div class=\"wide\"><table>\n<tr><th class=\"left\">sketch</th><th class=\"left\">map</th><th "
       "class=\"left\">robot</th>"
-      "<th class=\"left\">target</th><th>reached</th><th>95 % interval</th><th>mean time</th><th>times, 0 to "
-      "{:.1f} s</th>"
-      "<th>farthest off the line, 0 to {:.0f} mm</th><th class=\"left\">failed</th><th class=\"left\">look "
-      "at</th></tr>\n",
+      "<th class=\"left\">target</th><th>reached</th><th class=\"left\">look at</th><th>mean time</th>"
+      "<th>times, 0 to {:.1f} s</th><th>off the line, 0 to {:.0f} mm</th><th class=\"left\">failed</th>"
+      "<th>95 % interval</th></tr>\n",
       longest_s, widest_mm);
   for (const auto& which : combinations) {
     const SweptRun& first = runs[which[0]];
@@ -188,14 +191,14 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
     body += fmt::format(
         "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td "
         "class=\"left\">{}</td><td>{}</td>"
-        "<td>{:.2f} .. {:.2f}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"left bad\">{}</td><td "
-        "class=\"left\">{}</td></tr>\n",
+        "<td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"left bad\">{}</td>"
+        "<td>{:.2f} .. {:.2f}</td></tr>\n",
         html(first.sketch), html(first.map), html(first.robot), html(first.target),
-        share_bar(own_times.size(), which.size()), low, high,
-        own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
-        bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which),
+        share_bar(own_times.size(), which.size()),
         replay == shown.replays.end() ? name
-                                      : fmt::format("<a href=\"{}\">{}</a>", html(replay->second), name));
+                                      : fmt::format("<a href=\"{}\">{}</a>", html(replay->second), name),
+        own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
+        bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which), low, high);
   }
   body += "</table></div>\n";
   std::string maps;

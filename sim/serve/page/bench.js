@@ -49,6 +49,7 @@ function show(recording, moment) {
     }, 20);
   };
   frame.src = `/recording/${recording}.html`;
+  if (matchMedia('(max-width: 700px)').matches) frame.scrollIntoView();
 }
 
 /** A button for each of the robot's. */
