@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string refusal(const std::string& table) {
+std::string refusal_of_table(const std::string& table) {
   try {
     track_of_table(table, "log.csv");
     return "";
@@ -31,13 +31,15 @@ TEST(ATableOfARealRobot, MayHaveAnyUnitsSeparatorsAndColumns) {
 }
 
 TEST(ATableOfARealRobot, IsRefusedWithItsLine) {
-  EXPECT_THAT(refusal("a,b\n1,2\n"),
+  EXPECT_THAT(refusal_of_table("a,b\n1,2\n"),
               AllOf(StartsWith("log.csv:1"), HasSubstr("columns for time, x and y"), HasSubstr("“a,b”")));
-  EXPECT_THAT(refusal("t,x,y\n0,1,2\n1,,2\n"), AllOf(StartsWith("log.csv:3"), HasSubstr("must be numbers")));
-  EXPECT_THAT(refusal("t,x,y\n1,1,2\n0.5,1,2\n"), AllOf(StartsWith("log.csv:3"), HasSubstr("goes back")));
-  EXPECT_THAT(refusal("t,x,y\n1,1,2\n"), HasSubstr("at least two rows"));
-  EXPECT_THAT(refusal(""), HasSubstr("at least two rows"));
-  EXPECT_THAT(refusal("t,x,y\n0,nan,2\n1,1,2\n"), HasSubstr("must be numbers"));
+  EXPECT_THAT(refusal_of_table("t,x,y\n0,1,2\n1,,2\n"),
+              AllOf(StartsWith("log.csv:3"), HasSubstr("must be numbers")));
+  EXPECT_THAT(refusal_of_table("t,x,y\n1,1,2\n0.5,1,2\n"),
+              AllOf(StartsWith("log.csv:3"), HasSubstr("goes back")));
+  EXPECT_THAT(refusal_of_table("t,x,y\n1,1,2\n"), HasSubstr("at least two rows"));
+  EXPECT_THAT(refusal_of_table(""), HasSubstr("at least two rows"));
+  EXPECT_THAT(refusal_of_table("t,x,y\n0,nan,2\n1,1,2\n"), HasSubstr("must be numbers"));
 }
 
 TEST(TwoTracks, AreHeldAgainstEachOtherAtEqualTimes) {
