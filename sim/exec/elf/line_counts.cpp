@@ -10,10 +10,10 @@ namespace robosim::exec {
 
 LineCounts::LineCounts(const DebugInfo& debug) : lines_(debug.lines()) {
   for (const DebugInfo::CodeLine& line : lines_) begins_.push_back({line.address, 0});
-  const auto address = [](const Begin& begin) { return begin.address; };
-  std::ranges::sort(begins_, {}, address);
-  const auto [first, last] = std::ranges::unique(begins_, {}, address);
-  begins_.erase(first, last);
+  std::ranges::sort(begins_, {}, &Begin::address);
+  const auto twice = std::unique(begins_.begin(), begins_.end(),
+                                 [](const Begin& a, const Begin& b) { return a.address == b.address; });
+  begins_.erase(twice, begins_.end());
 }
 
 void LineCounts::ran(std::uint32_t address, std::uint64_t times) {
