@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/grid/colour.h"
+#include "sim/grid/paint.h"
 #include "sim/grid/patch.h"
 #include "sim/grid/path.h"
 #include "sim/grid/relief.h"
@@ -19,20 +20,23 @@ struct Mark {
   Pose middle;               ///< m; the heading is that of its long side, across the path
   double half_length = 0.0;  ///< m
   double half_width = 0.0;   ///< m
+  int paint = 0;             ///< its number in paints_of; the width there is not the mark's
 };
 
 /// `length_m`: of its long side.
 inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, double away, double length_m,
                         double width_m) {
   const Pose on = paths[static_cast<std::size_t>(path)].at(along, false);
-  return {path,           along,        away, {on.position + left_of(on.heading) * away, left_of(on.heading)},
-          0.5 * length_m, 0.5 * width_m};
+  return {
+      path,           along,         away, {on.position + left_of(on.heading) * away, left_of(on.heading)},
+      0.5 * length_m, 0.5 * width_m, 0};
 }
 
 /// A painted rectangle or disc.
 struct Area : Patch {
   Colour colour;
   bool over_lines = false;  ///< painted over lines and marks; else they are painted over it
+  double gloss = 0.0;       ///< what it mirrors: Paint::gloss
 };
 
 /// Start and goal line of a path, m along it; a race goes from the one on to the other. The path is closed
@@ -56,6 +60,7 @@ struct RescueCourse {
 
 struct Course {
   std::vector<Path> paths;
+  std::vector<Paint> paints;  ///< of pieces and marks that are not as the map's lines are
   std::optional<RaceLines> race;
   std::optional<RescueCourse> rescue;
   std::vector<Mark> marks;

@@ -16,8 +16,9 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;   // m
 constexpr double kLeastTurn = 1.7e-8;  // rad: 0.000001 deg; what is written of an angle is within 2e-11
 constexpr double kMostRadius = 1000.0;
-constexpr double kLatestSignal = 600.0;   // s
-constexpr double kLongestRescue = 100.0;  // m
+constexpr double kLeastWidth = 1e-3, kMostWidth = 0.1;  // m, of a line
+constexpr double kLatestSignal = 600.0;                 // s
+constexpr double kLongestRescue = 100.0;                // m
 // Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm beside the line's.
 constexpr double kMarkLength = 0.040;
 constexpr double kMarkAway = 0.070;
@@ -31,9 +32,33 @@ double read_turn(const ConfigValue& value, double most) {
   return turn;
 }
 
-void read_piece(const ConfigValue& value, Path& path) {
+// The number of a paint in paints_of; one that the course has not yet is added.
+int number_of(const Paint& paint, const Paint& usual, Course& course, const Place& place) {
+  if (paint == usual) return 0;
+  std::size_t i = 0;
+  while (i < course.paints.size() && course.paints[i] != paint) ++i;
+  if (i == Paint::kMost)
+    throw InputError(place, fmt::format("this is one kind of line too many; a map has at most {} that are "
+                                        "not as its lines are (width, colour, worn, gloss)",
+                                        Paint::kMost));
+  if (i == course.paints.size()) course.paints.push_back(paint);
+  return static_cast<int>(i) + 1;
+}
+
+// `width` is a line's; that of a mark is its own.
+Paint read_paint(TableReader& table, bool of_line, Paint paint) {
+  if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
+  if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);
+  paint.worn = read_share(table, "worn", paint.worn);
+  paint.gloss = read_share(table, "gloss", paint.gloss);
+  return paint;
+}
+
+void read_piece(const ConfigValue& value, const Paint& usual, const Paint& of_path, Course& course,
+                Path& path) {
   TableReader table(value, "a segment");
   const bool is_gap = table.boolean("gap", false);
+  const Paint paint = read_paint(table, true, of_path);
   const ConfigValue* const length = table.find("length");
   const ConfigValue* const radius = table.find("radius");
   const ConfigValue* const angle = table.find("angle");
@@ -51,30 +76,36 @@ void read_piece(const ConfigValue& value, Path& path) {
         "a segment is a straight, { length = \"300 mm\" }, an arc, { radius = \"200 mm\", angle = "
         "\"90 deg\" }, or a corner, { angle = \"90 deg\" }; an angle below 0 turns to the right");
   }
+  const bool is_corner = path.pieces().back().length == 0.0;
+  if (paint != of_path && (is_gap || is_corner))
+    throw InputError(value.place, fmt::format("{} is not painted, and has no width, colour, worn or gloss",
+                                              is_gap ? "a gap" : "a corner"));
+  path.paint_last(number_of(paint, usual, course, value.place));
   if (path.length() > Path::kMost)
     throw InputError(value.place, fmt::format("the path is longer than {:.0f} km", Path::kMost / 1e3));
 }
 
 }  // namespace
 
-void read_paths(const ConfigValue& value, Course& course) {
+void read_paths(const ConfigValue& value, const Paint& usual, Course& course) {
   for (const ConfigValue& item : tables_of(value, "path")) {
     TableReader table(item, "[[path]]");
     const Vec2 from = read_point(table.require("from"), "from");
     const double heading = table.quantity("heading", Dimension::angle, 0.0, -kTurn, kTurn);
     const ConfigValue& segments = table.require("segments");
+    const Paint paint = read_paint(table, true, usual);
     table.finish();
     if (segments.kind != ConfigValue::Kind::array || segments.items.empty())
       throw InputError(segments.place,
                        "segments must be a list of straights and arcs, such as [{ length = \"1 m\" }]");
     Path path({from, unit_vector(heading)});
     path.place = item.place;
-    for (const ConfigValue& segment : segments.items) read_piece(segment, path);
+    for (const ConfigValue& segment : segments.items) read_piece(segment, usual, paint, course, path);
     course.paths.push_back(std::move(path));
   }
 }
 
-void read_marks(const ConfigValue& value, double line_m, Course& course) {
+void read_marks(const ConfigValue& value, double line_m, const Paint& usual, Course& course) {
   for (const ConfigValue& item : tables_of(value, "mark")) {
     TableReader table(item, "[[mark]]");
     const auto paths = static_cast<std::int64_t>(course.paths.size());
@@ -86,8 +117,10 @@ void read_marks(const ConfigValue& value, double line_m, Course& course) {
     const double length = table.quantity("length", Dimension::length, kMarkLength, kLeastPiece, 1.0);
     const double width = table.quantity("width", Dimension::length, line_m, kLeastPiece, 1.0);
     const bool left = table.choice("side", "left", {"left", "right"}) == "left";
+    const Paint paint = read_paint(table, false, usual);
     table.finish();
     course.marks.push_back(mark_beside(course.paths, path, along, left ? away : -away, length, width));
+    course.marks.back().paint = number_of(paint, usual, course, item.place);
   }
 }
 

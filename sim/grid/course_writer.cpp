@@ -18,12 +18,29 @@ std::string angle_text(double rad) {
   return std::fabs(*read - rad) < 2e-11 ? degrees : fmt::format("{} rad", rad);
 }
 
-std::string segment_text(const PathPiece& piece) {
-  const std::string gap = piece.is_gap ? ", gap = true" : "";
-  if (piece.turn == 0.0) return fmt::format("{{ length = \"{}\"{} }}", length_text(piece.length), gap);
+std::string colour_text(const Colour& colour) {
+  return fmt::format("\"{}{}\"", colour.figures().name,
+                     colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * colour.black) : "");
+}
+
+// Its keys where it is not as usual, each behind `between`.
+std::string paint_text(const Course& course, int number, const Paint& usual, const char* between) {
+  if (number == 0) return "";
+  const Paint& paint = course.paints[static_cast<std::size_t>(number) - 1];
+  std::string text;
+  if (paint.width != usual.width) text += fmt::format("{}width = \"{}\"", between, length_text(paint.width));
+  if (paint.colour) text += fmt::format("{}colour = {}", between, colour_text(*paint.colour));
+  if (paint.worn != usual.worn) text += fmt::format("{}worn = {}", between, paint.worn);
+  if (paint.gloss != usual.gloss) text += fmt::format("{}gloss = {}", between, paint.gloss);
+  return text;
+}
+
+std::string segment_text(const PathPiece& piece, const std::string& paint) {
+  const std::string more = piece.is_gap ? ", gap = true" : paint;
+  if (piece.turn == 0.0) return fmt::format("{{ length = \"{}\"{} }}", length_text(piece.length), more);
   if (piece.length == 0.0) return fmt::format("{{ angle = \"{}\" }}", angle_text(piece.turn));
   return fmt::format("{{ radius = \"{}\", angle = \"{}\"{} }}", length_text(piece.radius),
-                     angle_text(piece.turn), gap);
+                     angle_text(piece.turn), more);
 }
 
 std::string race_text(const RaceLines& race) {
@@ -48,11 +65,9 @@ std::string rescue_text(const RescueCourse& rescue) {
   return text;
 }
 
-std::string area_text(const Area& area) {
-  const std::string text =
-      fmt::format("[[area]]\ncolour = \"{}{}\"\n", area.colour.figures().name,
-                  area.colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * area.colour.black) : "") +
-      patch_text(area);
+std::string area_text(const Area& area, double usual_gloss) {
+  std::string text = fmt::format("[[area]]\ncolour = {}\n", colour_text(area.colour)) + patch_text(area);
+  if (area.gloss != usual_gloss) text += fmt::format("gloss = {}\n", area.gloss);
   return area.over_lines ? text + "over_lines = true\n" : text;
 }
 
@@ -74,14 +89,15 @@ std::string patch_text(const Patch& patch) {
          (angle != 0.0 ? fmt::format("angle = \"{}\"\n", angle_text(angle)) : "");
 }
 
-std::string course_text(const Course& course) {
+std::string course_text(const Course& course, const Paint& usual) {
   std::string text;
   for (const Path& path : course.paths) {
     const Pose begin = path.begin();
     text += fmt::format("[[path]]\nfrom = [\"{}\", \"{}\"]\nheading = \"{}\"\nsegments = [\n",
                         length_text(begin.position.x), length_text(begin.position.y),
                         angle_text(angle_of(begin.heading)));
-    for (const PathPiece& piece : path.pieces()) text += "  " + segment_text(piece) + ",\n";
+    for (const PathPiece& piece : path.pieces())
+      text += "  " + segment_text(piece, paint_text(course, piece.paint, usual, ", ")) + ",\n";
     text += "]\n";
   }
   if (course.race) text += race_text(*course.race);
@@ -93,8 +109,9 @@ std::string course_text(const Course& course) {
                         length_text(mark.along), mark.away < 0.0 ? "right" : "left",
                         length_text(std::abs(mark.away)), length_text(2.0 * mark.half_length),
                         length_text(2.0 * mark.half_width));
+    if (mark.paint > 0) text += paint_text(course, mark.paint, usual, "\n").substr(1) + '\n';
   }
-  for (const Area& area : course.areas) text += area_text(area);
+  for (const Area& area : course.areas) text += area_text(area, usual.gloss);
   return text + relief_text(course);
 }
 

@@ -11,6 +11,7 @@ namespace robosim::grid {
 std::string length_text(double m);
 
 /// Lengths, angles and places are read back within 1e-12 m.
-std::string course_text(const Course& course);
+/// `usual`: what lines and marks are painted with where nothing else is said.
+std::string course_text(const Course& course, const Paint& usual);
 
 }  // namespace robosim::grid

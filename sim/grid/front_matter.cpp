@@ -204,11 +204,16 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
       table.choice("paint", "black on white", {"black on white", "white on black"}) == "white on black";
   if (const ConfigValue* variation = table.find("variation"))
     map.variation = as_quantity(*variation, "variation", Dimension::ratio, 0.0, kMaxVariation);
+  map.worn = read_share(table, "worn", 0.0);
+  map.gloss = read_share(table, "gloss", 0.0);
+  if (map.raster && map.worn > 0.0)
+    throw InputError(table.require("worn").place, "worn is for lines; floor = \"raster\" has painted cells");
+  const Paint usual = usual_paint(map);
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
-  if (const ConfigValue* paths = table.find("path")) read_paths(*paths, map.course);
-  if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, map.course);
+  if (const ConfigValue* paths = table.find("path")) read_paths(*paths, usual, map.course);
+  if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, usual, map.course);
   if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
-  if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.course);
+  if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.gloss, map.course);
   if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course);
   if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
@@ -233,6 +238,10 @@ void check_picture(const Map& map, const Place& place) {
                                         size(map.width * map.cell_m, map.height * map.cell_m)));
   if (!map.course.marks.empty())
     throw InputError(place, "the picture is all that is painted on this floor; [[mark]] would paint more");
+  if (map.worn > 0.0 || !map.course.paints.empty())
+    throw InputError(place,
+                     "the picture is all that is painted on this floor; lines have no width, colour, worn or "
+                     "gloss of their own (the whole floor may have a gloss)");
 }
 
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what) {

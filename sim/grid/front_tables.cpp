@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/units.h"
 #include "sim/grid/path.h"
 
 namespace robosim::grid {
@@ -21,6 +22,26 @@ Vec2 read_point(const ConfigValue& value, const char* key) {
                                  key));
   return {as_quantity(value.items[0], key, Dimension::length, 0.0, Path::kMost),
           as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
+}
+
+Colour read_colour(const ConfigValue& value) {
+  const std::string& text = as_string(value, "colour");
+  constexpr std::string_view kGrey = "grey ";
+  if (text.starts_with(kGrey)) {
+    const auto black = parse_quantity(text.substr(kGrey.size()), Dimension::ratio);
+    if (black && *black >= 0.0 && *black <= 1.0) return {Hue::grey, *black};
+  } else {
+    for (std::size_t i = 0; i < kHues.size(); ++i)
+      if (text == kHues[i].name) return {static_cast<Hue>(i)};
+  }
+  throw InputError(value.place,
+                   fmt::format("colour is \"{}\"; allowed are black, white, grey, green, silver, "
+                               "red, and grey with its share of black, as in \"grey 40 %\"",
+                               text));
+}
+
+double read_share(TableReader& table, const char* key, double usual) {
+  return table.quantity(key, Dimension::ratio, usual, 0.0, 1.0);
 }
 
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most) {

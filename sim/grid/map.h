@@ -91,6 +91,8 @@ struct Map {
   bool light_line = false;  ///< paint = "white on black"
   /// Standard deviation of the floor's brightness, as a share of it; none: what the profile has.
   std::optional<double> variation;
+  double worn = 0.0;  ///< the share of all lines and marks that is gone, where they say no other: Paint::worn
+  double gloss = 0.0;  ///< of the floor and what is painted on it, where that says no other: Paint::gloss
   std::vector<Light> lights;  ///< of the room, beside the sensors' own
   /// floor = "NAME.png": what is painted. Then cells and paths say where the line is, and paint nothing.
   std::shared_ptr<const FloorImage> image;

@@ -55,6 +55,8 @@ std::string front_matter(const Map& map, bool mark_goal) {
                         length_text(map.image->pixel_m()));
   if (map.light_line) text += "paint = \"white on black\"\n";
   if (map.variation) text += fmt::format("variation = {}\n", *map.variation);
+  if (map.worn > 0.0) text += fmt::format("worn = {}\n", map.worn);
+  if (map.gloss > 0.0) text += fmt::format("gloss = {}\n", map.gloss);
   if (is_bare(map))
     text += fmt::format("size = [\"{}\", \"{}\"]\n", length_text(rounded(map.width * map.cell_m)),
                         length_text(rounded(map.height * map.cell_m)));
@@ -81,7 +83,7 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (!stations.empty()) text += "[stations]\n" + stations;
   if (std::find(map.cells.begin(), map.cells.end(), Cell::gap) != map.cells.end())
     text += "[legend]\n3 = \"gap\"\n";
-  return text + course_text(map.course) + lights_text(map.lights);
+  return text + course_text(map.course, usual_paint(map)) + lights_text(map.lights);
 }
 
 }  // namespace

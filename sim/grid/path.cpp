@@ -28,7 +28,7 @@ void Path::add_arc(double radius, double turn, bool is_gap) {
 void Path::add_corner(double turn) { add(0.0, turn, 0.0, false); }
 
 void Path::add(double length, double turn, double radius, bool is_gap) {
-  pieces_.push_back({end_, length, turn, radius, is_gap});
+  pieces_.push_back({end_, length, turn, radius, is_gap, 0});
   begins_.push_back(length_);
   end_ = pieces_.back().at(length);
   end_.heading = end_.heading * (1.0 / robosim::length(end_.heading));

@@ -16,6 +16,7 @@ struct PathPiece {
   double turn = 0;      ///< rad, positive to the left; 0 = straight
   double radius = 0;    ///< m; 0 = straight, or a corner
   bool is_gap = false;  ///< followed, but not painted
+  int paint = 0;        ///< its number in paints_of
 
   /// Of an arc.
   Vec2 centre() const { return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius : radius); }
@@ -34,6 +35,8 @@ class Path {
   /// `turn`: rad, positive to the left.
   void add_arc(double radius, double turn, bool is_gap = false);
   void add_corner(double turn);
+  /// What the last piece is painted with: a number in paints_of.
+  void paint_last(int paint) { pieces_.back().paint = paint; }
 
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length() const { return length_; }

@@ -15,15 +15,19 @@ struct Unpainted {
   double to;
 };
 
-std::vector<Unpainted> gaps_of(const Path& path, double beside) {
+// Paint reaches half its width beyond a stripe's end: `half_widths` are those of the pieces.
+std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half_widths) {
   std::vector<Unpainted> gaps;
   double along = 0.0;
-  for (const PathPiece& piece : path.pieces()) {
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    const PathPiece& piece = path.pieces()[i];
     if (piece.is_gap) {
-      if (!gaps.empty() && gaps.back().to > along - beside)
-        gaps.back().to = along + piece.length + beside;
+      const double from = along - half_widths[i > 0 ? i - 1 : i];
+      const double to = along + piece.length + half_widths[std::min(i + 1, half_widths.size() - 1)];
+      if (!gaps.empty() && gaps.back().to > from)
+        gaps.back().to = to;
       else
-        gaps.push_back({along - beside, along + piece.length + beside});
+        gaps.push_back({from, to});
     }
     along += piece.length;
   }
@@ -35,10 +39,10 @@ void add_part(const PathPiece& piece, double from, double to, bool painted, std:
   Vec2 a = piece.at(from).position, b = piece.at(to).position;
   if (piece.turn == 0.0) {
     if (a.x > b.x || (a.x == b.x && a.y > b.y)) std::swap(a, b);
-    stripes.push_back({a, b, {}, 0.0, painted});
+    stripes.push_back({a, b, {}, 0.0, painted, static_cast<std::uint8_t>(piece.paint)});
   } else {
     if (piece.turn < 0.0) std::swap(a, b);
-    stripes.push_back({a, b, piece.centre(), piece.radius, painted});
+    stripes.push_back({a, b, piece.centre(), piece.radius, painted, static_cast<std::uint8_t>(piece.paint)});
   }
 }
 
@@ -52,8 +56,11 @@ void add_stretch(const PathPiece& piece, double from, double to, bool painted, s
 
 }  // namespace
 
-void add_stripes(const Path& path, double line_m, std::vector<Stripe>& stripes) {
-  const std::vector<Unpainted> gaps = gaps_of(path, line_m / 2.0);
+void add_stripes(const Path& path, const std::vector<Paint>& paints, std::vector<Stripe>& stripes) {
+  std::vector<double> half_widths;
+  for (const PathPiece& piece : path.pieces())
+    half_widths.push_back(paints[static_cast<std::size_t>(piece.paint)].width / 2.0);
+  const std::vector<Unpainted> gaps = gaps_of(path, half_widths);
   double begin = 0.0;
   for (const PathPiece& piece : path.pieces()) {
     double at = 0.0;

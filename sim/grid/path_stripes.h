@@ -7,8 +7,8 @@
 
 namespace robosim::grid {
 
-/// Appends them: straights whole, arcs in quarters at most, cut where gaps begin and end. A gap takes line/2
-/// from the stripes beside it, as among cells.
-void add_stripes(const Path& path, double line_m, std::vector<Stripe>& stripes);
+/// Appends them: straights whole, arcs in quarters at most, cut where gaps begin and end. A gap takes half
+/// their width from the stripes beside it, as among cells. `paints`: those of the map, paints_of.
+void add_stripes(const Path& path, const std::vector<Paint>& paints, std::vector<Stripe>& stripes);
 
 }  // namespace robosim::grid

@@ -163,7 +163,8 @@ Stripes::Stripes(const Map& map, double reach_m) : map_(&map) {
     builder.add_arc(*bend);
     if (is_tight(map, *bend)) tight_.push_back({cell, bend->radius});
   });
-  for (const Path& path : map.course.paths) add_stripes(path, map.line_m, stripes_);
+  const std::vector<Paint> paints = paints_of(map);
+  for (const Path& path : map.course.paths) add_stripes(path, paints, stripes_);
   index_ = StripeIndex(map, stripes_, reach_m);
 }
 

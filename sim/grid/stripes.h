@@ -26,6 +26,7 @@ struct Stripe {
   /// False across gap cells: part of the line that is followed, but not visible. A gap is as long as its
   /// cells: the stripes beside it end line/2 earlier, as the paint around an end reaches line/2 beyond it.
   bool painted = true;
+  std::uint8_t paint = 0;  ///< its number in paints_of
 };
 
 /// Distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.

@@ -34,10 +34,12 @@ export class FloorPicture {
       this.picture.onload = whenLoaded;
       this.picture.src = `data:image/png;base64,${floor.picture.png}`;
     }
-    this.lines = new Path2D();
+    this.lines = [];  // paths, each drawn with one pen
     this.unseen = new Path2D();
-    for (const { line: [x, y, toX, toY], arc, painted = true } of floor.stripes) {
-      const path = painted ? this.lines : this.unseen;
+    for (const { line: [x, y, toX, toY], arc, painted = true, width = floor.line, colour, worn = 0 } of floor.stripes) {
+      const pen = this.lines.at(-1);
+      if (pen?.width !== width || pen.colour !== colour || pen.worn !== worn) this.lines.push({ path: new Path2D(), width, colour, worn });
+      const path = painted ? this.lines.at(-1).path : this.unseen;
       path.moveTo(x, y);
       if (arc) path.arc(arc[0], arc[1], arc[2], Math.atan2(y - arc[1], x - arc[0]), Math.atan2(toY - arc[1], toX - arc[0]));
       else path.lineTo(toX, toY);
@@ -105,8 +107,13 @@ export class FloorPicture {
     this.drawAreas(floor, false);
     ctx.fillStyle = style(paint);
     ctx.lineCap = ctx.lineJoin = 'round';  // as the simulation measures: all that is within half a line's width
-    ctx.lineWidth = floor.line;
-    ctx.stroke(this.lines);
+    for (const { path, width, colour = style(paint), worn } of this.lines) {
+      ctx.lineWidth = width;
+      ctx.strokeStyle = colour;
+      ctx.globalAlpha = 1 - worn;
+      ctx.stroke(path);
+    }
+    ctx.globalAlpha = 1;
     ctx.fill(this.marks);
     this.drawAreas(floor, true);
     ctx.save();

@@ -63,22 +63,25 @@ class Printer {
     });
     if (any) pdf_.fill();
     areas(box, view, false);
-    pdf_.set_grey(dark_floor_ ? 1.0 : 0.0);
-    any = false;
-    pdf_.set_pen(std::max(shapes_.line_width() * view.scale, least_pen), true);
-    shapes_.lines_near(box, kLongest / view.scale, [&](const Line& line) {
-      pdf_.move_to(view(line.from));
-      if (line.radius > 0.0)
-        pdf_.arc_to({view(line.from), view(line.to), view(line.centre), line.radius * view.scale});
-      else
-        pdf_.line_to(view(line.to));
-      any = true;
-    });
-    if (any) pdf_.stroke();
+    for (std::size_t paint = 0; paint < shapes_.paints().size(); ++paint) {
+      any = false;
+      colour(*shapes_.paints()[paint].colour);
+      pdf_.set_pen(std::max(1e3 * shapes_.paints()[paint].width * view.scale, least_pen), true);
+      shapes_.lines_near(paint, box, kLongest / view.scale, [&](const Line& line) {
+        pdf_.move_to(view(line.from));
+        if (line.radius > 0.0)
+          pdf_.arc_to({view(line.from), view(line.to), view(line.centre), line.radius * view.scale});
+        else
+          pdf_.line_to(view(line.to));
+        any = true;
+      });
+      if (any) pdf_.stroke();
+    }
     for (const Bar& bar : shapes_.bars()) {
       const Box around{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y),
                        std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)};
       if (!around.wider(bar.width).meets(box)) continue;
+      colour(*shapes_.paints()[bar.paint].colour);
       pdf_.set_pen(bar.width * view.scale, false);
       pdf_.move_to(view(bar.from));
       pdf_.line_to(view(bar.to));
@@ -231,7 +234,7 @@ class Printer {
                       map_.image    ? map_.image->name()
                       : dark_floor_ ? "white on black"
                                     : "black on white",
-                      shapes_.line_width(), 1.0 / scale),
+                      1e3 * map_.line_m, 1.0 / scale),
           fmt::format("{} in {} of {}, numbered row-column{}.", counted(count, "sheet"),
                       counted(static_cast<std::size_t>(sheets_.rows), "row"),
                       counted(static_cast<std::size_t>(sheets_.columns), "column"),

@@ -48,24 +48,27 @@ void near(const Line& line, const Box& box, double longest, const std::function<
 }  // namespace
 
 Shapes::Shapes(const grid::Map& map)
-    : map_(&map), line_width_(map.line_m * kMillimetre), cell_(map.cell_m * kMillimetre) {
+    : map_(&map), paints_(grid::paints_of(map)), cell_(map.cell_m * kMillimetre) {
   if (!map.raster && !map.image) {
     const grid::Stripes stripes(map, 0.0);
     for (const grid::Stripe& s : stripes.all())
       if (s.painted)
         lines_.push_back(
-            {s.a * kMillimetre, s.b * kMillimetre, s.centre * kMillimetre, s.radius * kMillimetre});
+            {s.a * kMillimetre, s.b * kMillimetre, s.centre * kMillimetre, s.radius * kMillimetre, s.paint});
   }
   for (const grid::Mark& mark : map.course.marks) {
     const Vec2 half = mark.middle.heading * mark.half_length;
     bars_.push_back({(mark.middle.position - half) * kMillimetre, (mark.middle.position + half) * kMillimetre,
-                     2.0 * mark.half_width * kMillimetre});
+                     2.0 * mark.half_width * kMillimetre, static_cast<std::size_t>(mark.paint)});
   }
 }
 
-void Shapes::lines_near(const Box& box, double longest, const std::function<void(const Line&)>& use) const {
-  const Box reach = box.wider(0.5 * line_width_);
-  for (const Line& line : lines_) near(line, reach, longest, use);
+double Shapes::half_width(const Line& line) const { return 0.5 * paints_[line.paint].width * kMillimetre; }
+
+void Shapes::lines_near(std::size_t paint, const Box& box, double longest,
+                        const std::function<void(const Line&)>& use) const {
+  for (const Line& line : lines_)
+    if (line.paint == paint) near(line, box.wider(half_width(line)), longest, use);
 }
 
 template <class Holds>
@@ -115,7 +118,8 @@ bool Shapes::paints(const Box& box) const {
   painted_cells_near(box, [&](const Box&) { found = true; });
   for (const Bar& bar : bars_) {
     if (found) break;
-    near({bar.from, bar.to, {}, 0.0}, box.wider(0.5 * bar.width), kFine, [&](const Line&) { found = true; });
+    near({bar.from, bar.to, {}, 0.0, 0}, box.wider(0.5 * bar.width), kFine,
+         [&](const Line&) { found = true; });
   }
   for (const grid::Area& area : map_->course.areas) {
     const Vec2 middle = area.middle.position * 1e3;
@@ -129,7 +133,7 @@ bool Shapes::paints(const Box& box) const {
 }
 
 bool Shapes::any_line(const Line& line, const Box& box) const {
-  const Box reach = box.wider(0.5 * line_width_);
+  const Box reach = box.wider(half_width(line));
   if (!around(line).meets(reach)) return false;
   if (is_short(line, kFine)) return true;
   const auto [first, second] = halves(line);

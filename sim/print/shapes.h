@@ -21,22 +21,26 @@ struct Box {
 struct Line {
   Vec2 from, to, centre;
   double radius = 0.0;  ///< 0 = straight
+  std::size_t paint = 0;
 };
 
 /// A bar of straight ends.
 struct Bar {
   Vec2 from, to;
   double width;
+  std::size_t paint = 0;
 };
 
 class Shapes {
  public:
   explicit Shapes(const grid::Map& map);
 
-  double line_width() const { return line_width_; }
-  /// Parts of the centre lines, at most `longest` long and an eighth of a half turn, of which something may
-  /// be within the box. Each has round ends, so that the parts make up the whole.
-  void lines_near(const Box& box, double longest, const std::function<void(const Line&)>& use) const;
+  /// By the numbers of lines and bars.
+  const std::vector<grid::Paint>& paints() const { return paints_; }
+  /// Parts of the centre lines of a paint, at most `longest` long and an eighth of a half turn, of which
+  /// something may be within the box. Each has round ends, so that the parts make up the whole.
+  void lines_near(std::size_t paint, const Box& box, double longest,
+                  const std::function<void(const Line&)>& use) const;
   const std::vector<Bar>& bars() const { return bars_; }
   /// Runs of painted cells (of a raster floor), or of walls, within the box.
   void painted_cells_near(const Box& box, const std::function<void(const Box&)>& use) const;
@@ -51,7 +55,9 @@ class Shapes {
   bool any_line(const Line& line, const Box& box) const;
 
   const grid::Map* map_;
-  double line_width_, cell_;
+  double half_width(const Line& line) const;
+  std::vector<grid::Paint> paints_;
+  double cell_;
   std::vector<Line> lines_;
   std::vector<Bar> bars_;
 };

@@ -63,11 +63,18 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     shapes.dark = runs_of(map, [](grid::Cell c) { return grid::is_line(c) && c != grid::Cell::gap; });
   } else {
     const grid::Stripes stripes(map, 0.0);
-    for (const grid::Stripe& s : stripes.all()) {
-      shapes.stripes.push_back(
-          {{millimetres(s.a.x), millimetres(s.a.y), millimetres(s.b.x), millimetres(s.b.y)},
-           {millimetres(s.centre.x), millimetres(s.centre.y), millimetres(s.radius)},
-           s.painted && !map.image});
+    const std::vector<grid::Paint> paints = grid::paints_of(map);
+    for (std::size_t i = 0; i < paints.size(); ++i) {  // in the order in which they are painted
+      const grid::Paint& paint = paints[i];
+      for (const grid::Stripe& s : stripes.all())
+        if (s.paint == i)
+          shapes.stripes.push_back(
+              {{millimetres(s.a.x), millimetres(s.a.y), millimetres(s.b.x), millimetres(s.b.y)},
+               {millimetres(s.centre.x), millimetres(s.centre.y), millimetres(s.radius)},
+               s.painted && !map.image,
+               paint.width == map.line_m ? 0.0 : millimetres(paint.width),
+               paint.colour == paints[0].colour ? "" : paint.colour->drawn(),
+               paint.worn});
     }
   }
   if (map.image)

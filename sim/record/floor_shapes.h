@@ -20,6 +20,13 @@ struct FloorShapes {
     std::array<double, 4> line{};  ///< from x, y to x, y
     std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
     bool painted = true;           ///< false: followed, but not visible
+    double width_mm = 0.0;         ///< 0 = as wide as the others
+    std::string colour;            ///< of HTML; "" = as the others
+    double worn = 0.0;             ///< the share of its paint that is gone
+    /// Whether both are drawn with one pen.
+    bool is_like(const Stripe& o) const {
+      return width_mm == o.width_mm && colour == o.colour && worn == o.worn;
+    }
   };
   struct Area {
     std::string colour;            ///< of HTML
@@ -51,6 +58,10 @@ void fields(V& v, wire::Same<V, FloorShapes::Stripe>& s) {
   v("line", s.line, "from x, y to x, y");
   v("arc", s.arc, "centre and radius", {.presence = wire::when(s.arc[2] > 0.0)});
   v("painted", s.painted, "false: followed, but not visible", {.presence = wire::when(!s.painted)});
+  v("width", s.width_mm, "where it is not as the others", {.presence = wire::when(s.width_mm > 0.0)});
+  v("colour", s.colour, "of HTML, where it is not as the others",
+    {.presence = wire::when(!s.colour.empty())});
+  v("worn", s.worn, "the share of its paint that is gone", {.presence = wire::when(s.worn > 0.0)});
 }
 
 template <class V>

@@ -67,9 +67,28 @@ class Drawing {
     rectangles(floor_.walls, "#b9b4a8");
     rectangles(floor_.dark, kDark);
     areas(false);
+    const char* const colour = floor_.light_line ? kLight : kDark;
+    for (auto first = floor_.stripes.begin(); first != floor_.stripes.end();) {
+      const auto last = std::find_if_not(first, floor_.stripes.end(),
+                                         [&](const FloorShapes::Stripe& s) { return s.is_like(*first); });
+      stripes(first, last, colour);
+      first = last;
+    }
+    for (const auto& [x, y, to_x, to_y, width] : floor_.marks)
+      put(R"(<path d="M{}L{}" stroke="{}" stroke-width="{:.1f}"/>)", point(x, y), point(to_x, to_y), colour,
+          width);
+    areas(true);
+    for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
+  }
+
+  // Of one pen. What is worn shines through.
+  template <class It>
+  void stripes(It first, It last, const char* usual) {
     std::string path;
     auto to = std::back_inserter(path);
-    for (const FloorShapes::Stripe& s : floor_.stripes) {
+    const FloorShapes::Stripe& pen = *first;
+    for (; first != last; ++first) {
+      const FloorShapes::Stripe& s = *first;
       if (!s.painted) continue;
       const auto& [x, y, to_x, to_y] = s.line;
       fmt::format_to(to, "M{} ", point(x, y));
@@ -79,14 +98,9 @@ class Drawing {
       else
         fmt::format_to(to, "L{}", point(to_x, to_y));
     }
-    const char* const colour = floor_.light_line ? kLight : kDark;
-    put(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.1f}" stroke-linecap="round"/>)", path,
-        colour, floor_.line_mm);
-    for (const auto& [x, y, to_x, to_y, width] : floor_.marks)
-      put(R"(<path d="M{}L{}" stroke="{}" stroke-width="{:.1f}"/>)", point(x, y), point(to_x, to_y), colour,
-          width);
-    areas(true);
-    for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
+    put(R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.1f}"{} stroke-linecap="round"/>)", path,
+        pen.colour.empty() ? usual : pen.colour.c_str(), pen.width_mm > 0.0 ? pen.width_mm : floor_.line_mm,
+        pen.worn > 0.0 ? fmt::format(R"( opacity="{:.2f}")", 1.0 - pen.worn) : "");
   }
 
   void areas(bool over_lines) {

@@ -57,6 +57,7 @@ Simulation::Inside::Inside(const Setup& from)
   if (setup.profile != Profile::ideal) {
     const double usual = world::typical_variation(setup.profile);
     world.vary_floor(NoiseStream(setup.seed, 0, "floor", "brightness"), setup.map->variation.value_or(usual));
+    world.wear_lines(NoiseStream(setup.seed, 0, "floor", "wear"));
     world.draw_light_phases(NoiseStream(setup.seed, 0, "light", "phase"));
   }
   for (const AgentSetup& own : setup.agents)

@@ -15,7 +15,11 @@ constexpr double kMostDotsPerCell = 16.0;
 // In dots. What lies just between two dots, as centres of cells do, counts as in the right and lower one.
 constexpr Vec2 kAside{-0.1, 0.1};
 // How far from a stripe a dot may be painted, m: half of the widest line or dot that is drawn.
-double reach(const grid::Map& map) { return std::max(map.line_m, map.cell_m); }
+double reach(const grid::Map& map) {
+  double most = std::max(map.line_m, map.cell_m);
+  for (const grid::Paint& paint : map.course.paints) most = std::max(most, paint.width);
+  return most;
+}
 
 grid::CellAt cell_of(const grid::Map& map, Vec2 p) {
   return {static_cast<int>(std::floor(p.x / map.cell_m)),
@@ -47,19 +51,19 @@ char32_t arrow(double yaw_rad) {
   return kEightArrows[static_cast<std::size_t>((step % 8 + 8) % 8)];
 }
 
-FloorPicture::FloorPicture(const grid::Map& map) : map_(map), stripes_(map, reach(map)) {}
+FloorPicture::FloorPicture(const grid::Map& map)
+    : map_(map), paints_(grid::paints_of(map)), stripes_(map, reach(map)) {}
 
 void FloorPicture::look_at(const Window& window) {
   window_ = window;
   const auto characters = static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows);
   for (Layer* layer : {&wall_, &line_, &thin_line_, &trail_, &robot_}) layer->assign(characters, 0);
-  const double line_reach =
-      std::min(std::max(map_.line_m, kLeastLine_dots * window.dot_m) / 2.0, reach(map_));
+  const double line_reach = std::min(kLeastLine_dots * window.dot_m / 2.0, reach(map_));
   for (int y = 0; y < window.rows * 4; ++y) {
     for (int x = 0; x < window.columns * 2; ++x) {
       const Vec2 p = window.top_left + Vec2{(x + 0.5) * window.dot_m, -(y + 0.5) * window.dot_m};
-      if (is_painted(p, line_reach)) set(line_, {x, y});
-      if (is_painted(p + kAside * window.dot_m, window.dot_m / 2.0)) set(thin_line_, {x, y});
+      if (is_painted(p, line_reach, true)) set(line_, {x, y});
+      if (is_painted(p + kAside * window.dot_m, window.dot_m / 2.0, false)) set(thin_line_, {x, y});
     }
   }
   for (int row = 0; row < window.rows; ++row) {
@@ -73,19 +77,23 @@ void FloorPicture::look_at(const Window& window) {
   }
 }
 
-bool FloorPicture::is_painted(Vec2 p, double reach_m) const {
+bool FloorPicture::is_painted(Vec2 p, double reach_m, bool whole) const {
   const grid::CellAt cell = cell_of(map_, p);
   if (!map_.contains(cell)) return false;
   // Any area whose colour is not the floor's counts as painted.
   for (const grid::Area& area : map_.course.areas)
     if (area.contains(p) && area.colour.hue != (map_.light_line ? grid::Hue::black : grid::Hue::white))
       return true;
-  if (map_.image) return (map_.image->darkness(p, 2.0 * reach_m) >= 0.5) != map_.light_line;
+  if (map_.image) {
+    const double side = 2.0 * (whole ? std::max(reach_m, map_.line_m / 2.0) : reach_m);
+    return (map_.image->darkness(p, side) >= 0.5) != map_.light_line;
+  }
   if (map_.raster) return grid::is_line(map_.at(cell)) && map_.at(cell) != grid::Cell::gap;
   const auto near = stripes_.near(cell);
   return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
     const grid::Stripe& stripe = stripes_.all()[i];
-    return stripe.painted && grid::distance(stripe, p) <= reach_m;
+    const double most = whole ? std::max(reach_m, paints_[stripe.paint].width / 2.0) : reach_m;
+    return stripe.painted && grid::distance(stripe, p) <= most;
   });
 }
 

@@ -66,11 +66,13 @@ class FloorPicture {
     int x, y;
   };
   Dot dot_of(Vec2 p) const;
-  bool is_painted(Vec2 p, double reach_m) const;
+  /// Within `reach_m` of a centre line, or where the line is wider half its width, if `whole`.
+  bool is_painted(Vec2 p, double reach_m, bool whole) const;
   void set(Layer& layer, Dot dot) const;
   void draw_line(Layer& layer, Vec2 from, Vec2 to) const;
 
   const grid::Map& map_;
+  std::vector<grid::Paint> paints_;
   grid::Stripes stripes_;
   Window window_;
   Layer wall_;  // 1 = the character's middle is wall

@@ -32,7 +32,9 @@ Floor::Floor(const grid::Map& map)
       image_(map.image.get()),
       marks_(map),
       areas_(map),
-      lines_only_(marks_.empty() && areas_.empty() && !image_),
+      lines_(map),
+      gloss_(map.gloss),
+      lines_only_(marks_.empty() && areas_.empty() && !image_ && is_plain(map)),
       kinds_{} {
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
@@ -96,23 +98,27 @@ void Floor::read_raster(const grid::Map& map) {
 }
 
 double Floor::darkness_of_paint(Vec2 p, double footprint) const {
-  if (!areas_.empty()) return darkness(p, footprint, Band::infrared);
+  if (!areas_.empty() || !lines_.empty() || gloss_ > 0.0) return darkness(p, footprint, Band::infrared);
   if (image_) return image_->darkness(p, std::max(footprint, 1e-6));
   const double painted = painted_share(p, footprint);
   return light_line_ ? 1.0 - painted : painted;
 }
 
 double Floor::darkness(Vec2 p, double footprint_m, Band band) const {
-  if (areas_.empty()) return darkness(p, footprint_m);
+  if (areas_.empty() && lines_.empty() && gloss_ == 0.0) return darkness(p, footprint_m);
   const double footprint = std::max(footprint_m, image_ ? 1e-6 : 1e-9);
   if (image_) {
-    const double under = areas_.over(1.0 - image_->darkness(p, footprint), false, band, p, footprint);
+    const double bare = 1.0 - image_->darkness(p, footprint) + gloss_;
+    const double under = areas_.over(bare, false, band, p, footprint);
     return 1.0 - areas_.over(under, true, band, p, footprint);
   }
-  const double painted = painted_share(p, footprint_m);
   const double line = light_line_ ? 1.0 : 0.0;
-  const double under = areas_.over(1.0 - line, false, band, p, footprint);
-  return 1.0 - areas_.over(under + painted * (line - under), true, band, p, footprint);
+  double back = areas_.over(1.0 - line + gloss_, false, band, p, footprint);
+  if (lines_.empty())
+    back += painted_share(p, footprint_m) * (line + gloss_ - back);
+  else
+    back = lines_.over(back, band, p, footprint, marks_);
+  return 1.0 - areas_.over(back, true, band, p, footprint);
 }
 
 // Drawn at the points of a lattice, and smooth in between, where the mean standard deviation is 26/35 of that

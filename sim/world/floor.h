@@ -17,6 +17,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
 #include "sim/world/painted_areas.h"
+#include "sim/world/painted_lines.h"
 #include "sim/world/painted_marks.h"
 
 namespace robosim::world {
@@ -50,7 +51,8 @@ class Floor {
   /// comes back than from paper. Of a picture its mean
   /// darkness there. Where there are lines only, the share of the footprint that is dark: that on
   /// the line, or where the line is the light one that beside it. Marks are painted as the line is; areas lie
-  /// under lines and marks, or over them, in their order (grid::Area).
+  /// under lines and marks, or over them, in their order (grid::Area). Lines of other widths and colours,
+  /// worn ones and gloss: PaintedLines.
   double darkness(Vec2 p, double footprint_m) const {
     if (!lines_only_) return darkness_of_paint(p, footprint_m);
     const double painted = coverage(p, footprint_m);
@@ -65,6 +67,8 @@ class Floor {
     noise_ = noise;
     variation_ = share;
   }
+  /// Worn lines have lost their paint in places drawn from `noise`.
+  void wear(const NoiseStream& noise) { lines_.wear(noise); }
   /// The light that the floor (not what is dark) sends back at p, against its mean.
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 
@@ -134,7 +138,9 @@ class Floor {
   const grid::FloorImage* const image_;  // null = none
   const PaintedMarks marks_;
   const PaintedAreas areas_;
-  const bool lines_only_;
+  PaintedLines lines_;
+  const double gloss_;
+  const bool lines_only_;  // all alike, whole and matt
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;

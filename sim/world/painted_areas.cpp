@@ -23,10 +23,6 @@ double share_of_area(const grid::Area& area, Vec2 p, double footprint) {
   return share_within(own.x, area.half_length, footprint) * share_within(own.y, area.half_width, footprint);
 }
 
-double back(const grid::Colour& colour, Band band) {
-  return band == Band::infrared ? colour.infrared() : colour.light(static_cast<std::size_t>(band) - 1);
-}
-
 }  // namespace
 
 PaintedAreas::PaintedAreas(const grid::Map& map) : areas_(map.course.areas) {
@@ -51,12 +47,13 @@ int PaintedAreas::tile_of(double metres, int count) const {
 }
 
 double PaintedAreas::over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
+  if (areas_.empty()) return below;
   const int tile = tile_of(p.y, rows_) * columns_ + tile_of(p.x, columns_);
   for (const std::uint32_t i : near_[static_cast<std::size_t>(tile)]) {
     const grid::Area& area = areas_[i];
     if (area.over_lines != over_lines) continue;
     const double share = share_of_area(area, p, footprint);
-    if (share > 0.0) below += share * (back(area.colour, band) - below);
+    if (share > 0.0) below += share * (sent_back(area.colour, band) + area.gloss - below);
   }
   return below;
 }

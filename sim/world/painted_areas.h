@@ -12,6 +12,11 @@ namespace robosim::world {
 /// What a sensor looks for: the infra-red that comes back, or red, green or blue.
 enum class Band { infrared, red, green, blue };
 
+/// What comes back of it from a colour, as a share of what white gives.
+inline double sent_back(const grid::Colour& colour, Band band) {
+  return band == Band::infrared ? colour.infrared() : colour.light(static_cast<std::size_t>(band) - 1);
+}
+
 class PaintedAreas {
  public:
   explicit PaintedAreas(const grid::Map& map);

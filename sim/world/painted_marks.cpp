@@ -31,19 +31,30 @@ PaintedMarks::PaintedMarks(const grid::Map& map) : map_(&map), marks_(map.course
   std::sort(near_.begin(), near_.end());
 }
 
-double PaintedMarks::coverage(Vec2 p, double footprint) const {
+template <class Visit>
+void PaintedMarks::visit_near(Vec2 p, double footprint, Visit visit) const {
   const double u = p.x / map_->cell_m, v = p.y / map_->cell_m;
-  if (!(u >= 0.0 && v >= 0.0 && u < map_->width && v < map_->height)) return 0.0;
+  if (!(u >= 0.0 && v >= 0.0 && u < map_->width && v < map_->height)) return;
   const std::size_t cell = map_->index_of({static_cast<int>(u), map_->height - 1 - static_cast<int>(v)});
-  double most = 0.0;
   for (auto it = std::lower_bound(near_.begin(), near_.end(), std::pair{cell, std::uint32_t{0}});
        it != near_.end() && it->first == cell; ++it) {
     const grid::Mark& mark = marks_[it->second];
     const Vec2 own = mark.middle.to_body(p);
-    most = std::max(
-        most, share_of(own.x, mark.half_length, footprint) * share_of(own.y, mark.half_width, footprint));
+    visit(mark, share_of(own.x, mark.half_length, footprint) * share_of(own.y, mark.half_width, footprint));
   }
+}
+
+double PaintedMarks::coverage(Vec2 p, double footprint) const {
+  double most = 0.0;
+  visit_near(p, footprint, [&](const grid::Mark&, double share) { most = std::max(most, share); });
   return most;
+}
+
+void PaintedMarks::raise(Vec2 p, double footprint, std::span<double> most) const {
+  visit_near(p, footprint, [&](const grid::Mark& mark, double share) {
+    double& of_paint = most[static_cast<std::size_t>(mark.paint)];
+    of_paint = std::max(of_paint, share);
+  });
 }
 
 }  // namespace robosim::world

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,14 @@ class PaintedMarks {
   /// The share of a square of side `footprint` about p that lies on marks, 0..1: exact where it is parallel
   /// to the mark.
   double coverage(Vec2 p, double footprint) const;
+  /// The same for those of each paint: its number's value in `most` is raised to it.
+  void raise(Vec2 p, double footprint, std::span<double> most) const;
 
  private:
+  /// Calls visit(mark, share) for those near.
+  template <class Visit>
+  void visit_near(Vec2 p, double footprint, Visit visit) const;
+
   const grid::Map* map_;
   std::vector<grid::Mark> marks_;
   std::vector<std::pair<std::size_t, std::uint32_t>> near_;  // cell, mark: all within kReach, in order

@@ -23,6 +23,7 @@ class World {
   const Floor& floor() const { return floor_; }
   /// As Floor::vary.
   void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
+  void wear_lines(const NoiseStream& noise) { floor_.wear(noise); }
   /// Null where the floor is a plane of one kind.
   const Ground* ground() const { return ground_.plain() ? nullptr : &ground_; }
   const Lighting& lighting() const { return lighting_; }

@@ -83,21 +83,30 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// The same loop, 3.2 by 2.2 m, as a path.
-void floor_coverage_path(benchmark::State& state) {
+// The same loop, 3.2 by 2.2 m, as a path; `paint` are keys of one of its long sides, and of two bends.
+void read_path(benchmark::State& state, const std::string& paint) {
+  const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   const grid::Map map = grid::parse_map(
-      "+++\nsize = [\"4 m\", \"3 m\"]\n[[path]]\nfrom = [\"550 mm\", \"400 mm\"]\nsegments = [\n"
-      "{ length = \"2.9 m\" }, { radius = \"150 mm\", angle = \"90 deg\" }, { length = \"1.9 m\" }, { radius "
-      "= \"150 mm\", angle = \"90 deg\" },\n"
-      "{ length = \"2.9 m\" }, { radius = \"150 mm\", angle = \"90 deg\" }, { length = \"1.9 m\" }, { radius "
-      "= \"150 mm\", angle = \"90 deg\" }]\n+++\n",
+      "+++\nsize = [\"4 m\", \"3 m\"]\n[[path]]\nfrom = [\"550 mm\", \"400 mm\"]\nsegments = [\n{ length = "
+      "\"2.9 m\"" +
+          paint + " }, " + bend + " }, { length = \"1.9 m\" }, " + bend + paint +
+          " },\n{ length = \"2.9 m\" }, " + bend + paint + " }, { length = \"1.9 m\" }, " + bend +
+          " }]\n+++\n",
       "path.map");
   const world::Floor floor(map);
   const std::vector<Vec2> at = points();
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(floor.darkness(at[i++ & 4095], 0.003));
 }
+
+void floor_coverage_path(benchmark::State& state) { read_path(state, ""); }
 BENCHMARK(floor_coverage_path);
+void floor_paints(benchmark::State& state) {
+  read_path(state, ", width = \"12 mm\", colour = \"grey 60 %\"");
+}
+BENCHMARK(floor_paints);
+void floor_worn(benchmark::State& state) { read_path(state, ", worn = \"30 %\""); }
+BENCHMARK(floor_worn);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
 BENCHMARK(floor_coverage_raster);
 

@@ -13,7 +13,7 @@ namespace {
 struct Effect {
   const char* name;
   std::string robot;  ///< what it adds to the robot file
-  std::string floor;  ///< to the map
+  std::string floor;  ///< to the map `oval`, or a whole map
   const char* profile;
   char survives, fails;  ///< ways to read: sketches/LooksInLight
 };
@@ -27,7 +27,7 @@ class Effects : public testing::Test {
     const std::filesystem::path map = folder_.path() / "floor.map", file = folder_.path() / "eyes.toml";
     std::string text = read_file(grid::find_map("oval"));
     text.insert(text.find("+++", 3), floor);
-    std::ofstream(map) << text;
+    std::ofstream(map) << (floor.starts_with("+++") ? floor : text);
     std::ofstream(file)
         << "base = \"uno5\"\nremove = [\"bumper\", \"LED2\"]\n[[part]]\nname = \"S\"\nemitter = 12\n"
         << robot << "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A5\"\nshare = 0.5\n";
@@ -65,6 +65,15 @@ class Effects : public testing::Test {
   TemporaryFolder folder_;
 };
 
+// A loop of 3.7 m whose far half circle and straight are painted otherwise.
+std::string loop(const std::string& paint) {
+  return "+++\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nfrom = [\"500 mm\", \"300 mm\"]\nsegments = [\n{ "
+         "length = "
+         "\"900 mm\" },\n{ radius = \"300 mm\", angle = \"180 deg\"" +
+         paint + " },\n{ length = \"900 mm\"" + paint +
+         " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n+++\n";
+}
+
 constexpr double kBlack = 4.4, kWhite = 0.4;  // V, of uno5
 
 int code(double volts) { return static_cast<int>(volts / 5.0 * 1024.0); }
@@ -83,6 +92,23 @@ TEST_F(Effects, OfAWeakBatteryOnTheReferenceAreAsTheModelSays) {
   EXPECT_EQ(prints("", "", 0.1, weak).second, code(2.9));
   EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).second, code(2.9 / 4.0 * 5.0));
   EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).first, code(kBlack));
+}
+
+// In `ideal`, on the line: what paint and gloss leave of black.
+TEST_F(Effects, OfPaintAreAsTheModelSays) {
+  const auto seen = [&](const std::string& keys) {
+    return prints("",
+                  "+++\nsize = [\"1 m\", \"1 m\"]\n[[path]]\nfrom = [\"300 mm\", \"500 mm\"]\nsegments = [{ "
+                  "length = "
+                  "\"400 mm\"" +
+                      keys + " }]\n[start]\nalong = \"100 mm\"\n+++\n",
+                  0.1)
+        .first;
+  };
+  EXPECT_EQ(seen(""), code(kBlack));
+  EXPECT_EQ(seen(", colour = \"grey 45 %\""), code(kWhite + (kBlack - kWhite) * 0.45));
+  EXPECT_EQ(seen(", gloss = \"5 %\""), code(kBlack - (kBlack - kWhite) * 0.05));
+  EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
 class Survival : public Effects, public testing::WithParamInterface<Effect> {};
@@ -107,6 +133,10 @@ INSTANTIATE_TEST_SUITE_P(
                            "typical@2", 'c', 't'},
                     Effect{"Flicker", "", "[[light]]\nlevel = 0.6\nflicker = 1\n", "typical", 'l', 'e'},
                     Effect{"ASlowPhototransistor", "rise = \"500 us\"\n", "", "typical", 'w', 'd'},
+                    Effect{"AWornLine", "", "worn = \"30 %\"\n", "typical", 'l', 'e'},
+                    Effect{"AFadedStretch", "", loop(", colour = \"grey 45 %\""), "typical", 'c', 't'},
+                    Effect{"ANarrowStretch", "", loop(", width = \"4 mm\""), "typical", 'l', 'e'},
+                    Effect{"AGlossyLine", "", "gloss = \"55 %\"\n", "typical", 'c', 't'},
                     Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'}),
     [](const auto& effect) { return std::string(effect.param.name); });
 

@@ -1,6 +1,7 @@
 #include "sim/cli/files/map_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -138,6 +139,9 @@ std::string survey_json(const Survey& s) {
                                                : JsonLines::Json()}});
   }
   lines.add_list("paths", paths);
+  if (!map.course.paints.empty()) lines.add("own_paints", map.course.paints.size());
+  if (map.worn > 0.0) lines.add("worn", map.worn);
+  if (map.gloss > 0.0) lines.add("gloss", map.gloss);
   lines.add("marks", map.course.marks.size());
   lines.add("areas", map.course.areas.size());
   lines.add("hills", map.course.hills.size());
@@ -148,6 +152,16 @@ std::string survey_json(const Survey& s) {
 std::string station_text(const grid::Station& station) {
   const std::string id = std::to_string(station.id);
   return (station.name == id ? id : fmt::format("{} \"{}\"", id, station.name)) + " at " + at(station.cell);
+}
+
+// What is worn or glossy, and how many kinds of line are not as the others.
+std::string paint_text(const grid::Map& map) {
+  std::vector<std::string> parts;
+  if (map.worn > 0.0) parts.push_back(fmt::format("{:.10g} % worn", 100.0 * map.worn));
+  if (map.gloss > 0.0) parts.push_back(fmt::format("gloss {:.10g} %", 100.0 * map.gloss));
+  if (!map.course.paints.empty())
+    parts.push_back(counted(map.course.paints.size(), "more kind") + " of line");
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 void describe(const Survey& s, std::ostream& out) {
@@ -162,6 +176,8 @@ void describe(const Survey& s, std::ostream& out) {
                      paths_only ? counted(map.course.paths.size(), "path") : line_cells(map), mm(map.line_m),
                      paths_only ? "" : ", " + corners, map.raster ? "; floor painted in whole cells" : "",
                      map.light_line ? "; white on black" : "");
+  const std::string paint = paint_text(map);
+  if (!paint.empty()) out << "  paint     " << paint << '\n';
   if (map.image)
     out << fmt::format("  floor     {}, {} x {} pixels of {:.10g} mm\n", map.image->name(),
                        map.image->width(), map.image->height(), mm(map.image->pixel_m()));

@@ -1,0 +1,36 @@
+// What lines are painted with, where it is not as the map's lines are: [[path]], its segments and [[mark]]
+// may say another width, colour, wear and gloss (docs/maps.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim/grid/colour.h"
+
+namespace robosim::grid {
+
+struct Map;
+
+struct Paint {
+  double width = 0.0;            ///< m, of a line
+  std::optional<Colour> colour;  ///< none: the map's line, black or white
+  double worn = 0.0;             ///< the share of it that is gone, in patches, 0..1
+  double gloss = 0.0;            ///< what it mirrors, as a share of what white paper sends back, 0..1
+  bool operator==(const Paint&) const = default;
+
+  /// A course has at most so many that are not as the map's lines are.
+  static constexpr std::size_t kMost = 32;
+};
+
+/// What the map's lines are painted with where nothing else is said.
+Paint usual_paint(const Map& map);
+
+/// By the numbers that stripes and marks have: first the usual one, then those of the course. Each has a
+/// colour.
+std::vector<Paint> paints_of(const Map& map);
+
+/// Whether lines and marks are all alike, whole, and matt.
+bool is_plain(const Map& map);
+
+}  // namespace robosim::grid

@@ -1,0 +1,45 @@
+// Lines and marks that are not all alike: of other widths and colours, worn, or glossy (grid::Paint).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/base/noise.h"
+#include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
+#include "sim/world/painted_areas.h"
+#include "sim/world/painted_marks.h"
+
+namespace robosim::world {
+
+class PaintedLines {
+ public:
+  /// Holds nothing for a map whose lines are alike and whole. The map must outlive this.
+  explicit PaintedLines(const grid::Map& map);
+
+  bool empty() const { return !stripes_; }
+
+  /// Where paint is gone is drawn from `noise`.
+  void wear(const NoiseStream& noise) { noise_ = noise; }
+
+  /// What comes back of a band, as a share of what white gives, from a square of side `footprint` about p,
+  /// where `below` comes back from the floor under the lines. Paint by paint, in the order of their numbers,
+  ///   r <- r + c t (r_paint - r)
+  /// c: the largest share of the footprint that one stripe or mark of that paint takes, as
+  /// Floor::coverage has it; t: what is left of the paint there.
+  double over(double below, Band band, Vec2 p, double footprint, const PaintedMarks& marks) const;
+
+  /// What is left at p of paint of which the share `worn` is gone, 0..1. At each point of a lattice of 10 mm
+  /// it is whole or gone; in between it is the smooth mean of the four points around. So its mean over a
+  /// long line is 1 - worn, and what is gone with a smaller share is gone with a larger one.
+  double left(Vec2 p, double worn) const;
+
+ private:
+  const grid::Map* map_;
+  std::vector<grid::Paint> paints_;
+  double reach_ = 0.0;  // m
+  std::unique_ptr<grid::Stripes> stripes_;
+  NoiseStream noise_;
+};
+
+}  // namespace robosim::world
