@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "sim/testing/artifacts.h"
@@ -93,6 +94,15 @@ std::string Drive::verdict() const {
   log_->verdict_asked = true;
   const bool here = log_->result && log_->legs.back().end_ns <= end_.count();
   return here ? log_->result->verdict : "";
+}
+
+std::optional<Score> Drive::score() const {
+  if (verdict().empty() || std::isnan(log_->result->metrics.score)) return std::nullopt;
+  const wire::Metrics& metrics = log_->result->metrics;
+  Score score{metrics.score, metrics.score_unit, {}};
+  for (const wire::ScorePart& part : metrics.score_parts)
+    score.parts.push_back({part.part, part.count, part.value});
+  return score;
 }
 
 std::string Drive::why() const { return verdict().empty() ? "" : log_->result->why; }

@@ -232,6 +232,24 @@ Requirement SerialMatches(std::string regex) {
                      });
 }
 
+namespace {
+
+template <class Fits>
+Finding scored(const Drive& drive, Fits fits) {
+  const std::optional<Score> score = drive.score();
+  if (!score)
+    return {false,
+            drive.verdict().empty()
+                ? "the run goes on"
+                : fmt::format("the goal of this run, {}, gave it no score", drive.log().started.goal),
+            drive.end()};
+  std::string text = fmt::format("it scored {:g} {}", score->value, score->unit);
+  for (const Score::Part& part : score->parts) text += fmt::format(", {} of {}", part.what, part.count);
+  return {fits(score->value), text, drive.end()};
+}
+
+}  // namespace
+
 Requirement EndsAs(std::string verdict) {
   return Requirement(
       "ends as " + in_quotes(verdict), "does not end as " + in_quotes(verdict),
@@ -242,6 +260,16 @@ Requirement EndsAs(std::string verdict) {
                               : fmt::format("it ended as {} at {}", in_quotes(found), seconds(drive.end())),
                 drive.end()};
       });
+}
+
+Requirement ScoresAtLeast(double value) {
+  return Requirement(fmt::format("scores at least {:g}", value), fmt::format("scores less than {:g}", value),
+                     [=](const Drive& drive) { return scored(drive, [=](double s) { return s >= value; }); });
+}
+
+Requirement ScoresAtMost(double value) {
+  return Requirement(fmt::format("scores at most {:g}", value), fmt::format("scores more than {:g}", value),
+                     [=](const Drive& drive) { return scored(drive, [=](double s) { return s <= value; }); });
 }
 
 Requirement Reaches(std::string goal) {

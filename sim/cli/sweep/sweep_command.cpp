@@ -104,9 +104,9 @@ class Sweep {
     }
     const auto& result = std::get<wire::RunResult>(answer);
     check_unchanged(combination, result);
-    if (table_) table_->add(run, sweep_row(combination, result));
+    if (table_) table_->add(run, sweep_row(combination, result, table_->columns()));
     if (arguments_.json) print(run_json_line(combination.inputs, result));
-    outcomes_[run] = {result.verdict, result.time_s, result.why};
+    outcomes_[run] = {result.verdict, result.time_s, result.why, result.metrics.score};
     count();
     ++made_;
     progress_.update(fmt::format("{} of {} runs, seed {}, {}", made_, plan_.runs(), plan_.seed_of(run),

@@ -58,6 +58,22 @@ std::string aligned(const Lines& lines, std::size_t left) {
   return text;
 }
 
+// Of the runs that count: the least, the mean and the greatest.
+struct Scores {
+  double least = 0.0, sum = 0.0, most = 0.0;
+  int count = 0;
+
+  void add(double score) {
+    least = count == 0 ? score : std::min(least, score);
+    most = count == 0 ? score : std::max(most, score);
+    sum += score;
+    ++count;
+  }
+  std::string text() const {
+    return count == 0 ? "-" : fmt::format("{:.2f} .. {:.2f} .. {:.2f}", least, sum / count, most);
+  }
+};
+
 std::vector<std::string> line_of(const Combination& c, const analysis::Tally& tally, double reached_time_s) {
   std::vector<std::string> line{c.inputs.sketch, c.inputs.map, c.inputs.robot, c.inputs.target};
   line.push_back(std::to_string(tally.runs()));
@@ -147,19 +163,25 @@ std::vector<analysis::Tally> count_runs(const SweepArguments& arguments, const S
 std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
                          const std::vector<SweepOutcome>& outcomes) {
   Lines lines{{"sketch", "map", "robot", "target", "runs", "reached", "rate", "95 % interval", "mean time"}};
+  const bool scored = std::any_of(outcomes.begin(), outcomes.end(),
+                                  [](const SweepOutcome& outcome) { return !std::isnan(outcome.score); });
+  if (scored) lines[0].push_back("score: least, mean, most");
   std::vector<analysis::Tally> tallies;
   std::string failed;
   for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
     std::vector<std::size_t> failures;
     double reached_time_s = 0.0;
+    Scores scores;
     tallies.push_back(count(arguments, plan, i, outcomes, [&](std::size_t run) {
       if (outcomes[run].reached()) {
         reached_time_s += outcomes[run].time_s;
       } else {
         failures.push_back(run);
       }
+      if (!std::isnan(outcomes[run].score)) scores.add(outcomes[run].score);
     }));
     lines.push_back(line_of(plan.combinations[i], tallies.back(), reached_time_s));
+    if (scored) lines.back().push_back(scores.text());
     failed += failures_text(plan, i, tallies.back(), failures, outcomes);
   }
   constexpr std::size_t kNames = 4;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -27,14 +28,16 @@ namespace {
 
 enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTime };
 
-/// Those of a run that have a column of their own, under their names. Laps have others, and the tables that
-/// are made so far, which `--resume` goes on with, hold no junctions and no scores.
+constexpr const char* kScore = "score";
+
+/// Those of a run that have a column of their own, under their names, one behind another. Laps have others,
+/// the score's stands behind the stations', and the tables that are made so far hold no junctions.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
     for (const Figure& figure : figures()) {
       const std::string_view name = figure.name;
-      if (!figure.chip_only && name != "laps_s" && name != "junctions" && name != "score" && name != "run_s")
+      if (!figure.chip_only && name != "laps_s" && name != "junctions" && name != kScore && name != "run_s")
         chosen.push_back(figure);
     }
     return chosen;
@@ -42,15 +45,25 @@ const std::vector<Figure>& figure_columns() {
   return columns;
 }
 
-const std::vector<const char*>& columns() {
-  static const std::vector<const char*> names = [] {
-    std::vector<const char*> all{"sketch", "map", "robot", "target", "seed", "verdict"};
-    for (const Figure& figure : figure_columns()) all.push_back(figure.name);
-    all.insert(all.end(), {"laps", "lap_best_s", "lap_mean_s", "stations", "stack_bytes_max", "loop_us_max",
-                           "trace_hash", "inputs", "why"});
-    return all;
-  }();
-  return names;
+std::vector<std::string_view> names_of(Columns columns) {
+  std::vector<std::string_view> all{"sketch", "map", "robot", "target", "seed", "verdict"};
+  for (const Figure& figure : figure_columns()) all.push_back(figure.name);
+  all.insert(all.end(), {"laps", "lap_best_s", "lap_mean_s", "stations", kScore, "stack_bytes_max",
+                         "loop_us_max", "trace_hash", "inputs", "why"});
+  if (columns == Columns::without_score) std::erase(all, kScore);
+  return all;
+}
+
+/// By the first line of a table, with its line feed if it is whole. None: no header of a sweep's.
+std::optional<Columns> columns_of(std::string_view line) {
+  for (const Columns columns : {Columns::all, Columns::without_score})
+    if (sweep_header(columns).starts_with(line)) return columns;
+  return std::nullopt;
+}
+
+std::string_view first_line(std::string_view text) {
+  const std::size_t end = text.find('\n');
+  return text.substr(0, end == text.npos ? end : end + 1);
 }
 
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
@@ -93,7 +106,8 @@ bool take_seal(std::vector<std::string>& fields) {
 /// Finds the run that a row is of.
 class Reader {
  public:
-  Reader(const std::string& file, const SweepPlan& plan) : file_(file), plan_(plan), seen_(plan.runs()) {
+  Reader(const std::string& file, const SweepPlan& plan, Columns columns)
+      : file_(file), plan_(plan), names_(names_of(columns)), seen_(plan.runs()) {
     for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
       const RunInputs& in = plan.combinations[i].inputs;
       places_.emplace(std::make_tuple(in.sketch, in.map, in.robot, in.target), i);
@@ -103,7 +117,7 @@ class Reader {
   SweepRow row(const std::string& line, int number_of_line) {
     line_ = number_of_line;
     auto fields = csv_fields(line);
-    if (!fields || fields->size() != columns().size()) fail("this is no row of a sweep");
+    if (!fields || fields->size() != names_.size()) fail("this is no row of a sweep");
     auto& f = *fields;
     if (!take_seal(f))
       fail(
@@ -124,7 +138,12 @@ class Reader {
     const std::size_t run = place->second * plan_.seeds + (*seed - plan_.first_seed);
     if (seen_[run]) fail("this run has a row already");
     seen_[run] = true;
-    return {run, {f[kVerdict], *time, why}, line + "\n"};
+    SweepRow row{run, {f[kVerdict], *time, why}, line + "\n"};
+    const auto score = std::find(names_.begin(), names_.end(), kScore);
+    if (score != names_.end())
+      if (const auto value = parse_number<double>(f[static_cast<std::size_t>(score - names_.begin())]))
+        row.outcome.score = *value;
+    return row;
   }
 
  private:
@@ -147,24 +166,25 @@ class Reader {
 
   std::string file_;
   const SweepPlan& plan_;
+  const std::vector<std::string_view> names_;
   std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t> places_;
   std::vector<bool> seen_;
   int line_ = 0;
 };
 
-std::string content_of(const std::vector<SweepRow>& rows) {
-  std::string text = sweep_header();
+std::string content_of(const std::vector<SweepRow>& rows, Columns columns) {
+  std::string text = sweep_header(columns);
   for (const SweepRow& row : rows) text += row.line;
   return text;
 }
 
 }  // namespace
 
-std::string sweep_header() { return fmt::format("{}\n", fmt::join(columns(), ",")); }
+std::string sweep_header(Columns columns) { return fmt::format("{}\n", fmt::join(names_of(columns), ",")); }
 
-std::string sweep_row(const Combination& c, const wire::RunResult& r) {
+std::string sweep_row(const Combination& c, const wire::RunResult& r, Columns columns) {
   const std::vector<double>& laps = r.metrics.laps_s;
-  std::string measured, best, mean, stack, loop;
+  std::string measured, best, mean, score, stack, loop;
   for (const Figure& figure : figure_columns())
     measured += fmt::format("{},", fmt::join(figure.values(r), ""));
   if (!laps.empty()) {
@@ -172,14 +192,16 @@ std::string sweep_row(const Combination& c, const wire::RunResult& r) {
     mean =
         fmt::format("{}", std::accumulate(laps.begin(), laps.end(), 0.0) / static_cast<double>(laps.size()));
   }
+  if (columns == Columns::all)
+    score = std::isnan(r.metrics.score) ? "," : fmt::format("{},", r.metrics.score);
   if (r.resources) {
     stack = std::to_string(r.resources->stack_bytes_max);
     if (r.resources->loops > 0) loop = fmt::format("{}", r.resources->loop_us_max);
   }
-  const std::string begin =
-      fmt::format("{},{},{},{},{},{},{}{},{},{},{},{},{},{},{}", field(c.inputs.sketch), field(c.inputs.map),
-                  field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured, laps.size(), best,
-                  mean, r.metrics.stations.size(), stack, loop, r.trace_hash, c.fingerprint.text());
+  const std::string begin = fmt::format(
+      "{},{},{},{},{},{},{}{},{},{},{},{}{},{},{},{}", field(c.inputs.sketch), field(c.inputs.map),
+      field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured, laps.size(), best, mean,
+      r.metrics.stations.size(), score, stack, loop, r.trace_hash, c.fingerprint.text());
   const std::string why = field(r.why);
   return fmt::format("{}-{},{}\n", begin, seal_of(*csv_fields(begin + "," + why)), why);
 }
@@ -187,12 +209,14 @@ std::string sweep_row(const Combination& c, const wire::RunResult& r) {
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
                                       const SweepPlan& plan) {
   std::vector<SweepRow> rows;
-  Reader reader(file, plan);
+  const auto columns = columns_of(first_line(text));
+  if (!columns)
+    throw InputError({file, 1, 0}, "this is not the header of a sweep's table; name another file");
+  Reader reader(file, plan, *columns);
   int line = 0;
   for (std::size_t at = 0;;) {
     const std::size_t end = text.find('\n', at);
-    if (++line == 1 && !sweep_header().starts_with(text.substr(0, end == std::string::npos ? end : end + 1)))
-      throw InputError({file, 1, 0}, "this is not the header of a sweep's table; name another file");
+    ++line;
     if (end == std::string::npos) return rows;
     const std::string content = text.substr(at, end - at);
     at = end + 1;
@@ -222,7 +246,8 @@ SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::v
     ordered_ = ordered_ && row.run >= next_;
     next_ = std::max(next_, row.run + 1);
   }
-  const std::string whole = content_of(rows);
+  columns_ = columns_of(first_line(text)).value_or(Columns::all);
+  const std::string whole = content_of(rows, columns_);
   if (whole != text) write_file(path_, whole);  // without a row that was cut off, and without errors
   open("a");
 }
@@ -249,7 +274,7 @@ void SweepTable::finish() {
   if (ordered_) return;
   std::vector<SweepRow> rows = read_sweep_rows(read_file(path_), path_.string(), plan_);
   std::sort(rows.begin(), rows.end(), [](const SweepRow& a, const SweepRow& b) { return a.run < b.run; });
-  write_file(path_, content_of(rows));
+  write_file(path_, content_of(rows, columns_));
 }
 
 }  // namespace robosim::cli

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,14 +23,19 @@ struct SweepOutcome {
   std::string verdict;  ///< empty = not made
   double time_s = 0.0;
   std::string why;
+  double score = std::numeric_limits<double>::quiet_NaN();  ///< of a competition; NaN = none
 
   bool made() const { return !verdict.empty(); }
   bool reached() const { return verdict == "reached"; }
 };
 
+/// Tables that were begun before there were scores have no column for them, and are gone on with as they are.
+enum class Columns { all, without_score };
+
 /// Each with its line feed.
-std::string sweep_header();
-std::string sweep_row(const Combination& combination, const wire::RunResult& result);
+std::string sweep_header(Columns columns = Columns::all);
+std::string sweep_row(const Combination& combination, const wire::RunResult& result,
+                      Columns columns = Columns::all);
 
 /// The rows of `text`, the content of a table: which run each is of, and its outcome. A last row without line
 /// feed was cut off and is left out. Throws InputError (with `file` and line) if a row is not of this plan,
@@ -56,6 +62,9 @@ class SweepTable {
   /// The rows are all there: puts them into the order of the runs, if they are not.
   void finish();
 
+  /// Those of the file.
+  Columns columns() const { return columns_; }
+
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -66,6 +75,7 @@ class SweepTable {
   std::filesystem::path path_;
   WriteClaim claim_;
   const SweepPlan& plan_;
+  Columns columns_ = Columns::all;
   std::unique_ptr<std::FILE, Close> file_;
   std::size_t next_ = 0;  ///< all rows so far are of runs before this one
   bool ordered_ = true;

@@ -52,15 +52,43 @@ std::string row(const SweepPlan& p, std::size_t run, const std::string& verdict 
 }
 
 TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
-  EXPECT_EQ(sweep_header(),
-            "sketch,map,robot,target,seed,verdict,time_s,distance_m,cross_track_rms_mm,cross_track_max_mm,"
-            "off_line_s,"
-            "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,stack_bytes_max,loop_us_max,trace_hash,"
-            "inputs,why"
-            "\n");
+  EXPECT_EQ(
+      sweep_header(),
+      "sketch,map,robot,target,seed,verdict,time_s,distance_m,cross_track_rms_mm,cross_track_max_mm,"
+      "off_line_s,"
+      "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,score,stack_bytes_max,loop_us_max,trace_hash,"
+      "inputs,why"
+      "\n");
   EXPECT_EQ(row(plan(), 5, "lost"),
-            "\"My, Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,1:ab,"
-            "00000001-00000002-00000003-00000004-c34cf12d,\"It said \"\"no\"\", and stopped.\"\n");
+            "\"My, Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,,1:ab,"
+            "00000001-00000002-00000003-00000004-f9dce44a,\"It said \"\"no\"\", and stopped.\"\n");
+}
+
+TEST(SweepTable, ARowHasTheScoreOfACompetition) {
+  wire::RunResult r = result(1, "reached");
+  r.metrics.score = 18.75;
+  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",2,18.75,,,1:ab,"));
+  const std::string table = sweep_header() + sweep_row(combination("oval"), r);
+  EXPECT_EQ(read_sweep_rows(table, "a.csv", plan()).at(0).outcome.score, 18.75);
+}
+
+TEST(SweepTable, OneThatWasBegunBeforeThereWereScoresIsGoneOnWithWithoutThem) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.csv";
+  const SweepPlan p = plan();
+  const auto old_row = [&](std::size_t run) {
+    return sweep_row(p.combination_of(run), result(p.seed_of(run), "reached"), Columns::without_score);
+  };
+  const std::string begun = sweep_header(Columns::without_score) + old_row(0);
+  EXPECT_EQ(sweep_header(Columns::without_score).find("score"), std::string::npos);
+  std::ofstream(file) << begun;
+  std::vector<SweepOutcome> outcomes(p.runs());
+  SweepTable table(file, true, p, outcomes);
+  EXPECT_TRUE(outcomes[0].reached());
+  ASSERT_EQ(table.columns(), Columns::without_score);
+  table.add(1, old_row(1));
+  table.finish();
+  EXPECT_EQ(read_file(file), begun + old_row(1));
 }
 
 TEST(SweepTable, OnAChipARowHasItsResources) {
@@ -209,6 +237,15 @@ My, Sketch on tight with uno5, target host: 2 of 4 did not reach the goal (2 los
 
 --min-rate 0.75: not met by My, Sketch on tight with uno5, target host: 2 of 4 reached the goal, and 3 of 4 are needed
 )");
+}
+
+TEST(SweepReport, ShowsTheScoresOfACompetition) {
+  std::vector<SweepOutcome> outcomes(8, reached());
+  outcomes[0].score = 10.0;
+  outcomes[1].score = 11.0;
+  outcomes[2].score = 13.5;
+  EXPECT_THAT(sweep_report({}, plan(), outcomes), HasSubstr("  score: least, mean, most\n"));
+  EXPECT_THAT(sweep_report({}, plan(), outcomes), HasSubstr("    10.00 s   10.00 .. 11.50 .. 13.50\n"));
 }
 
 TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {

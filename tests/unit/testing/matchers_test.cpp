@@ -110,6 +110,26 @@ TEST(Stations, AreThoseItCameToInTheirOrder) {
   EXPECT_THAT(explanation(Reaches("laps:1"), tour), HasSubstr("the goal of this run is tour"));
 }
 
+TEST(Score, IsWhatTheRulesOfACompetitionGive) {
+  const std::string map =
+      "+++\nsize = [\"1.5 m\", \"600 mm\"]\ngoal = \"rescue-line\"\n[[path]]\nfrom = [\"150 mm\", \"450 "
+      "mm\"]\nsegments = [{ length = \"1.2 m\" }]\n[rescue]\ncheckpoints = [\"600 mm\"]\n+++\n";
+  Simulation robot({.sketch = "PidFollower", .map = map, .goal = "rescue-line", .limit = 3_s});
+  const Drive start = robot.run_for(100_ms);
+  EXPECT_FALSE(start.score()) << "it goes on";
+  EXPECT_THAT(explanation(ScoresAtLeast(0), start), HasSubstr("the run goes on"));
+  const Drive drive = robot.run_to_the_end();
+  ASSERT_TRUE(drive.score());
+  EXPECT_EQ(drive.score()->unit, "points");
+  EXPECT_EQ(drive.score()->parts.at(0).what, "start tile");
+  EXPECT_THAT(drive, ScoresAtLeast(drive.score()->value));
+  EXPECT_THAT(drive, AllOf(Not(ScoresAtLeast(drive.score()->value + 1)), ScoresAtMost(drive.score()->value)));
+  EXPECT_THAT(explanation(ScoresAtMost(4), drive), HasSubstr("points, start tile of 1"));
+
+  Simulation lap(pid_on_oval());
+  EXPECT_THAT(lap.run_for(1_s), Not(ScoresAtLeast(0)));
+}
+
 TEST(SerialEvents, ReadOnAndLookBehindTheLastDeed) {
   Simulation robot({.sketch = "AiNavigator", .map = "b"});
   const Drive boot = robot.run_for(500_ms);

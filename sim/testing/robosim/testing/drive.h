@@ -45,6 +45,19 @@ struct Usage {
   Duration longest_loop{};       ///< 0 = not known
 };
 
+/// What the rules of a goal such as "robotrace" give a run.
+struct Score {
+  /// What it is made of: "gap", 3 times, 30 points in all.
+  struct Part {
+    std::string what;
+    int count = 0;
+    double value = 0.0;  ///< of all of them together
+  };
+  double value = 0.0;
+  std::string unit;  ///< "s", of which less is better, or "points"
+  std::vector<Part> parts;
+};
+
 struct RunLog;
 
 class Drive {
@@ -74,6 +87,8 @@ class Drive {
   std::string verdict() const;
   /// One sentence, if the run ended.
   std::string why() const;
+  /// Of a competition, if the run ended and there is one; docs/courses.md.
+  std::optional<Score> score() const;
   /// On a chip: until now.
   std::optional<Usage> usage() const;
 

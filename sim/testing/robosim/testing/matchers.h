@@ -95,6 +95,10 @@ Requirement Reaches(std::string goal);
 /// The run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
+/// The run ended, and a competition's rules gave it at least, or at most, so much: seconds or points.
+Requirement ScoresAtLeast(double value);
+Requirement ScoresAtMost(double value);
+
 /// Limits for UsesAtMost.
 struct Limit {
   enum class Of { flash, ram, stack, loop_time } of;
