@@ -177,7 +177,8 @@ Command parse_generate(const Words& words) {
 
 Command parse_import(const Words& words) {
   ImportArguments import;
-  std::string pixel;
+  std::string pixel, pitch;
+  bool walls = false;
   Options options("map import",
                   "Makes a map of another tool's course: robotrace_course_cad's and rcj-rescue-cms' JSON, "
                   "lengths with curvatures, "
@@ -185,7 +186,16 @@ Command parse_import(const Words& words) {
   options.positional("FILE", import.file, "the course");
   options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
   options.text("--pixel", pixel, "LENGTH", "of a picture: the side of a pixel, such as 0.5mm");
+  options.flag("--walls", walls, "a maze with its walls, in place of lines through its passages");
+  options.text("--pitch", pitch, "LENGTH", "of such a maze's cells (default: 180mm)");
   if (const auto help = options.parse(words)) return PrintText{*help};
+  if (!pitch.empty() && !walls) throw InputError("--pitch is of a maze with walls: --walls");
+  if (walls) {
+    const auto length = parse_quantity(pitch.empty() ? "180mm" : pitch, Dimension::length);
+    if (!length || !(*length >= 0.05 && *length <= 2.0))
+      refuse_value("--pitch", pitch, "50 mm to 2 m, such as 180mm");
+    import.walls_m = *length;
+  }
   if (!pixel.empty()) {
     const auto length = parse_quantity(pixel, Dimension::length);
     if (!length || !(*length >= 1e-5 && *length <= 0.1))

@@ -119,6 +119,7 @@ struct ImportArguments {
   std::string file;
   std::string out;       ///< a file; empty = standard output
   double pixel_m = 0.0;  ///< of a picture; 0 = not given
+  double walls_m = 0.0;  ///< of a maze with walls, from cell to cell; 0 = lines
 };
 
 /// `robosim map print`

@@ -33,10 +33,11 @@ Imported read_curvature(std::string_view text, const std::string& file);
 /// "x y" in metres: straights with corners between them, at most 0.3 mm beside the points.
 Imported read_points(std::string_view text, const std::string& file);
 
-/// A maze as text (mazefiles, mms): passages become lines, dead ends stations.
-Imported read_maze(std::string_view text, const std::string& file);
+/// A maze as text (mazefiles, mms): passages become lines, dead ends stations. `walls_m`: 0, or with its
+/// walls, from the middle of one cell to that of the next.
+Imported read_maze(std::string_view text, const std::string& file, double walls_m);
 /// mms's other form: "x y N E S W" a line, 1 = wall.
-Imported read_maze_numbers(std::string_view text, const std::string& file);
+Imported read_maze_numbers(std::string_view text, const std::string& file, double walls_m);
 
 // --- shared by them ---
 

@@ -10,20 +10,15 @@
 namespace robosim::course {
 namespace {
 
-Imported read_any(std::string_view text, const std::string& file) {
-  if (text.find('\0') != text.npos) throw InputError({file}, "is no text; courses are read from text files");
-  const std::vector<NumberedLine> lines = lines_of(text);
-  if (lines.empty()) throw InputError({file}, "the file is empty");
+// All but mazes.
+Imported read_lines(std::string_view text, const std::string& file, const std::vector<NumberedLine>& lines) {
   const std::string_view first = lines.front().text;
   if (first.front() == '{' || first.front() == '[') {
     const nlohmann::json json = json_of(text, file);
     return json.is_object() && json.contains("tiles") ? read_rescue(json, file) : read_robotrace(json, file);
   }
   if (first.starts_with("#length")) return read_curvature(text, file);
-  if (first.find_first_not_of("0123456789+-.eE,; \t") != first.npos) return read_maze(text, file);
-  const std::size_t columns = numbers_in(lines.front(), file).size();
-  if (columns == 6) return read_maze_numbers(text, file);
-  if (columns == 2)
+  if (numbers_in(lines.front(), file).size() == 2)
     return first.find(',') == first.npos ? read_points(text, file) : read_curvature(text, file);
   throw InputError(
       {file, lines.front().number},
@@ -31,12 +26,29 @@ Imported read_any(std::string_view text, const std::string& file) {
       "with its walls");
 }
 
+Imported read_any(std::string_view text, const std::string& file, double walls_m) {
+  if (text.find('\0') != text.npos) throw InputError({file}, "is no text; courses are read from text files");
+  const std::vector<NumberedLine> lines = lines_of(text);
+  if (lines.empty()) throw InputError({file}, "the file is empty");
+  const std::string_view first = lines.front().text;
+  const bool is_json = first.front() == '{' || first.front() == '[';
+  // A maze's first line may be made of + and - alone, and then is no number.
+  const bool are_numbers = first.find_first_not_of("0123456789+-.eE,; \t") == first.npos &&
+                           first.find_first_of("0123456789") != first.npos;
+  if (!is_json && !are_numbers && !first.starts_with("#length")) return read_maze(text, file, walls_m);
+  if (are_numbers && numbers_in(lines.front(), file).size() == 6)
+    return read_maze_numbers(text, file, walls_m);
+  if (walls_m > 0.0) throw InputError({file}, "is no maze, and only a maze has walls");
+  return read_lines(text, file, lines);
+}
+
 }  // namespace
 
-Imported import_course(std::string_view text, const std::string& file, const std::string& name) {
+Imported import_course(std::string_view text, const std::string& file, const std::string& name,
+                       double walls_m) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   try {
-    Imported imported = read_any(text, file);
+    Imported imported = read_any(text, file, walls_m);
     imported.map.name = name;
     return imported;
   } catch (const InputError& error) {

@@ -19,8 +19,10 @@ struct Imported {
 ///   length and curvature, a segment a line (CSV)
 ///   points, x and y in metres, a line each
 ///   mazes of micromouse, as characters or as numbers: a line through their passages
-/// `name` becomes the map's. Throws InputError with file and line.
-Imported import_course(std::string_view text, const std::string& file, const std::string& name);
+/// `name` becomes the map's. With `walls_m`, m from the middle of one of its cells to that of the next, a
+/// maze has its walls, and its lines are not painted. Throws InputError with file and line.
+Imported import_course(std::string_view text, const std::string& file, const std::string& name,
+                       double walls_m = 0.0);
 
 /// The same of a PNG, whose pixels have sides of `pixel_m` m. The map has no line: what leads where is not
 /// read from pictures.

@@ -1,4 +1,5 @@
-// Mazes of micromouse as lines: a cell's middle is a node, two that no wall parts are joined.
+// Mazes of micromouse as lines: a cell's middle is a node, two that no wall parts are joined. Or with their
+// walls, and these lines not painted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +14,9 @@ namespace {
 constexpr int kMostCells = 256;  // a side
 // Line mazes have 150 mm between lines (LVBots: 5 to 7 inches); a map has a cell of floor between two lines.
 constexpr double kCell = 0.075;  // m
+constexpr int kLines = 2;        // cells of a map from one line to the next
+// With walls: of the classic's 180 mm a sixteenth is 11.25 mm; its rules have walls of 12 mm, within 5 %.
+constexpr int kWalls = 16;
 
 struct Maze {
   int width = 0, height = 0;
@@ -30,30 +34,57 @@ struct Maze {
   }
 };
 
-Imported map_of(const Maze& maze) {
-  Imported imported;
-  grid::Map& map = imported.map;
-  map.cell_m = kCell;
-  map.width = 2 * maze.width + 3;
-  map.height = 2 * maze.height + 3;
-  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
-                   grid::Cell::floor);
-  const auto at = [&](int x, int y) { return grid::CellAt{2 * x + 2, map.height - 3 - 2 * y}; };
-  const auto paint = [&](grid::CellAt c) { map.cells[map.index_of(c)] = grid::Cell::line; };
+// Where the maze's cells are on the map.
+struct Layout {
+  int pitch, margin;  // cells of the map, from middle to middle, and from the map's edge to the first
+  int height;         // of the map
+  grid::CellAt middle(int x, int y) const { return {pitch * x + margin, height - 1 - margin - pitch * y}; }
+};
+
+// Walls one cell thick along the sides of the maze's cells, and around it.
+void add_walls(const Maze& maze, const Layout& layout, grid::Map& map) {
+  constexpr int kHalf = kWalls / 2;
+  const auto wall = [&](grid::CellAt from, int dx, int dy) {
+    for (int i = 0; i <= kWalls; ++i)
+      map.cells[map.index_of({from.x + i * dx, from.y + i * dy})] = grid::Cell::wall;
+  };
   for (int y = 0; y < maze.height; ++y)
     for (int x = 0; x < maze.width; ++x) {
-      const grid::CellAt c = at(x, y);
+      const grid::CellAt c = layout.middle(x, y);
       const std::size_t i = maze.index(x, y);
-      if (x + 1 < maze.width && !maze.east[i]) {
-        paint(c);
-        paint({c.x + 1, c.y});
-        paint({c.x + 2, c.y});
-      }
-      if (y + 1 < maze.height && !maze.north[i]) {
-        paint(c);
-        paint({c.x, c.y - 1});
-        paint({c.x, c.y - 2});
-      }
+      if (x == 0) wall({c.x - kHalf, c.y - kHalf}, 0, 1);
+      if (y == 0) wall({c.x - kHalf, c.y + kHalf}, 1, 0);
+      if (maze.east[i] || x + 1 == maze.width) wall({c.x + kHalf, c.y - kHalf}, 0, 1);
+      if (maze.north[i] || y + 1 == maze.height) wall({c.x - kHalf, c.y - kHalf}, 1, 0);
+    }
+}
+
+Imported map_of(const Maze& maze, double walls_m) {
+  Imported imported;
+  grid::Map& map = imported.map;
+  const bool walls = walls_m > 0.0;
+  Layout layout{walls ? kWalls : kLines, walls ? kWalls / 2 : 2, 0};
+  map.cell_m = walls ? walls_m / kWalls : kCell;
+  map.width = layout.pitch * (maze.width - 1) + 2 * layout.margin + 1;
+  map.height = layout.height = layout.pitch * (maze.height - 1) + 2 * layout.margin + 1;
+  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+                   grid::Cell::floor);
+  if (walls) {
+    map.line_m = std::min(map.line_m, map.cell_m);
+    map.light_line = true;  // the floor is black
+    add_walls(maze, layout, map);
+  }
+  const auto at = [&](int x, int y) { return layout.middle(x, y); };
+  const auto paint = [&](grid::CellAt from, int dx, int dy) {
+    for (int i = 0; i <= layout.pitch; ++i)
+      map.cells[map.index_of({from.x + i * dx, from.y + i * dy})] =
+          walls ? grid::Cell::gap : grid::Cell::line;
+  };
+  for (int y = 0; y < maze.height; ++y)
+    for (int x = 0; x < maze.width; ++x) {
+      const std::size_t i = maze.index(x, y);
+      if (x + 1 < maze.width && !maze.east[i]) paint(at(x, y), 1, 0);
+      if (y + 1 < maze.height && !maze.north[i]) paint(at(x, y), 0, -1);
     }
   const auto on_line = [&](const std::optional<grid::CellAt>& cell) {
     return cell && grid::is_line(map.at(at(cell->x, cell->y)));
@@ -82,7 +113,7 @@ Imported map_of(const Maze& maze) {
 
 }  // namespace
 
-Imported read_maze(std::string_view text, const std::string& file) {
+Imported read_maze(std::string_view text, const std::string& file, double walls_m) {
   const std::vector<NumberedLine> lines = lines_of(text);
   std::size_t wide = 0;
   for (const NumberedLine& line : lines) wide = std::max(wide, line.text.size());
@@ -122,10 +153,10 @@ Imported read_maze(std::string_view text, const std::string& file) {
       if (line[middle] == 'G' && !maze.goal) maze.goal = grid::CellAt{x, y};
     }
   }
-  return map_of(maze);
+  return map_of(maze, walls_m);
 }
 
-Imported read_maze_numbers(std::string_view text, const std::string& file) {
+Imported read_maze_numbers(std::string_view text, const std::string& file, double walls_m) {
   struct Row {
     int x, y;
     bool north, east;
@@ -155,7 +186,7 @@ Imported read_maze_numbers(std::string_view text, const std::string& file) {
     maze.east[maze.index(row.x, row.y)] = row.east;
     maze.north[maze.index(row.x, row.y)] = row.north;
   }
-  return map_of(maze);
+  return map_of(maze, walls_m);
 }
 
 }  // namespace robosim::course

@@ -40,10 +40,12 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
   if (is_picture) check_picture(arguments);
   if (!is_picture && arguments.pixel_m > 0.0)
     throw InputError({file.string()}, "is no PNG, and --pixel is for pictures");
+  if (is_picture && arguments.walls_m > 0.0)
+    throw InputError({file.string()}, "is a picture, and only a maze has walls");
   const std::string name = file.stem().string();
   const course::Imported imported = is_picture
                                         ? course::import_picture(text, file.string(), name, arguments.pixel_m)
-                                        : course::import_course(text, file.string(), name);
+                                        : course::import_course(text, file.string(), name, arguments.walls_m);
   for (const std::string& remark : imported.remarks) std::cerr << "robosim: note: " << remark << '\n';
   const std::string written = grid::write_map(imported.map);
   // What cannot be read again is not written.

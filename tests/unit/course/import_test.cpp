@@ -27,9 +27,9 @@ grid::PathSurvey survey(const grid::Map& map) {
   return grid::survey_path(map.course.paths.at(0), map.line_m);
 }
 
-std::string message_of(const std::string& text) {
+std::string message_of(const std::string& text, double walls_m = 0.0) {
   try {
-    import(text);
+    import_course(text, "course.txt", "course", walls_m);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -203,6 +203,53 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
     EXPECT_THAT(message_of(one.text), HasSubstr(one.message)) << one.text;
     EXPECT_THAT(message_of(one.text), HasSubstr("course.txt")) << one.text;
   }
+}
+
+// A maze whose posts are + has a first line that might be numbers, by its characters.
+constexpr const char* kPlusMaze =
+    "+---+---+---+\n"
+    "|       |   |\n"
+    "+   +   +   +\n"
+    "|   |     G |\n"
+    "+   +---+---+\n"
+    "| S |       |\n"
+    "+---+---+---+\n";
+
+TEST(Maze, MayHavePlusesForPosts) {
+  const grid::Map map = import(kPlusMaze);
+  EXPECT_EQ(map.width, 9);
+  EXPECT_EQ(map.at({2, 6}), grid::Cell::line);
+  EXPECT_EQ(map.goal, "station:goal");
+}
+
+TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted) {
+  const grid::Map map = import_course(kPlusMaze, "m.txt", "m", 0.180).map;
+  EXPECT_DOUBLE_EQ(map.cell_m, 0.180 / 16);
+  ASSERT_EQ(map.width, 3 * 16 + 1);
+  ASSERT_EQ(map.height, 3 * 16 + 1);
+  EXPECT_EQ(map.goal, "station:goal");
+  const auto middle = [](int x, int y) { return grid::CellAt{16 * x + 8, 48 - 8 - 16 * y}; };
+  EXPECT_EQ(map.start->cell, middle(0, 0));
+  EXPECT_EQ(*map.goal_cell, middle(2, 1));
+  for (int i = 0; i < 49; ++i)
+    for (const grid::CellAt edge :
+         {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
+      EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
+  // From the start to the north, and a wall to its right.
+  EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
+  EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
+  EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";
+  int walls = 0, lines = 0;
+  for (const grid::Cell cell : map.cells) {
+    walls += cell == grid::Cell::wall;
+    lines += cell == grid::Cell::line;
+  }
+  EXPECT_EQ(lines, 0) << "nothing is painted";
+  // Around it, and six sides of cells within, in three straight pieces: 16 + 16 from the floor up, 32 to the
+  // right from its upper half, 16 down from above.
+  EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
+  EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
+  EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("is no maze, and only a maze has walls"));
 }
 
 TEST(Import, DepthAndLengthAreNoHarm) {
