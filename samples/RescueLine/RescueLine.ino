@@ -16,12 +16,14 @@ const int TRACK = 98;            // mm
 const int GREEN_MM = 7;          // so long in between black and white
 const int KEEP_MM = 50;          // green counts for an intersection so far ahead
 const int GAP_MM = 230;
+const int SIDE_MM = 25;          // an outer sensor saw the line so far back: it has turned off there
+const int ROUND_MM = 165;        // the circle around an obstacle, from its middle to the axle's
 
 int white[5], black;             // readings
 int level[5];                    // 0 white to 100 black
 volatile long left_counts, right_counts;
 int last_error = 0;
-long white_since, white_ahead, green_from[2], green_at[2], ignore_until = 0;
+long white_since, white_ahead, green_from[2], green_at[2], side_at[2], ignore_until = 0;
 bool in_green[2];
 
 void count_left() { left_counts++; }
@@ -127,8 +129,19 @@ void watch_green(byte side, int value) {
   }
 }
 
+// The line turns off sharply, where the sensors are: on until the axle is there, and round. -1 is left.
+void corner(int side) {
+  go(45, SPEED);
+  stop();
+  turn(side * 40);
+  turn_to_line(side * 45);
+  side_at[0] = side_at[1] = -1000;
+  ignore_until = driven() + 30;
+}
+
 void intersection() {
   long now = driven();
+  bool wide_left = level[0] > 75, wide_right = level[4] > 75;
   bool left = now - green_at[0] < KEEP_MM, right = now - green_at[1] < KEEP_MM;
   if (left || right) {
     go(62, SPEED);
@@ -137,7 +150,20 @@ void intersection() {
     int sign = right ? 1 : -1;
     turn(sign * (left && right ? 140 : 45));
     turn_to_line(sign * 45);
+  } else {
+    // Does the line go on? If not, and there is one way to go, this is a corner.
+    bool ahead_is_line = false;
+    long to = driven() + 28;
+    while (driven() < to) {
+      drive(SPEED, SPEED);
+      look();
+      wide_left = wide_left || level[0] > 75;
+      wide_right = wide_right || level[4] > 75;
+    }
+    ahead_is_line = any_dark();
+    if (!ahead_is_line && wide_left != wide_right) corner(wide_right ? 1 : -1);
   }
+  side_at[0] = side_at[1] = -1000;
   green_at[0] = green_at[1] = -1000;
   ignore_until = driven() + 45;
 }
@@ -145,19 +171,25 @@ void intersection() {
 void around() {
   Serial.println(F("obstacle"));
   stop();
-  go(60, -SPEED);
+  go(40, -SPEED);
   stop();
   turn(90);
   stop();
-  go(180, SPEED);
-  stop();
-  turn(-90);
-  stop();
-  go(440, SPEED);
-  stop();
-  turn(-90);
-  stop();
-  go(400, SPEED, true);
+  // A circle to the left, back to the line: the wheels' ways are as their radii.
+  noInterrupts();
+  long left_0 = left_counts, right_0 = right_counts;
+  interrupts();
+  long from = driven();
+  do {
+    noInterrupts();
+    long left = left_counts - left_0, right = right_counts - right_0;
+    interrupts();
+    long more = (left * (ROUND_MM + TRACK / 2) - right * (ROUND_MM - TRACK / 2)) / ROUND_MM;
+    int correction = constrain(more * 3, -20L, 20L);
+    drive(SPEED * (2L * ROUND_MM - TRACK) / (2 * ROUND_MM) - correction,
+          SPEED * (2L * ROUND_MM + TRACK) / (2 * ROUND_MM) + correction);
+    delay(1);
+  } while (driven() - from < 250 || (!any_dark() && driven() - from < 900));
   go(55, SPEED);
   stop();
   turn(45);
@@ -168,8 +200,8 @@ void around() {
 void setup() {
   Serial.begin(115200);
   Wire.begin();
-  set_colour(0x01, 0xF6);        // 24 ms
-  set_colour(0x0F, 0x02);        // 16 times
+  set_colour(0x01, 0xFB);        // 12 ms
+  set_colour(0x0F, 0x03);        // 60 times
   set_colour(0x00, 0x03);
   const byte outputs[] = {EN_L, IN1_L, IN2_L, EN_R, IN1_R, IN2_R};
   for (byte pin : outputs) pinMode(pin, OUTPUT);
@@ -183,20 +215,20 @@ void setup() {
     for (byte i = 0; i < 5; i++) sum[i] += analogRead(S[i]);
   for (byte i = 0; i < 5; i++) white[i] = sum[i == 0 || i == 4 ? i : i < 2 ? 0 : 4] / 16;
   black = sum[2] / 16;
-  green_at[0] = green_at[1] = -1000;
+  green_at[0] = green_at[1] = side_at[0] = side_at[1] = -1000;
   white_since = driven();
 }
 
 void loop() {
   static unsigned long last_colour = 0;
   static byte reds = 0;
-  if (millis() - last_colour > 25) {
+  if (millis() - last_colour > 12) {
     last_colour = millis();
     // Twice: red and green may be from before and behind an edge.
     reds = sees_red() ? reds + 1 : 0;
     if (reds == 2) {
       Serial.println(F("red"));
-      go(150, SPEED);
+      go(110, SPEED);
       drive(0, 0);
       while (true) delay(1000);
     }
@@ -216,6 +248,8 @@ void loop() {
       return;
     }
   }
+  if (level[0] > 60) side_at[0] = driven();
+  if (level[4] > 60) side_at[1] = driven();
   int error = 0;
   if (on_line() || level[1] + level[2] + level[3] > 60) {
     error = 10L * (level[3] - level[1]) / (level[1] + level[2] + level[3]) * 10;
@@ -223,6 +257,9 @@ void loop() {
     white_ahead = ahead();
   } else if (clear_road && (level[0] > 60 || level[4] > 60)) {
     error = level[0] > 60 ? -200 : 200;
+    white_since = driven();
+  } else if (clear_road && max(side_at[0], side_at[1]) > driven() - SIDE_MM) {
+    corner(side_at[1] > side_at[0] ? 1 : -1);
     white_since = driven();
   } else if (driven() - white_since > GAP_MM) {
     stop();
