@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "sim/base/error.h"
 #include "sim/base/spelling.h"
@@ -79,6 +81,7 @@ std::size_t index_at(const std::vector<double>& t, double time) {
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
   double length = 0.0, radius = 0.0;
+  std::set<std::string> logs;  // each of another place on the floor
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -108,6 +111,7 @@ void measure_levels(Element& element) {
     }
     length += crossings.front().speed * (t.back() - t.front());
     radius = trace.radius;
+    logs.insert(*trace.file);
   }
   ElementFit& fit = element.fit;
   const double step = element.traces.front().step;
@@ -120,8 +124,8 @@ void measure_levels(Element& element) {
   fit.noise = noise_of(rough_white, step_at(white));
   fit.dark_noise = noise_of(rough_black, step_at(black));
   const double floor = deviation(white);  // patches of the floor, and noise
-  const double patches =
-      std::max((radius > 0.0 ? std::min(length, 2.0 * std::numbers::pi * radius) : length) / kPatch, 2.0);
+  const double circles = 2.0 * std::numbers::pi * radius * static_cast<double>(logs.size());
+  const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
   fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
   // Where within its step a time falls is known in the mean only, to a quarter of it.

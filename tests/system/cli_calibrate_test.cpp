@@ -132,5 +132,49 @@ black_volts = [{}]
   }
 }
 
+// As samples/CalibrationLogger/strip.map, the tape's middle so far from the left.
+std::string strip_at(int x_mm) {
+  std::string text = fmt::format(
+      "+++\nline = \"19 mm\"\nsize = [\"8 m\", \"6 m\"]\ngoal = \"none\"\n[[path]]\nfrom = [\"{} mm\", \"3 "
+      "m\"]\nsegments = [{{ length = \"240 mm\" }}]\n",
+      x_mm - 120);
+  for (int r = 160; r <= 2800; r += 110)
+    text += fmt::format(
+        "[[path]]\nfrom = [\"{} mm\", \"{} mm\"]\nsegments = [{{ radius = \"{} mm\", angle = \"360 deg\" "
+        "}}]\n",
+        x_mm, 3000 - r, r);
+  return text + "[start]\npath = 1\nalong = \"120 mm\"\n+++\n";
+}
+
+TEST(Calibrate, FromFourPlacesTellsTheSensorsWhiteFromTheFloors) {
+  constexpr double kWhite[] = {0.40, 0.55, 0.45, 0.60, 0.50};
+  const Folder folder;
+  const std::string robot = folder.write(
+      "unknown.toml",
+      fmt::format("base = \"{}/robot.toml\"\n[[part]]\nname = \"S\"\nheight = \"3 "
+                  "mm\"\nwhite_volts = [\"0.40 V\", \"0.55 V\", \"0.45 V\", \"0.60 V\", \"0.50 V\"]\n",
+                  kLogger));
+  std::vector<std::string> command{"calibrate", kLogger + "/robot.toml", "--tape", "19 mm",
+                                   "--out",     folder / "one.toml"};
+  std::vector<double> spreads;
+  for (const int x : {3000, 3300, 3600, 3900}) {
+    const std::string map = folder.write(fmt::format("at{}.map", x), strip_at(x));
+    const Ended run = robosim_command({"run", kLogger, "--robot", robot, "--map", map, "--goal", "none",
+                                       "--for", "150s", "--profile", "typical@2", "--seed", "3", "--serial"});
+    ASSERT_THAT(run.out, HasSubstr("# end")) << run.err;
+    command.push_back(folder.write(fmt::format("at{}.csv", x), run.out));
+    if (x > 3000 && x < 3900) continue;
+    const Ended found = robosim_command(command);
+    ASSERT_EQ(found.status, 0) << found.err;
+    const ConfigValue tree = parse_toml(read_file(command[5]), "found.toml");
+    const ConfigValue& white = *tree.find("part")->items.front().find("white_volts");
+    spreads.push_back(spread_of(white.items[0]));
+    for (std::size_t i = 0; i < 5 && x == 3900; ++i)
+      EXPECT_NEAR(value_of(white.items[i]), kWhite[i], 0.1 * kWhite[i]) << i;
+    command[5] = folder / "four.toml";
+  }
+  EXPECT_LT(spreads.at(1), 0.85 * spreads.at(0)) << "four circles have more patches than one";
+}
+
 }  // namespace
 }  // namespace robosim::test
