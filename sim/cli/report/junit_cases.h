@@ -1,6 +1,5 @@
 // Test reports in JUnit's XML, as robosim test --junit, ctest --output-junit and GoogleTest write them: the
-// cases, and how each ended. Of XML it reads what these write: elements, attributes, the five entities and
-// numbers for characters, CDATA and comments; a document type is refused.
+// cases, and how each ended. A document type is refused.
 #pragma once
 
 #include <string>
