@@ -102,6 +102,19 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
 
 std::string bounds(double least, double most) { return fmt::format("from {:g} to {:g}", least, most); }
 
+// In the unit in which it was written.
+std::string out_of_bounds(const ConfigValue& value, const char* key, Dimension dimension, double least,
+                          double most) {
+  if (value.kind != ConfigValue::Kind::string)
+    return fmt::format("{} is {:g}; it must be {}", key, value.number, bounds(least, most));
+  const std::size_t at = value.string.find_first_not_of("+-0123456789.eE \t");
+  if (at == std::string::npos)
+    return fmt::format("{} is {}; it must be {}", key, value.string, bounds(least, most));
+  const std::string unit = value.string.substr(at);
+  const double one = parse_quantity("1 " + unit, dimension).value();
+  return fmt::format("{} is {}; it must be {} {}", key, value.string, bounds(least / one, most / one), unit);
+}
+
 struct Fault {
   std::size_t at;
   std::string what;
@@ -241,8 +254,7 @@ double as_quantity(const ConfigValue& value, const char* key, Dimension dimensio
                                  unit_names(dimension)));
   }
   if (!(si >= least && si <= most))
-    throw InputError(value.place,
-                     fmt::format("{} is {:g} in SI units; it must be {}", key, si, bounds(least, most)));
+    throw InputError(value.place, out_of_bounds(value, key, dimension, least, most));
   return si;
 }
 

@@ -38,7 +38,8 @@ TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
 }
 
 TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
-  const ConfigValue v = parse_toml("a = 5\nb = \"5 kg\"\nc = \"5 m\"\nd = []\n", "f.toml");
+  const ConfigValue v =
+      parse_toml("a = 5\nb = \"5 kg\"\nc = \"5 m\"\nd = []\ne = \"2e4mm\"\nf = \"2e0\"\n", "f.toml");
   TableReader r(v, "x");
   const auto length = [&](const char* key) {
     return error_of([&] { r.quantity(key, Dimension::length, 0, 0, 1); });
@@ -47,7 +48,10 @@ TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
               testing::HasSubstr("a is 5 without a unit; write it as a string with one of mm, cm, m or in"));
   EXPECT_THAT(length("b"),
               testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
-  EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 in SI units; it must be from 0 to 1"));
+  EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 m; it must be from 0 to 1 m"));
+  EXPECT_THAT(length("e"), testing::HasSubstr("e is 2e4mm; it must be from 0 to 1000 mm"));
+  EXPECT_THAT(error_of([&] { r.quantity("f", Dimension::ratio, 0, 0, 1); }),
+              testing::HasSubstr("f is 2e0; it must be from 0 to 1"));
   EXPECT_THAT(length("d"), testing::HasSubstr("d is an array"));
 }
 

@@ -113,9 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
     All, PaintMistakes,
     testing::Values(
         PaintMistake{"TooNarrow", "", segment("width = \"0.5 mm\""),
-                     "m.map:7:39: width is 0.0005 in SI units; it must be from 0.001 to 0.1"},
+                     "m.map:7:39: width is 0.5 mm; it must be from 1 to 100 mm"},
         PaintMistake{"TooWide", "", segment("width = \"200 mm\""),
-                     "width is 0.2 in SI units; it must be from 0.001 to 0.1"},
+                     "width is 200 mm; it must be from 1 to 100 mm"},
         PaintMistake{"NoLength", "", segment("width = 12"), "width"},
         PaintMistake{"MoreThanAll", "", segment("worn = \"120 %\""), "worn is"},
         PaintMistake{"LessThanNothing", "", segment("worn = -0.1"), "worn is"},

@@ -82,7 +82,8 @@ TEST(Battery, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = \"2 Ah\"", "capacity_mAh is \"2 Ah\""},
       {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = 9\nresistance = \"3 V\"", "resistance is \"3 V\""},
       {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = 9\ncharge = 1.5", "charge is 1.5"},
-      {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = 9\nboard = \"-1 mA\"", "board is -0.001"},
+      {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = 9\nboard = \"-1 mA\"",
+       "board is -1 mA; it must be from 0 to 2000 mA"},
       {"kind = \"nimh\"\ncells = 4\ncapacity_mAh = 9\nvolts = 3", "volts"},
   };
   for (const auto& one : refused) {
