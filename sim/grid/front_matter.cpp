@@ -9,6 +9,7 @@
 #include "sim/base/config.h"
 #include "sim/grid/course_reader.h"
 #include "sim/grid/floor_image.h"
+#include "sim/grid/front_tables.h"
 
 namespace robosim::grid {
 namespace {
