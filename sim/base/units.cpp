@@ -16,7 +16,6 @@ struct Unit {
   double si;
 };
 
-constexpr double kGravity = 9.80665;  // standard gravity, m/s2 (BIPM SI brochure)
 constexpr double kInch = 0.0254;
 constexpr double kOunce = 0.028349523125;
 

@@ -7,6 +7,9 @@
 
 namespace robosim {
 
+/// Standard gravity, m/s2 (BIPM, SI brochure).
+constexpr double kGravity = 9.80665;
+
 enum class Dimension {
   length,         ///< m        mm cm m in
   time,           ///< s        ns us ms s min h d

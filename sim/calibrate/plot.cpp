@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/base/markup.h"
 #include "sim/calibrate/edges.h"
 
 namespace robosim::calibrate {
@@ -15,12 +16,6 @@ constexpr double kWidth = 460.0, kHeight = 280.0, kLeft = 56.0, kRight = 14.0, k
                  kBottom = 40.0;         // px
 constexpr std::size_t kMostDots = 1500;  // of a panel
 constexpr const char* kMeasured[2] = {"#0072b2", "#d55e00"};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  return out;
-}
 
 /// 1, 2 or 5 times a power of ten, of which some five fit.
 double tick_of(double range) {
@@ -43,7 +38,7 @@ class Panel {
     put(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="none" stroke="#999"/>)",
         x_ + kLeft, y_ + kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
     put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600">{}</text>)", x_ + kLeft, y_ + kTop - 10.0,
-        escaped(title));
+        markup_text(title));
     const double step_x = tick_of(across_.high - across_.low), step_y = tick_of(up_.high - up_.low);
     for (double v = std::ceil(across_.low / step_x) * step_x; v <= across_.high + 1e-9; v += step_x)
       put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{:.4g}</text>)", px(v),
@@ -54,9 +49,9 @@ class Panel {
       put(R"(<path d="M{:.1f} {:.1f}H{:.1f}" stroke="#ddd"/>)", x_ + kLeft, py(v), x_ + kWidth - kRight);
     }
     put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle" fill="#444">{}</text>)",
-        x_ + 0.5 * (kLeft + kWidth - kRight), y_ + kHeight - 8.0, escaped(across));
+        x_ + 0.5 * (kLeft + kWidth - kRight), y_ + kHeight - 8.0, markup_text(across));
     put(R"x(<text transform="translate({:.1f} {:.1f}) rotate(-90)" text-anchor="middle" fill="#444">{}</text>)x",
-        x_ + 14.0, y_ + 0.5 * (kTop + kHeight - kBottom), escaped(up));
+        x_ + 14.0, y_ + 0.5 * (kTop + kHeight - kBottom), markup_text(up));
   }
 
   void dots(const std::vector<double>& x, const std::vector<double>& y, const char* colour) {
@@ -77,7 +72,7 @@ class Panel {
 
   void note(double row, const std::string& text, const char* colour) {
     put(R"(<text x="{:.1f}" y="{:.1f}" fill="{}">{}</text>)", x_ + kLeft + 8.0, y_ + kTop + 16.0 + 14.0 * row,
-        colour, escaped(text));
+        colour, markup_text(text));
   }
 
  private:
@@ -154,7 +149,7 @@ std::string plot(const Calibration& result) {
 <rect width="100%" height="100%" fill="#fff"/>
 <text x="12" y="18">{2}: dots measured, lines fitted</text>
 )",
-      width, height, escaped(result.robot.name));
+      width, height, markup_text(result.robot.name));
   std::size_t at = 0;
   const auto place = [&] {
     const std::pair<double, double> p{kWidth * static_cast<double>(at % columns),

@@ -14,12 +14,11 @@ namespace robosim::grid {
 namespace {
 
 constexpr std::size_t kMostHills = 64, kMostSurfaces = 256, kMostHeights = 33;
-constexpr double kMostHeight = 0.5;  // m
-constexpr double kSteepest = 0.75;   // sine: 48.6 degrees
-constexpr double kDegrees = std::numbers::pi / 180.0;
-constexpr double kMostSlope = 45.0 * kDegrees;
-constexpr double kMostTilt = 0.5;                    // sine, of a seesaw: 30 degrees
-constexpr double kLightest = 0.05, kHeaviest = 5.0;  // kg
+constexpr double kMostHeight = 0.5;                     // m
+constexpr double kSteepest = 0.75;                      // sine: 48.6 degrees
+constexpr double kMostSlope = 0.25 * std::numbers::pi;  // 45°
+constexpr double kMostTilt = 0.5;                       // sine, of a seesaw: 30 degrees
+constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
 std::vector<double> read_heights(const ConfigValue& value, double length) {

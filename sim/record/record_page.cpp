@@ -42,7 +42,9 @@ std::string page_of(const std::string& recording, const Over* over) {
   return text;
 }
 
-std::string recording_in_page(std::string_view page) {
+std::string recording_in(std::string content) {
+  if (is_recording(content)) return content;
+  const std::string_view page = content;
   const std::size_t begin = page.find(kBegin);
   if (begin == std::string_view::npos) throw InputError("it is neither a .rec nor a page of Robosim's");
   const std::string_view rest = page.substr(begin + kBegin.size());

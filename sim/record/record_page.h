@@ -42,7 +42,7 @@ class PageRecorder final : public RecRecorder {
   std::string content(const std::string& recording) const override { return page_of(recording); }
 };
 
-/// The recording in a page; throws InputError, without a place, if it holds none.
-std::string recording_in_page(std::string_view page);
+/// The bytes of a .rec: these, or those in a page; throws InputError, without a place, if it is neither.
+std::string recording_in(std::string content);
 
 }  // namespace robosim::record

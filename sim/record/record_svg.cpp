@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sim/base/file.h"
+#include "sim/base/markup.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/record/floor_shapes.h"
@@ -20,21 +21,6 @@ constexpr double kWidth_px = 960.0;
 constexpr const char* kLight = "#f6f4ee";
 constexpr const char* kDark = "#1f1f1f";
 constexpr std::uintmax_t kLargestDrawnMap_bytes = 1'000'000;
-
-std::string xml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-  }
-  return out;
-}
 
 /// A round length of about a fifth of the width.
 double scale_bar_mm(double width_mm) {
@@ -54,7 +40,7 @@ class Drawing {
     const double height = floor_.height_mm + 5.6 * em_;
     put(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" role="img" font-family="system-ui, sans-serif" font-size="{:.1f}">)",
         floor_.width_mm, height, kWidth_px, kWidth_px * height / std::max(floor_.width_mm, 1.0), em_);
-    put("<title>{}</title>", xml(title));
+    put("<title>{}</title>", markup_text(title));
     put(R"(<rect width="100%" height="100%" fill="#fff"/>)");
   }
 
@@ -124,7 +110,7 @@ class Drawing {
       put(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="#fff" stroke="#1f1f1f" stroke-width="{:.1f}"/>)",
           x, flip(y), radius, 0.1 * em_);
       put(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle" font-size="{:.1f}">{}</text>)", x,
-          flip(y) + 0.3 * em_, 0.9 * em_, xml(s.name));
+          flip(y) + 0.3 * em_, 0.9 * em_, markup_text(s.name));
     }
   }
 
@@ -181,8 +167,9 @@ class Drawing {
 
   void legend(double fastest_mm_s, const std::string& first, const std::string& second) {
     const double top = floor_.height_mm + 1.1 * em_, right = floor_.width_mm - em_;
-    put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600">{}</text>)", em_, top + 1.0 * em_, xml(first));
-    put(R"(<text x="{:.1f}" y="{:.1f}" fill="#444">{}</text>)", em_, top + 2.7 * em_, xml(second));
+    put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600">{}</text>)", em_, top + 1.0 * em_,
+        markup_text(first));
+    put(R"(<text x="{:.1f}" y="{:.1f}" fill="#444">{}</text>)", em_, top + 2.7 * em_, markup_text(second));
     const double step = 1.1 * em_, left = right - kSpeedColours * step;
     for (int i = 0; i < kSpeedColours; ++i)
       put(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", left + i * step,

@@ -20,11 +20,10 @@ constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
 }  // namespace
 
 Recording Recording::read(const std::filesystem::path& file) {
-  const std::string content = read_file(file);
   const std::string name = file.string();
-  if (content.starts_with("robosim.rec/")) return decode(content, name);
+  std::string content = read_file(file);
   try {
-    return decode(recording_in_page(content), name);
+    return decode(recording_in(std::move(content)), name);
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;
     refuse(name, error.message());
@@ -34,7 +33,7 @@ Recording Recording::read(const std::filesystem::path& file) {
 Recording Recording::decode(std::string_view bytes, const std::string& file) {
   const std::string_view magic = kRecordingMagic;
   if (!bytes.starts_with(magic)) {
-    if (bytes.starts_with("robosim.rec/"))
+    if (is_recording(bytes))
       refuse(file, "it is of a newer version of Robosim, " +
                        wire::excerpt(bytes.substr(0, std::min(bytes.find('\n'), std::size_t{40}))));
     refuse(file, "it does not begin as one");

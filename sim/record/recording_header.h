@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/record/floor_shapes.h"
@@ -13,6 +14,9 @@ namespace robosim::record {
 
 /// The first line of a recording's file.
 inline constexpr const char* kRecordingMagic = "robosim.rec/1\n";
+
+/// Whether a file begins as a recording, of any version.
+inline bool is_recording(std::string_view content) { return content.starts_with("robosim.rec/"); }
 
 /// One column of a stream; its bytes follow those of the columns before it.
 struct ColumnInfo {

@@ -144,9 +144,7 @@ Track read_track(const std::filesystem::path& file, std::string* bytes) {
   std::string content = read_file(file);
   const bool is_table = file.extension() == ".csv" || file.extension() == ".txt";
   Track track = is_table ? track_of_table(content, file.string()) : track_of(Recording::read(file));
-  if (bytes)
-    *bytes =
-        is_table || content.starts_with("robosim.rec/") ? std::move(content) : recording_in_page(content);
+  if (bytes) *bytes = is_table ? std::move(content) : recording_in(std::move(content));
   return track;
 }
 

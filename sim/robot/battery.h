@@ -1,20 +1,23 @@
 // [battery]: cells that sag under load, and run empty. Without it the motors have [motors] supply, whatever
 // they take.
 //
-//   V = cells OCV(charge) - R I     I = board + sum over the motors of |drive| max(0, V - drop - k_e w) /
-//   (ohms of it) d charge / dt = - I / capacity
-// solved exactly for V in each tick: I is made of straight pieces of V (world::Body::draw). So two stalled
-// motors, each of R_m with its driver, sag the rest voltage E by R (2 (V - drop) / R_m + board), V = (E + R
-// (2 drop / R_m - board)) / (1 + 2 R / R_m). Below a charge of 0 the cells collapse: to nothing at -2 %.
+//   V = cells OCV(charge) - R I
+//   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (ohms of it)
+//   d charge / dt = - I / capacity
 //
-// Open-circuit volts of a cell, at 100, 90 ... 0 % of its charge:
-//   li-ion    4.17 4.04 3.93 3.83 3.75 3.66 3.63 3.60 3.55 3.46 3.18     github.com/little-porter,
-//   battery_health_inference_RJ nimh      1.40 1.32 1.29 1.27 1.26 1.25 1.24 1.23 1.21 1.17 1.00 estimate, by
-//   makers' discharge curves at 0.2 C alkaline  1.60 1.50 1.42 1.36 1.31 1.27 1.24 1.20 1.16 1.10 0.90 the
-//   same
-// Resistance of a cell where the file has none: 30, 30 and 200 mohm: usual figures, not measured. It is the
-// same at any charge. Not modelled: recovery after load, temperature, a protection's cut-off, what motors
-// that brake give back.
+// V is solved exactly in each tick, since I is made of straight pieces of V (world::Body::draw). So two
+// stalled motors, each of R_m with its driver, sag the rest voltage E to
+//
+//   V = (E + R (2 drop / R_m - board)) / (1 + 2 R / R_m)
+//
+// Below a charge of 0 the cells collapse: to nothing at -2 %.
+//
+// Open-circuit volts of a cell (battery.cpp): li-ion as measured by github.com/little-porter,
+// battery_health_inference_RJ; nimh and alkaline are estimates by makers' discharge curves at 0.2 C.
+// Resistance of a cell where the file has none: a usual figure of its kind, not measured, the same at any
+// charge.
+//
+// Not modelled: recovery after load, temperature, a protection's cut-off, what motors that brake give back.
 #pragma once
 
 #include "sim/base/config.h"

@@ -1,12 +1,11 @@
 #include <algorithm>
 
+#include "sim/base/units.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/part_context.h"
 
 namespace robosim::robot {
 namespace {
-
-constexpr double kWeightOfKg = 9.80665;  // N
 
 // Of a uniform plate of that shape, about the origin, for each kilogram (m2).
 double plate_inertia(const Chassis& chassis) {
@@ -81,7 +80,7 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   params.caster_radius_m = chassis(c.caster_radius, "caster_radius");
   params.centre_height_m = chassis(c.height, "height");
   params.wheelbase_m = chassis(c.wheelbase, "wheelbase");
-  params.downforce_n = kWeightOfKg * chassis(c.downforce, "downforce");
+  params.downforce_n = kGravity * chassis(c.downforce, "downforce");
   params.outline = c.polygon;
   params.radius_m = c.circle_radius;
   params.centre = c.circle_centre;

@@ -85,10 +85,8 @@ struct BodyParams {
   double caster_m = -0.05;         ///< m, where the caster stands, ahead of the axle; not 0
   double caster_radius_m = 0.008;  ///< m, of the caster, a ball
   double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
-  double wheelbase_m =
-      0.0;  ///< m between the two wheels of a side that turns by skidding; 0 = it has a caster
-  double downforce_n =
-      0.0;  ///< N that a fan presses it down with, half on each wheel, drawn down all the time
+  double wheelbase_m = 0.0;        ///< m, of two wheels a side that turn by skidding; 0 = it has a caster
+  double downforce_n = 0.0;        ///< N, of a fan that never stops; half on each wheel
 };
 
 /// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:

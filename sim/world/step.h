@@ -2,13 +2,12 @@
 #pragma once
 
 #include "hal/board/sim_time.h"
+#include "sim/base/units.h"
 
 namespace robosim::world {
 
 /// A tick, s.
 constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
-
-constexpr double kGravity = 9.80665;  // m/s2
 
 // No motor reaches these limits; they keep a step finite for any parameters.
 constexpr double kMaxSpeed = 100.0;  ///< m/s

@@ -4,38 +4,11 @@
 
 #include <algorithm>
 
+#include "sim/base/markup.h"
 #include "sim/cli/sweep/figures.h"
 
 namespace robosim::cli {
 namespace {
-
-/// Of text and of attributes. What XML 1.0 cannot hold becomes U+FFFD.
-std::string xml_text(const std::string& text) {
-  std::string xml;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      case '\n':
-        xml += "&#10;";
-        break;
-      default:
-        xml += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? std::string("\xEF\xBF\xBD")
-                                                                 : std::string(1, c);
-    }
-  }
-  return xml;
-}
 
 /// What a sketch sent, readable: with plain line ends.
 std::string xml_log(const std::string& serial) {
@@ -44,7 +17,7 @@ std::string xml_log(const std::string& serial) {
     const std::size_t end = std::min(serial.find('\n', begin), serial.size());
     std::string line = serial.substr(begin, end - begin);
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    xml += xml_text(line);
+    xml += markup_text(line);
     if (end < serial.size()) xml += '\n';
     begin = end + 1;
   }
@@ -52,7 +25,7 @@ std::string xml_log(const std::string& serial) {
 }
 
 std::string property(const std::string& name, const std::string& value) {
-  return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, xml_text(value));
+  return fmt::format("        <property name=\"{}\" value=\"{}\"/>\n", name, markup_text(value));
 }
 
 std::string properties(const CheckResult& result) {
@@ -75,8 +48,8 @@ bool is_failure(ExitStatus status) { return status == ExitStatus::failed || stat
 std::string verdict(const CheckResult& result) {
   if (result.ok()) return "";
   const char* element = is_failure(result.status) ? "failure" : "error";
-  return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element, xml_text(result.why),
-                     xml_text(result.replay.empty() ? result.why : result.why + "\n" + result.replay));
+  return fmt::format("      <{0} message=\"{1}\">{2}</{0}>\n", element, markup_text(result.why),
+                     markup_text(result.replay.empty() ? result.why : result.why + "\n" + result.replay));
 }
 
 std::string log(const CheckResult& result) {
@@ -88,8 +61,8 @@ std::string test_case(const std::string& sketch, const CheckResult& result) {
   return fmt::format(
       "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" time=\"{:.3f}\">\n{}{}{}    "
       "</testcase>\n",
-      xml_text(sketch), xml_text(result.name), xml_text(result.place.file), result.place.line, result.time_s,
-      properties(result), verdict(result), log(result));
+      markup_text(sketch), markup_text(result.name), markup_text(result.place.file), result.place.line,
+      result.time_s, properties(result), verdict(result), log(result));
 }
 
 struct Sums {
@@ -124,12 +97,12 @@ std::string junit_xml(const std::vector<SketchResult>& sketches) {
     const Sums sums = sums_of(sketch);
     all = {all.tests + sums.tests, all.failures + sums.failures, all.errors + sums.errors,
            all.time_s + sums.time_s};
-    suites += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_text(sketch.name), sums.text());
+    suites += fmt::format("  <testsuite name=\"{}\" {}>\n", markup_text(sketch.name), sums.text());
     if (sketch.problem) {
       suites += fmt::format(
           "    <testcase classname=\"{}\" name=\"can be checked\" time=\"0\">\n"
           "      <error message=\"{}\">{}</error>\n    </testcase>\n",
-          xml_text(sketch.name), xml_text(sketch.problem->line), xml_text(sketch.problem->text));
+          markup_text(sketch.name), markup_text(sketch.problem->line), markup_text(sketch.problem->text));
     } else {
       for (const CheckResult& result : sketch.results) suites += test_case(sketch.name, result);
     }

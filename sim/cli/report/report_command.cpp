@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <set>
+#include <string>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -21,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Letters, digits and - of a run's names.
-std::string file_name(const SweptRun& run) {
+std::string name_of(const SweptRun& run) {
   std::string name;
   for (const char c : fmt::format("{} {} {} {} {}", run.sketch, run.map, run.robot, run.target, run.seed)) {
     const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (kept || (!name.empty() && name.back() != '-')) name += kept ? c : '-';
   }
-  return name + ".html";
+  return name;
 }
 
 /// The worst of each combination, then the others that failed.
@@ -47,6 +48,7 @@ Shown make_again(const std::vector<SweptRun>& runs, const ReportArguments& argum
   const std::vector<std::size_t> order = worth_looking_at(runs);
   const std::size_t worst = combinations_of(runs).size();
   MakeAgain again(arguments.each);
+  std::set<std::string> names;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k >= arguments.runs) {
       shown.not_made = order.size() - k;
@@ -64,7 +66,9 @@ Shown make_again(const std::vector<SweptRun>& runs, const ReportArguments& argum
     ++left.runs;
     if (k >= worst) continue;
     fs::create_directories(page.parent_path() / folder);
-    const fs::path replay = folder / file_name(run);
+    std::string name = name_of(run);
+    if (!names.insert(name).second) name += fmt::format("-row-{}", order[k] + 1);  // "a b" and "a-b"
+    const fs::path replay = folder / (name + ".html");
     write_file(page.parent_path() / replay, record::page_of(made->recording));
     shown.replays[order[k]] = replay.string();
   }

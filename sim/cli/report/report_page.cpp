@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "sim/analysis/success_rate.h"
+#include "sim/base/markup.h"
 #include "sim/record/record_svg.h"
 
 namespace robosim::cli {
@@ -40,23 +41,6 @@ figure svg { width: 100%; height: auto; max-height: 28rem; display: block; } fig
 a { color: var(--bar); }
 )";
 
-std::string html(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string page(const std::string& title, const std::string& body) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -64,7 +48,7 @@ std::string page(const std::string& title, const std::string& body) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
       "img-src data:\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n"
       "<body>\n{}</body>\n</html>\n",
-      html(title), kStyle, body);
+      markup_text(title), kStyle, body);
 }
 
 std::string share_bar(std::size_t good, std::size_t all) {
@@ -105,7 +89,7 @@ std::string verdicts(const std::vector<SweptRun>& runs, const std::vector<std::s
     if (!runs[i].reached()) ++counts[runs[i].verdict];
   std::string text;
   for (const auto& [verdict, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, html(verdict));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, markup_text(verdict));
   return text;
 }
 
@@ -116,7 +100,7 @@ std::string heat_map(const std::string& map, const LeftOn& left) {
       "{2}\">"
       "<defs><radialGradient id=\"heat\"><stop offset=\"0\" stop-color=\"#d55e00\" stop-opacity=\".75\"/>"
       "<stop offset=\"1\" stop-color=\"#d55e00\" stop-opacity=\"0\"/></radialGradient></defs>{3}",
-      floor.width_mm, floor.height_mm, html(map), record::floor_elements(floor));
+      floor.width_mm, floor.height_mm, markup_text(map), record::floor_elements(floor));
   const double radius = std::max(floor.width_mm, floor.height_mm) / 28.0;
   // Many places lie over each other: the fewer, the stronger each.
   text += fmt::format("<g fill-opacity=\"{:.2f}\">",
@@ -128,7 +112,7 @@ std::string heat_map(const std::string& map, const LeftOn& left) {
   return text +
          fmt::format(
              "</g></svg><figcaption><b>{}</b>: {} in {} of the runs made again</figcaption></figure>\n",
-             html(map),
+             markup_text(map),
              left.places_mm.size() == 1 ? "the line was left once"
                                         : fmt::format("the line was left {} times", left.places_mm.size()),
              left.runs);
@@ -167,8 +151,8 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
     errors.push_back(run.cross_track_max_mm);
   }
   const double longest_s = std::max(most_of(times), 1e-3), widest_mm = std::max(most_of(errors), 1e-3);
-  std::string body =
-      fmt::format("<h1>{}</h1>\n<p>{} runs, {} reached their goal.</p>\n", html(file), runs.size(), reached);
+  std::string body = fmt::format("<h1>{}</h1>\n<p>{} runs, {} reached their goal.</p>\n", markup_text(file),
+                                 runs.size(), reached);
   body += fmt::format(
       "<div class=\"wide\"><table>\n<tr><th class=\"left\">sketch</th><th class=\"left\">map</th><th "
       "class=\"left\">robot</th>"
@@ -185,18 +169,20 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
     const auto [low, high] = analysis::wilson(static_cast<std::int64_t>(own_times.size()),
                                               static_cast<std::int64_t>(which.size()));
     const std::size_t worst = worst_of(runs, which);
-    const std::string name = fmt::format(
-        "{}, seed {}", runs[worst].reached() ? "slowest" : html(runs[worst].verdict), runs[worst].seed);
+    const std::string name =
+        fmt::format("{}, seed {}", runs[worst].reached() ? "slowest" : markup_text(runs[worst].verdict),
+                    runs[worst].seed);
     const auto replay = shown.replays.find(worst);
     body += fmt::format(
         "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td "
         "class=\"left\">{}</td><td>{}</td>"
         "<td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"left bad\">{}</td>"
         "<td>{:.2f} .. {:.2f}</td></tr>\n",
-        html(first.sketch), html(first.map), html(first.robot), html(first.target),
-        share_bar(own_times.size(), which.size()),
-        replay == shown.replays.end() ? name
-                                      : fmt::format("<a href=\"{}\">{}</a>", html(replay->second), name),
+        markup_text(first.sketch), markup_text(first.map), markup_text(first.robot),
+        markup_text(first.target), share_bar(own_times.size(), which.size()),
+        replay == shown.replays.end()
+            ? name
+            : fmt::format("<a href=\"{}\">{}</a>", markup_text(replay->second), name),
         own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
         bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which), low, high);
   }
@@ -222,8 +208,8 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
           "class=\"left bad\">{}</td><td>{:.2f} s</td><td class=\"why\">{}</td></tr>\n",
-          html(run.sketch), html(run.map), html(run.target), run.seed, html(run.verdict), run.time_s,
-          html(run.why));
+          markup_text(run.sketch), markup_text(run.map), markup_text(run.target), run.seed,
+          markup_text(run.verdict), run.time_s, markup_text(run.why));
   if (!failures.empty())
     body += fmt::format(
         "<h2>Runs that failed{}</h2>\n<div class=\"wide\"><table>\n<tr><th class=\"left\">sketch</th><th "
@@ -250,9 +236,9 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
   std::string body = fmt::format(
       "<h1>{}</h1>\n<p>{} checks: {} passed, {} failed, {} left out.</p>\n<div "
       "class=\"wide\"><table>\n<tr><th class=\"left\">of</th><th>passed</th>",
-      html(file), cases.size(), passed, failed, cases.size() - passed - failed);
+      markup_text(file), cases.size(), passed, failed, cases.size() - passed - failed);
   if (columns)
-    for (const std::string& name : names) body += fmt::format("<th>{}</th>", html(name));
+    for (const std::string& name : names) body += fmt::format("<th>{}</th>", markup_text(name));
   body += "<th>time</th></tr>\n";
   for (const std::string& group : groups) {
     std::size_t good = 0;
@@ -263,7 +249,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
       time_s += one->time_s;
       times.push_back(one->time_s);
     }
-    body += fmt::format("<tr><td class=\"left\">{}</td><td>{}</td>", html(group),
+    body += fmt::format("<tr><td class=\"left\">{}</td><td>{}</td>", markup_text(group),
                         share_bar(good, of[group].size()));
     for (const std::string& name : columns ? names : std::vector<std::string>{}) {
       const auto found = of[group].find(name);
@@ -271,7 +257,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
       body += !ending || *ending == Ending::skipped ? "<td class=\"dim\">–</td>"
               : *ending == Ending::passed
                   ? "<td class=\"good\">✓</td>"
-                  : fmt::format("<td class=\"bad\" title=\"{}\">✗</td>", html(found->second->message));
+                  : fmt::format("<td class=\"bad\" title=\"{}\">✗</td>", markup_text(found->second->message));
     }
     body += fmt::format("<td>{:.2f} s</td></tr>\n", time_s);
   }
@@ -286,7 +272,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     if (one.ending == Ending::failed)
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
-          html(one.group), html(one.name), html(one.message));
+          markup_text(one.group), markup_text(one.name), markup_text(one.message));
   if (!failures.empty())
     body +=
         "<h2>What failed</h2>\n<div class=\"wide\"><table>\n<tr><th class=\"left\">of</th><th "

@@ -47,20 +47,14 @@ void watch(const record::Recording& recording, const grid::Map& map, double spee
   view.finish(header.result);
 }
 
-/// The bytes of a .rec.
-std::string bytes_of(const std::string& file) {
-  const std::string content = read_file(file);
-  return content.starts_with(record::kRecordingMagic) ? content : record::recording_in_page(content);
-}
-
 /// Writes what a recording has in other formats.
 void write(const record::Recording& recording, const ReplayArguments& arguments, const record::Over* over) {
   for (const std::string& file : arguments.record) {
     const WriteClaim claim(file);
     if (file.ends_with(".html"))
-      write_file(file, record::page_of(bytes_of(arguments.file), over));
+      write_file(file, record::page_of(record::recording_in(read_file(arguments.file)), over));
     else if (file.ends_with(".rec"))
-      write_file(file, bytes_of(arguments.file));
+      write_file(file, record::recording_in(read_file(arguments.file)));
     else
       write_file(file, record::trace_of(recording));
   }

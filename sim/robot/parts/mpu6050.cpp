@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/turn.h"
+#include "sim/base/units.h"
 
 namespace robosim::robot {
 namespace {
@@ -16,7 +17,6 @@ constexpr std::uint8_t kReset = 0x80, kSleep = 0x40, kDataReady = 0x01;
 constexpr std::uint8_t kIdentity = 0x68;
 constexpr double kGyroScale = 131.0;     // LSB per deg/s
 constexpr double kAccelScale = 16384.0;  // LSB per g
-constexpr double kGravity = 9.80665;     // m/s2
 constexpr double kAccelNoise = 0.0039;   // g
 constexpr double kCodeAt25 = (25.0 - 36.53) * 340.0;
 constexpr Number kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};

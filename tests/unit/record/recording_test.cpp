@@ -149,7 +149,7 @@ TEST_F(ARecording, IsTheSameInAPage) {
     recorder->add(wire::Started{});
     recorder->finish({});
   }
-  EXPECT_EQ(recording_in_page(read_file(page)), read_file(rec));
+  EXPECT_EQ(recording_in(read_file(page)), read_file(rec));
   EXPECT_EQ(Recording::read(page).header().sketch, "Mine");
   EXPECT_EQ(Recording::read(rec).header().sketch, "Mine");
 }
