@@ -2,21 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/run/simulation.h"
-#include "sim/wire/protocol.h"
+#include "sim/wire/messages.h"
 #include "sim/wire/run_columns.h"
 
 namespace robosim::runner {
 
+/// Who hears of what happens.
+using Tell = std::function<void(wire::Event)>;
+
 class Narrator final : public run::Listener {
  public:
-  /// What `request` wants to hear of goes to the client. All but `id` must live as long as this.
-  Narrator(wire::Id id, const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor);
+  /// What `request` wants to hear of is told. All but `tell` must live as long as this.
+  Narrator(const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor, Tell tell);
 
   void began(const run::Beginning& beginning) override;
   void sampled(const run::Sample& sample) override;
@@ -36,12 +40,11 @@ class Narrator final : public run::Listener {
   bool in_span(SimTime t) const;
   template <typename Event>
   void detail(Event event);
-  void send(wire::Event event);
 
-  wire::Id id_;
   const wire::RunRequest& request_;
   const BoardSpec& board_;
   exec::Executor& executor_;
+  Tell tell_;
   std::string line_;
   std::optional<wire::RunColumns> columns_;
 };

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstring>
 #include <new>
-#include <numeric>
 #include <sstream>
 
 #include "hal/board/board_spec.h"
@@ -27,9 +26,9 @@
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
-#include "sim/runner/narrator.h"
 #include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
+#include "sim/runner/requested_run.h"
 #include "sim/wire/protocol.h"
 
 namespace robosim::runner {
@@ -58,28 +57,6 @@ void start_watchdog() {
   const timeval every{kLongestTick_s, 0};
   const itimerval timer{every, every};
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
-}
-
-/// What the run rests on.
-struct Inputs {
-  std::string map_sha256, robot_sha256, image_sha256;
-};
-
-Inputs inputs_of(const wire::RunRequest& request, const robot::Description& robot) {
-  return {grid::sha256_of_map(request.map), robot.sha256, known_sha256(request.image)};
-}
-
-// The outcome, together with what it rests on.
-wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
-                          const Inputs& inputs) {
-  wire::RunResult result = to_wire(outcome);
-  result.for_s = static_cast<double>(request.for_ns) * 1e-9;
-  result.seed = request.seed;
-  result.profile = to_string(profile_of(request.profile));
-  result.map_sha256 = inputs.map_sha256;
-  result.robot_sha256 = inputs.robot_sha256;
-  result.image_sha256 = inputs.image_sha256;
-  return result;
 }
 
 // Offsets in hexadecimal, with blanks between them.
@@ -122,55 +99,29 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, const Relay* relay) {
-  const grid::Map map = grid::read_map(request.map);
-  const robot::Description robot = robot::load_description(request.robot);
-  const std::unique_ptr<exec::Executor> executor = factory.make(*robot.board, request.image);
-
-  if (request.clock_ns > 0) executor->set_clock_start(request.clock_ns);
-
-  if (!request.counters.empty()) executor->count_lines();
-
+  RequestedRun run(factory.make, request,
+                   [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); });
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
-    executor->debug_with(*debugger);
+    run.executor().debug_with(*debugger);
   }
-
-  run::Setup setup;
-  setup.map = &map;
-  run::AgentSetup& agent = setup.agents.emplace_back();
-  agent.robot = &robot;
-  agent.executor = executor.get();
-  if (!request.start.empty()) agent.start = grid::parse_start(map, request.start);
-  if (!request.goal.empty()) agent.goal = judge::parse_goal(request.goal);
-  agent.scenario = scenario::parse_scenario(request.script, request.script_file);
-  setup.limit = request.for_ns;
-  setup.seed = request.seed;
-  setup.profile = profile_of(request.profile);
-  setup.samples_every = std::gcd(request.samples_every_ns, request.columns_every_ns);
-  setup.interrupted = &interrupted;
-  setup.reached = relay ? &relay->reached() : &reached;
+  run.setup().interrupted = &interrupted;
+  run.setup().reached = relay ? &relay->reached() : &reached;
   if (!debugger && !relay) start_watchdog();  // nor is a chip ever caught inside a tick
 
-  if (request.source_ns) executor->trace_bytes(request.source_ns->first, request.source_ns->second);
-  Narrator narrator(id, request, *robot.board, *executor);
-  agent.listener = &narrator;
-  RemoteController controller(id, request.script_file, interrupted,
-                              [&](SimTime t) { narrator.flush_serial(t); });
-  if (request.interactive) setup.controller = &controller;
-  const Inputs inputs = inputs_of(request, robot);
+  RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush_serial(t); });
+  if (request.interactive) run.setup().controller = &controller;
   if (relay) {
-    factory.prepare_for_confinement(*executor, [relay](const auto&, const auto& offsets) {
+    factory.prepare_for_confinement(run.executor(), [relay](const auto&, const auto& offsets) {
       return relay->ask(kAskLines, text_of(offsets));
     });
     if (exec::why_not_confined().empty()) relay->confine();
   }
-  const judge::Outcome outcome = run::simulate(setup).front();
-  narrator.flush_serial(outcome.time);
-  narrator.flush_columns();
-  if (!request.counters.empty()) keep_counters(request, pack(executor->counters()), relay);
-  if (debugger) debugger->ended(static_cast<int>(judge::exit_status(outcome.verdict)));
-  return result_of(outcome, request, inputs);
+  wire::RunResult result = run.go();
+  if (!request.counters.empty()) keep_counters(request, pack(run.executor().counters()), relay);
+  if (debugger) debugger->ended(result.status);
+  return result;
 }
 
 // The answer that `serve` gives, or what went wrong with it.
