@@ -1,7 +1,6 @@
 #include "sim/run/stop_conditions.h"
 
 #include <fmt/format.h>
-#include <re2/re2.h>
 
 #include <algorithm>
 
@@ -12,19 +11,6 @@ namespace {
 
 constexpr double kReadingOn = 0.5;
 constexpr std::size_t kLongestLine = 1000;  // bytes
-
-// Firmware sends bytes, whatever they mean.
-std::shared_ptr<const re2::RE2> pattern_of(const std::string& text) {
-  re2::RE2::Options options;
-  options.set_encoding(re2::RE2::Options::EncodingLatin1);
-  options.set_log_errors(false);
-  auto pattern = std::make_shared<const re2::RE2>(text, options);
-  if (pattern->ok()) return pattern;
-  throw InputError(fmt::format(
-      "\"{}\" is no regular expression of those that take no more time than there is text (ECMAScript's "
-      "without lookahead and references back): {}",
-      text, pattern->error()));
-}
 
 bool matches(const PinDrive& drive, bool level) {
   return drive.mode == PinMode::output && (drive.duty > 0.0) == level;
@@ -72,7 +58,7 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
                                    names.empty() ? "it has none" : "those are " + one_of(names)));
     }
     case Stop::Kind::line:
-      watch.line = pattern_of(stop.text);
+      watch.line = LinePattern(stop.text);
       break;
     case Stop::Kind::event: {
       const std::vector<std::string>& kinds = wire::event_kinds();
@@ -137,7 +123,7 @@ bool StopConditions::says_line(Watch& watch) const {
     std::string line = scene_.serial.substr(watch.searched, std::min(end - watch.searched, kLongestLine));
     if (!line.empty() && line.back() == '\r') line.pop_back();
     watch.searched = end + 1;
-    if (re2::RE2::PartialMatch(line, *watch.line)) return true;
+    if (watch.line->is_in(line)) return true;
   }
 }
 

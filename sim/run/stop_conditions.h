@@ -1,19 +1,16 @@
 // Watches for the stops of a leg that are about one agent (step_controller.h).
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/board/robot_port.h"
 #include "sim/judge/goal.h"
 #include "sim/robot/robot.h"
+#include "sim/run/line_pattern.h"
 #include "sim/run/step_controller.h"
 #include "sim/world/world.h"
-
-namespace re2 {
-class RE2;
-}
 
 namespace robosim::run {
 
@@ -47,8 +44,8 @@ class StopConditions {
     int number = 0;           ///< in the leg
     std::size_t station = 0;  ///< index into Progress::stations()
     Pin pin = kNoPin;
-    std::shared_ptr<const re2::RE2> line;  ///< takes time in proportion to what it looks at
-    std::size_t searched = 0;              ///< bytes of the serial text that are done with
+    std::optional<LinePattern> line;
+    std::size_t searched = 0;  ///< bytes of the serial text that are done with
     SimTime rest_since = 0;
     bool met = false;
   };
