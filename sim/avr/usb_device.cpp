@@ -89,8 +89,8 @@ std::uint8_t UsbDevice::endpoints_with_request() const {
 }
 
 std::uint64_t UsbDevice::may_interrupt() const {
-  const bool endpoints =
-      std::ranges::any_of(state_.endpoints, [](const Endpoint& e) { return e.enables != 0; });
+  const bool endpoints = std::any_of(std::begin(state_.endpoints), std::end(state_.endpoints),
+                                     [](const Endpoint& e) { return e.enables != 0; });
   return Interrupts::bit(core_.chip.usb.vector, core_.cpu.data[at(kUdien)] != 0) |
          Interrupts::bit(core_.chip.usb.vector + 1, endpoints);
 }

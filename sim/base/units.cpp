@@ -1,11 +1,11 @@
 #include "sim/base/units.h"
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/base/leading_number.h"
 
 namespace robosim {
 namespace {
@@ -75,10 +75,9 @@ struct Split {
 std::optional<Split> split(std::string_view text) {
   text = trim(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-  return Split{number, trim(text.substr(static_cast<std::size_t>(end - text.data())))};
+  const auto number = leading_number(text);
+  if (!number) return std::nullopt;
+  return Split{number->value, trim(text.substr(number->length))};
 }
 
 }  // namespace

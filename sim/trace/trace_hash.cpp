@@ -5,6 +5,7 @@
 #include <xxhash.h>
 
 #include <bit>
+#include <cstring>
 
 namespace robosim::trace {
 
@@ -18,6 +19,14 @@ namespace {
 // Tags keep records of different kinds apart. A pose needs none: it comes once a tick.
 constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
 constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
+
+std::uint64_t bits_of(double value) {
+  std::uint64_t bits = 0;
+  static_assert(sizeof bits == sizeof value);
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
 }  // namespace
 
 TraceHash::TraceHash() : state_(std::make_unique<State>()) { XXH3_64bits_reset(&state_->hash); }
@@ -33,17 +42,17 @@ TraceHash& TraceHash::operator=(const TraceHash& other) {
 TraceHash::~TraceHash() = default;
 
 void TraceHash::pose(const Pose& pose) {
-  word(std::bit_cast<std::uint64_t>(pose.position.x));
-  word(std::bit_cast<std::uint64_t>(pose.position.y));
-  word(std::bit_cast<std::uint64_t>(pose.heading.x));
-  word(std::bit_cast<std::uint64_t>(pose.heading.y));
+  word(bits_of(pose.position.x));
+  word(bits_of(pose.position.y));
+  word(bits_of(pose.heading.x));
+  word(bits_of(pose.heading.y));
 }
 
 void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
   word(kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
        static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm));
   word(static_cast<std::uint64_t>(t));
-  word(std::bit_cast<std::uint64_t>(drive.duty));
+  word(bits_of(drive.duty));
   word(drive.tone_hz);
 }
 

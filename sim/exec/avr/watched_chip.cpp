@@ -146,8 +146,19 @@ void WatchedChip::was_reset() {
 
 // --- traps
 
+namespace {
+
+// In the order of their places.
+template <class Traps>
+auto first_from(Traps& traps, std::uint32_t pc) {
+  return std::lower_bound(traps.begin(), traps.end(), pc,
+                          [](const auto& trap, std::uint32_t place) { return trap.pc < place; });
+}
+
+}  // namespace
+
 std::vector<WatchedChip::TrapPlace>::iterator WatchedChip::trap_from(std::uint32_t pc) {
-  return std::ranges::lower_bound(state_.traps, pc, {}, &TrapPlace::pc);
+  return first_from(state_.traps, pc);
 }
 
 void WatchedChip::set_trap(Trap trap, std::uint32_t pc) {
@@ -167,7 +178,7 @@ void WatchedChip::clear_trap(Trap trap, std::uint32_t pc) {
 }
 
 unsigned WatchedChip::traps_at(std::uint32_t pc) const {
-  const auto place = std::ranges::lower_bound(state_.traps, pc, {}, &TrapPlace::pc);
+  const auto place = first_from(state_.traps, pc);
   return place != state_.traps.end() && place->pc == pc ? place->traps : 0;
 }
 

@@ -6,7 +6,7 @@ namespace robosim::exec {
 
 ChipExecutor::ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> firmware)
     : board_(spec), firmware_(std::move(firmware)) {
-  std::ranges::copy(firmware_->eeprom(), board_.memory().begin());
+  std::copy(firmware_->eeprom().begin(), firmware_->eeprom().end(), board_.memory().begin());
 }
 
 void ChipExecutor::power_on(SimTime t) {

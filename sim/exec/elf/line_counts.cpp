@@ -7,24 +7,30 @@
 #include <utility>
 
 namespace robosim::exec {
+namespace {
+
+bool lies_before(const LineCounts::Begin& begin, std::uint32_t address) { return begin.address < address; }
+
+}  // namespace
 
 LineCounts::LineCounts(const DebugInfo& debug) : lines_(debug.lines()) {
   for (const DebugInfo::CodeLine& line : lines_) begins_.push_back({line.address, 0});
-  std::ranges::sort(begins_, {}, &Begin::address);
+  std::sort(begins_.begin(), begins_.end(),
+            [](const Begin& a, const Begin& b) { return a.address < b.address; });
   const auto twice = std::unique(begins_.begin(), begins_.end(),
                                  [](const Begin& a, const Begin& b) { return a.address == b.address; });
   begins_.erase(twice, begins_.end());
 }
 
 void LineCounts::ran(std::uint32_t address, std::uint64_t times) {
-  const auto at = std::ranges::lower_bound(begins_, address, {}, &Begin::address);
+  const auto at = std::lower_bound(begins_.begin(), begins_.end(), address, lies_before);
   if (at != begins_.end() && at->address == address) at->count += times;
 }
 
 std::string LineCounts::text() const {
   std::map<std::pair<std::string, int>, std::uint64_t> counts;
   for (const DebugInfo::CodeLine& line : lines_) {
-    const auto at = std::ranges::lower_bound(begins_, line.address, {}, &Begin::address);
+    const auto at = std::lower_bound(begins_.begin(), begins_.end(), line.address, lies_before);
     std::uint64_t& count = counts[{line.file, line.line}];
     count = std::max(count, at->count);
   }
