@@ -4,7 +4,6 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/file.h"
 #include "sim/grid/floor_image.h"
-#include "sim/record/compressed.h"
 #include "sim/record/recording.h"
 #include "sim/wire/json_writer.h"
 
@@ -81,7 +80,7 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
   serial_text_ += serial.text;
 }
 
-std::string Gatherer::encoded(const wire::RunResult& result) {
+std::string Gatherer::content(const wire::RunResult& result) {
   header_.result = result;
   header_.result.serial.clear();  // it is in the stream, with its times
   header_.thinned_ns = thinned_ ? kThinned_ns : 0;
@@ -96,8 +95,7 @@ std::string Gatherer::encoded(const wire::RunResult& result) {
     info.columns.push_back({"text", 1.0, 0, static_cast<std::int64_t>(serial_text_.size())});
     body += serial_text_;
   }
-  const std::string head = wire::text_of(wire::to_json(header_)) + "\n";
-  return kRecordingMagic + deflated(head + body);
+  return wire::text_of(wire::to_json(header_)) + "\n" + body;
 }
 
 }  // namespace robosim::record

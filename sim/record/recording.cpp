@@ -19,6 +19,10 @@ constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
 
 }  // namespace
 
+std::string Gatherer::encoded(const wire::RunResult& result) {
+  return kRecordingMagic + deflated(content(result));
+}
+
 Recording Recording::read(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::string content = read_file(file);

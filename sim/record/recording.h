@@ -17,7 +17,7 @@
 
 namespace robosim::record {
 
-/// Gathers a run; encoded() is the recording.
+/// Gathers a run; encoded() is the recording, and content() what is compressed in it.
 class Gatherer {
  public:
   /// More bytes of changes are thinned, and more text of the serial line is left out.
@@ -29,6 +29,7 @@ class Gatherer {
       : most_changes_bytes_(most_changes_bytes) {}
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
+  std::string content(const wire::RunResult& result);
   std::string encoded(const wire::RunResult& result);
 
  private:
