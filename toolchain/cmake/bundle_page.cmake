@@ -1,6 +1,7 @@
 # cmake -DFOLDER=sim/page -DOUT=page_text.cpp -P bundle_page.cmake
 #
-# Makes one file of the page: style.css and the modules are put into page.html, and that into a C++ source. A module
+# Makes one file of the page: style.css and the modules are put into page.html, and that into a C++ source, unless OUT
+# is an .html itself. A module
 # may import from those before it in the list, by name; all modules share one scope then, so that no name at a module's
 # top may be there twice (a browser says so at once).
 set(modules recording run colours player view floor timeline charts pins lists main)
@@ -16,6 +17,11 @@ endforeach()
 file(READ ${FOLDER}/page.html page)
 string(REPLACE "/* style.css */" "${style}" page "${page}")
 string(REPLACE "/* modules */" "${script}" page "${page}")
+
+if(OUT MATCHES "\\.html$")
+  file(WRITE ${OUT} "${page}")
+  return()
+endif()
 
 # A literal a line: compilers have limits for one.
 string(REPLACE "\n" ")page~\" \"\\n\"\nR\"page~(" page "${page}")

@@ -1,0 +1,15 @@
+// Without libdw: no image has debug information, so that sentences name no lines of the sketch.
+#include "sim/exec/elf/debug_info.h"
+
+namespace robosim::exec {
+
+DebugInfo::DebugInfo(const std::filesystem::path&) {}
+DebugInfo::~DebugInfo() = default;
+
+std::vector<SourceLine> DebugInfo::frames(std::uint32_t) const { return {}; }
+DebugInfo::CodeOf DebugInfo::code_of(const std::string&) const { return {}; }
+std::vector<DebugInfo::CodeLine> DebugInfo::lines() const { return {}; }
+
+bool is_core_file(const std::string&) { return false; }
+
+}  // namespace robosim::exec

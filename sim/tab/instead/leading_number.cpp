@@ -1,0 +1,40 @@
+// Without std::from_chars for a double, which libc++ 13 does not have. strtod() of musl rounds as it does.
+#include "sim/base/leading_number.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace robosim {
+namespace {
+
+std::size_t digits_from(std::string_view text, std::size_t at) {
+  const std::size_t end = text.find_first_not_of("0123456789", at);
+  return (end == std::string_view::npos ? text.size() : end) - at;
+}
+
+/// Of `-1.5e3`; 0 if there is none.
+std::size_t length_of(std::string_view text) {
+  std::size_t at = text.starts_with('-') ? 1 : 0;
+  const std::size_t whole = digits_from(text, at);
+  at += whole;
+  const std::size_t fraction = at < text.size() && text[at] == '.' ? digits_from(text, at + 1) : 0;
+  if (whole + fraction == 0) return 0;
+  if (at < text.size() && text[at] == '.') at += 1 + fraction;
+  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return at;
+  const bool is_signed = at + 1 < text.size() && (text[at + 1] == '-' || text[at + 1] == '+');
+  const std::size_t begin = at + (is_signed ? 2 : 1), exponent = digits_from(text, begin);
+  return exponent > 0 ? begin + exponent : at;
+}
+
+}  // namespace
+
+std::optional<LeadingNumber> leading_number(std::string_view text) {
+  const std::string number(text.substr(0, length_of(text)));
+  if (number.empty()) return std::nullopt;
+  const double value = std::strtod(number.c_str(), nullptr);
+  if (!std::isfinite(value)) return std::nullopt;
+  return LeadingNumber{value, number.size()};
+}
+
+}  // namespace robosim

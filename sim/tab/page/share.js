@@ -1,0 +1,61 @@
+// A run in a link, or in a file: what is needed to make it again. What the folder holds itself is named; what is the
+// user's own is in it. Deflated: a line of JSON, then the bytes of the image, if it is the user's.
+
+import { flashOf, hexOf } from './image.js';
+
+export const MOST_LINK = 8192;  // characters of the fragment
+const MOST_UNPACKED = 4_000_000;
+const MAGIC = 'robosim.run/1\n';
+
+const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream));
+
+/** `wanted`: what the page asks for; of what is own { name, bytes }, else a name. `hash`: what came of it. Null: its image
+ *  has more than flash. */
+export async function packed({ sketch, robot, map, ...more }, hash) {
+  const text = (own) => typeof own === 'string' ? own : { name: own.name, text: new TextDecoder().decode(own.bytes) };
+  const image = typeof sketch === 'string' ? new Uint8Array() : flashOf(sketch.name, sketch.bytes);
+  if (!image) return null;
+  const head = { ...more, hash, sketch: sketch.name ?? sketch, own: sketch !== (sketch.name ?? sketch), robot: text(robot), map: text(map) };
+  const content = new Blob([JSON.stringify(head), '\n', image]);
+  return new Uint8Array(await through(await content.arrayBuffer(), new CompressionStream('deflate-raw')).arrayBuffer());
+}
+
+/** What packed() was given. Throws an Error with a sentence. */
+export async function unpacked(bytes) {
+  const pieces = [];
+  let size = 0;
+  try {
+    const reader = through(bytes, new DecompressionStream('deflate-raw')).body.getReader();
+    for (let piece; !(piece = await reader.read()).done && size <= MOST_UNPACKED; size += piece.value.length) pieces.push(piece.value);
+    if (size > MOST_UNPACKED) throw new Error('too much');
+    const content = new Uint8Array(await new Blob(pieces).arrayBuffer());
+    const end = content.indexOf(10);
+    const { sketch, own, robot, map, ...more } = JSON.parse(new TextDecoder().decode(content.subarray(0, end)));
+    const encoded = (part) => typeof part === 'string' ? part : { name: part.name, bytes: new TextEncoder().encode(part.text) };
+    const image = own && { name: `${sketch.replace(/\.\w+$/, '')}.hex`, bytes: new TextEncoder().encode(hexOf(content.subarray(end + 1))) };
+    return { ...more, sketch: image || sketch, robot: encoded(robot), map: encoded(map) };
+  } catch {
+    throw new Error('This shared run is damaged or cut off: ask for it again, as a file.');
+  }
+}
+
+export function toLink(bytes) {
+  const base64 = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  return base64.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+export function ofLink(text) {
+  try {
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+  } catch {
+    return new Uint8Array();
+  }
+}
+
+export const toFile = (bytes) => new Blob([MAGIC, bytes]);
+
+/** Null: it is no such file. */
+export function ofFile(bytes) {
+  const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length)) === MAGIC;
+  return begins ? bytes.subarray(MAGIC.length) : null;
+}
