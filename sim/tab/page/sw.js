@@ -6,7 +6,7 @@ const MINE = `robosim ${registration.scope} `, NAME = MINE + CONTENT;
 
 async function keep() {
   const cache = await caches.open(NAME);
-  await cache.addAll(FILES.map((file) => new Request(file, { cache: 'reload' })));
+  await cache.addAll(FILES.map((file) => new Request(file, { cache: 'no-cache' })));
   await skipWaiting();
 }
 

@@ -115,6 +115,7 @@ function connectDrops(target) {
 function complain(sentence) {
   $('said').textContent = sentence;
   $('said').hidden = !sentence;
+  if (sentence) $('said').scrollIntoView({ block: 'nearest' });
 }
 
 const encoded = (text) => new TextEncoder().encode(text);
@@ -143,7 +144,9 @@ function requestOf(wanted) {
 function newWorker() {
   worker?.terminate();
   worker = new Worker('worker.js');
-  worker.postMessage({ robots: robotTexts() });
+  // Browsers compile what has run for a while once more, and better: the first run finds it done.
+  const first = { sketch: 'PidFollower', robot: 'uno5', map: 'oval', seed: 1, seconds: 3, profile: 'typical', goal: '', script: '' };
+  worker.postMessage({ robots: robotTexts(), ...requestOf(first), silent: true });
 }
 
 const robotTexts = () => Object.fromEntries(Object.entries(stock.robots).map(([name, { toml }]) => [name, toml]));

@@ -10,17 +10,18 @@ async function rec(content) {
   return new Uint8Array(await new Blob([MAGIC, packed]).arrayBuffer());
 }
 
-let bench;
+let bench, hear;  // who hears of the run that is under way
 
-onmessage = async ({ data: { robots, files, request } }) => {
+onmessage = async ({ data: { robots, files, request, silent } }) => {
+  const tell = silent ? () => {} : postMessage;
   try {
-    bench ??= await Bench.make(robots, { reached: (seconds) => postMessage({ reached: seconds }) });
-    if (!request) return;  // only to be ready
+    bench ??= await Bench.make(robots, { reached: (seconds) => hear({ reached: seconds }) });
+    hear = tell;
     const began = performance.now();
     const { result, error, recording } = bench.run(files, request);
     const took = (performance.now() - began) / 1000;
-    postMessage({ result, error, took, recording: recording && await rec(recording) });
+    tell({ result, error, took, recording: recording && await rec(recording) });
   } catch (error) {
-    postMessage({ error: { kind: 'internal', message: `The run was cut off: ${error.message}` } });
+    tell({ error: { kind: 'internal', message: `The run was cut off: ${error.message}` } });
   }
 };

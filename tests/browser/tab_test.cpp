@@ -1,0 +1,121 @@
+// The bench in a tab (docs/tab.md), served by a plain file server and without one.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/browser/driver.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Json = nlohmann::json;
+
+// Helpers of the page's tests: a file given to the page, and a run until something is said or shown.
+constexpr const char* kTab = R"(
+  const shown = () => $('replay').contentWindow?.robosim;
+  const give = async (name, content) => {
+    const files = new DataTransfer();
+    files.items.add(new File([content], name));
+    $('files').files = files.files;
+    $('files').dispatchEvent(new Event('change'));
+    await until(() => [...document.querySelectorAll('option')].some((option) => option.text === name));
+  };
+  const run = async () => {
+    const before = $('replay').src;
+    $('run').click();
+    await until(() => $('said').textContent || ($('replay').src !== before && shown()));
+    return { said: $('said').textContent, hash: $('hash').textContent };
+  };
+  await until(() => document.documentElement.dataset.ready);
+  const stock = await (await fetch('stock.json')).json();
+)";
+
+class Tab : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string missing;
+    if (!std::filesystem::exists("/usr/bin/chromedriver"))
+      missing = "chromedriver is missing: sudo apt install chromium-driver";
+    else if (!std::filesystem::exists(ROBOSIM_TAB "/sw.js"))
+      missing = "the tab is not built: cmake --preset tab && cmake --build --preset tab";
+    if (!missing.empty()) {
+      const char* required = std::getenv("ROBOSIM_REQUIRE");
+      if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
+      GTEST_SKIP() << missing;
+    }
+    server_.emplace(
+        std::vector<std::string>{"/usr/bin/python3", "-u", "-m", "http.server", "0", "--bind", "127.0.0.1",
+                                 "--directory", std::filesystem::path(ROBOSIM_TAB).parent_path().string()},
+        "port ");
+    driver_.emplace();
+    open();
+  }
+  void open(const std::string& where = "") {
+    driver_->open("http://127.0.0.1:" + server_->where() + "/tab/" + where);
+  }
+  Json in_page(const std::string& body) { return driver_->run(kTab + body); }
+
+  std::optional<Started> server_;
+  std::optional<Driver> driver_;
+};
+
+TEST_F(Tab, RunsAnImageAsTheCommandDoesAndWithoutANetworkToo) {
+  const Folder folder;
+  ASSERT_EQ(
+      robosim_command({"build", "PidFollower", "--target", "avr", "--out", folder.path().string()}).status,
+      0);
+  const std::string hex = (folder / "PidFollower.hex").string();
+  const Json native = Json::parse(robosim_command({"run", hex, "--map", "tight", "--json"}).out);
+  const std::string steps = "await give('own.hex', " + Json(read_file(hex)).dump() +
+                            "); $('map').value = 'tight'; return await run();";
+
+  EXPECT_EQ(in_page(steps)["hash"], native["trace_hash"]);
+  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "tab.png");
+
+  in_page("await navigator.serviceWorker.ready; return 0;");
+  server_->end();
+  open();
+  EXPECT_EQ(in_page(steps)["hash"], native["trace_hash"]) << "offline";
+}
+
+TEST_F(Tab, PassesARunOnInALink) {
+  const Json sent = in_page(R"(
+    await give('own.hex', stock.sketches.PidFollower.hex);
+    await give('own.map', stock.maps.tight.replace('tight', 'own'));
+    $('seed').value = 7;
+    const { hash } = await run();
+    $('share').click();
+    await until(() => location.hash);
+    return { hash, link: location.hash };)");
+  ASSERT_LE(sent["link"].get<std::string>().size(), 8192u);
+  driver_->open("about:blank");
+  open(sent["link"].get<std::string>());
+  const Json got = in_page(R"(
+    await until(() => $('equal').textContent);
+    return { equal: $('equal').textContent, hash: $('hash').textContent, seed: $('seed').value };)");
+  EXPECT_THAT(got["equal"].get<std::string>(), HasSubstr("equal to the shared run"));
+  EXPECT_EQ(got["hash"], sent["hash"]);
+  EXPECT_EQ(got["seed"], "7");
+}
+
+TEST_F(Tab, SaysWhatIsWrongWithAFile) {
+  const Json said = in_page(R"(
+    const all = [];
+    for (const [name, content, kind, good] of [
+      ['own.map', '####\n#S?#\n####\n', 'map', 'oval'], ['own.toml', 'board = "unoo"\n', 'robot', 'uno5'],
+      ['own.hex', ':10zz\n', 'sketch', 'PidFollower'], ['own.elf', 'no program', 'sketch', 'PidFollower']]) {
+      await give(name, content);
+      all.push((await run()).said);
+      $(kind).value = good;
+    }
+    return all;)");
+  EXPECT_THAT(said[0].get<std::string>(), StartsWith("own.map:2:3: found `?`"));
+  EXPECT_THAT(said[1].get<std::string>(), HasSubstr("own.toml:1:9: "));
+  EXPECT_EQ(said[2], "own.hex:1: is no line of an Intel HEX file");
+  EXPECT_EQ(said[3], "own.elf: is no ELF file");
+}
+
+}  // namespace
+}  // namespace robosim::test
