@@ -68,6 +68,7 @@ Command parse_run(const Words& words) {
   options.flag("--untrusted", run.untrusted, kUntrusted);
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
+  options.flag("--live", run.live, "for programs: play, pause, step, act, by JSON lines (docs/serving.md)");
   options.flag("--serial", run.serial, "print what the sketch sends, and the result to standard error");
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
@@ -78,8 +79,8 @@ Command parse_run(const Words& words) {
   if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
   check_profile(run.request.profile);
-  if (run.view + run.json + run.serial > 1)
-    throw InputError("--view, --json and --serial want the standard output; give one of them");
+  if (run.view + run.json + run.serial + run.live > 1)
+    throw InputError("--view, --live, --json and --serial want the standard output; give one of them");
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
   return run;
 }

@@ -22,6 +22,7 @@ struct RunArguments : launch::Launch {
   bool chip_only = false;           ///< no target named is that of the robot's board, not the host
   bool view = false;
   double speed = 1.0;   ///< of the view: simulated seconds a wall second; 0 = as fast as possible
+  bool live = false;    ///< driven by requests on the standard input (run/live.h)
   bool serial = false;  ///< the standard output is the sketch's serial text
   bool json = false;
   bool timing = false;

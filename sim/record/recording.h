@@ -29,6 +29,8 @@ class Gatherer {
       : most_changes_bytes_(most_changes_bytes) {}
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
+  /// As far as it is known: without result and streams until encoded().
+  const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
   std::string encoded(const wire::RunResult& result);
 

@@ -53,8 +53,7 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
 
 wire::RunResult RequestedRun::go() {
   const judge::Outcome outcome = run::simulate(setup_).front();
-  narrator_.flush_serial(outcome.time);
-  narrator_.flush_columns();
+  flush(outcome.time);
   return result_of(outcome, request_, inputs_);
 }
 

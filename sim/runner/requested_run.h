@@ -38,8 +38,11 @@ class RequestedRun {
   exec::Executor& executor() { return *executor_; }
   /// For what the request does not say: who may interrupt it, who drives it.
   run::Setup& setup() { return setup_; }
-  /// Tells what the sketch has sent of a line.
-  void flush_serial(SimTime t) { narrator_.flush_serial(t); }
+  /// Tells what is held back: what the sketch has sent of a line; the columns.
+  void flush(SimTime t) {
+    narrator_.flush_serial(t);
+    narrator_.flush_columns();
+  }
 
   /// To its end; once. Reads no more files.
   wire::RunResult go();

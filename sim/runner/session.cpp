@@ -110,7 +110,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   run.setup().reached = relay ? &relay->reached() : &reached;
   if (!debugger && !relay) start_watchdog();  // nor is a chip ever caught inside a tick
 
-  RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush_serial(t); });
+  RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
   if (relay) {
     factory.prepare_for_confinement(run.executor(), [relay](const auto&, const auto& offsets) {

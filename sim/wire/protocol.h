@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "sim/wire/live.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::wire {
@@ -30,6 +31,8 @@ class Unstoppable : public RunnerError {
 std::string to_line(long long id, const Request& request);
 /// To a run that stands still.
 std::string to_line(long long id, const DrivenRequest& request);
+/// To a run that goes along with the wall clock.
+std::string to_line(long long id, const LiveRequest& request);
 
 /// One line of a runner.
 struct Line {
@@ -60,6 +63,7 @@ struct Asked {
 
 Asked<Request> parse_request(std::string_view text);
 Asked<DrivenRequest> parse_driven_request(std::string_view text);
+Asked<LiveRequest> parse_live_request(std::string_view text);
 
 std::string to_line(const Id& id, const Answer& answer);
 

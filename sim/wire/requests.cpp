@@ -88,10 +88,14 @@ Asked<Any> parse(std::string_view text, const char* who) {
 
 std::string to_line(long long id, const Request& request) { return line_of(id, request); }
 std::string to_line(long long id, const DrivenRequest& request) { return line_of(id, request); }
+std::string to_line(long long id, const LiveRequest& request) { return line_of(id, request); }
 
 Asked<Request> parse_request(std::string_view text) { return parse<Request>(text, "a runner"); }
 Asked<DrivenRequest> parse_driven_request(std::string_view text) {
   return parse<DrivenRequest>(text, "a run that stands still");
+}
+Asked<LiveRequest> parse_live_request(std::string_view text) {
+  return parse<LiveRequest>(text, "a run that is watched");
 }
 
 }  // namespace robosim::wire

@@ -21,6 +21,7 @@
 #include "sim/cli/output.h"
 #include "sim/cli/run/coverage.h"
 #include "sim/cli/run/debugger.h"
+#include "sim/cli/run/live.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
 #include "sim/client/interrupts.h"
@@ -46,7 +47,7 @@ double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 /// How often samples are needed, as a multiple of 1 ms; 0 = not at all.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.view) return tui::kViewEvery_ns;
-  if (arguments.json && !progress) return 0;
+  if (arguments.live || (arguments.json && !progress)) return 0;
   return tui::trail_every_ns(arguments.request.for_ns);
 }
 
@@ -130,10 +131,12 @@ class Listeners {
 };
 
 /// Runs, in the live view if asked for.
-wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run, const RunArguments& arguments,
+wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
+                         const record::RecordedRun& recorded, const RunArguments& arguments,
                          Listeners& listeners) {
   const client::Interrupts interrupts(runner);
   const auto on_event = [&](const wire::Event& event) { listeners.on_event(event); };
+  if (arguments.live) return run_live(runner, recorded, on_event);
   if (!arguments.view) return runner.run(run.request, on_event);
 
   runner.keep_close();
@@ -171,11 +174,12 @@ int run_command(const RunArguments& arguments) {
     launch.count_lines = true;
     launch.request.counters = counters->path().string();
   }
-  tui::Progress progress(!arguments.view && !arguments.serial);
+  tui::Progress progress(!arguments.view && !arguments.live && !arguments.serial);
   launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
+  if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress));
@@ -186,15 +190,16 @@ int run_command(const RunArguments& arguments) {
   const bool is_built = run.sketch.elf_target.empty();
   const std::string sketch = launch::title_of(run.sketch);
 
-  recorders.begin({runner.hello().version, sketch, run.map.name, run.robot.name, run.target, run.robot_info,
-                   run.request});
+  const record::RecordedRun recorded{
+      runner.hello().version, sketch, run.map.name, run.robot.name, run.target, run.robot_info, run.request};
+  recorders.begin(recorded);
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
   if (run.request.gdb_port > 0)
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));
   const double began_s = wall_now_s();
-  wire::RunResult result = simulate(runner, run, arguments, listeners);
+  wire::RunResult result = simulate(runner, run, recorded, arguments, listeners);
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
@@ -207,7 +212,7 @@ int run_command(const RunArguments& arguments) {
   }
   std::optional<Finding> finding;
   std::string next = next_of(result);
-  if (is_built && deserves_second_look(run.wanted, result)) {
+  if (!arguments.live && is_built && deserves_second_look(run.wanted, result)) {
     progress.say("running " + sketch + " again, with checks …");
     finding = look_again(runner, run.request, run.wanted, result);
     progress.clear();
@@ -220,7 +225,7 @@ int run_command(const RunArguments& arguments) {
   };
   if (arguments.json) {
     print(json(wall_s));
-  } else {
+  } else if (!arguments.live) {
     const auto size = tui::terminal_size(STDOUT_FILENO);
     const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
     const auto drawn = map_to_draw(run.map.path);

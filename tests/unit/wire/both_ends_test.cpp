@@ -212,6 +212,8 @@ TEST_F(BothEnds, AgreeOnEveryRequest) {
            [&]<class T>(const T*) { expect_same_requests<Request, T>(parse_request); });
   for_each(static_cast<const DrivenRequest*>(nullptr),
            [&]<class T>(const T*) { expect_same_requests<DrivenRequest, T>(parse_driven_request); });
+  for_each(static_cast<const LiveRequest*>(nullptr),
+           [&]<class T>(const T*) { expect_same_requests<LiveRequest, T>(parse_live_request); });
 }
 
 TEST_F(BothEnds, AnAnswerRepeatsTheNumberOfItsRequestAsItWas) {

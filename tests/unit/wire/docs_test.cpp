@@ -8,6 +8,7 @@
 
 #include "sim/base/file.h"
 #include "sim/wire/json_writer.h"
+#include "sim/wire/live.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::wire {
@@ -125,6 +126,8 @@ std::vector<Table> tables() {
           table<Act>("script", true),
           table<GoOn>("continue", true),
           table<Stop>("stop", true),
+          table<Play>("play", true),
+          table<StepOn>("step", true),
           table<Hello>("hello"),
           table<ErrorAnswer>("error"),
           table<RobotInfo>("robot"),

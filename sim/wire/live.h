@@ -1,0 +1,43 @@
+// A run that goes along with the wall clock (`robosim run --live`): what it is asked, at any time. It answers
+// as a run that is driven step by step does (driven.h).
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "sim/wire/driven.h"
+
+namespace robosim::wire {
+
+/// Goes on, until it is told otherwise.
+struct Play {
+  static constexpr const char* kDo = "play";
+  double speed = 1.0;
+};
+
+template <class V>
+void fields(V& v, Same<V, Play>& p) {
+  v("speed", p.speed, "simulated seconds a second; 0 = as fast as possible", {.presence = kOptional});
+}
+
+/// Stands still.
+struct Pause {
+  static constexpr const char* kDo = "pause";
+};
+template <class V>
+void fields(V&, Same<V, Pause>&) {}
+
+/// Goes on for so long, and stands still again.
+struct StepOn {
+  static constexpr const char* kDo = "step";
+  std::int64_t ms = 1;
+};
+
+template <class V>
+void fields(V& v, Same<V, StepOn>& s) {
+  v("ms", s.ms, "simulated time", {.unit = "ms", .presence = kOptional, .least = 1, .most = 3'600'000});
+}
+
+using LiveRequest = std::variant<Play, Pause, StepOn, Act, End>;
+
+}  // namespace robosim::wire
