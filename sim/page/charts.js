@@ -151,7 +151,12 @@ export class Chart {
     box.append(legend);
     parent.append(box);
     this.track = new Track(box, span, 84, `${title} over time`);
-    const values = [...signals, ...others].map((s) => s.values);
+    this.measure();
+  }
+
+  /** What is the least and the most. */
+  measure() {
+    const values = [...this.signals, ...this.others].map((s) => s.values);
     this.least = Math.min(0, ...values.map((v) => v.reduce((a, b) => Math.min(a, b), 0)));
     this.most = Math.max(this.least + 1e-6, ...values.map((v) => v.reduce((a, b) => Math.max(a, b), 0)));
   }
@@ -224,7 +229,7 @@ export class SensorStripes {
       let run = 0, colour = '';
       for (let px = 0; px <= width; px++) {
         const i = indexAt(t, this.span.from + (px + 0.5) / width * this.span.seconds);
-        const next = px === width ? '' : seen(Math.round(values[i] * 16) / 16);
+        const next = px === width || this.span.from + px / width * this.span.seconds > this.run.duration ? '' : seen(Math.round(values[i] * 16) / 16);
         if (next === colour) continue;
         ctx.fillStyle = colour;
         if (colour) ctx.fillRect(LEFT + run, y + 0.5, px - run, height - 1);

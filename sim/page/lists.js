@@ -8,17 +8,25 @@ const ROW_PX = 26;
 /** A list of any length: only the rows in sight are in the page. */
 export class TimedList {
   constructor(element, rows, player, nothing) {
-    Object.assign(this, { element, rows, player });
+    Object.assign(this, { element, rows, player, now: -2 });
     this.inner = document.createElement('div');
     this.inner.className = 'rows';
-    this.inner.style.height = `${rows.length * ROW_PX}px`;
-    element.append(rows.length ? this.inner : Object.assign(document.createElement('p'), { className: 'empty', textContent: nothing }));
+    this.nothing = Object.assign(document.createElement('p'), { className: 'empty', textContent: nothing });
+    this.grow();
     element.addEventListener('scroll', () => this.draw());
     element.addEventListener('click', (e) => {
       const row = e.target.closest('[data-row]');
       if (row) { player.pause(); player.seek(this.rows[row.dataset.row].t); }
     });
-    this.now = -2;
+  }
+
+  /** There may be more rows. */
+  grow() {
+    if (this.count === this.rows.length) return;
+    this.count = this.rows.length;
+    this.inner.style.height = `${this.count * ROW_PX}px`;
+    this.element.replaceChildren(this.count ? this.inner : this.nothing);
+    this.draw();
   }
 
   /** How many are not after the moment. */

@@ -4,6 +4,7 @@ import { Chart, SensorStripes, short, Span } from './charts.js';
 import { drawMark, GRADIENT, MARKS, seen } from './colours.js';
 import { areaOf, FloorPicture } from './floor.js';
 import { TimedList } from './lists.js';
+import { LiveFeed, LivePlayer, LiveRun } from './live.js';
 import { PinRow, Wiring } from './pins.js';
 import { Player, SPEEDS } from './player.js';
 import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
@@ -32,7 +33,7 @@ function uses(run) {
 class Page {
   constructor(run) {
     this.run = run;
-    this.player = new Player(run);
+    this.player = run.live ? new LivePlayer(run) : new Player(run);
     this.span = new Span(this.player);
     this.floor = new FloorPicture($('floor'), run, () => this.redraw());
     this.view = new View($('floor'), areaOf([run]), () => this.drawFloor());
@@ -64,7 +65,7 @@ class Page {
     $('title').textContent = header.sketch;
     $('subtitle').textContent = `${header.robot} on ${header.map} · goal ${result.goal} · seed ${result.seed} · ${result.profile} · ${header.target}`;
     const verdict = $('verdict');
-    verdict.replaceChildren(make('b', { textContent: `${result.status === 0 ? '✓' : '✗'} ${result.verdict}` }), result.why);
+    verdict.replaceChildren(make('b', { textContent: `${this.run.live ? '●' : result.status === 0 ? '✓' : '✗'} ${result.verdict}` }), result.why);
     verdict.classList.toggle('good', result.status === 0);
     verdict.hidden = false;
     $('timeline').setAttribute('aria-valuemax', this.run.duration.toFixed(3));
@@ -150,6 +151,8 @@ class Page {
     const { run, span } = this;
     const use = uses(run);
     const panel = $('pins');
+    panel.replaceChildren();
+    this.pins = [];
     if (run.thinned) panel.append(make('p', { className: 'note', textContent: `This run was long: of each pin only the last change in every ${1000 * run.thinned} ms is kept.` }));
     if (!run.pins.length) panel.append(make('p', { className: 'empty', textContent: 'no pin was used' }));
     for (const pin of run.pins) this.pins.push(new PinRow(panel, span, pin, use(pin.name)));
@@ -313,6 +316,15 @@ class Page {
     this.redraw();
   }
 
+  /** The run has gone on. */
+  grow() {
+    for (const chart of this.charts) chart.measure?.();
+    for (const list of [this.serial, this.events]) list.grow();
+    $('timeline').setAttribute('aria-valuemax', this.run.duration.toFixed(3));
+    this.timeline.draw();
+    this.drawTracks();
+  }
+
   /** The moment has changed. */
   move() {
     const { player, run, span } = this;
@@ -322,7 +334,7 @@ class Page {
     play.setAttribute('aria-label', player.playing ? 'pause' : 'play');
     $('speed').value = player.speed;
     this.showNow(player.t);
-    if (player.playing) $('happened').textContent = run.events.findLast((e) => e.t <= player.t)?.text ?? '';
+    if (player.playing || run.live) $('happened').textContent = run.events.findLast((e) => e.t <= player.t)?.text ?? '';
     span.follow();
     this.drawFloor();
     this.timeline.move();
@@ -350,11 +362,23 @@ function complain(error) {
   if (!known) throw error;
 }
 
+/** A page without a recording waits for whoever has opened it to show a run that goes on: robosimLive(recording, paused)
+ *  gives { page, feed }. */
+function awaitRun() {
+  $('subtitle').textContent = 'waiting for the run …';
+  window.robosimLive = (header, state) => {
+    const page = new Page(new LiveRun(header, state));
+    window.robosim = page;
+    return { page, feed: new LiveFeed(page) };
+  };
+}
+
 async function begin() {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   document.documentElement.dataset.theme = dark.matches ? 'dark' : 'light';
   try {
     if (typeof DecompressionStream === 'undefined') throw new BadFile('This browser is too old for the page: it needs Chromium 80, Firefox 113, Safari 16.4 or later.');
+    if (location.hash === '#live') return awaitRun();
     const page = new Page(runOf(await readRecording(bytesOfBase64($('recording').textContent))));
     dark.addEventListener('change', (e) => page.setTheme(e.matches ? 'dark' : 'light'));
     const { textContent: over, dataset } = $('over');

@@ -93,7 +93,7 @@ export class PinRow {
 /** Which part is on which pin, as a table: what the robot's file says, and what the sketch did there. */
 export class Wiring {
   constructor(panel, run, player) {
-    Object.assign(this, { panel, player, cells: [] });
+    Object.assign(this, { panel, run, player, cells: [] });
     const on = new Map(run.header.pins.map((pin) => [pin, []]));
     for (const { name, type, pins } of run.robot.parts)
       for (const [use, pin] of Object.entries(pins)) {
@@ -120,13 +120,14 @@ export class Wiring {
       const now = document.createElement('td');
       now.dataset.wire = pin;
       line.append(now);
-      this.cells.push({ now, tracks: run.pins.filter((track) => track.name === pin) });
+      this.cells.push({ now, pin });
     }
     panel.append(table);
   }
 
   move() {
     if (this.panel.hidden) return;
-    for (const { now, tracks } of this.cells) now.textContent = tracks.map((track) => pinText(track, this.player.t)).filter(Boolean).join(', ');
+    const tracks = (name) => this.run.pins.filter((pin) => pin.name === name);
+    for (const { now, pin } of this.cells) now.textContent = tracks(pin).map((track) => pinText(track, this.player.t)).filter(Boolean).join(', ');
   }
 }

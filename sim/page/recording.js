@@ -27,13 +27,14 @@ async function inflated(bytes) {
   }
 }
 
-/** Whole numbers, of which differences are kept in groups of seven bits (sim/wire/columns.h). */
-function column(bytes, at, { bytes: size, order, scale, name }, count) {
+/** Whole numbers, of which differences are kept in groups of seven bits (sim/wire/columns.h). `before`: where the numbers
+ *  before these have ended, and these will. */
+export function column(bytes, at, { bytes: size, order, scale, name }, count, before = { last: 0, change: 0 }) {
   const values = new Float64Array(count);
   const end = at + size;
   const bad = () => new BadFile(`The recording's column ${name} is damaged: record the run again.`);
   if (end > bytes.length) throw bad();
-  let last = 0, change = 0;
+  let { last, change } = before;
   for (let i = 0; i < count; i++) {
     if (at >= end) throw bad();
     let byte = bytes[at++], z = byte & 127;
@@ -48,6 +49,7 @@ function column(bytes, at, { bytes: size, order, scale, name }, count) {
     values[i] = last / scale;
   }
   if (at !== end) throw bad();
+  Object.assign(before, { last, change });
   return values;
 }
 

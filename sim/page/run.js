@@ -16,7 +16,7 @@ export function indexAt(times, t) {
 
 const seconds = (values, perSecond) => Float64Array.from(values, (t) => t / perSecond);
 
-const KIND = {
+export const KIND = {
   station_visited: 'landmark', lap_done: 'landmark', collision_began: 'collision', script_acted: 'script',
   fault_began: 'fault', fault_ended: 'fault', power_lost: 'fault', power_back: 'fault', part_told: 'told',
 };
@@ -90,7 +90,7 @@ export class Run {
 
 /** The graph that the sketch has told, as ours do while they scan: "found station 2", "found junction 1". A node is where
  *  the robot was then; an edge is what it has driven between two of them. { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
-function toldGraph(run) {
+export function toldGraph(run) {
   const nodes = [], edges = [];
   const { cell = 0, height = 0, junctions = [] } = run.floor ?? {};
   const places = [...run.started.stations.map(({ x, y }) => [(x + 0.5) * cell, height - (y + 0.5) * cell]), ...junctions];
@@ -167,7 +167,7 @@ export function runOf({ header, streams }) {
 }
 
 /** What a script has put in the way: { x, y, radius, from, to }. */
-function putBy(notes) {
+export function putBy(notes) {
   const all = [];
   for (const { verb, argument, disc, t_ns } of notes) {
     if (verb !== 'obstacle' && verb !== 'clear') continue;

@@ -8,5 +8,6 @@ namespace robosim::serve {
 std::string_view bench_html();
 std::string_view bench_css();
 std::string_view bench_js();
+std::string_view watch_js();
 
 }  // namespace robosim::serve

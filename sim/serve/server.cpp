@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/record/page_text.h"
 #include "sim/serve/bench_text.h"
 #include "sim/serve/folder.h"
 #include "sim/serve/guard.h"
@@ -20,7 +22,8 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
-constexpr std::size_t kThreads = 64;  // each waits for its client
+constexpr std::size_t kLongestRequest = 4000;  // to a run that is watched
+constexpr std::size_t kThreads = 64;           // each waits for its client
 constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // for a slow client
 constexpr const char* kCookie = "robosim=";
@@ -50,6 +53,17 @@ Asked asked_of(const Request& request) {
 void refuse(Response& response, const Refusal& refusal) {
   response.status = refusal.status;
   response.set_content(json_text({{"error", refusal.sentence}}), "application/json");
+}
+
+// Each line as an event of its own.
+std::string server_sent(std::string_view lines) {
+  std::string text;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size() - 1);
+    text += fmt::format("data: {}\n", lines.substr(0, end + 1));
+    lines.remove_prefix(end + 1);
+  }
+  return text;
 }
 
 // "7.html": 7; else 0.
@@ -91,6 +105,7 @@ struct Server::Inside {
     http.set_read_timeout(kPatience_s);
     http.set_write_timeout(kPatience_s);
     http.set_keep_alive_timeout(kPatience_s);
+    http.set_tcp_nodelay(true);  // each frame at once
     http.set_default_headers({{"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
                               {"X-Frame-Options", "SAMEORIGIN"},
@@ -103,8 +118,19 @@ struct Server::Inside {
     http.Get("/", [this](const Request& request, Response& response) { front(request, response); });
     give("/bench.css", bench_css(), "text/css");
     give("/bench.js", bench_js(), "text/javascript");
+    give("/watch.js", watch_js(), "text/javascript");
     http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
     http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
+    http.Post("/api/live",
+              [this](const Request& request, Response& response) { prepare(request, response); });
+    http.Get(R"(/api/live/([0-9]{1,9}))",
+             [this](const Request& request, Response& response) { watch(request, response); });
+    http.Post(R"(/api/live/([0-9]{1,9}))",
+              [this](const Request& request, Response& response) { ask(request, response); });
+    http.Get("/live.html", [](const Request&, Response& response) {
+      const std::string_view page = record::page_text();
+      response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
+    });
     http.Get(R"(/recording/([0-9]+\.html))", [this](const Request& request, Response& response) {
       const std::string page = workshop.page_of(number_of(request.matches[1].str()));
       if (page.empty()) return refuse(response, {404, "this run is not kept any more: run it again"});
@@ -145,31 +171,69 @@ struct Server::Inside {
                          "application/json");
   }
 
-  void run(const Request& request, Response& response) {
-    Wanted wanted;
+  /// Nothing, and an answer that says why, where that is not wanted as it should be.
+  std::optional<Wanted> wanted_by(const Request& request, Response& response) const {
     try {
-      wanted = read_wanted(request.body, choices_in(workshop.folder()));
+      return read_wanted(request.body, choices_in(workshop.folder()));
     } catch (const InputError& error) {
-      return refuse(response, {400, error.what()});
+      refuse(response, {400, error.what()});
+      return std::nullopt;
     }
-    response.set_chunked_content_provider("application/x-ndjson", [this, wanted](std::size_t,
-                                                                                 httplib::DataSink& sink) {
-      const auto line = [&](const Json& json) {
-        const std::string text = json_text(json) + "\n";
+  }
+
+  static Json json_of(const Workshop::Done& done) {
+    return {{"done", {{"status", done.status}, {"recording", done.recording}, {"sentence", done.sentence}}}};
+  }
+
+  void run(const Request& request, Response& response) {
+    const auto wanted = wanted_by(request, response);
+    if (!wanted) return;
+    response.set_chunked_content_provider(
+        "application/x-ndjson", [this, wanted = *wanted](std::size_t, httplib::DataSink& sink) {
+          const auto line = [&](const Json& json) {
+            const std::string text = json_text(json) + "\n";
+            return sink.write(text.data(), text.size());
+          };
+          const auto done = workshop.run(wanted, [&](const std::string& text) {
+            return text.empty() ? sink.is_writable() : line({{"say", text}});
+          });
+          line(json_of(done.value_or(Workshop::Done{5, 0, "others are running already: try again"})));
+          sink.done();
+          return true;
+        });
+  }
+
+  void prepare(const Request& request, Response& response) {
+    if (const auto wanted = wanted_by(request, response))
+      response.set_content(json_text({{"live", workshop.prepare(*wanted)}}), "application/json");
+  }
+
+  // The run begins when its page listens, and ends when it no longer does.
+  void watch(const Request& request, Response& response) {
+    response.set_chunked_content_provider("text/event-stream", [this,
+                                                                number = std::stoi(request.matches[1].str())](
+                                                                   std::size_t, httplib::DataSink& sink) {
+      const auto event = [&](const std::string& lines) {
+        const std::string text = server_sent(lines);
         return sink.write(text.data(), text.size());
       };
-      const auto done = workshop.run(wanted, [&](const std::string& text) {
-        return text.empty() ? sink.is_writable() : line({{"say", text}});
+      const auto done = workshop.watch(number, [&](Workshop::Said said, const std::string& text) {
+        if (text.empty()) return sink.is_writable();
+        return event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
       });
-      if (!done)
-        line({{"done",
-               {{"status", 5}, {"recording", 0}, {"sentence", "others are running already: try again"}}}});
-      else
-        line({{"done",
-               {{"status", done->status}, {"recording", done->recording}, {"sentence", done->sentence}}}});
+      event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "there is no such run to watch"}))) + "\n");
       sink.done();
       return true;
     });
+  }
+
+  void ask(const Request& request, Response& response) {
+    const Json json = Json::parse(request.body, nullptr, false);
+    if (!json.is_object() || request.body.size() > kLongestRequest)
+      return refuse(response, {400, "what is sent is no JSON object of at most 4000 bytes"});
+    if (!workshop.ask(std::stoi(request.matches[1].str()), json_text(json) + "\n"))
+      return refuse(response, {409, "this run takes no requests: it is over, or has too many"});
+    response.set_content("{}", "application/json");
   }
 
   httplib::Server http;

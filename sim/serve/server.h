@@ -1,10 +1,15 @@
 // `robosim serve`: the page for a folder, by HTTP.
 //
-//   GET  /                    the page; /bench.css, /bench.js
+//   GET  /                    the page; /bench.css, /bench.js, /watch.js
 //   GET  /api/folder          what there is to choose from
 //   POST /api/run             runs it; the answer is a line of JSON for each piece of text that it prints,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/recordings.md)
+//   POST /api/live            notes what is to be watched while it runs: {"live": N}
+//   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
+//                             and {"done": …}. The run ends when nobody listens any more
+//   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}
+//   GET  /live.html           the page of a run, empty
 #pragma once
 
 #include <filesystem>

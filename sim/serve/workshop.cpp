@@ -1,6 +1,8 @@
 #include "sim/serve/workshop.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <limits.h>
 #include <poll.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -19,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLook_ms = 200;                    // how often it is asked whether somebody listens
 constexpr std::size_t kMostText = 1 << 20;       // of what a run prints
+constexpr std::size_t kLongestLine = 16 << 20;   // that a watched run tells: a floor may be in it
 constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
 fs::path new_folder() {
@@ -28,28 +31,44 @@ fs::path new_folder() {
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
+fs::path script_file(const fs::path& folder, int number) { return folder / fmt::format("{}.txt", number); }
 
 }  // namespace
 
-/// A run's place among those that are under way.
+/// A run's place among those that are under way; false: there was none left.
 class Workshop::Place {
  public:
   explicit Place(Workshop& workshop) : workshop_(workshop) {
     const std::lock_guard lock(workshop.mutex_);
-    if (workshop.running_ == kAtOnce) return;
-    ++workshop.running_;
-    number_ = ++workshop.last_;
+    has_ = workshop.running_ < kAtOnce;
+    if (has_) ++workshop.running_;
   }
   ~Place() {
     const std::lock_guard lock(workshop_.mutex_);
-    if (number_ > 0) --workshop_.running_;
+    if (has_) --workshop_.running_;
   }
-  /// 0: there was none left.
-  int number() const { return number_; }
+  explicit operator bool() const { return has_; }
 
  private:
   Workshop& workshop_;
-  int number_ = 0;
+  bool has_ = false;
+};
+
+/// While a run takes requests.
+class Workshop::Listening {
+ public:
+  Listening(Workshop& workshop, int number, int descriptor) : workshop_(workshop), number_(number) {
+    const std::lock_guard lock(workshop.mutex_);
+    workshop.inputs_[number] = descriptor;
+  }
+  ~Listening() {
+    const std::lock_guard lock(workshop_.mutex_);
+    workshop_.inputs_.erase(number_);
+  }
+
+ private:
+  Workshop& workshop_;
+  const int number_;
 };
 
 Workshop::Workshop(fs::path robosim, fs::path folder)
@@ -60,12 +79,7 @@ Workshop::~Workshop() {
   fs::remove_all(kept_, ignored);
 }
 
-std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
-                                            const std::function<bool(const std::string&)>& say) {
-  const Place place(*this);
-  if (place.number() == 0) return std::nullopt;
-  const fs::path page = page_file(kept_, place.number()),
-                 script = kept_ / fmt::format("{}.txt", place.number());
+ChildStart Workshop::start_of(const Wanted& wanted, int number) const {
   ChildStart start;
   start.words = {robosim_.string(),
                  "run",
@@ -77,7 +91,7 @@ std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
                  "--for",
                  fmt::format("{}s", wanted.for_s),
                  "--record",
-                 page.string()};
+                 page_file(kept_, number).string()};
   const auto option = [&](const char* name, const std::string& value) {
     if (!value.empty()) start.words.insert(start.words.end(), {name, value});
   };
@@ -85,47 +99,139 @@ std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
   option("--map", wanted.map);
   option("--goal", wanted.goal);
   if (!wanted.script.empty()) {
+    const fs::path script = script_file(kept_, number);
     write_file(script, wanted.script);
     option("--script", script.string());
   }
   start.folder = folder_;
   start.own_group = true;
-  Pipe pipe;
   start.input = ChildStart::kNothing;
-  start.output = start.errors = pipe.write.get();
-  Child child(start);
-  pipe.write = Descriptor();
+  return start;
+}
 
+Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources, double longest_s) const {
   Done done;
   const auto stop = [&](std::string sentence) {
     done.sentence = std::move(sentence);
     child.send(SIGKILL);
   };
   const auto begin = std::chrono::steady_clock::now();
-  std::size_t printed = 0;
-  for (;;) {
-    pollfd waits{pipe.read.get(), POLLIN, 0};
-    const int ready = ::poll(&waits, 1, kLook_ms);
-    std::string text;
-    if (ready > 0) {
-      char buffer[4096];
-      const ssize_t got = ::read(pipe.read.get(), buffer, sizeof buffer);
-      if (got <= 0) break;
-      text.assign(buffer, static_cast<std::size_t>(got));
+  std::vector<pollfd> waits;
+  for (const Source& source : sources) waits.push_back({source.pipe->get(), POLLIN, 0});
+  for (std::size_t open = waits.size(); open > 0;) {
+    const bool quiet = ::poll(waits.data(), waits.size(), kLook_ms) <= 0;
+    for (std::size_t i = 0; i < waits.size(); ++i) {
+      std::string text;
+      if (!quiet && waits[i].revents == 0) continue;
+      if (!quiet) {
+        char buffer[16384];
+        const ssize_t got = ::read(waits[i].fd, buffer, sizeof buffer);
+        if (got <= 0) {
+          waits[i].fd = -1;  // poll looks at it no more
+          --open;
+          continue;
+        }
+        text.assign(buffer, static_cast<std::size_t>(got));
+      }
+      if (done.sentence.empty() && !sources[i].take(text)) stop("nobody was listening any more");
     }
-    printed += text.size();
-    if (!done.sentence.empty()) continue;
-    if (!say(text)) stop("nobody was listening any more");
-    if (printed > kMostText) stop("it printed more than 1 MB");
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > kLongest_s)
-      stop(fmt::format("it took more than {} s", kLongest_s));
+    if (done.sentence.empty() &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > longest_s)
+      stop(fmt::format("it took more than {} s", longest_s));
   }
   done.status = child.wait().status;
-  std::error_code ignored;
-  fs::remove(script, ignored);
-  if (fs::exists(page, ignored)) done.recording = place.number();
-  fs::remove(page_file(kept_, place.number() - static_cast<int>(kKept)), ignored);
   return done;
+}
+
+void Workshop::put_away(int number, Done& done) const {
+  std::error_code ignored;
+  fs::remove(script_file(kept_, number), ignored);
+  if (fs::exists(page_file(kept_, number), ignored)) done.recording = number;
+  fs::remove(page_file(kept_, number - static_cast<int>(kKept)), ignored);
+}
+
+std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
+                                            const std::function<bool(const std::string&)>& say) {
+  const Place place(*this);
+  if (!place) return std::nullopt;
+  const int number = next_number();
+  ChildStart start = start_of(wanted, number);
+  Pipe pipe;
+  start.output = start.errors = pipe.write.get();
+  Child child(start);
+  pipe.write = Descriptor();
+  std::size_t printed = 0;
+  Done done = follow(child,
+                     {{&pipe.read,
+                       [&](const std::string& text) {
+                         printed += text.size();
+                         return printed <= kMostText && say(text);
+                       }}},
+                     kLongest_s);
+  if (printed > kMostText) done.sentence = "it printed more than 1 MB";
+  put_away(number, done);
+  return done;
+}
+
+int Workshop::prepare(const Wanted& wanted) {
+  const int number = next_number();
+  const std::lock_guard lock(mutex_);
+  prepared_[number] = wanted;
+  if (prepared_.size() > kKept) prepared_.erase(prepared_.begin());
+  return number;
+}
+
+std::optional<Workshop::Done> Workshop::watch(int number, const Tell& tell) {
+  const Place place(*this);
+  Wanted wanted;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = prepared_.find(number);
+    if (found == prepared_.end()) return std::nullopt;
+    if (!place) return Done{5, 0, "others are running already: try again"};
+    wanted = found->second;
+    prepared_.erase(found);
+  }
+  ChildStart start = start_of(wanted, number);
+  start.words.push_back("--live");
+  Pipe requests, lines, texts;
+  start.input = requests.read.get();
+  start.output = lines.write.get();
+  start.errors = texts.write.get();
+  Child child(start);
+  for (Descriptor* given : {&requests.read, &lines.write, &texts.write}) *given = Descriptor();
+  ::fcntl(requests.write.get(), F_SETFL, O_NONBLOCK);  // one that does not listen keeps nobody waiting
+  const Listening listening(*this, number, requests.write.get());
+
+  std::string begun;  // a line
+  std::size_t printed = 0;
+  const auto take_lines = [&](const std::string& text) {
+    begun += text;
+    const std::size_t end = begun.rfind('\n');
+    if (end == std::string::npos) return begun.size() <= kLongestLine && tell(Said::lines, "");
+    const bool heard = tell(Said::lines, begun.substr(0, end + 1));
+    begun.erase(0, end + 1);
+    return heard;
+  };
+  const auto take_text = [&](const std::string& text) {
+    printed += text.size();
+    return printed <= kMostText && tell(Said::text, text);
+  };
+  Done done = follow(child, {{&lines.read, take_lines}, {&texts.read, take_text}}, kLongestLive_s);
+  put_away(number, done);
+  return done;
+}
+
+bool Workshop::ask(int number, const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  const auto found = inputs_.find(number);
+  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // whole or not at all
+  return ::write(found->second, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+}
+
+int Workshop::next_number() {
+  const std::lock_guard lock(mutex_);
+  return ++last_;
 }
 
 std::string Workshop::page_of(int recording) const {

@@ -1,5 +1,5 @@
 // Runs what a page asks for: each run is a `robosim run` of its own, whose page is kept for the browser to
-// fetch.
+// fetch. One that is watched while it runs is a `robosim run --live`.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "sim/base/child.h"
 #include "sim/serve/folder.h"
 
 namespace robosim::serve {
@@ -34,6 +36,7 @@ class Workshop {
   static constexpr int kAtOnce = 2;            ///< runs
   static constexpr std::size_t kKept = 8;      ///< pages of runs
   static constexpr double kLongest_s = 600.0;  ///< of wall time, compiling included
+  static constexpr double kLongestLive_s = 3600.0;
 
   /// `robosim`: the program. Pages are kept in a temporary folder until this ends.
   Workshop(std::filesystem::path robosim, std::filesystem::path folder);
@@ -49,6 +52,17 @@ class Workshop {
   /// false, nobody is listening any more, and the run is stopped. Nothing: there are kAtOnce already.
   std::optional<Done> run(const Wanted& wanted, const std::function<bool(const std::string&)>& say);
 
+  /// Notes what is to be watched, and gives its number. Of those that nobody has come to watch kKept are
+  /// known.
+  int prepare(const Wanted& wanted);
+  enum class Said { lines, text };  ///< whole lines of JSON of the run's; what it prints for people
+  using Tell = std::function<bool(Said, const std::string&)>;
+  /// As run(), but goes along with the clock and takes requests. Nothing where nobody has prepared it, or it
+  /// was watched already.
+  std::optional<Done> watch(int number, const Tell& tell);
+  /// A request to a run that is watched (sim/wire/live.h), a line of JSON; false: it does not listen.
+  bool ask(int number, const std::string& line);
+
   /// The page of a run; "" if it is not kept any more.
   std::string page_of(int recording) const;
 
@@ -56,11 +70,24 @@ class Workshop {
 
  private:
   class Place;
+  class Listening;
+  /// Where a run's process says something, and who takes it: false where nobody is listening any more.
+  struct Source {
+    const Descriptor* pipe;
+    std::function<bool(const std::string&)> take;
+  };
+  int next_number();
+  ChildStart start_of(const Wanted& wanted, int number) const;
+  /// Until it ends; each source is also called without text now and then.
+  Done follow(Child& child, const std::vector<Source>& sources, double longest_s) const;
+  void put_away(int number, Done& done) const;
 
   const std::filesystem::path robosim_, folder_, kept_;
   mutable std::mutex mutex_;
   int running_ = 0;
   int last_ = 0;
+  std::map<int, Wanted> prepared_;
+  std::map<int, int> inputs_;  ///< of runs that are watched
 };
 
 }  // namespace robosim::serve

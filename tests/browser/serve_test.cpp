@@ -83,6 +83,41 @@ TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
   EXPECT_THAT(lines, Contains("say \"hi\""));
 }
 
+// As fast as it can: the test need not wait.
+TEST_F(Serve, WatchesARunWhileItRuns) {
+  const Json seen = in_page("sketch=./Echo&map=oval&robot=uno5&seconds=3000&live=1", R"(
+    await until(() => shown()?.run.live && shown().player.playing);
+    const { run, player } = shown(), now = () => run.duration;
+    player.pause();
+    let stood = -1;
+    while (now() !== stood) { stood = now(); await new Promise((r) => setTimeout(r, 100)); }
+    player.step(250);
+    await until(() => now() > stood);
+    const stepped = Math.round(1000 * (now() - stood));
+    $('text').value = 'hello';
+    $('send').requestSubmit();
+    [...$('buttons').children].find((b) => b.textContent === 'press start').click();
+    await until(() => $('script').value.includes('press start') && $('script').value.includes('hello'));
+    player.step(100);
+    await until(() => run.lines.some((line) => line.text === 'hello'));
+    const pressed = run.reading('start', now());
+    player.setSpeed(64);
+    player.play();
+    await until(() => now() - stood > 5);
+    const moved = run.t.length;
+    $('stop').click();
+    await ready();
+    return { stepped, lines: run.lines.map((line) => line.text), pressed, moved, script: $('script').value,
+      verdict: shown().run.result.verdict, kept: shown().run.lines.map((line) => line.text), until: shown().run.duration - now() };)");
+  EXPECT_EQ(seen["stepped"], 250) << seen.dump();
+  EXPECT_EQ(seen["lines"], Json::parse(R"(["ready", "hello"])"));
+  EXPECT_EQ(seen["pressed"], 1);
+  EXPECT_GT(seen["moved"], 500);
+  EXPECT_THAT(seen["script"].get<std::string>(), HasSubstr("ms press start for 200ms\n"));
+  EXPECT_EQ(seen["verdict"], "interrupted");
+  EXPECT_EQ(seen["kept"], seen["lines"]) << "its recording is shown in the end";
+}
+
 TEST_F(Serve, ShowsWhatTheCompilerSays) {
   const Json said = in_page("sketch=./Broken&run=1",
                             "await until(() => $('said').textContent); return $('said').textContent;");

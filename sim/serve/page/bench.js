@@ -1,9 +1,12 @@
 // The form above a replay: it asks the server for a run, and shows the run's page below. A button that is pressed, or
 // a text that is sent, becomes a line of the script at the moment that is shown, and the run is made again: equal
-// input gives an equal run, so all before that moment stays as it was.
+// input gives an equal run, so all before that moment stays as it was. A run that is watched live gets it at once.
+
+import { post, Watch } from '/watch.js';
 
 const $ = (id) => document.getElementById(id);
-let running = null;  // its AbortController
+let running = null;   // its AbortController
+let watching = null;  // a Watch
 
 function options(select, names, first) {
   const before = select.value;
@@ -45,7 +48,7 @@ function show(recording, moment) {
       clickable(page);
       if (moment === undefined) return;
       page.player.seek(moment);
-      page.player.toggle();
+      if (moment < Infinity) page.player.toggle();
     }, 20);
   };
   frame.src = `/recording/${recording}.html`;
@@ -84,8 +87,9 @@ function clickable(page) {
   });
 }
 
-/** At the moment that is shown, and the run again from there. */
+/** At the moment that is shown, and the run again from there; of a run that is watched now. */
 function act(what) {
+  if (watching) return watching.ask({ do: 'script', lines: what });
   const page = shown();
   const t = page ? Math.floor(page.player.t * 1000) : 0;
   const before = $('script').value.trimEnd();
@@ -94,26 +98,54 @@ function act(what) {
   run(t / 1000);
 }
 
-async function run(moment) {
+const wanted = () => ({
+  sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').value,
+  seed: Number($('seed').value), for_s: Number($('seconds').value), script: $('script').value,
+});
+
+const run = (moment) => underWay('building and running …', async (signal) => {
+  await finish(await post('/api/run', wanted(), signal), moment);
+});
+
+/** The run as it goes on, at the pace of the clock. */
+const live = () => underWay('building …', async (signal) => {
+  let said = '', gone = false;
+  const mine = watching = new Watch($('replay'), {
+    say: (text) => { said += text; },
+    begun: (page) => {
+      $('state').textContent = 'live';
+      pressable(page);
+      clickable(page);
+    },
+    did: (lines) => {
+      $('script').value = `${$('script').value.trimEnd()}\n${lines}`.trimStart();
+      $('script-box').open = true;
+    },
+    refused: (sentence) => say(`${sentence}\n`, true),
+    gone: () => { gone = true; },
+  });
+  signal.addEventListener('abort', () => mine.close?.());
+  $('replay').hidden = false;
+  $('first').hidden = true;
+  try {
+    const done = await mine.run(wanted());
+    if (gone) throw new TypeError('gone');
+    if (done) conclude(done, said, mine.page && Infinity);
+  } finally {
+    if (watching === mine) watching = null;
+  }
+});
+
+async function underWay(state, work) {
   running?.abort();
   const mine = running = new AbortController();
   $('said').textContent = '';
   $('said').hidden = true;
-  $('state').textContent = 'building and running …';
+  $('state').textContent = state;
   $('stop').hidden = false;
   try {
     await list();  // what there is may have changed
-    const answer = await fetch('/api/run', {
-      method: 'POST',
-      headers: { 'Content-Type': 'application/json', 'X-Robosim': '1' },
-      body: JSON.stringify({
-        sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').value,
-        seed: Number($('seed').value), for_s: Number($('seconds').value), script: $('script').value,
-      }),
-      signal: mine.signal,
-    });
-    if (!answer.ok) throw new Error((await answer.json()).error);
-    await finish(answer, moment);
+    await work(mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
     const gone = error instanceof TypeError;  // what fetch throws where nobody answers
@@ -141,8 +173,14 @@ async function finish(answer, moment) {
     }
   }
   if (!done) throw new Error('The run was cut off.');
+  conclude(done, said, moment);
+}
+
+/** Shows the recording of a run that is over, or why there is none. */
+function conclude(done, said, moment) {
   const failed = !done.recording;
   $('state').textContent = failed ? 'it did not run' : '';
+  if (failed) $('replay').hidden = true;
   if (failed) say(`${said}${done.sentence ? `${done.sentence}\n` : ''}`, true);
   if (!failed) show(done.recording, moment);
 }
@@ -159,17 +197,23 @@ function comeBack() {
 }
 
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
-$('stop').addEventListener('click', () => { running?.abort(); $('state').textContent = 'stopped'; });
+$('live').addEventListener('click', () => live());
+$('stop').addEventListener('click', () => {
+  if (watching?.page) return watching.ask({ do: 'end' });  // what was seen of it is kept
+  running?.abort();
+  $('state').textContent = 'stopped';
+});
 $('send').addEventListener('submit', (e) => {
   e.preventDefault();
   act(`send "${$('text').value.replace(/[\\"]/g, '\\$&')}\\n"`);
 });
-/** /#sketch=./Follower&map=oval&run=1 chooses, and runs. */
+/** /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
 async function begin() {
   await list();
   const where = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of where) if (['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'].includes(key)) $(key).value = value;
   if (where.has('run')) await run();
+  if (where.has('live')) live();
 }
 
 begin().catch((error) => say(`${error.message}\n`, true)).finally(() => { document.documentElement.dataset.ready = 'true'; });

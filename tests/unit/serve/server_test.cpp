@@ -142,25 +142,68 @@ TEST_F(Serving, RefusesOtherSites) {
   EXPECT_EQ(http_->Get("/")->status, 421);
 }
 
+// What stands for robosim answers each line that it is sent, and ends with its input.
+TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
+  serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
+  EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)
+      << "there is none yet";
+  const auto prepared = http_->Post("/api/live", R"({"sketch": "./Mine"})", "application/json");
+  ASSERT_TRUE(prepared);
+  const std::string path = "/api/live/" + std::to_string(Json::parse(prepared->body)["live"].get<int>());
+  std::string events;
+  httplib::Client page(server_->url().substr(0, server_->url().size() - 1));
+  bool asked = false;
+  const auto answer = page.Get(path, [&](const char* text, std::size_t size) {
+    events.append(text, size);
+    if (!asked && events.find("\"event\"") != events.npos) {
+      asked = true;
+      for (const auto& [request, status] : {std::pair<std::string, int>{"[]", 400},
+                                            {"{\"do\": \"" + std::string(5000, 'x') + "\"}", 400},
+                                            {"{\n\"do\":\n\"play\"}", 200}})
+        EXPECT_EQ(http_->Post(path, request, "application/json")->status, status) << request.substr(0, 20);
+    }
+    return true;
+  });
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "text/event-stream");
+  EXPECT_THAT(events, HasSubstr("data: {\"event\": 1}\n\n"));
+  EXPECT_THAT(events, HasSubstr("data: {\"say\":\"warned\\n\"}\n\n"));
+  EXPECT_THAT(events, HasSubstr("data: {\"do\":\"play\"}\n\n")) << "in one line";
+  EXPECT_THAT(events, HasSubstr("\"status\":4"));
+  EXPECT_THAT(http_->Get(path)->body, HasSubstr("no such run to watch")) << "it is watched once";
+  EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
+}
+
 // The program holds a pipe open for as long as it lives.
 TEST_F(Serving, EndsARunWhosePageHasGone) {
   const fs::path pipe = outside_.path() / "alive";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const Descriptor reader(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   serve("exec 9>" + pipe.string() + "\necho begun\nexec sleep 1000\n");
+  const std::string wanted = R"({"sketch": "./Mine"})";
+  const auto goes_away = [](const char* text, std::size_t size, std::uint64_t, std::uint64_t) {
+    return std::string_view(text, size).find("begun") == std::string_view::npos;
+  };
+  const auto expect_gone = [&] {
+    pollfd waits{reader.get(), POLLIN, 0};
+    ::poll(&waits, 1, -1);
+    char byte;
+    EXPECT_EQ(::read(reader.get(), &byte, 1), 0) << "the program is gone";
+  };
   httplib::Request request;
   request.method = "POST";
   request.path = "/api/run";
   request.headers = {{"X-Robosim", "1"}, {"Content-Type", "application/json"}};
-  request.body = R"({"sketch": "./Mine"})";
-  request.content_receiver = [](const char* text, std::size_t size, std::uint64_t, std::uint64_t) {
-    return std::string_view(text, size).find("begun") == std::string_view::npos;  // then it goes away
-  };
+  request.body = wanted;
+  request.content_receiver = goes_away;
   EXPECT_FALSE(http_->send(request));
-  pollfd waits{reader.get(), POLLIN, 0};
-  ::poll(&waits, 1, -1);
-  char byte;
-  EXPECT_EQ(::read(reader.get(), &byte, 1), 0) << "the program is gone";
+  expect_gone();
+  const auto prepared = http_->Post("/api/live", wanted, "application/json");
+  request.method = "GET";
+  request.path = "/api/live/" + std::to_string(Json::parse(prepared->body)["live"].get<int>());
+  request.body.clear();
+  EXPECT_FALSE(http_->send(request));
+  expect_gone();
 }
 
 }  // namespace

@@ -1,0 +1,215 @@
+// A run that is still going on, as it comes in lines of `robosim run --live`; and what moves the moment meanwhile. It is
+// asked like any other run, and grows.
+
+import { Player } from './player.js';
+import { bytesOfBase64, column } from './recording.js';
+import { KIND, putBy, Run, toldGraph } from './run.js';
+
+const LATELY_S = 10;  // of plots and pins
+
+/** Numbers that become more. `all` is those that are there. */
+class Growing {
+  constructor() { this.buffer = new Float64Array(1024); this.all = this.buffer.subarray(0, 0); }
+  push(values) {
+    const before = this.all.length, count = before + values.length;
+    if (count > this.buffer.length) {
+      const larger = new Float64Array(2 * count);
+      larger.set(this.all);
+      this.buffer = larger;
+    }
+    this.buffer.set(values, before);
+    this.all = this.buffer.subarray(0, count);
+  }
+  drop() { this.all = this.buffer.subarray(0, this.all.length - 1); }
+}
+
+/** A stream of columns, decoded piece by piece. */
+class GrowingStream {
+  constructor(specs) {
+    this.specs = specs.map((spec) => ({ order: 1, scale: 1, ...spec, before: { last: 0, change: 0 } }));
+    this.of = Object.fromEntries(specs.map(({ name }) => [name, new Growing()]));
+  }
+  add({ count, bytes }) {
+    this.specs.forEach((spec, i) => {
+      const packed = bytesOfBase64(bytes[i]);
+      this.of[spec.name].push(column(packed, 0, { ...spec, bytes: packed.length }, count, spec.before));
+    });
+  }
+}
+
+export class LiveRun extends Run {
+  /** `header`: as a recording's; `state`: the first `paused`. */
+  constructor(header, state) {
+    super(header.sketch, new Float64Array(), {});
+    const { started, robot_info: robot, result } = header;
+    Object.assign(this, { live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, put: [] });
+    this.result = { ...result, verdict: 'live', status: 0 };
+    this.units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
+    this.readings = started.readings;
+    const names = ['x_mm', 'y_mm', 'yaw_rad', 'speed_mm_s', 'cross_track_mm', 'left', 'right', 'wheel_left_mm_s', 'wheel_right_mm_s', ...this.readings];
+    this.now = new GrowingStream(['t_us', ...names].map((name) => ({ name })));  // until the first columns
+    this.take({ paused: state });
+    const add = (name, unit, label, steps) => this.addGrowing(name, unit, label, steps, () => this.t, () => this.columns[name]);
+    for (const [name, unit] of [['x_mm', 'mm'], ['y_mm', 'mm'], ['yaw_rad', 'rad'], ['speed_mm_s', 'mm/s']]) add(name, unit);
+    if (robot.sensors.length) add('cross_track_mm', 'mm', 'off the line');
+    for (const side of ['left', 'right']) add(side, '', `motor ${side}`);
+    for (const side of ['left', 'right']) add(`wheel_${side}_mm_s`, 'mm/s', `wheel ${side}`);
+    for (const name of this.readings) add(name, this.units.get(name) ?? '', name, !robot.sensors.some((s) => s.name === name));
+    this.sensors = robot.sensors.filter((s) => this.columns[s.name]);
+  }
+
+  addGrowing(name, unit, label, steps, t, values) {
+    this.signals.push({ name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), steps: Boolean(steps), get t() { return t(); }, get values() { return values(); } });
+  }
+
+  /** A line of the run's; gives what has to be drawn anew: '' is the moment alone. */
+  take({ event, paused, result, ...line }) {
+    if (event === 'columns') return this.takeColumns(line.streams);
+    if (event === 'serial') {
+      const t = line.t_ns / 1e9, text = line.text.replace(/\r?\n$/, '');
+      this.lines.push({ t, text });
+      this.addEvent(t, 'serial', text);
+      if (text.startsWith('found ')) this.told = toldGraph(this);
+    }
+    if (event === 'note') {
+      this.header.notes.push(line);
+      this.addEvent(line.t_ns / 1e9, KIND[line.kind] ?? 'script', line.text);
+      this.put = putBy(this.header.notes);
+    }
+    if (paused) {
+      const { sample: s } = paused;
+      this.dropNow();
+      const row = { t_us: paused.t_ns / 1000, x_mm: s.x, y_mm: s.y, yaw_rad: s.yaw, speed_mm_s: s.speed_mm_s, cross_track_mm: s.cross_track, left: s.left, right: s.right,
+        wheel_left_mm_s: s.wheels?.[0] ?? 0, wheel_right_mm_s: s.wheels?.[1] ?? 0 };
+      this.readings.forEach((name, i) => { row[name] = s.readings[i]; });
+      for (const [name, growing] of Object.entries(this.now.of)) growing.push([row[name] ?? 0]);
+      this.hasNow = true;
+      this.share();
+      this.duration = paused.t_ns / 1e9;
+    }
+    if (result) this.result = result;
+    return '';
+  }
+
+  /** The last row is where it stands, between two samples. */
+  dropNow() {
+    if (this.hasNow) for (const growing of Object.values(this.now.of)) growing.drop();
+    this.hasNow = false;
+  }
+
+  share() {
+    for (const [name, growing] of Object.entries(this.now.of)) this.columns[name] = growing.all;
+    this.times ??= new Growing();
+    const known = this.known ?? 0, { t_us: t } = this.columns;
+    while (this.times.all.length > known) this.times.drop();
+    this.times.push(t.subarray(known).map((us) => us / 1e6));
+    this.known = t.length - (this.hasNow ? 1 : 0);
+    this.t = this.times.all;
+  }
+
+  takeColumns(streams) {
+    let redraw = '';
+    for (const rows of streams) {
+      const [kind, pin] = rows.stream.split(' ');
+      if (!this.streams.has(rows.stream)) {
+        const stream = new GrowingStream(rows.columns);
+        this.streams.set(rows.stream, stream);
+        if (kind === 'samples') {
+          this.dropNow();
+          this.now = stream;
+        } else {
+          this.addPin(kind, pin, stream.of);
+          redraw = 'pins';
+        }
+      }
+      if (kind === 'samples') this.dropNow();
+      this.streams.get(rows.stream).add(rows);
+      if (kind === 'samples') this.share();
+      else this.streams.get(rows.stream).seconds.push(this.streams.get(rows.stream).of.t_ns.all.subarray(-rows.count).map((ns) => ns / 1e9));
+    }
+    return redraw;
+  }
+
+  addPin(kind, name, of) {
+    const t = new Growing();
+    this.streams.get(`${kind} ${name}`).seconds = t;
+    const pin = { name, get t() { return t.all; } };
+    if (kind === 'volts') {
+      Object.defineProperty(pin, 'volts', { get: () => of.volts.all });
+      this.addGrowing(`volts ${name}`, 'V', `${name} volts`, true, () => t.all, () => of.volts.all);
+    } else {
+      for (const [key, column] of [['level', 'level'], ['duty', 'duty'], ['tone', 'tone_hz']]) Object.defineProperty(pin, key, { get: () => of[column].all });
+      this.addGrowing(`${name} duty`, '', `${name} duty`, true, () => t.all, () => of.duty.all);
+    }
+    this.pins.push(pin);
+    this.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+  }
+}
+
+/** Play and pause are asked of the run itself; whoever looks back stops it. */
+export class LivePlayer extends Player {
+  constructor(run) {
+    super(run);
+    this.follows = true;
+    this.ask = () => {};  // a request, by whoever has the connexion
+  }
+  /** The run has gone on. */
+  grow() { if (this.follows) this.t = this.run.duration; }
+  seek(t) {
+    super.seek(t);
+    this.follows = this.t >= this.run.duration - 1e-9;
+  }
+  play() {
+    this.follows = true;
+    this.t = this.run.duration;
+    this.playing = true;
+    this.ask({ do: 'play', speed: this.speed });
+    this.tell();
+  }
+  pause() {
+    if (this.playing) this.ask({ do: 'pause' });
+    super.pause();
+  }
+  step(ms) {
+    if (!this.follows || ms < 0) return super.step(ms);
+    this.pause();
+    this.ask({ do: 'step', ms });
+  }
+  setSpeed(speed) {
+    this.speed = speed;
+    if (this.playing) this.ask({ do: 'play', speed });
+    this.tell();
+  }
+}
+
+/** Feeds a page with the lines of its run: draws once a frame, and what is much work ten times a second. */
+export class LiveFeed {
+  constructor(page) {
+    Object.assign(this, { page, due: false, drawn: 0, pins: false });
+    page.span.seconds = LATELY_S;
+  }
+
+  take(message) {
+    this.pins = this.page.run.take(message) === 'pins' || this.pins;
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame((now) => this.draw(now));
+    // A page that is not seen gets no frames, and those who ask it what it shows want to know.
+    setTimeout(() => this.draw(performance.now()), 100);
+  }
+
+  draw(now) {
+    if (!this.due) return;
+    this.due = false;
+    const { page } = this, { player, run, span } = page;
+    player.grow();
+    if (player.follows) span.from = Math.max(run.duration - span.seconds, 0);
+    page.move();
+    const whole = now - this.drawn > 100 || !player.playing;
+    if (!whole) return;
+    this.drawn = now;
+    if (this.pins) page.makePins();
+    this.pins = false;
+    page.grow();
+  }
+}
