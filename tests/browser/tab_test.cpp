@@ -80,6 +80,19 @@ TEST_F(Tab, RunsAnImageAsTheCommandDoesAndWithoutANetworkToo) {
   EXPECT_EQ(in_page(steps)["hash"], native["trace_hash"]) << "offline";
 }
 
+TEST_F(Tab, PressesAButtonAtTheMomentThatIsShown) {
+  open("#sketch=AiNavigator&map=city&seconds=5&run=1");
+  const Json seen = in_page(R"(
+    await until(() => !$('hands').hidden);
+    const before = shown();
+    before.player.seek(1);
+    [...$('buttons').children].find((button) => button.textContent === 'press start').click();
+    await until(() => shown() && shown() !== before);
+    return { script: $('script').value, was: before.run.pose(5).x, is: shown().run.pose(5).x };)");
+  EXPECT_EQ(seen["script"], "at 1000ms press start for 200ms\n");
+  EXPECT_GT(seen["is"].get<double>() - seen["was"].get<double>(), 100.0) << "it waits for the button";
+}
+
 TEST_F(Tab, PassesARunOnInALink) {
   const Json sent = in_page(R"(
     await give('own.hex', stock.sketches.PidFollower.hex);

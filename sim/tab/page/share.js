@@ -31,8 +31,9 @@ export async function unpacked(bytes) {
     const content = new Uint8Array(await new Blob(pieces).arrayBuffer());
     const end = content.indexOf(10);
     const { sketch, own, robot, map, ...more } = JSON.parse(new TextDecoder().decode(content.subarray(0, end)));
-    const encoded = (part) => typeof part === 'string' ? part : { name: part.name, bytes: new TextEncoder().encode(part.text) };
-    const image = own && { name: `${sketch.replace(/\.\w+$/, '')}.hex`, bytes: new TextEncoder().encode(hexOf(content.subarray(end + 1))) };
+    const plain = (name) => name.replace(/[^\w. -]/g, '_');  // it becomes a file's
+    const encoded = (part) => typeof part === 'string' ? part : { name: plain(part.name), bytes: new TextEncoder().encode(part.text) };
+    const image = own && { name: `${plain(sketch).replace(/\.\w+$/, '')}.hex`, bytes: new TextEncoder().encode(hexOf(content.subarray(end + 1))) };
     return { ...more, sketch: image || sketch, robot: encoded(robot), map: encoded(map) };
   } catch {
     throw new Error('This shared run is damaged or cut off: ask for it again, as a file.');

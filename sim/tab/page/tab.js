@@ -1,6 +1,7 @@
 // The form above a replay, without a server: a worker runs the sketch, and the recording that it gives is shown in the page
 // that `robosim run --record run.html` writes.
 
+import { buttonsOf, onClicks, sending, withLine } from './hands.js';
 import { MOST_LINK, ofFile, ofLink, packed, toFile, toLink, unpacked } from './share.js';
 
 const $ = (id) => document.getElementById(id);
@@ -31,10 +32,11 @@ function fill(select, stockNames, kind) {
   if ([...select.options].some((option) => option.value === before)) select.value = before;
 }
 
-/** A stock sketch is an image for one board; who brings an image knows what it is for. */
+/** A stock sketch is an image for one board; who brings an image knows what it is for. No STM32 runs here, but a robot
+ *  may be based on one that carries it. */
 function robotsFor(sketch) {
   const board = stock.sketches[sketch]?.board;
-  return Object.keys(stock.robots).filter((name) => !board || stock.robots[name].board === board);
+  return Object.keys(stock.robots).filter((name) => board ? stock.robots[name].board === board : stock.robots[name].board !== 'bluepill');
 }
 
 function fillAll() {
@@ -61,8 +63,12 @@ function wantedNow() {
   };
 }
 
-/** Sets the form as wantedNow() gave it. */
+/** Sets the form as wantedNow() gave it. Throws an Error with a sentence for what this folder does not have. */
 function want({ sketch, robot, map, ...more }) {
+  const has = { sketch: stock.sketches, robot: stock.robots, map: stock.maps };
+  for (const [kind, value] of Object.entries({ sketch, robot, map }))
+    if (typeof value === 'string' && !Object.hasOwn(has[kind], value))
+      throw new Error(`There is no ${kind} ${value} here; there are ${Object.keys(has[kind]).join(', ')}.`);
   for (const [kind, value] of Object.entries({ sketch, robot, map })) if (value?.name) own[kind].set(value.name, value);
   fillAll();
   const set = (id, value) => { if (value !== undefined) $(id).value = value?.name ? OWN + value.name : value; };
@@ -78,6 +84,14 @@ function want({ sketch, robot, map, ...more }) {
 
 async function take(files) {
   complain('');
+  try {
+    await takeAll(files);
+  } catch (error) {
+    complain(error.message);
+  }
+}
+
+async function takeAll(files) {
   for (const file of files) {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const shared = ofFile(bytes);
@@ -89,13 +103,9 @@ async function take(files) {
 }
 
 async function takeShared(bytes) {
-  try {
-    const { hash, ...wanted } = await unpacked(bytes);
-    want(wanted);
-    expected = hash;
-  } catch (error) {
-    complain(error.message);
-  }
+  const { hash, ...wanted } = await unpacked(bytes);
+  want(wanted);
+  expected = hash;
 }
 
 function connectDrops(target) {
@@ -132,7 +142,7 @@ function requestOf(wanted) {
   const request = {
     image: put(sketch, `${sketch}.hex`, () => stock.sketches[sketch].hex),
     map: put(map, `${map}.map`, () => stock.maps[map]),
-    robot: robot.name ? `./${robot.name}` : robot,
+    robot: robot.name ?? robot,
     for_ns: Math.round(wanted.seconds * 1e9),
     seed: Number(wanted.seed), profile: wanted.profile,
     ...(wanted.goal && { goal: wanted.goal }),
@@ -151,7 +161,7 @@ function newWorker() {
 
 const robotTexts = () => Object.fromEntries(Object.entries(stock.robots).map(([name, { toml }]) => [name, toml]));
 
-async function run() {
+async function run(moment) {
   const wanted = wantedNow();
   const { files, request } = requestOf(wanted);
   complain('');
@@ -173,7 +183,15 @@ async function run() {
   if (done.error) complain(done.error.message);
   if (!done.result) return;
   last = { wanted, result: done.result, rec: done.recording };
-  show(done);
+  show(done, moment);
+}
+
+/** At the moment that is shown, and the run again from there. */
+function act(what) {
+  const { t } = $('replay').contentWindow.robosim.player;
+  $('script').value = withLine($('script').value, t, what);
+  $('more').open = true;
+  run(t);
 }
 
 const base64 = (bytes) => new Promise((resolve) => {
@@ -184,7 +202,20 @@ const base64 = (bytes) => new Promise((resolve) => {
 
 const pageOf = async (rec) => new Blob([replay.replace(REPLAY, REPLAY + await base64(rec))], { type: 'text/html' });
 
-async function show({ result, took, recording }) {
+/** The replay is there: shows that moment, and plays on. */
+function begun(moment) {
+  const frame = $('replay'), page = frame.contentWindow.robosim;
+  if (!page) return setTimeout(begun, 20, moment);
+  connectDrops(frame.contentDocument);
+  $('buttons').replaceChildren(...buttonsOf(page, act));
+  $('hands').hidden = false;
+  onClicks(page, frame.contentDocument.getElementById('floor'), () => $('hand').value, act);
+  if (moment === undefined) return;
+  page.player.seek(moment);
+  page.player.toggle();
+}
+
+async function show({ result, took, recording }, moment) {
   $('hash').textContent = result.trace_hash;
   $('speed').textContent = `${result.time_s.toFixed(1)} s in ${took.toFixed(1)} s of this machine: ${(result.time_s / took).toFixed(0)} × real time`;
   const equal = $('equal');
@@ -193,7 +224,7 @@ async function show({ result, took, recording }) {
   expected = null;
   const frame = $('replay');
   URL.revokeObjectURL(frame.src);
-  frame.onload = () => connectDrops(frame.contentDocument);
+  frame.onload = () => begun(moment);
   frame.src = URL.createObjectURL(await pageOf(recording));
   $('first').hidden = true;
   $('came').hidden = frame.hidden = false;
@@ -258,7 +289,8 @@ async function begin() {
   $('save-page').addEventListener('click', async () => save(await pageOf(last.rec), `${nameOf(last.wanted)}.html`));
   $('save-rec').addEventListener('click', () => save(new Blob([last.rec]), `${nameOf(last.wanted)}.rec`));
   $('share').addEventListener('click', share);
-  addEventListener('hashchange', () => location.hash.includes('=') && follow());
+  addEventListener('hashchange', () => location.hash.includes('=') && follow().catch((error) => complain(error.message)));
+  $('send').addEventListener('submit', (e) => { e.preventDefault(); act(sending($('text').value)); });
   keepOffline().catch(() => {});
   await follow();
 }

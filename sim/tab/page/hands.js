@@ -1,0 +1,35 @@
+// What a hand does to the robot, as a line of the script (docs/scripts.md) at the moment that the replay shows.
+
+/** The robot's buttons, for `act` to press. */
+export function buttonsOf(page, act) {
+  const pressed = page.run.robot.parts.filter(({ type }) => type === 'button' || type === 'bumper');
+  return pressed.map(({ name }) => Object.assign(document.createElement('button'), {
+    type: 'button', textContent: `press ${name}`, onclick: () => act(`press ${name} for 200ms`),
+  }));
+}
+
+export const sending = (text) => `send "${text.replace(/[\\"]/g, '\\$&')}\\n"`;
+
+/** Of a click on the floor at x, y (mm): puts the robot there, or an obstacle. */
+function put(page, what, x, y) {
+  const { cell, height } = page.run.header.floor;
+  if (what === 'obstacle') return `obstacle ${Math.floor(x / cell)},${Math.floor((height - y) / cell)}`;
+  const eighth = Math.round(page.run.pose(page.player.t).yaw / (Math.PI / 4));
+  return `place ${Math.round(x)}mm,${Math.round(y)}mm,${['E', 'NE', 'N', 'NW', 'W', 'SW', 'S', 'SE'][(eighth + 8) % 8]}`;
+}
+
+/** `what()`: "robot", "obstacle", or nothing. */
+export function onClicks(page, floor, what, act) {
+  let from = null;
+  floor.addEventListener('pointerdown', (e) => { from = e; });
+  floor.addEventListener('click', (e) => {
+    if (!what() || !from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // it was dragged
+    act(put(page, what(), ...page.view.toFloor(e.offsetX, e.offsetY)));
+  });
+}
+
+/** The script with one more line, `what` at `t` seconds. */
+export function withLine(script, t, what) {
+  const before = script.trimEnd();
+  return `${before ? `${before}\n` : ''}at ${Math.floor(t * 1000)}ms ${what}\n`;
+}
