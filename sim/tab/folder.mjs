@@ -18,8 +18,7 @@ function boardOf(robot) {
 }
 
 const robots = {}, maps = {}, images = {};
-for (const name of stems(`${source}/sim/robot/stock`, '.toml'))
-  if (boardOf(name) !== 'bluepill') robots[name] = { board: boardOf(name), toml: read(robotFile(name)) };  // no STM32 in a tab
+for (const name of stems(`${source}/sim/robot/stock`, '.toml')) robots[name] = { board: boardOf(name), toml: read(robotFile(name)) };
 for (const name of stems(`${source}/maps`, '.map')) maps[name] = read(`${source}/maps/${name}.map`);
 for (const [name, robot] of sketches.map((sketch) => sketch.split(':')))
   images[name] = { robot, board: boardOf(robot), hex: read(`${build}/sketches/${name}.hex`) };

@@ -47,7 +47,7 @@ std::optional<Elf32_Shdr> section_at(std::string_view content, const Elf32_Ehdr&
 std::optional<std::string_view> names_in(std::string_view content, const Elf32_Ehdr& header,
                                          std::size_t index) {
   const auto section = index < header.e_shnum ? section_at(content, header, index) : std::nullopt;
-  if (!section || section->sh_type == SHT_NOBITS) return std::nullopt;
+  if (!section || section->sh_type != SHT_STRTAB) return std::nullopt;
   return part_of(content, section->sh_offset, section->sh_size);
 }
 
@@ -139,7 +139,7 @@ std::vector<ElfSymbol> ElfFile::symbols() const {
     if (table->sh_type != SHT_SYMTAB || table->sh_size == 0) continue;
     const auto names = names_in(content_, elf_->header, table->sh_link);
     const auto records = part_of(content_, table->sh_offset, table->sh_size);
-    if (!names || !records) damaged();
+    if (!names || !records || table->sh_flags & SHF_COMPRESSED) damaged();
     for (std::size_t at = 0; at + sizeof(Elf32_Sym) <= records->size(); at += sizeof(Elf32_Sym)) {
       const auto symbol = *record_at<Elf32_Sym>(*records, at);
       if (symbol.st_shndx == SHN_UNDEF) continue;

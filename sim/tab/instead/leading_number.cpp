@@ -33,7 +33,9 @@ std::optional<LeadingNumber> leading_number(std::string_view text) {
   const std::string number(text.substr(0, length_of(text)));
   if (number.empty()) return std::nullopt;
   const double value = std::strtod(number.c_str(), nullptr);
-  if (!std::isfinite(value)) return std::nullopt;
+  const bool vanished =
+      value == 0.0 && number.substr(0, number.find_first_of("eE")).find_first_of("123456789") != number.npos;
+  if (!std::isfinite(value) || vanished) return std::nullopt;
   return LeadingNumber{value, number.size()};
 }
 
