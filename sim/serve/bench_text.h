@@ -9,5 +9,7 @@ std::string_view bench_html();
 std::string_view bench_css();
 std::string_view bench_js();
 std::string_view watch_js();
+std::string_view editor_js();
+std::string_view drop_js();
 
 }  // namespace robosim::serve

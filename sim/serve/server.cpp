@@ -12,6 +12,7 @@
 #include "sim/serve/bench_text.h"
 #include "sim/serve/folder.h"
 #include "sim/serve/guard.h"
+#include "sim/serve/shelf.h"
 #include "sim/serve/workshop.h"
 
 namespace robosim::serve {
@@ -119,6 +120,8 @@ struct Server::Inside {
     give("/bench.css", bench_css(), "text/css");
     give("/bench.js", bench_js(), "text/javascript");
     give("/watch.js", watch_js(), "text/javascript");
+    give("/editor.js", editor_js(), "text/javascript");
+    give("/drop.js", drop_js(), "text/javascript");
     http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
     http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
     http.Post("/api/live",
@@ -127,6 +130,13 @@ struct Server::Inside {
              [this](const Request& request, Response& response) { watch(request, response); });
     http.Post(R"(/api/live/([0-9]{1,9}))",
               [this](const Request& request, Response& response) { ask(request, response); });
+    act("/api/map", [this](const Offered& offered) {
+      return Json{{"text", map_text(workshop.folder(), offered.name)}};
+    });
+    act("/api/floor", [](const Offered& offered) { return Json{{"floor", Json::parse(floor_of(offered))}}; });
+    act("/api/file", [this](const Offered& offered) {
+      return Json{{"saved", keep(workshop.folder(), offered)}};
+    });
     http.Get("/live.html", [](const Request&, Response& response) {
       const std::string_view page = record::page_text();
       response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
@@ -135,6 +145,19 @@ struct Server::Inside {
       const std::string page = workshop.page_of(number_of(request.matches[1].str()));
       if (page.empty()) return refuse(response, {404, "this run is not kept any more: run it again"});
       response.set_content(page, "text/html; charset=utf-8");
+    });
+  }
+
+  /// What is sent is {"name", "text"}; the answer is JSON, or the sentence of what `work` throws.
+  void act(const char* path, std::function<Json(const Offered&)> work) {
+    http.Post(path, [work = std::move(work)](const Request& request, Response& response) {
+      try {
+        response.set_content(json_text(work(read_offered(request.body))), "application/json");
+      } catch (const InputError& error) {
+        refuse(response, {400, error.what()});
+      } catch (const IsThere& there) {
+        refuse(response, {409, there.sentence});
+      }
     });
   }
 

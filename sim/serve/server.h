@@ -1,6 +1,6 @@
 // `robosim serve`: the page for a folder, by HTTP.
 //
-//   GET  /                    the page; /bench.css, /bench.js, /watch.js
+//   GET  /                    the page; /bench.css, /bench.js, /watch.js, /editor.js
 //   GET  /api/folder          what there is to choose from
 //   POST /api/run             runs it; the answer is a line of JSON for each piece of text that it prints,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
@@ -9,6 +9,9 @@
 //   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
 //                             and {"done": …}. The run ends when nobody listens any more
 //   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}
+//   POST /api/map             {"name"}: a map's text
+//   POST /api/floor           {"text"}: the floor of a map's text, or what is wrong with it
+//   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (shelf.h)
 //   GET  /live.html           the page of a run, empty
 #pragma once
 

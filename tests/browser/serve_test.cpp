@@ -118,6 +118,51 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   EXPECT_EQ(seen["kept"], seen["lines"]) << "its recording is shown in the end";
 }
 
+TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
+  const Json seen = in_page("sketch=./Echo", R"(
+    await until(() => document.documentElement.dataset.ready);
+    const said = (is) => until(() => is($('map-said').textContent));
+    $('edit').click();
+    await until(() => $('map-text').value);
+    $('map-text').value = $('map-text').value.replace('corner', 'corners');
+    $('map-text').onchange();
+    await said((text) => text.includes('corners'));
+    const broken = $('map-said').textContent;
+    $('map-undo').click();
+    $('map-text').value = $('map-text').value.replace('corners', 'corner');
+    $('map-text').onchange();
+    await said((text) => !text);
+    const key = (name, more = {}) => $('sheet').dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, ...more }));
+    key(' ');
+    for (const [to, times] of [['Right', 9], ['Down', 5], ['Left', 9], ['Up', 5]])
+      for (let i = 0; i < times; i++) key(`Arrow${to}`, { shiftKey: true });
+    key('5');
+    key(' ');
+    $('tool').value = 'path';
+    $('sheet').setPointerCapture = () => {};
+    const { left, top } = $('sheet').getBoundingClientRect(), scale = Math.min(($('sheet').clientWidth - 16) / 2000, ($('sheet').clientHeight - 16) / 1200);
+    for (const [x, y] of [[1300, 300], [1600, 300], [1600, 700], [1300, 700], [1300, 300]])
+      for (const kind of ['pointerdown', 'pointerup'])
+        $('sheet').dispatchEvent(new PointerEvent(kind, { clientX: left + 8 + x * scale, clientY: top + 8 + (1200 - y) * scale, pointerId: 1 }));
+    $('map-save').click();
+    await said((text) => text.startsWith('saved'));
+    $('map-save').click();
+    await until(() => !$('map-replace').hidden);
+    const files = new DataTransfer();
+    files.items.add(new File(['void setup() {}\nvoid loop() {}\n'], 'Dropped.ino'));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true }));
+    await until(() => $('state').textContent.includes('in the folder'));
+    return { broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
+  EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
+  EXPECT_EQ(seen["map"], "./my.map");
+  EXPECT_THAT(seen["sketches"], Contains("./Dropped"));
+  EXPECT_EQ(read_file(folder_ / "my.map"), seen["text"].get<std::string>());
+  const Json checked = Json::parse(robosim_command({"map", "check", "my.map", "--json"}, folder_.path()).out);
+  EXPECT_EQ(checked["paths"][0]["closed"], true) << checked.dump();
+  EXPECT_NEAR(checked["paths"][0]["smallest_radius_m"].get<double>(), 0.2, 0.001);
+  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "editor.png");
+}
+
 TEST_F(Serve, ShowsWhatTheCompilerSays) {
   const Json said = in_page("sketch=./Broken&run=1",
                             "await until(() => $('said').textContent); return $('said').textContent;");

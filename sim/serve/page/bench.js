@@ -2,6 +2,8 @@
 // a text that is sent, becomes a line of the script at the moment that is shown, and the run is made again: equal
 // input gives an equal run, so all before that moment stays as it was. A run that is watched live gets it at once.
 
+import { put } from '/drop.js';
+import { Editor } from '/editor.js';
 import { post, Watch } from '/watch.js';
 
 const $ = (id) => document.getElementById(id);
@@ -197,6 +199,24 @@ function comeBack() {
 }
 
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
+const editor = new Editor({ listed: list, maps: $('map') });
+$('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));
+
+const dropped = {
+  listed: list,
+  say: (sentence, bad) => { $('state').textContent = bad ? '' : sentence; if (bad) say(`${sentence}\n`, true); },
+  ask: (question, yes, then) => {
+    const button = Object.assign(document.createElement('button'), { type: 'button', textContent: yes, onclick: then });
+    $('state').replaceChildren(`${question} `, button);
+  },
+};
+$('add').addEventListener('change', () => put($('add').files, dropped));
+document.addEventListener('dragover', (e) => e.preventDefault());
+document.addEventListener('drop', (e) => {
+  e.preventDefault();
+  put(e.dataTransfer.files, dropped);
+});
+
 $('live').addEventListener('click', () => live());
 $('stop').addEventListener('click', () => {
   if (watching?.page) return watching.ask({ do: 'end' });  // what was seen of it is kept

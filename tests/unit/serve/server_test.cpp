@@ -14,6 +14,7 @@
 
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
+#include "sim/base/file.h"
 #include "sim/serve/folder.h"
 #include "sim/serve/workshop.h"
 #include "tests/support/temporary_folder.h"
@@ -140,6 +141,84 @@ TEST_F(Serving, RefusesOtherSites) {
   EXPECT_EQ(http_->Get("/api/folder")->status, 403);
   http_->set_default_headers({{"Host", "evil.example"}});
   EXPECT_EQ(http_->Get("/")->status, 421);
+}
+
+// A smallest map, whatever is above it.
+std::string file_json(const std::string& name, bool replace = false, const std::string& text = "S..\n") {
+  return Json{{"name", name}, {"text", text}, {"replace", replace}}.dump();
+}
+
+TEST_F(Serving, KeepsFilesInTheFolderAndNothingOverWhatIsThereUnasked) {
+  serve("");
+  const auto keep = [&](const std::string& json) {
+    return http_->Post("/api/file", json, "application/json");
+  };
+  EXPECT_EQ(Json::parse(keep(file_json("hall.map"))->body)["saved"], "./hall.map");
+  EXPECT_EQ(Json::parse(keep(file_json("New.ino", false, "void loop() {}"))->body)["saved"], "./New/New.ino");
+  EXPECT_EQ(Json::parse(http_->Get("/api/folder")->body)["sketches"][1], "./New");
+  EXPECT_EQ(keep(file_json("hall.map", false, "...\n"))->status, 409);
+  EXPECT_EQ(read_file(root() / "hall.map"), "S..\n");
+  EXPECT_EQ(keep(file_json("hall.map", true, "...\n"))->status, 200);
+  EXPECT_EQ(read_file(root() / "hall.map"), "...\n");
+  EXPECT_EQ(keep(file_json("./floors/hall.map", true))->status, 200) << "one that is listed";
+  const auto text = http_->Post("/api/map", R"({"name": "./floors/hall.map"})", "application/json");
+  EXPECT_EQ(Json::parse(text->body)["text"], "S..\n");
+  const auto floor = http_->Post("/api/floor", R"({"text": "S..\n"})", "application/json");
+  EXPECT_EQ(Json::parse(floor->body)["floor"]["width"], 300) << floor->body;
+  EXPECT_THAT(http_->Post("/api/floor", R"({"name": "a.map", "text": "S..\n.\n"})", "application/json")->body,
+              HasSubstr("a.map:2"));
+}
+
+TEST_F(Serving, WritesNothingElseAndNowhereElse) {
+  serve("");
+  fs::create_symlink(outside_.path() / "Theirs/Theirs.ino", root() / "link.map");
+  fs::create_directory_symlink(outside_.path(), root() / "Away");
+  write(outside_.path() / "x.map", "S..\n");
+  const std::string names[] = {"../x.map",
+                               "/tmp/x.map",
+                               "floors/x.map",
+                               "./floors/../../x.map",
+                               "./floors/new.map",
+                               "./away/x.map",
+                               "x.sh",
+                               "x.map.sh",
+                               ".x.map",
+                               "checks.toml",
+                               "",
+                               "x.map\n",
+                               "x%2fy.map",
+                               "..\\x.map",
+                               std::string(64, 'x') + ".map",
+                               "link.map",
+                               "Away.ino",
+                               std::string("x.map\0", 6)};
+  const auto before = [&] {
+    std::vector<std::string> all;
+    for (const fs::path& folder : {root(), outside_.path()})
+      for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) all.push_back(entry.path().string() + read_file(entry.path()));
+    return all;
+  };
+  const auto all = before();
+  for (const std::string& name : names) {
+    const auto answer = http_->Post("/api/file", file_json(name, true), "application/json");
+    ASSERT_TRUE(answer) << name;
+    EXPECT_EQ(answer->status, 400) << name << answer->body;
+  }
+  for (const std::string json :
+       {"[]", "{\"name\": 1}", "{\"path\": \"x.map\"}", "{\"name\": \"x.map\", \"replace\": 1}"})
+    EXPECT_EQ(http_->Post("/api/file", json, "application/json")->status, 400) << json;
+  EXPECT_EQ(http_->Post("/api/file", file_json("bad.map", false, "S.?\n"), "application/json")->status, 400);
+  EXPECT_EQ(http_->Post("/api/file", file_json("nul.toml", false, std::string(1, '\0')), "application/json")
+                ->status,
+            400);
+  EXPECT_EQ(
+      http_->Post("/api/file", file_json("large.toml", false, std::string(300'000, 'x')), "application/json")
+          ->status,
+      413);
+  for (const char* name : {"./away/x.map", "/etc/passwd", "../x.map", "link"})
+    EXPECT_EQ(http_->Post("/api/map", Json{{"name", name}}.dump(), "application/json")->status, 400) << name;
+  EXPECT_EQ(before(), all);
 }
 
 // What stands for robosim answers each line that it is sent, and ends with its input.
