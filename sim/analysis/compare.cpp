@@ -135,13 +135,13 @@ class Comparer {
                  const std::string& what, std::array<std::optional<std::size_t>, 2> line) {
     const std::int64_t a = t[0] - before[0], b = t[1] - before[1];
     if (std::abs(a - b) <= allowed(std::max(a, b))) return true;
-    Difference d{
-        Difference::Kind::time,
-        what,
-        t,
-        {"comes " + seconds(a) + " after the one before", "comes " + seconds(b) + " after the one before"},
-        "",
-        line};
+    const std::string since = before[0] + before[1] > 0 ? " after the one before" : " after the start";
+    Difference d{Difference::Kind::time,
+                 what,
+                 t,
+                 {"comes " + seconds(a) + since, "comes " + seconds(b) + since},
+                 "",
+                 line};
     report(std::move(d));
     return false;
   }
@@ -156,7 +156,7 @@ class Comparer {
       const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the beginning of the way";
       if (a[i].text != b[i].text)
         return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}});
-      if (i > 0 && !same_time(t, before, a[i].text + ", " + from, {})) return;
+      if (!same_time(t, before, a[i].text + ", " + from, {})) return;
       clocks_.add(t[0], t[1]);
       before = t;
     }

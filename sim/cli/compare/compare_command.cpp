@@ -23,6 +23,9 @@ namespace robosim::cli {
 namespace {
 
 constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // round a difference
+// A clock is off from the beginning on, or so long before a difference, and until it shows.
+constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
+constexpr std::int64_t kUntilItShows_ns = 5'000'000'000;
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by as much as this.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
@@ -132,45 +135,58 @@ class CompareCommand {
     return request;
   }
 
-  /// What happens to one target only, such as a race of its interrupts, is its own doing: so both must be on
-  /// the edge, and at least one of them there and then.
+  /// What one target alone does, such as by a race of its interrupts, is its own doing: so each must do what
+  /// the other did, too.
   void find_edges(Compared& compared, const std::array<std::size_t, 2>& lanes,
                   const std::array<const analysis::History*, 2>& histories) {
     compared.edges.clear();
     if (!analysis::is_of_driving(*compared.difference) || compared.sides[0].finding ||
         compared.sides[1].finding)
       return;
-    bool there = false;
     for (std::size_t side = 0; side < 2; ++side) {
-      std::optional<Edge> edge = find_edge(compared, lanes[side], *histories[side]);
+      std::optional<Edge> edge = find_edge(compared, side, lanes[side], histories);
       if (!edge) return compared.edges.clear();
-      there |= edge->like == analysis::Alike::there;
       compared.edges.push_back(std::move(*edge));
     }
-    if (!there) compared.edges.clear();
   }
 
-  /// Where this lane alone, with its clock a little off, differs from itself in the same way: there, if it
-  /// does.
-  std::optional<Edge> find_edge(const Compared& compared, std::size_t number,
-                                const analysis::History& history) {
-    Lane& lane = lanes_[number];
-    progress_.say(fmt::format("is {} alike to itself, its clock a little off? …", lane.run.target));
-    std::optional<Edge> found;
-    for (const int ppm : kClocksOff_ppm) {
-      wire::RunRequest request = request_of(lane, compared.seed);
-      request.script += fmt::format("\nat 0s fault clock drift {}ppm\n", ppm);
-      analysis::HistoryRecorder recorder = recorder_of(lane);
-      const wire::RunResult result =
-          lane.runner.run(request, [&](const wire::Event& event) { recorder.add(event); });
-      const analysis::Comparison comparison = analysis::compare(history, recorder.finish(result));
-      const auto like =
-          comparison.first ? analysis::alike(*comparison.first, *compared.difference) : analysis::Alike::no;
-      if (like == analysis::Alike::no || (found && like != analysis::Alike::there)) continue;
-      found = Edge{lane.run.target, ppm, *comparison.first, like};
-      if (like == analysis::Alike::there) break;
-    }
-    return found;
+  /// Where this lane, with its clock a little off, does as the other lane did.
+  std::optional<Edge> find_edge(const Compared& compared, std::size_t side, std::size_t number,
+                                const std::array<const analysis::History*, 2>& histories) {
+    const Lane& lane = lanes_[number];
+    progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.run.target));
+    const std::int64_t until =
+        std::max(compared.difference->t_ns[0], compared.difference->t_ns[1]) + kUntilItShows_ns;
+    std::vector<std::int64_t> starts{0};
+    for (const std::int64_t before : kClockOff_ns)
+      if (compared.difference->t_ns[side] > before)
+        starts.push_back(compared.difference->t_ns[side] - before);
+    for (const std::int64_t from : starts)
+      for (const int ppm : kClocksOff_ppm) {
+        const analysis::History history =
+            run_with_clock_off(lanes_[number], compared.seed, {from, until, ppm});
+        if (!analysis::does_as(history, *histories[1 - side], *compared.difference)) continue;
+        analysis::Comparison itself = analysis::compare(*histories[side], history);
+        if (itself.first && itself.first->first_ns() < until && analysis::is_of_driving(*itself.first))
+          return Edge{lane.run.target, ppm, from, std::move(*itself.first)};
+      }
+    return std::nullopt;
+  }
+
+  struct ClockOff {
+    std::int64_t from_ns;
+    std::int64_t until_ns;
+    int ppm;
+  };
+
+  analysis::History run_with_clock_off(Lane& lane, std::uint64_t seed, const ClockOff& off) {
+    wire::RunRequest request = request_of(lane, seed);
+    request.script += fmt::format("\nat {}ms fault clock drift {}ppm\n", off.from_ns / 1'000'000, off.ppm);
+    request.for_ns = std::min(request.for_ns, off.until_ns / 1'000'000 * 1'000'000);
+    analysis::HistoryRecorder recorder = recorder_of(lane);
+    const wire::RunResult result =
+        lane.runner.run(request, [&](const wire::Event& event) { recorder.add(event); });
+    return recorder.finish(result);
   }
 
   std::vector<analysis::History> run_lanes(std::uint64_t seed, Compared& compared) {

@@ -86,20 +86,19 @@ Json json_of(const ComparedSide& side) {
   return json;
 }
 
-std::string edge_text(const Edge& edge) {
+std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
-      "on the edge: {} differs from itself, too, where its clock is {:g} % {}; at {:.4f} s, {}\n"
+      "on the edge: {} does as {}, too, where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
       "  as above  {}\n  so        {}\n",
-      edge.target, std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow", seconds(edge.itself.t_ns[0]),
-      edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
+      edge.target, other.target, std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow",
+      edge.from_ns > 0 ? fmt::format(" from {:.2f} s on", seconds(edge.from_ns)) : "",
+      seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
 }
 
 Json json_of(const Edge& edge) {
-  return {{"target", edge.target},
-          {"ppm", edge.ppm},
-          {"kind", analysis::name_of(edge.itself.kind)},
-          {"what", edge.itself.what},
-          {"t_s", seconds(edge.itself.t_ns[0])},
+  return {{"target", edge.target},           {"ppm", edge.ppm},
+          {"from_s", seconds(edge.from_ns)}, {"kind", analysis::name_of(edge.itself.kind)},
+          {"what", edge.itself.what},        {"t_s", seconds(edge.itself.t_ns[0])},
           {"texts", edge.itself.sides}};
 }
 
@@ -125,7 +124,8 @@ std::string compare_text(const Compared& c) {
   text += fmt::format("\nfirst difference, at {:.4f} s on {} and {:.4f} s on {}: {}\n", seconds(d.t_ns[0]),
                       c.sides[0].target, seconds(d.t_ns[1]), c.sides[1].target, d.what);
   for (const ComparedSide& side : c.sides) text += side_text(side);
-  for (const Edge& edge : c.edges) text += edge_text(edge);
+  for (std::size_t side = 0; side < c.edges.size(); ++side)
+    text += edge_text(c.edges[side], c.sides[1 - side]);
   if (!d.cause.empty()) text += fmt::format("cause     {}\n", d.cause);
   for (const ComparedSide& side : c.sides) text += finding_text(side);
   for (const ComparedSide& side : c.sides) text += around_text(side);

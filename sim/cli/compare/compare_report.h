@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sim/analysis/compare.h"
-#include "sim/analysis/edge.h"
 #include "sim/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
@@ -32,13 +31,12 @@ struct ComparedRun {
   wire::RunResult result;
 };
 
-/// That a target differs from itself as much as from another, if its clock is a little off: chance decides
-/// there.
+/// That a target does what another did, if its clock is a little off: chance decides there.
 struct Edge {
   std::string target;
-  int ppm = 0;                  ///< by which its clock was off
+  int ppm = 0;                  ///< by which its clock was off …
+  std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: as it is; sides[1]: with that clock
-  analysis::Alike like = analysis::Alike::there;
 };
 
 /// A comparison of all targets with one seed.

@@ -52,6 +52,13 @@ std::optional<Kind> kind(const History& a, const History& b) {
   return forth->kind;
 }
 
+TEST(Compare, TheFirstPlaceIsTimedFromTheStart) {
+  const auto first = compare(places({{4 * kS, "lap 1"}}), places({{8 * kS, "lap 1"}})).first;
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->kind, Kind::time);
+  EXPECT_EQ(first->sides[1], "comes 8.000 s after the start");
+}
+
 TEST(Compare, TheSameIsNoDifference) { EXPECT_EQ(kind(run(), run()), std::nullopt); }
 
 TEST(Compare, ARobotThatComesALittleLaterIsNoDifference) {

@@ -1,4 +1,4 @@
-// Differences that never happened: which of a target from itself make one between two targets chance.
+// Runs that never happened: which of a target with another clock shows that it does what another target did.
 
 #include "sim/analysis/edge.h"
 
@@ -11,81 +11,65 @@ namespace {
 
 using Kind = Difference::Kind;
 
-Difference of(Kind kind, const char* what, std::int64_t t_ns, const char* one, const char* other) {
-  return {kind, what, {t_ns, t_ns}, {one, other}, "", {}};
+/// Ahead until it turns for 1 s, and ahead again until it ends.
+History turning_at(std::int64_t at_ns, Manoeuvre manoeuvre, std::int64_t end_ns = 30 * kSecond_ns) {
+  History h;
+  h.verdict = "timeout";
+  h.end_ns = end_ns;
+  h.stretches = {{0, at_ns, Manoeuvre::ahead, 0.5, 0.5},
+                 {at_ns, at_ns + kSecond_ns, manoeuvre},
+                 {at_ns + kSecond_ns, end_ns, Manoeuvre::ahead, 0.5, 0.5}};
+  return h;
 }
 
-Difference turns_at(std::int64_t t_ns) {
-  return of(Kind::motors, "the motors", t_ns, "turns right on the spot for 0.710 s", "drives ahead");
+History lost_at(std::int64_t t_ns) {
+  History h = turning_at(5 * kSecond_ns, Manoeuvre::turns_left);
+  h.places = {{t_ns, kOffTheLine}};
+  h.lost_ns = t_ns;
+  h.verdict = "lost";
+  return h;
 }
 
-Difference late(const char* what, std::int64_t t_ns, const char* one, const char* other) {
-  return of(Kind::time, what, t_ns, one, other);
+class RobotOnTheEdge : public testing::Test {
+ protected:
+  const History here_ = turning_at(10 * kSecond_ns, Manoeuvre::turns_left);
+  const History there_ = turning_at(10 * kSecond_ns, Manoeuvre::turns_right);
+  const Difference found_ = *compare(here_, there_).first;
+};
+
+TEST_F(RobotOnTheEdge, DoesAsTheOtherIfItTurnsThatWayThen) {
+  EXPECT_TRUE(does_as(turning_at(10'300'000'000, Manoeuvre::turns_right), there_, found_));
+  EXPECT_FALSE(does_as(here_, there_, found_));
 }
 
-TEST(Edge, TheSameKindAboutThenIsThere) {
-  EXPECT_EQ(alike(turns_at(10 * kSecond_ns), turns_at(11 * kSecond_ns)), Alike::there);
-  EXPECT_EQ(alike(of(Kind::place, "the way after junction 3", 28 * kSecond_ns, "a", "b"),
-                  late("junction 4, the way after junction 3", 27 * kSecond_ns, "c", "d")),
-            Alike::there)
-      << "another place, and the same one much later";
-  EXPECT_EQ(alike(of(Kind::place, "the way after junction 3", 10 * kSecond_ns, "a", "b"),
-                  turns_at(10 * kSecond_ns)),
-            Alike::no);
+TEST_F(RobotOnTheEdge, DoesNotAsTheOtherIfItTurnsThatWayAtAnotherTimeOnly) {
+  EXPECT_FALSE(does_as(turning_at(20 * kSecond_ns, Manoeuvre::turns_right), there_, found_));
 }
 
-TEST(Edge, TheSameTwoManoeuvresAtAnotherTimeAreElsewhere) {
-  EXPECT_EQ(alike(turns_at(30 * kSecond_ns), turns_at(10 * kSecond_ns)), Alike::elsewhere);
-  EXPECT_EQ(alike(of(Kind::motors, "the motors", 30 * kSecond_ns, "drives ahead",
-                     "turns right on the spot for 2 s"),
-                  turns_at(10 * kSecond_ns)),
-            Alike::elsewhere)
-      << "whichever of the two it does with its own clock";
-  EXPECT_EQ(alike(of(Kind::motors, "the motors", 30 * kSecond_ns, "turns left on the spot for 0.710 s",
-                     "drives ahead"),
-                  turns_at(10 * kSecond_ns)),
-            Alike::no);
-  EXPECT_EQ(alike(of(Kind::speed, "the motors until 9.0 s", 30 * kSecond_ns, "drives at 20 % on average",
-                     "drives at 60 % on average"),
-                  of(Kind::speed, "the motors until 3.0 s", 10 * kSecond_ns, "drives at 20 % on average",
-                     "drives at 60 % on average")),
-            Alike::no);
+TEST_F(RobotOnTheEdge, MayDoWhatItWillTwoSecondsLater) {
+  History later = there_;
+  later.stretches.back().to_ns = 15 * kSecond_ns;
+  later.stretches.push_back({15 * kSecond_ns, 30 * kSecond_ns, Manoeuvre::stands});
+  EXPECT_TRUE(does_as(later, there_, found_));
 }
 
-TEST(Edge, AWayThatTakesOneOfTheSameTwoTimesAtAPlaceOfTheSameSortIsElsewhere) {
-  const Difference found = late("junction 5, the way after station 3", 25 * kSecond_ns,
-                                "comes 2.220 s after the one before", "comes 4.560 s after the one before");
-  EXPECT_EQ(alike(late("junction 1, the way after station 1", 42 * kSecond_ns,
-                       "comes 4.640 s after the one before", "comes 2.160 s after the one before"),
-                  found),
-            Alike::elsewhere);
-  EXPECT_EQ(alike(late("junction 1, the way after station 1", 42 * kSecond_ns,
-                       "comes 9.640 s after the one before", "comes 2.160 s after the one before"),
-                  found),
-            Alike::no)
-      << "another time";
-  EXPECT_EQ(alike(late("junction 1, the way after junction 2", 42 * kSecond_ns,
-                       "comes 4.640 s after the one before", "comes 2.160 s after the one before"),
-                  found),
-            Alike::no)
-      << "between two junctions";
+TEST_F(RobotOnTheEdge, HasNotShownItIfItsRunEndsBefore) {
+  EXPECT_FALSE(does_as(turning_at(3 * kSecond_ns, Manoeuvre::ahead, 6 * kSecond_ns), there_, found_));
+}
+
+TEST_F(RobotOnTheEdge, DoesAsTheOtherIfItEndsAsThatDoesAtAboutThatTime) {
+  const History goes_on = turning_at(5 * kSecond_ns, Manoeuvre::turns_left);
+  const Difference found = *compare(goes_on, lost_at(20 * kSecond_ns)).first;
+  EXPECT_EQ(found.kind, Kind::place);
+  EXPECT_TRUE(does_as(lost_at(18 * kSecond_ns), lost_at(20 * kSecond_ns), found));
+  EXPECT_FALSE(does_as(lost_at(8 * kSecond_ns), lost_at(20 * kSecond_ns), found))
+      << "what comes after a robot is lost is not compared";
 }
 
 TEST(Edge, WhatHasACauseWithANameOrIsPrintedIsNoChance) {
-  Difference own = turns_at(10 * kSecond_ns);
-  own.cause = "integer width: -25536 = 40000 - 2^16";
-  EXPECT_EQ(alike(own, turns_at(10 * kSecond_ns)), Alike::no);
-  const Difference line = of(Kind::line, "line 3 of the serial port", kSecond_ns, "says \"a\"", "says \"b\"");
-  EXPECT_EQ(alike(line, line), Alike::no);
-}
-
-TEST(Edge, AnEndIsThereWheneverItComesIfItIsOneOfTheSameTwo) {
-  const Difference found =
-      of(Kind::verdict, "how it ends", 60 * kSecond_ns, "reached: the goal", "lost: the line");
-  EXPECT_EQ(alike(of(Kind::verdict, "how it ends", 20 * kSecond_ns, "reached: so", "lost: so"), found),
-            Alike::there);
-  EXPECT_EQ(alike(of(Kind::verdict, "how it ends", 60 * kSecond_ns, "reached: so", "stuck: so"), found),
-            Alike::no);
+  EXPECT_TRUE(is_of_driving({Kind::motors, "the motors", {}, {}, "", {}}));
+  EXPECT_FALSE(is_of_driving({Kind::motors, "the motors", {}, {}, "integer width: …", {}}));
+  EXPECT_FALSE(is_of_driving({Kind::line, "line 3 of the serial port", {}, {}, "", {}}));
 }
 
 }  // namespace
