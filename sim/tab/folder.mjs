@@ -1,7 +1,7 @@
 // node folder.mjs SOURCE BUILD OUT SKETCH:ROBOT…
 //
 // Puts the folder together that a static host serves: the page of sim/tab/page, the module and the replay's page from the
-// build, stock.json with all sketches, robots and maps, and the service worker with the list of all that.
+// build, licences, stock.json with all sketches, robots and maps, and the service worker with the list of all that.
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
@@ -27,6 +27,7 @@ rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const name of readdirSync(page)) if (name !== 'sw.js') copyFileSync(`${page}/${name}`, `${out}/${name}`);
 for (const name of ['robosim.js', 'robosim.wasm', 'replay.html']) copyFileSync(`${build}/${name}`, `${out}/${name}`);
+writeFileSync(`${out}/licences.txt`, ['robosim-tab', 'robosim'].map((name) => read(`${source}/toolchain/licences/${name}.copyright`)).join(''));
 writeFileSync(`${out}/stock.json`, JSON.stringify({ sketches: images, robots, maps }));
 
 const files = readdirSync(out).sort();
