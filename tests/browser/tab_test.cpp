@@ -113,6 +113,16 @@ TEST_F(Tab, PassesARunOnInALink) {
   EXPECT_EQ(got["seed"], "7");
 }
 
+TEST_F(Tab, RunsOnAMapThatWasEditedInThePage) {
+  const Json seen = in_page(R"(
+    $('edit-map').click();
+    $('own-text').value = $('own-text').value.replace('"laps:1"', '"laps:2"');
+    $('own-text').dispatchEvent(new Event('input'));
+    await run();
+    return { map: $('map').selectedOptions[0].text, goal: shown().run.result.goal };)");
+  EXPECT_EQ(seen, Json::parse(R"({"map": "my-oval.map", "goal": "laps:2"})"));
+}
+
 TEST_F(Tab, SaysWhatIsWrongWithAFile) {
   const Json said = in_page(R"(
     const all = [];

@@ -1,6 +1,7 @@
 // The form above a replay, without a server: a worker runs the sketch, and the recording that it gives is shown in the page
 // that `robosim run --record run.html` writes.
 
+import { TextEditor } from './edit.js';
 import { buttonsOf, onClicks, sending, withLine } from './hands.js';
 import { MOST_LINK, ofFile, ofLink, packed, toFile, toLink, unpacked } from './share.js';
 
@@ -53,7 +54,7 @@ function chooseSketch() {
 
 const chosen = (kind) => {
   const { value } = $(kind);
-  return value.startsWith(OWN) ? own[kind].get(value.slice(OWN.length)) : value;
+  return value.startsWith(OWN) ? { ...own[kind].get(value.slice(OWN.length)) } : value;  // as it is now: it may be edited
 };
 
 function wantedNow() {
@@ -118,6 +119,14 @@ function connectDrops(target) {
     e.stopImmediatePropagation();
     take(e.dataTransfer.files);
   }, true);
+}
+
+const decoded = (bytes) => new TextDecoder().decode(bytes);
+
+function textOf(kind) {
+  const part = chosen(kind);
+  if (part.name) return { name: part.name, text: decoded(part.bytes) };
+  return { name: part, text: kind === 'map' ? stock.maps[part] : stock.robots[part].toml };
 }
 
 // ---- running
@@ -289,6 +298,8 @@ async function begin() {
   $('save-page').addEventListener('click', async () => save(await pageOf(last.rec), `${nameOf(last.wanted)}.html`));
   $('save-rec').addEventListener('click', () => save(new Blob([last.rec]), `${nameOf(last.wanted)}.rec`));
   $('share').addEventListener('click', share);
+  const editor = new TextEditor(textOf, (kind, file) => { want({ [kind]: file }); $('more').open = true; $('save-own').hidden = false; });
+  $('save-own').addEventListener('click', () => save(new Blob([editor.file.bytes]), editor.file.name));
   addEventListener('hashchange', () => location.hash.includes('=') && follow().catch((error) => complain(error.message)));
   $('send').addEventListener('submit', (e) => { e.preventDefault(); act(sending($('text').value)); });
   keepOffline().catch(() => {});
