@@ -52,7 +52,7 @@ struct RunRequest {
   /// sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool interactive = false;  ///< driven step by step: see driven_run.h
-  std::string counters;      ///< file for what an image built for coverage has counted; empty = none
+  std::string counters;      ///< file for how often the sketch's lines ran; empty = none
 };
 
 template <class V>
@@ -68,8 +68,8 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
     {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
   v("counters", r.counters,
-    "file that the runner writes at the end: what an image built for coverage has counted "
-    "(`sim/base/bundle.h`)",
+    "file that the runner writes at the end: how often lines ran (`sim/base/bundle.h`); on the host only an "
+    "image that was built for coverage counts",
     {.otherwise = "none", .presence = when(!r.counters.empty())});
   v("gdb_port", r.gdb_port,
     "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "
