@@ -135,28 +135,33 @@ class CompareCommand {
     return request;
   }
 
-  /// What one target alone does, such as by a race of its interrupts, is its own doing: so each must do what
-  /// the other did, too.
+  /// What one target alone does, such as by a race of its interrupts, is its own doing: so one must do what
+  /// the other did there, and the other, too, or differ from itself in a like way.
   void find_edges(Compared& compared, const std::array<std::size_t, 2>& lanes,
                   const std::array<const analysis::History*, 2>& histories) {
     compared.edges.clear();
     if (!analysis::is_of_driving(*compared.difference) || compared.sides[0].finding ||
         compared.sides[1].finding)
       return;
+    bool there = false;
     for (std::size_t side = 0; side < 2; ++side) {
       std::optional<Edge> edge = find_edge(compared, side, lanes[side], histories);
       if (!edge) return compared.edges.clear();
+      there |= edge->does_as_other;
       compared.edges.push_back(std::move(*edge));
     }
+    if (!there) compared.edges.clear();
   }
 
-  /// Where this lane, with its clock a little off, does as the other lane did.
+  /// Where this lane, with its clock a little off, does as the other lane did; or, if it never does,
+  /// differs from itself in a like way.
   std::optional<Edge> find_edge(const Compared& compared, std::size_t side, std::size_t number,
                                 const std::array<const analysis::History*, 2>& histories) {
     const Lane& lane = lanes_[number];
     progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.run.target));
     const std::int64_t until =
         std::max(compared.difference->t_ns[0], compared.difference->t_ns[1]) + kUntilItShows_ns;
+    std::optional<Edge> found;
     std::vector<std::int64_t> starts{0};
     for (const std::int64_t before : kClockOff_ns)
       if (compared.difference->t_ns[side] > before)
@@ -165,12 +170,15 @@ class CompareCommand {
       for (const int ppm : kClocksOff_ppm) {
         const analysis::History history =
             run_with_clock_off(lanes_[number], compared.seed, {from, until, ppm});
-        if (!analysis::does_as(history, *histories[1 - side], *compared.difference)) continue;
         analysis::Comparison itself = analysis::compare(*histories[side], history);
-        if (itself.first && itself.first->first_ns() < until && analysis::is_of_driving(*itself.first))
-          return Edge{lane.run.target, ppm, from, std::move(*itself.first)};
+        if (!itself.first || itself.first->first_ns() >= until || !analysis::is_of_driving(*itself.first))
+          continue;
+        const bool does = analysis::does_as(history, *histories[1 - side], *compared.difference);
+        if (!does && (found || !analysis::is_alike(*itself.first, *compared.difference))) continue;
+        found = Edge{lane.run.target, ppm, from, std::move(*itself.first), does};
+        if (does) return found;
       }
-    return std::nullopt;
+    return found;
   }
 
   struct ClockOff {

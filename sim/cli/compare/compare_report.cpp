@@ -88,9 +88,10 @@ Json json_of(const ComparedSide& side) {
 
 std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
-      "on the edge: {} does as {}, too, where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
+      "on the edge: {} {}, too, where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
       "  as above  {}\n  so        {}\n",
-      edge.target, other.target, std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow",
+      edge.target, edge.does_as_other ? "does as " + other.target : "differs from itself",
+      std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow",
       edge.from_ns > 0 ? fmt::format(" from {:.2f} s on", seconds(edge.from_ns)) : "",
       seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
 }

@@ -31,12 +31,13 @@ struct ComparedRun {
   wire::RunResult result;
 };
 
-/// That a target does what another did, if its clock is a little off: chance decides there.
+/// That a target goes another way, if its clock is a little off: chance decides there.
 struct Edge {
   std::string target;
   int ppm = 0;                  ///< by which its clock was off …
   std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: as it is; sides[1]: with that clock
+  bool does_as_other = true;    ///< there; else it differs from itself in a like way
 };
 
 /// A comparison of all targets with one seed.

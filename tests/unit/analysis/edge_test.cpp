@@ -66,6 +66,41 @@ TEST_F(RobotOnTheEdge, DoesAsTheOtherIfItEndsAsThatDoesAtAboutThatTime) {
       << "what comes after a robot is lost is not compared";
 }
 
+constexpr std::int64_t kElsewhere_ns = 60 * kSecond_ns;
+
+Difference turns(Kind kind, const char* one, const char* other) {
+  return {kind, "the motors", {kElsewhere_ns, kElsewhere_ns}, {one, other}, "", {}};
+}
+
+TEST(Edge, TheSameTwoManoeuvresAreTheSameWaysWhicheverComesFirst) {
+  Difference found = turns(Kind::motors, "turns right on the spot for 0.710 s", "drives ahead");
+  found.t_ns = {};
+  EXPECT_TRUE(is_alike(turns(Kind::motors, "drives ahead", "turns right on the spot for 2 s"), found));
+  EXPECT_FALSE(is_alike(turns(Kind::motors, "drives ahead", "turns left on the spot for 2 s"), found));
+  EXPECT_FALSE(is_alike(turns(Kind::speed, "drives ahead", "turns right on the spot for 2 s"), found));
+  found.t_ns = {kElsewhere_ns + kSecond_ns, kElsewhere_ns + kSecond_ns};
+  EXPECT_TRUE(is_alike(turns(Kind::motors, "drives ahead", "turns left on the spot for 2 s"), found))
+      << "at about that time";
+}
+
+TEST(Edge, OneOfTheSameTwoTimesAtAPlaceOfTheSameSortIsTheSameWay) {
+  const auto late = [](const char* what, const char* one, const char* other) {
+    return Difference{Kind::time, what, {kElsewhere_ns, kElsewhere_ns}, {one, other}, "", {}};
+  };
+  Difference found = late("junction 5, the way after station 3", "comes 2.220 s after the one before",
+                          "comes 4.560 s after the one before");
+  found.t_ns = {};
+  EXPECT_TRUE(is_alike(late("junction 1, the way after station 1", "comes 4.640 s after the one before",
+                            "comes 2.160 s after the one before"),
+                       found));
+  EXPECT_FALSE(is_alike(late("junction 1, the way after station 1", "comes 9.640 s after the one before",
+                             "comes 2.160 s after the one before"),
+                        found));
+  EXPECT_FALSE(is_alike(late("junction 1, the way after junction 2", "comes 4.640 s after the one before",
+                             "comes 2.160 s after the one before"),
+                        found));
+}
+
 TEST(Edge, WhatHasACauseWithANameOrIsPrintedIsNoChance) {
   EXPECT_TRUE(is_of_driving({Kind::motors, "the motors", {}, {}, "", {}}));
   EXPECT_FALSE(is_of_driving({Kind::motors, "the motors", {}, {}, "integer width: …", {}}));
