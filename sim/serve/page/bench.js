@@ -121,7 +121,6 @@ const live = () => underWay('building …', async (signal) => {
     },
     did: (lines) => {
       $('script').value = `${$('script').value.trimEnd()}\n${lines}`.trimStart();
-      $('script-box').open = true;
     },
     refused: (sentence) => say(`${sentence}\n`, true),
     gone: () => { gone = true; },
