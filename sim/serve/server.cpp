@@ -240,10 +240,14 @@ struct Server::Inside {
         const std::string text = server_sent(lines);
         return sink.write(text.data(), text.size());
       };
+      bool heard = true;
       const auto done = workshop.watch(number, [&](Workshop::Said said, const std::string& text) {
-        if (text.empty()) return sink.is_writable();
-        return event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
+        heard = text.empty()
+                    ? sink.is_writable()
+                    : event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
+        return heard;
       });
+      if (!heard || workshop.ending()) return false;  // what is cut off tells the page
       event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "there is no such run to watch"}))) + "\n");
       sink.done();
       return true;
@@ -268,6 +272,9 @@ Server::Server(const Settings& settings) : in_(std::make_unique<Inside>(settings
 Server::~Server() = default;
 std::string Server::url() const { return in_->guard.url(); }
 void Server::serve() { in_->http.listen_after_bind(); }
-void Server::stop() { in_->http.stop(); }
+void Server::stop() {
+  in_->workshop.end();
+  in_->http.stop();
+}
 
 }  // namespace robosim::serve

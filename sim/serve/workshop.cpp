@@ -134,6 +134,7 @@ Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources
         text.assign(buffer, static_cast<std::size_t>(got));
       }
       if (done.sentence.empty() && !sources[i].take(text)) stop("nobody was listening any more");
+      if (done.sentence.empty() && ending_) stop("the server has ended");
     }
     if (done.sentence.empty() &&
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > longest_s)

@@ -2,6 +2,7 @@
 // fetch. One that is watched while it runs is a `robosim run --live`.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -63,6 +64,10 @@ class Workshop {
   /// A request to a run that is watched (sim/wire/live.h), a line of JSON; false: it does not listen.
   bool ask(int number, const std::string& line);
 
+  /// Stops all runs, for ever: the server ends.
+  void end() { ending_ = true; }
+  bool ending() const { return ending_; }
+
   /// The page of a run; "" if it is not kept any more.
   std::string page_of(int recording) const;
 
@@ -84,6 +89,7 @@ class Workshop {
 
   const std::filesystem::path robosim_, folder_, kept_;
   mutable std::mutex mutex_;
+  std::atomic<bool> ending_{false};
   int running_ = 0;
   int last_ = 0;
   std::map<int, Wanted> prepared_;
