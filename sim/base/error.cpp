@@ -4,8 +4,10 @@ namespace robosim {
 
 std::string to_string(const Place& place) {
   std::string text = place.file;
-  if (place.line > 0) text += (text.empty() ? "line " : ":") + std::to_string(place.line);
-  if (place.line > 0 && place.column > 0) text += ":" + std::to_string(place.column);
+  if (place.line <= 0) return text;
+  text += text.empty() ? "line " : ":";
+  text += std::to_string(place.line);
+  if (place.column > 0) text += ':' + std::to_string(place.column);
   return text;
 }
 

@@ -7,8 +7,8 @@ namespace robosim::robot {
 std::string output_name(const std::vector<Register>& registers, Pin output) {
   const int number = output - kMaxPins, q = number % kRegisterOutputs;
   const Register& at = registers[static_cast<std::size_t>(number / kRegisterOutputs)];
-  return at.part +
-         (at.first_channel < 0 ? ".Q" + std::to_string(q) : "." + std::to_string(at.first_channel + q));
+  const bool is_channel = at.first_channel >= 0;
+  return at.part + (is_channel ? "." : ".Q") + std::to_string(is_channel ? at.first_channel + q : q);
 }
 
 std::optional<int> register_of(const std::vector<Register>& registers, const std::string& part) {

@@ -112,7 +112,8 @@ std::string Server::query(Processor& processor, const std::string& packet) {
     const std::uint32_t size = fields.number();
     const std::string xml = processor.description();
     if (!fields.sound() || offset > xml.size()) return kRefused;
-    return (offset + size < xml.size() ? "m" : "l") + xml.substr(offset, size);
+    std::string part = offset + size < xml.size() ? "m" : "l";
+    return part += xml.substr(offset, size);
   }
   return kUnknown;
 }
