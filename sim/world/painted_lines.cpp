@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 namespace robosim::world {
 namespace {
 
 constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all stripes
 constexpr double kFlake = 0.010;              // m between the points at which paint is whole or gone
+static_assert(grid::Paint::kMost + 1 < 64);   // paints are bits of a word
 
 }  // namespace
 
@@ -22,11 +24,14 @@ PaintedLines::PaintedLines(const grid::Map& map) : map_(&map), paints_(grid::pai
 
 double PaintedLines::over(double below, Band band, Vec2 p, double footprint,
                           const PaintedMarks& marks) const {
-  std::array<double, grid::Paint::kMost + 1> shares;
-  const std::size_t count = paints_.size();
-  std::fill_n(shares.begin(), count, std::numeric_limits<double>::infinity());
+  std::array<double, grid::Paint::kMost + 1> shares;  // of the paints in `met`; distances at first
+  std::uint64_t met = 0;
   const auto approach = [&](const grid::Stripe& stripe) {
-    if (stripe.painted) shares[stripe.paint] = std::min(shares[stripe.paint], grid::distance(stripe, p));
+    if (!stripe.painted) return;
+    const double away = grid::distance(stripe, p);
+    const std::uint64_t bit = std::uint64_t{1} << stripe.paint;
+    shares[stripe.paint] = met & bit ? std::min(shares[stripe.paint], away) : away;
+    met |= bit;
   };
   if (footprint <= kLookedUpFootprint) {
     const double u = p.x / map_->cell_m, v = p.y / map_->cell_m;
@@ -37,13 +42,20 @@ double PaintedLines::over(double below, Band band, Vec2 p, double footprint,
   } else {
     for (const grid::Stripe& stripe : stripes_->all()) approach(stripe);
   }
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::uint64_t rest = met; rest; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
     const double width = paints_[i].width;
     shares[i] = std::clamp((0.5 * (width + footprint) - shares[i]) / footprint, 0.0,
                            std::min(1.0, width / footprint));
   }
-  if (!marks.empty()) marks.raise(p, footprint, {shares.data(), count});
-  for (std::size_t i = 0; i < count; ++i) {
+  if (!marks.empty()) {
+    for (std::size_t i = 0; i < paints_.size(); ++i)
+      if (!(met >> i & 1)) shares[i] = 0.0;
+    met = (std::uint64_t{1} << paints_.size()) - 1;
+    marks.raise(p, footprint, {shares.data(), paints_.size()});
+  }
+  for (std::uint64_t rest = met; rest; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
     const grid::Paint& paint = paints_[i];
     if (shares[i] <= 0.0) continue;
     const double there = paint.worn > 0.0 ? shares[i] * left(p, paint.worn) : shares[i];
