@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "sim/base/error.h"
 #include "sim/testing/run_log.h"
 
 namespace robosim::testing {
@@ -26,11 +27,18 @@ bool is_rehearsal() { return rehearsals > 0; }
 bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body) {
   const Rehearsal rehearsal;
   ::testing::TestPartResultArray results;
+  bool began = false;
   try {
     const ::testing::ScopedFakeTestPartResultReporter reporter(
         ::testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
     Simulation robot(trial);
+    began = true;
     body(robot);
+  } catch (const InputError&) {
+    if (!began) throw;
+    return true;
+  } catch (const ToolMissing&) {
+    throw;
   } catch (const std::exception&) {
     return true;
   }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/base/error.h"
 #include "sim/grid/network.h"
 #include "sim/grid/true_graph.h"
 #include "tests/support/caught_failures.h"
@@ -262,6 +263,12 @@ TEST(InRandomWorlds, FailsWhereTheBodyThrows) {
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_THAT(messages[0], HasSubstr("nose"));
   EXPECT_THAT(messages[0], HasSubstr("world 1 of 3 failed"));
+}
+
+TEST(InRandomWorlds, DoesNotTakeASketchThatCannotBeBuiltForOneThatFails) {
+  Worlds worlds = pid_in_trees();
+  worlds.trial.sketch = "NoSuchSketch";
+  EXPECT_THROW(InRandomWorlds(worlds, {3}, [](Simulation&) {}), InputError);
 }
 
 }  // namespace
