@@ -9,7 +9,7 @@ namespace {
 
 TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   RunArguments arguments;
-  arguments.record = {"a.png"};
+  arguments.record = {"a.gif"};
   EXPECT_THROW(run_command(arguments), InputError);
   arguments = {};
   arguments.sketch = "PidFollower";
