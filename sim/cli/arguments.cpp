@@ -15,6 +15,7 @@
 #include "sim/cli/help_text.h"
 #include "sim/cli/options.h"
 #include "sim/cli/report/report_arguments.h"
+#include "sim/cli/run/fleet_arguments.h"
 #include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
@@ -42,19 +43,12 @@ Command parse_run(const Words& words) {
   RunArguments run;
   std::string duration, clock, number, speed, port;
   Options options("run", "Runs a sketch on a robot on a map, and judges it.");
-  options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
-  options.text("--robot", run.robot, "ROBOT",
-               "file, or name of a stock robot; with @BOARD behind it, on that board");
-  options.text("--target", run.target, "TARGET", "host, avr or stm32");
-  options.text("--start", run.request.start, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", run.request.goal, "GOAL",
-               "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
+  FleetOptions robots(options, run);
   options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
   options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
   options.text("--seed", number, "N", "of all noise and spread; default: 1");
   options.text("--profile", run.request.profile, "PROFILE", kProfiles);
-  options.text("--script", run.script, "FILE", "what happens meanwhile: buttons, serial, faults");
   options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
   options.text("--env", run.environment, "NAME", kEnvironment);
   options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
@@ -81,6 +75,7 @@ Command parse_run(const Words& words) {
   check_profile(run.request.profile);
   if (run.view + run.json + run.serial + run.live > 1)
     throw InputError("--view, --live, --json and --serial want the standard output; give one of them");
+  robots.finish();
   if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
   return run;
 }

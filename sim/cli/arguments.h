@@ -8,12 +8,14 @@
 #include <variant>
 #include <vector>
 
+#include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
 
 namespace robosim::cli {
 
 /// `robosim run`. Names are as the user typed them; empty = not given.
 struct RunArguments : launch::Launch {
+  launch::Fleet fleet;              ///< several robots; without members it is one, as above
   std::string script;               ///< a file
   std::vector<std::string> send;    ///< texts as a scenario writes them, between its double quotes
   std::vector<std::string> record;  ///< files

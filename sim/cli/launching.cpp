@@ -12,9 +12,11 @@ constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
 
 }  // namespace
 
+std::string script_text(const std::string& file) { return read_file(file, kMostScript_bytes); }
+
 std::string scenario_text(const RunArguments& arguments) {
   std::string text;
-  if (!arguments.script.empty()) text = read_file(arguments.script, kMostScript_bytes);
+  if (!arguments.script.empty()) text = script_text(arguments.script);
   if (!text.empty() && text.back() != '\n') text += '\n';
   for (const std::string& send : arguments.send) text += fmt::format("at 1s send \"{}\"\n", send);
   return text;

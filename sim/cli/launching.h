@@ -9,6 +9,9 @@
 
 namespace robosim::cli {
 
+/// Of one file. Throws InputError.
+std::string script_text(const std::string& file);
+
 /// The scenario's text: the file of --script, then a line for each --send. Throws InputError.
 std::string scenario_text(const RunArguments& arguments);
 

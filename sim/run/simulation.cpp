@@ -24,6 +24,10 @@ struct Simulation::Inside final : Standstill {
   }
   void check(const Leg& leg) const override;
 
+  void add_agent(const AgentSetup& own);
+  void note_acting(std::size_t number) const {
+    if (setup.acting) setup.acting->store(static_cast<int>(number), std::memory_order_relaxed);
+  }
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
   void tick(SimTime t);
@@ -60,9 +64,22 @@ Simulation::Inside::Inside(const Setup& from)
     world.wear_lines(NoiseStream(setup.seed, 0, "floor", "wear"));
     world.draw_light_phases(NoiseStream(setup.seed, 0, "light", "phase"));
   }
-  for (const AgentSetup& own : setup.agents)
-    agents.push_back(
-        std::make_unique<Agent>(own, Agent::Stage{setup, stripes, world}, static_cast<int>(agents.size())));
+  for (const AgentSetup& own : setup.agents) add_agent(own);
+}
+
+void Simulation::Inside::add_agent(const AgentSetup& own) {
+  const int number = agent_count();
+  try {
+    agents.push_back(std::make_unique<Agent>(own, Agent::Stage{setup, stripes, world}, number));
+  } catch (const InputError& error) {
+    if (setup.agents.size() == 1) throw;
+    throw BadAgent(error, number);
+  }
+  if (const auto other = world.first_overlap(static_cast<std::size_t>(number))) {
+    BadAgent on_top(InputError("it starts on top of another robot"), number);
+    on_top.other = static_cast<int>(*other);
+    throw on_top;
+  }
 }
 
 const Agent& Simulation::Inside::agent(int number) const {
@@ -98,7 +115,10 @@ inline bool Simulation::Inside::leg_ends(SimTime t) {
 inline void Simulation::Inside::tick(SimTime t) {
   const SimTime end = t + kTick;
   for (const auto& agent : agents) agent->act(t);
-  for (const auto& agent : agents) agent->run_firmware(end);
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    note_acting(i);
+    agents[i]->run_firmware(end);
+  }
   world.step();
   for (const auto& agent : agents)
     if (!agent->finished() && agent->look(end) && !over()) agent->leave(end);
@@ -121,7 +141,10 @@ void Simulation::Inside::run_until(SimTime end) {
 }
 
 Simulation::Simulation(const Setup& setup) : in_(std::make_unique<Inside>(setup)) {
-  for (const auto& agent : in_->agents) agent->begin();
+  for (std::size_t i = 0; i < in_->agents.size(); ++i) {
+    in_->note_acting(i);
+    in_->agents[i]->begin();
+  }
 }
 
 Simulation::~Simulation() = default;

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
 #include "sim/judge/goal.h"
@@ -91,6 +92,15 @@ struct Setup {
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
+  std::atomic<int>* acting = nullptr;       ///< is told whose firmware runs; may be null
+};
+
+/// The set-up of one agent makes no sense.
+class BadAgent : public InputError {
+ public:
+  BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
+  int agent;       ///< its number
+  int other = -1;  ///< the one that it starts on; -1 = it is not about another
 };
 
 /// A run that can stand still between two ticks, be saved there, and go on from there again and again.
@@ -99,8 +109,8 @@ class Simulation {
   /// A moment of a simulation: a value, valid as long as the simulation that gave it.
   class Snapshot;
 
-  /// Switches the firmware on. Throws InputError if the set-up, which must outlive this, makes no sense
-  /// (start off the line, unknown parts …).
+  /// Switches the firmware on. Throws InputError if the set-up, which must outlive this, makes no sense: of
+  /// several agents a BadAgent (start off the line or on top of another, unknown parts …).
   explicit Simulation(const Setup& setup);
   ~Simulation();
   Simulation(const Simulation&) = delete;

@@ -1,10 +1,8 @@
-// The runner of the target avr.
+// The runner of the target avr, and of robots on the target host in the same run.
 #include "sim/exec/avr/avr_executor.h"
-#include "sim/runner/session.h"
+#include "sim/runner/targets.h"
 
 int main() {
-  return robosim::runner::serve(
-      {"avr", [](const robosim::BoardSpec& board, const std::filesystem::path& image) {
-         return std::make_unique<robosim::exec::AvrExecutor>(board, image);
-       }});
+  using namespace robosim::runner;
+  return serve(beside(chip_target<robosim::exec::AvrExecutor>("avr"), {host_target()}));
 }

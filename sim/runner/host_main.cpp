@@ -1,14 +1,4 @@
-#include "sim/exec/host/host_executor.h"
-#include "sim/runner/session.h"
+// The runner of the target host.
+#include "sim/runner/targets.h"
 
-int main() {
-  using robosim::exec::HostExecutor;
-  return robosim::runner::serve({"host",
-                                 [](const robosim::BoardSpec& board, const std::filesystem::path& image) {
-                                   return std::make_unique<HostExecutor>(board, image);
-                                 },
-                                 [](robosim::exec::Executor& executor, robosim::exec::AddressLines lines) {
-                                   static_cast<HostExecutor&>(executor).prepare_for_confinement(
-                                       std::move(lines));
-                                 }});
-}
+int main() { return robosim::runner::serve(robosim::runner::host_target()); }

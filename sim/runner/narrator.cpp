@@ -13,9 +13,15 @@ constexpr SimTime kColumnsEvery = 2 * kSecond;
 
 }  // namespace
 
-Narrator::Narrator(const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor,
-                   Tell tell)
-    : request_(request), board_(board), executor_(executor), tell_(std::move(tell)) {
+template <typename Event>
+void Narrator::tell(Event event) {
+  event.agent = agent_;
+  tell_(std::move(event));
+}
+
+Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board,
+                   exec::Executor& executor, Tell tell)
+    : request_(request), agent_(agent), board_(board), executor_(executor), tell_(std::move(tell)) {
   if (request.columns_every_ns == 0) return;
   std::vector<std::string> pins;
   for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
@@ -23,21 +29,21 @@ Narrator::Narrator(const wire::RunRequest& request, const BoardSpec& board, exec
 }
 
 void Narrator::began(const run::Beginning& beginning) {
-  tell_(to_wire(beginning));
+  tell(to_wire(beginning));
   if (columns_) columns_->begin(beginning.readings);
   if (request_.gdb_port > 0) tell_(wire::DebuggerAwaited{request_.gdb_port});
 }
 
 void Narrator::sampled(const run::Sample& s) {
   const SimTime every = request_.samples_every_ns;
-  if (every > 0 && (s.t % every == 0 || request_.interactive)) tell_(to_wire(s));
+  if (every > 0 && (s.t % every == 0 || request_.interactive)) tell(to_wire(s));
   if (!columns_ || s.t % request_.columns_every_ns != 0) return;
   columns_->add(to_wire(s));
   if (s.t % kColumnsEvery == 0) flush_columns();
 }
 
 void Narrator::happened(const wire::RunEvent& event) {
-  if (request_.notes) tell_(wire::note_of(event));
+  if (request_.notes) tell(wire::note_of(event));
 }
 
 void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
@@ -77,7 +83,7 @@ void Narrator::byte_sent(std::uint8_t byte, SimTime t) {
   if (request_.io) {
     wire::SerialByte event{t, byte, true, {}};
     if (request_.source_ns) event.source = executor_.source_of(byte);
-    if (!request_.source_ns || in_span(t)) tell_(std::move(event));
+    if (!request_.source_ns || in_span(t)) tell(std::move(event));
   }
   if (!request_.serial) return;
   line_ += static_cast<char>(byte);
@@ -85,14 +91,14 @@ void Narrator::byte_sent(std::uint8_t byte, SimTime t) {
 }
 
 void Narrator::flush_serial(SimTime t) {
-  if (!line_.empty()) tell_(wire::SerialText{t, line_});
+  if (!line_.empty()) tell(wire::SerialText{t, line_});
   line_.clear();
 }
 
 void Narrator::flush_columns() {
   if (!columns_) return;
   wire::Columns columns = columns_->take();
-  if (!columns.streams.empty()) tell_(std::move(columns));
+  if (!columns.streams.empty()) tell(std::move(columns));
 }
 
 bool Narrator::in_span(SimTime t) const {
@@ -105,7 +111,7 @@ void Narrator::detail(Event event) {
     if (!in_span(event.t_ns)) return;
     event.source = executor_.source();
   }
-  tell_(std::move(event));
+  tell(std::move(event));
 }
 
 }  // namespace robosim::runner

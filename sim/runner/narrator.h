@@ -19,8 +19,10 @@ using Tell = std::function<void(wire::Event)>;
 
 class Narrator final : public run::Listener {
  public:
-  /// What `request` wants to hear of is told. All but `tell` must live as long as this.
-  Narrator(const wire::RunRequest& request, const BoardSpec& board, exec::Executor& executor, Tell tell);
+  /// What `request` wants to hear of is told, of robot number `agent`. All but `tell` must live as long as
+  /// this.
+  Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
+           Tell tell);
 
   void began(const run::Beginning& beginning) override;
   void sampled(const run::Sample& sample) override;
@@ -38,10 +40,14 @@ class Narrator final : public run::Listener {
 
  private:
   bool in_span(SimTime t) const;
+  /// What it tells is about its robot.
+  template <typename Event>
+  void tell(Event event);
   template <typename Event>
   void detail(Event event);
 
   const wire::RunRequest& request_;
+  const int agent_;
   const BoardSpec& board_;
   exec::Executor& executor_;
   Tell tell_;

@@ -37,6 +37,8 @@ class Relay {
   long read_some(char* to, std::size_t bytes) const;
   /// Is to be told how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
+  /// Is to be told the number of the robot whose firmware runs.
+  std::atomic<int>& acting() const { return watch_->acting(); }
 
   struct Told {
     std::optional<std::string> answer;

@@ -1,6 +1,10 @@
 #include "sim/runner/requested_run.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "sim/judge/goal.h"
@@ -9,9 +13,40 @@
 #include "sim/scenario/scenario.h"
 
 namespace robosim::runner {
+namespace {
 
-Inputs inputs_of(const wire::RunRequest& request, const robot::Description& robot) {
-  return {grid::sha256_of_map(request.map), robot.sha256, known_sha256(request.image)};
+void check_several(const wire::RunRequest& request) {
+  if (request.agents.empty()) return;
+  if (request.agents.size() >= wire::kMostAgents)
+    throw InputError(
+        fmt::format("there are {} robots; a run may have {}", request.agents.size() + 1, wire::kMostAgents));
+  if (request.name.empty()) throw InputError("where there are several robots each has a name, the first too");
+  std::set<std::string> names;
+  for (const wire::AgentRequest& agent : agents_of(request))
+    if (!names.insert(agent.name).second)
+      throw InputError(fmt::format("two robots are named {}; each has a name of its own", agent.name));
+  if (request.gdb_port > 0)
+    throw InputError("a debugger halts one robot's chip, not the others'; debug a robot in a run of its own");
+  if (!request.counters.empty()) throw InputError("lines are counted in runs of one robot only");
+}
+
+/// Says of which of several robots it is true.
+[[noreturn]] void blame(const std::string& robot, const InputError& error) {
+  throw InputError(error.place(), fmt::format("robot {}: {}", robot, error.message()));
+}
+
+}  // namespace
+
+std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request) {
+  std::vector<wire::AgentRequest> all = {{request.name, request.target, request.image, request.robot,
+                                          request.start, request.goal, request.clock_ns, request.script,
+                                          request.script_file}};
+  all.insert(all.end(), request.agents.begin(), request.agents.end());
+  return all;
+}
+
+Inputs inputs_of(const wire::RunRequest& request, const std::string& image, const robot::Description& robot) {
+  return {grid::sha256_of_map(request.map), robot.sha256, known_sha256(image)};
 }
 
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
@@ -27,34 +62,81 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
-    : request_(request),
-      map_(grid::read_map(request.map)),
-      robot_(robot::load_description(request.robot)),
-      executor_(make(*robot_.board, request.image)),
-      inputs_(inputs_of(request, robot_)),
-      narrator_(request, *robot_.board, *executor_, std::move(tell)) {
-  if (request.clock_ns > 0) executor_->set_clock_start(request.clock_ns);
-  if (!request.counters.empty()) executor_->count_lines();
-  if (request.source_ns) executor_->trace_bytes(request.source_ns->first, request.source_ns->second);
-
+    : request_(request), map_(grid::read_map(request.map)) {
+  check_several(request);
+  for (wire::AgentRequest& asked : agents_of(request)) {
+    try {
+      add(make, std::move(asked), tell);
+    } catch (const InputError& error) {
+      if (request.agents.empty()) throw;
+      blame(members_.back().asked.name, error);
+    }
+  }
   setup_.map = &map_;
-  run::AgentSetup& agent = setup_.agents.emplace_back();
-  agent.robot = &robot_;
-  agent.executor = executor_.get();
-  agent.listener = &narrator_;
-  if (!request.start.empty()) agent.start = grid::parse_start(map_, request.start);
-  if (!request.goal.empty()) agent.goal = judge::parse_goal(request.goal);
-  agent.scenario = scenario::parse_scenario(request.script, request.script_file);
   setup_.limit = request.for_ns;
   setup_.seed = request.seed;
   setup_.profile = profile_of(request.profile);
   setup_.samples_every = std::gcd(request.samples_every_ns, request.columns_every_ns);
 }
 
+const robot::Description& RequestedRun::robot_named(const std::string& name) {
+  auto known = robots_.find(name);
+  if (known == robots_.end()) known = robots_.emplace(name, robot::load_description(name)).first;
+  return known->second;
+}
+
+void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const Tell& tell) {
+  const auto number = static_cast<int>(members_.size());
+  Member& member = members_.emplace_back();
+  member.asked = std::move(asked);
+  const wire::AgentRequest& agent = member.asked;
+  member.robot = &robot_named(agent.robot);
+  const BoardSpec& board = *member.robot->board;
+  member.executor = make(agent.target, board, agent.image);
+  member.inputs = inputs_of(request_, agent.image, *member.robot);
+  member.narrator = std::make_unique<Narrator>(request_, number, board, *member.executor, tell);
+  if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
+  if (!request_.counters.empty()) member.executor->count_lines();
+  if (request_.source_ns) member.executor->trace_bytes(request_.source_ns->first, request_.source_ns->second);
+
+  run::AgentSetup& setup = setup_.agents.emplace_back();
+  setup.robot = member.robot;
+  setup.executor = member.executor.get();
+  setup.listener = member.narrator.get();
+  if (!agent.start.empty()) setup.start = grid::parse_start(map_, agent.start);
+  if (!agent.goal.empty()) setup.goal = judge::parse_goal(agent.goal);
+  setup.scenario = scenario::parse_scenario(agent.script, agent.script_file);
+}
+
+void RequestedRun::flush(SimTime t) {
+  for (const Member& member : members_) {
+    member.narrator->flush_serial(t);
+    member.narrator->flush_columns();
+  }
+}
+
+std::vector<judge::Outcome> RequestedRun::simulate() const {
+  const auto name = [&](int number) { return members_[static_cast<std::size_t>(number)].asked.name; };
+  try {
+    return run::simulate(setup_);
+  } catch (const run::BadAgent& error) {
+    if (error.other < 0) blame(name(error.agent), error);
+    throw InputError(
+        fmt::format("robot {} starts on top of robot {}: their starts must be so far apart that their "
+                    "outlines do not touch",
+                    name(error.agent), name(error.other)));
+  }
+}
+
 wire::RunResult RequestedRun::go() {
-  const judge::Outcome outcome = run::simulate(setup_).front();
-  flush(outcome.time);
-  return result_of(outcome, request_, inputs_);
+  const std::vector<judge::Outcome> outcomes = simulate();
+  SimTime last = 0;
+  for (const judge::Outcome& outcome : outcomes) last = std::max(last, outcome.time);
+  flush(last);
+  wire::RunResult result = result_of(outcomes.front(), request_, members_.front().inputs);
+  for (std::size_t i = 1; i < outcomes.size(); ++i)
+    result.others.push_back(result_of(outcomes[i], request_, members_[i].inputs));
+  return result;
 }
 
 }  // namespace robosim::runner

@@ -2,10 +2,13 @@
 // a browser), who drives it and where its events go is up to its owner.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
@@ -17,14 +20,18 @@
 
 namespace robosim::runner {
 
-using MakeExecutor =
-    std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)>;
+/// `target` as the request has it: empty = the runner's own.
+using MakeExecutor = std::function<std::unique_ptr<exec::Executor>(
+    const std::string& target, const BoardSpec& board, const std::filesystem::path& image)>;
+
+/// All of its robots, the first one too.
+std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request);
 
 /// The files that a result rests on.
 struct Inputs {
   std::string map_sha256, robot_sha256, image_sha256;
 };
-Inputs inputs_of(const wire::RunRequest& request, const robot::Description& robot);
+Inputs inputs_of(const wire::RunRequest& request, const std::string& image, const robot::Description& robot);
 
 /// An outcome, together with what it rests on.
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
@@ -35,25 +42,34 @@ class RequestedRun {
   /// Reads all files. `request` must outlive this. Throws InputError, and ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell);
 
-  exec::Executor& executor() { return *executor_; }
+  /// Of one robot, by its number.
+  exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
   /// For what the request does not say: who may interrupt it, who drives it.
   run::Setup& setup() { return setup_; }
-  /// Tells what is held back: what the sketch has sent of a line; the columns.
-  void flush(SimTime t) {
-    narrator_.flush_serial(t);
-    narrator_.flush_columns();
-  }
+  /// Tells what is held back: what sketches have sent of a line; the columns.
+  void flush(SimTime t);
 
   /// To its end; once. Reads no more files.
   wire::RunResult go();
 
  private:
+  /// One robot.
+  struct Member {
+    wire::AgentRequest asked;
+    const robot::Description* robot = nullptr;
+    std::unique_ptr<exec::Executor> executor;
+    Inputs inputs;
+    std::unique_ptr<Narrator> narrator;
+  };
+
+  void add(const MakeExecutor& make, wire::AgentRequest asked, const Tell& tell);
+  const robot::Description& robot_named(const std::string& name);
+  std::vector<judge::Outcome> simulate() const;
+
   const wire::RunRequest& request_;
   const grid::Map map_;
-  const robot::Description robot_;
-  const std::unique_ptr<exec::Executor> executor_;
-  const Inputs inputs_;
-  Narrator narrator_;
+  std::map<std::string, robot::Description> robots_;
+  std::deque<Member> members_;
   run::Setup setup_;
 };
 

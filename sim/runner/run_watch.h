@@ -28,6 +28,8 @@ class RunWatch {
 
   /// Is told how far the run has come.
   std::atomic<SimTime>& reached() { return shared_->reached; }
+  /// And whose firmware runs.
+  std::atomic<int>& acting() { return shared_->acting; }
   void wait_for_client(bool waits) { shared_->waits = waits; }
 
   // In its parent.
@@ -43,6 +45,7 @@ class RunWatch {
   static constexpr SimTime kNotBegun = -2;
   struct Shared {
     std::atomic<SimTime> reached{kNotBegun};
+    std::atomic<int> acting{0};
     std::atomic<bool> waits{false};
   };
   bool is_stopped() const;

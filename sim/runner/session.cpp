@@ -11,6 +11,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <sstream>
 
@@ -59,16 +60,43 @@ void start_watchdog() {
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
-// Offsets in hexadecimal, with blanks between them.
-std::string text_of(const std::vector<std::uintptr_t>& offsets) {
-  std::string text;
+/// Whose firmware `target` names. Throws InputError if this runner has none of it.
+const ExecutorFactory& factory_of(const ExecutorFactory& runner, const std::string& target) {
+  if (target.empty() || target == runner.target) return runner;
+  std::vector<std::string> names = {runner.target};
+  for (const ExecutorFactory& other : runner.besides) {
+    if (other.target == target) return other;
+    names.push_back(other.target);
+  }
+  throw InputError(
+      fmt::format("“{}” is no target of robosim-{}; it runs {}", target, runner.target, one_of(names)));
+}
+
+/// Those of the request's robots whose firmware is code of this machine, by their number.
+std::vector<std::size_t> to_confine(const ExecutorFactory& runner, const wire::RunRequest& request) {
+  std::vector<std::size_t> numbers;
+  const std::vector<wire::AgentRequest> agents = agents_of(request);
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    try {
+      if (factory_of(runner, agents[i].target).prepare_for_confinement) numbers.push_back(i);
+    } catch (const InputError& error) {
+      throw InputError(agents[i].name.empty() ? error.message()
+                                              : "robot " + agents[i].name + ": " + error.message());
+    }
+  }
+  return numbers;
+}
+
+// The robot's number, then offsets in hexadecimal, with blanks between them.
+std::string text_of(std::size_t agent, const std::vector<std::uintptr_t>& offsets) {
+  std::string text = fmt::format("{:x} ", agent);
   for (const std::uintptr_t offset : offsets) text += fmt::format("{:x} ", offset);
   return text;
 }
 
 // As text_of() has it; what is something else, and what is too much, is left out.
 std::vector<std::uintptr_t> offsets_in(const std::string& text) {
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMost = 257;
   std::vector<std::uintptr_t> offsets;
   std::istringstream words(text);
   for (std::uintptr_t offset = 0; offsets.size() < kMost && words >> std::hex >> offset;)
@@ -81,7 +109,12 @@ constexpr char kAskToKeepCounters = 'c';
 
 // In the runner: what its confined run cannot do itself.
 std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
-  if (what == kAskLines) return exec::ask_addr2line(request.image, offsets_in(question));
+  if (what == kAskLines) {
+    const std::vector<wire::AgentRequest> agents = agents_of(request);
+    const std::vector<std::uintptr_t> numbers = offsets_in(question);
+    if (numbers.empty() || numbers[0] >= agents.size()) return "";
+    return exec::ask_addr2line(agents[numbers[0]].image, {numbers.begin() + 1, numbers.end()});
+  }
   if (what != kAskToKeepCounters || request.counters.empty()) return "";
   try {
     write_file(request.counters, question);
@@ -99,8 +132,11 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, const Relay* relay) {
-  RequestedRun run(factory.make, request,
-                   [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); });
+  RequestedRun run(
+      [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
+        return factory_of(factory, target).make(board, image);
+      },
+      request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); });
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
@@ -113,9 +149,12 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
   if (relay) {
-    factory.prepare_for_confinement(run.executor(), [relay](const auto&, const auto& offsets) {
-      return relay->ask(kAskLines, text_of(offsets));
-    });
+    if (!request.agents.empty()) run.setup().acting = &relay->acting();
+    for (const std::size_t agent : to_confine(factory, request))
+      factory_of(factory, agents_of(request)[agent].target)
+          .prepare_for_confinement(run.executor(agent), [relay, agent](const auto&, const auto& offsets) {
+            return relay->ask(kAskLines, text_of(agent, offsets));
+          });
     if (exec::why_not_confined().empty()) relay->confine();
   }
   wire::RunResult result = run.go();
@@ -141,16 +180,50 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   }
 }
 
-// Firmware ended its process in a way that no handler could catch, or had no right to what it did.
-wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
-                                const std::string& check) {
+/// The robot whose sketch, code of this machine, took the process down. Throws std::runtime_error if none
+/// did: what emulates a chip has, by a fault of ours or because a sketch beside it wrote where it may not.
+std::size_t guilty_of_death(const ExecutorFactory& runner, const wire::RunRequest& request, int acting) {
+  if (request.agents.empty()) return 0;
+  const std::vector<std::size_t> suspects = to_confine(runner, request);
+  const auto found = std::find(suspects.begin(), suspects.end(), static_cast<std::size_t>(acting));
+  if (found != suspects.end()) return *found;
+  throw std::runtime_error(fmt::format(
+      "the run's process ended while the chip of robot {} was emulated; a sketch on the host that writes to "
+      "wild addresses can do that, too: run with --sanitize, or each on its chip",
+      agents_of(request)[std::min(static_cast<std::size_t>(acting), request.agents.size())].name));
+}
+
+/// Of a robot whose run has ended because another's firmware took the process down.
+judge::Outcome ended_by(const wire::AgentRequest& other) {
   judge::Outcome outcome;
-  outcome.verdict = judge::Verdict::crashed;
-  outcome.crash = exec::Crash{cause, {}};
-  outcome.crash->check = check;
-  outcome.why = "The sketch crashed: " + cause + ".";
-  if (!request.goal.empty()) outcome.goal = judge::parse_goal(request.goal);
-  return result_of(outcome, request, inputs_of(request, robot::load_description(request.robot)));
+  outcome.verdict = judge::Verdict::interrupted;
+  outcome.why = fmt::format("The run ended when the sketch of {} took its process down.", other.name);
+  return outcome;
+}
+
+// Firmware ended its process in a way that no handler could catch, or had no right to what it did. `agent`:
+// the robot whose it was.
+wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
+                                const std::string& check, std::size_t guilty) {
+  const std::vector<wire::AgentRequest> agents = agents_of(request);
+  std::vector<wire::RunResult> results;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    judge::Outcome outcome;
+    if (i == guilty) {
+      outcome.verdict = judge::Verdict::crashed;
+      outcome.crash = exec::Crash{cause, {}};
+      outcome.crash->check = check;
+      outcome.why = "The sketch crashed: " + cause + ".";
+    } else {
+      outcome = ended_by(agents[guilty]);
+    }
+    if (!agents[i].goal.empty()) outcome.goal = judge::parse_goal(agents[i].goal);
+    results.push_back(result_of(
+        outcome, request, inputs_of(request, agents[i].image, robot::load_description(agents[i].robot))));
+  }
+  wire::RunResult result = std::move(results.front());
+  result.others.assign(std::make_move_iterator(results.begin() + 1), std::make_move_iterator(results.end()));
+  return result;
 }
 
 // In the fork.
@@ -184,14 +257,14 @@ std::string cause_of_death(const Ending& ending) {
   return fmt::format("it took its process down with exit status {}", ending.status);
 }
 
-wire::Answer no_memory_for(const wire::RunRequest& request) {
+wire::Answer no_memory_for(const wire::RunRequest& request, std::size_t guilty) {
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
   if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
   return result_of_death(
       request,
       fmt::format("it took more than the {} MB of memory that it may have", exec::kConfinedMemory >> 20),
-      exec::kSandboxCheck);
+      exec::kSandboxCheck, guilty);
 }
 
 bool was_refused(const Ending& ending) {
@@ -216,19 +289,20 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   const Relay::Told told = relay.serve(
       child, [&](char what, const std::string& question) { return serve_ask(request, what, question); },
       request.interactive);
+  const auto guilty = [&] { return guilty_of_death(factory, request, relay.acting()); };
   const auto refused = [&](const std::string& cause) {
-    return result_of_death(request, cause, exec::kSandboxCheck);
+    return result_of_death(request, cause, exec::kSandboxCheck, guilty());
   };
   if (told.forged) return refused("it wrote to where its verdict goes");
-  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "");
+  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "", guilty());
   if (told.found == RunWatch::Found::sleeps)
     return refused(
         fmt::format("it slept for {} s of wall time, and simulated time stood still", kLongestSleep_s));
   const std::optional<Ending> ending = end_of(child);
   if (!ending) return refused("it closed what its verdict goes through");
   if (was_refused(*ending)) return refused("the sandbox refuses a system call of its");
-  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request);
-  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "");
+  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request, guilty());
+  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "", guilty());
   if (!told.answer) return refused("it ended its process before the run was over");
   write_line(*told.answer);
   return std::nullopt;
@@ -237,12 +311,12 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
 // Nothing where the fork has answered.
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id) {
-  known_sha256(request.image);
+  for (const wire::AgentRequest& agent : agents_of(request)) known_sha256(agent.image);
   const pid_t self = ::getpid();
-  if (factory.prepare_for_confinement) return serve_confined_run(factory, request, id, self);
+  if (!to_confine(factory, request).empty()) return serve_confined_run(factory, request, id, self);
   const Ending ending = Child([&] { return run_in_child(factory, request, id, self, nullptr); }).wait();
   if (ending.ok()) return std::nullopt;
-  return result_of_death(request, cause_of_death(ending), "");
+  return result_of_death(request, cause_of_death(ending), "", 0);
 }
 
 void serve_line(const ExecutorFactory& factory, const std::string& line) {
@@ -261,7 +335,9 @@ void serve_line(const ExecutorFactory& factory, const std::string& line) {
 
 wire::Hello hello_of(const ExecutorFactory& factory) {
   wire::Hello hello{"robosim-" + factory.target, wire::kProtocol, ROBOSIM_VERSION, factory.target};
-  if (!factory.prepare_for_confinement) return hello;
+  const auto runs_here = [](const ExecutorFactory& one) { return one.prepare_for_confinement != nullptr; };
+  if (!runs_here(factory) && std::none_of(factory.besides.begin(), factory.besides.end(), runs_here))
+    return hello;
   hello.no_sandbox_why = exec::why_not_confined();
   hello.sandbox = hello.no_sandbox_why.empty()                        ? "on"
                   : hello.no_sandbox_why == exec::what_kernel_lacks() ? "missing"

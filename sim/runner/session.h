@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/exec/core/executor.h"
 #include "sim/exec/host/image_file.h"
@@ -22,6 +23,8 @@ struct ExecutorFactory {
   /// Where firmware is code of this machine, and its process is to be confined: what the executor that make()
   /// gave has to do before (HostExecutor::prepare_for_confinement). Else nothing.
   std::function<void(exec::Executor&, exec::AddressLines)> prepare_for_confinement = nullptr;
+  /// Whose firmware it runs beside, in runs of several robots.
+  std::vector<ExecutorFactory> besides = {};
 };
 
 /// Serves requests from standard input until it ends. Returns the process's exit status.

@@ -1,11 +1,12 @@
-// The runner of the target stm32. It links libunicorn and is therefore, as a program, under the GPL-2
-// (sim/exec/stm32/unicorn.h).
+// The runner of the target stm32, and of robots on the target avr in the same run. Robots on the host are not
+// beside them: their process is confined, and libunicorn makes code as it runs, which that forbids. The
+// program links libunicorn and is therefore, as a program, under the GPL-2 (sim/exec/stm32/unicorn.h).
+#include "sim/exec/avr/avr_executor.h"
 #include "sim/exec/stm32/stm32_executor.h"
-#include "sim/runner/session.h"
+#include "sim/runner/targets.h"
 
 int main() {
-  return robosim::runner::serve(
-      {"stm32", [](const robosim::BoardSpec& board, const std::filesystem::path& image) {
-         return std::make_unique<robosim::exec::Stm32Executor>(board, image);
-       }});
+  using namespace robosim::runner;
+  using namespace robosim::exec;
+  return serve(beside(chip_target<Stm32Executor>("stm32"), {chip_target<AvrExecutor>("avr")}));
 }

@@ -52,7 +52,7 @@ wire::RunResult run(wire::RunRequest request) {
       tell_reached(static_cast<double>(sample->t_us) * 1e-6);
   };
   runner::RequestedRun requested(
-      [](const BoardSpec& board, const std::filesystem::path& image) {
+      [](const std::string&, const BoardSpec& board, const std::filesystem::path& image) {
         return std::make_unique<exec::AvrExecutor>(board, image);
       },
       request, hear);

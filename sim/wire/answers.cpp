@@ -142,6 +142,7 @@ std::string to_line(const Id& id, const Answer& answer) {
   const auto* event = std::get_if<Event>(&answer);
   if (const auto* columns = event ? std::get_if<Columns>(event) : nullptr) {
     line["event"] = Columns::kEvent;
+    if (columns->agent != 0) line["agent"] = columns->agent;
     std::string text = text_of(line);
     text.pop_back();  // the object's }
     return text + ",\"streams\":" + streams_text(*columns) + "}\n";

@@ -56,10 +56,12 @@ void fields(V& v, Same<V, Rows>& r) {
 struct Columns {
   static constexpr const char* kEvent = "columns";
   std::vector<Rows> streams;
+  int agent = 0;
 };
 
 template <class V>
 void fields(V& v, Same<V, Columns>& c) {
+  agent_field(v, c.agent);
   v("streams", c.streams, "those in which something happened");
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "sim/base/profile.h"
 #include "sim/wire/fields.h"
@@ -26,6 +28,38 @@ void fields(V& v, Same<V, DescribeRobot>& d) {
     {.not_empty = true});
   v("full", d.full, "`true`: the answer has the key `text`", {.presence = when(d.full)});
 }
+
+/// A further robot of a simulation; what is not said here is that of the whole run.
+struct AgentRequest {
+  std::string name;    ///< for messages
+  std::string target;  ///< whose firmware it is; empty = the runner's own
+  std::string image;   ///< as of RunRequest, all of these
+  std::string robot;
+  std::string start;
+  std::string goal;
+  std::int64_t clock_ns = 0;
+  std::string script;
+  std::string script_file = "script";
+};
+
+template <class V>
+void fields(V& v, Same<V, AgentRequest>& a) {
+  v("name", a.name, "of the robot, for messages", {.not_empty = true});
+  v("target", a.target,
+    "whose firmware it has: `\"host\"`, `\"avr\"` or `\"stm32\"`, one that the runner has",
+    {.otherwise = "the runner's", .presence = when(!a.target.empty())});
+  v("image", a.image, "path of the firmware image", {.not_empty = true});
+  v("robot", a.robot, "name or path", {.not_empty = true});
+  v("start", a.start, "`\"X,Y,DIR\"`", {.otherwise = "the map's", .presence = when(!a.start.empty())});
+  v("goal", a.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!a.goal.empty())});
+  v("clock_ns", a.clock_ns, "what the firmware's clock begins with; chip targets only",
+    {.unit = "ns", .presence = when(a.clock_ns > 0), .least = 0});
+  v("script", a.script, "text of a scenario", {.otherwise = "empty", .presence = when(!a.script.empty())});
+  v("script_file", a.script_file, "its name, for messages", {.presence = when(!a.script.empty())});
+}
+
+/// As many robots as there may be on one map.
+inline constexpr std::size_t kMostAgents = 256;
 
 /// One simulation.
 struct RunRequest {
@@ -53,6 +87,9 @@ struct RunRequest {
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool interactive = false;  ///< driven step by step: see driven_run.h
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
+  std::string name;          ///< of the robot, where there are several
+  std::string target;        ///< whose firmware it is, where there are several; empty = the runner's own
+  std::vector<AgentRequest> agents;  ///< further robots: number 1, 2 …
 };
 
 template <class V>
@@ -97,6 +134,12 @@ void fields(V& v, Same<V, RunRequest>& r) {
                         Name{"io", &r.io}}},
     "which further events are sent; `\"io\"` are `level`, `volts` and `byte` events",
     {.otherwise = "none", .presence = when(r.pins || r.serial || r.notes || r.io)});
+  v("name", r.name, "of the robot, for messages, where there are several",
+    {.otherwise = "none", .presence = when(!r.name.empty())});
+  v("target", r.target, "whose firmware it has, one that the runner has",
+    {.otherwise = "the runner's", .presence = when(!r.target.empty())});
+  v("agents", r.agents, "further robots on the same map, at most 255: they are number 1, 2 … of its events",
+    {.otherwise = "none", .presence = when(!r.agents.empty())});
 }
 
 /// What a runner serves while no run stands still.

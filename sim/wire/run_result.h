@@ -235,6 +235,7 @@ struct RunResult {
   std::string map_sha256;
   std::string robot_sha256;
   std::string image_sha256;
+  std::vector<RunResult> others;  ///< of the run's further robots
 };
 
 template <class V>
@@ -275,6 +276,9 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("map_sha256", r.map_sha256, "of the map's file");
   v("robot_sha256", r.robot_sha256, "of the robot's file");
   v("image_sha256", r.image_sha256, "of the firmware image");
+  v("others", r.others,
+    "results of the further robots of the request, each with these keys; absent if there are none",
+    {.presence = when(!r.others.empty())});
 }
 
 }  // namespace robosim::wire

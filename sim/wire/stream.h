@@ -20,7 +20,7 @@ namespace robosim::wire {
 /// Of an event: some hundred years.
 inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
 
-/// Sent once, before everything else.
+/// Sent once for each robot, before everything else of it.
 struct Started {
   static constexpr const char* kEvent = "started";
   struct Station {
@@ -38,6 +38,7 @@ struct Started {
   int width = 0;                      ///< of the map, in cells
   int height = 0;
   double cell_mm = 0.0;  ///< side of a cell
+  int agent = 0;
 };
 
 template <class V>
@@ -57,6 +58,7 @@ void fields(V& v, Same<V, Started>& s) {
   v("width", s.width, "of the map, in cells", {.presence = kOptional});
   v("height", s.height, "of the map, in cells", {.presence = kOptional});
   v("cell", s.cell_mm, "side of a cell", {.unit = "mm", .presence = kOptional});
+  agent_field(v, s.agent);
 }
 
 /// The state at a moment, for people to look at.
@@ -73,6 +75,7 @@ struct Sample {
   std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
   std::string at_station;               ///< of a driven run: whose centre the body covers; "" = none
   std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also when it slips
+  int agent = 0;
 };
 
 template <class V>
@@ -94,6 +97,7 @@ void fields(V& v, Same<V, Sample>& s) {
   v("at", s.at_station,
     "of a run driven step by step: the station whose centre the body covers; absent if none",
     {.presence = when(!s.at_station.empty())});
+  agent_field(v, s.agent);
 }
 
 /// A pin is driven in another way than before.
@@ -107,6 +111,7 @@ struct PinChange {
   double duty = 0.0;
   std::uint32_t tone_hz = 0;  ///< 0 = none
   SourceLine source;
+  int agent = 0;
 };
 
 /// The firmware looked at a pin, or an edge reached one of its interrupts.
@@ -116,6 +121,7 @@ struct LevelSeen {
   std::string pin;
   bool level = false;
   SourceLine source;
+  int agent = 0;
 };
 
 /// The ADC sampled a pin.
@@ -125,6 +131,7 @@ struct VoltsSeen {
   std::string pin;
   double volts = 0.0;
   SourceLine source;
+  int agent = 0;
 };
 
 /// A byte at the UART.
@@ -134,6 +141,7 @@ struct SerialByte {
   std::uint8_t value = 0;
   bool sent = false;  ///< by the firmware; else received
   SourceLine source;
+  int agent = 0;
 };
 
 template <class V>
@@ -153,6 +161,7 @@ void fields(V& v, Same<V, PinChange>& p) {
   v("duty", p.duty, "share of the time that it is high, 0..1");
   v("tone_hz", p.tone_hz, "of `tone()`; 0 = none", {.unit = "Hz", .presence = kOptional});
   source_field(v, p.source);
+  agent_field(v, p.agent);
 }
 
 template <class V>
@@ -161,6 +170,7 @@ void fields(V& v, Same<V, LevelSeen>& l) {
   v("pin", l.pin, "`\"D2\"`");
   v("level", l.level, "what the firmware found on the pin, or the edge that reached an interrupt");
   source_field(v, l.source);
+  agent_field(v, l.agent);
 }
 
 template <class V>
@@ -169,6 +179,7 @@ void fields(V& v, Same<V, VoltsSeen>& s) {
   v("pin", s.pin, "`\"A0\"`");
   v("volts", s.volts, "what the ADC sampled", {.unit = "V"});
   source_field(v, s.source);
+  agent_field(v, s.agent);
 }
 
 template <class V>
@@ -177,6 +188,7 @@ void fields(V& v, Same<V, SerialByte>& b) {
   v("value", b.value, "of the byte");
   v("sent", b.sent, "by the firmware; else it has received it");
   source_field(v, b.source);
+  agent_field(v, b.agent);
 }
 
 /// What the firmware has printed, a line or less.
@@ -184,12 +196,14 @@ struct SerialText {
   static constexpr const char* kEvent = "serial";
   std::int64_t t_ns = 0;
   std::string text;
+  int agent = 0;
 };
 
 template <class V>
 void fields(V& v, Same<V, SerialText>& s) {
   v("t_ns", s.t_ns, "when the last of it was sent", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("text", s.text, "a line with its end, or less");
+  agent_field(v, s.agent);
 }
 
 /// Something worth telling that happened: an event of the run with its text. What happened is for programs to
@@ -214,8 +228,7 @@ template <class V>
 void fields(V& v, Same<V, Note>& n) {
   v("t_ns", n.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("text", n.text, "for people: `\"station 2 visited\"`");
-  v("agent", n.agent, "number of the robot that it is about, from 0; absent where 0",
-    {.presence = when(n.agent != 0)});
+  agent_field(v, n.agent);
   v.kinds("kind", n.what, "what happened; the keys below are there where their kind is named");
 }
 

@@ -10,6 +10,16 @@ std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
   return bodies_.size() - 1;
 }
 
+std::optional<std::size_t> World::first_overlap(std::size_t number) const {
+  const Body& body = *bodies_[number];
+  for (std::size_t i = 0; i < number; ++i) {
+    const double radii = body.bound_radius() + bodies_[i]->bound_radius();
+    const Vec2 d = bodies_[i]->circle_centre() - body.circle_centre();
+    if (dot(d, d) < radii * radii) return i;
+  }
+  return std::nullopt;
+}
+
 World::State World::save() const {
   State state{{}, walls_.save(), ground_.save()};
   state.bodies.reserve(bodies_.size());

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/base/vec.h"
@@ -31,6 +32,8 @@ class World {
   void draw_light_phases(const NoiseStream& noise) { lighting_.draw_phases(noise); }
   /// Bodies are numbered from 0, and never move in memory. Throws std::invalid_argument (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
+  /// The first of the bodies before this one that is where it is; none if it is clear of them.
+  std::optional<std::size_t> first_overlap(std::size_t number) const;
   std::size_t body_count() const { return bodies_.size(); }
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }

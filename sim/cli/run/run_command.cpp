@@ -21,8 +21,10 @@
 #include "sim/cli/output.h"
 #include "sim/cli/run/coverage.h"
 #include "sim/cli/run/debugger.h"
+#include "sim/cli/run/fleet_command.h"
 #include "sim/cli/run/live.h"
 #include "sim/cli/run/run_json.h"
+#include "sim/cli/run/screen.h"
 #include "sim/cli/run/second_look.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
@@ -37,10 +39,6 @@ namespace robosim::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int kWidest_columns = 78;
-// Above this a picture of the map takes longer than the run.
-constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 
 double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
@@ -68,14 +66,6 @@ std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64
     rooms.push_back({limit.what, limit.value, std::min(fit, limit.most), limit.bytes_each});
   }
   return rooms;
-}
-
-/// The map for pictures; null if it is too large for one.
-std::unique_ptr<grid::Map> map_to_draw(const fs::path& path) {
-  std::error_code error;
-  const auto bytes = fs::file_size(path, error);
-  if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
-  return std::make_unique<grid::Map>(grid::read_map(path));
 }
 
 record::Recorders recorders_of(const RunArguments& arguments) {
@@ -156,6 +146,7 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
+  if (!arguments.fleet.members.empty()) return fleet_command(arguments);
   record::Recorders recorders = recorders_of(arguments);
   std::vector<WriteClaim> claims;
   for (const auto* files : {&arguments.record, &arguments.plot})
@@ -226,14 +217,13 @@ int run_command(const RunArguments& arguments) {
   if (arguments.json) {
     print(json(wall_s));
   } else if (!arguments.live) {
-    const auto size = tui::terminal_size(STDOUT_FILENO);
-    const int columns = std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns);
+    const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.map.path);
     const auto free = free_bytes(result, board);
     (arguments.serial ? complain : print)(tui::end_screen(
         {sketch, run.map.name, run.robot.name, run.target, listeners.started(), result, listeners.trail(),
          wall_s, free, rooms(run.image, free), board.chip->target, !run.robot_info.sensors.empty()},
-        drawn.get(), columns, tui::look_from_environment(size.has_value())));
+        drawn.get(), screen.columns, screen.look));
   }
   if (counters) {
     // The same run counts once: what went into it, and what came out.

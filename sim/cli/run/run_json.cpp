@@ -62,4 +62,19 @@ std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result
   return wire::text_of(object_of(inputs, result, std::nullopt, std::nullopt)) + "\n";
 }
 
+std::string fleet_json(const std::vector<RobotRun>& robots, std::optional<double> wall_s) {
+  std::size_t reached = 0;
+  Json all = Json::array();
+  for (const RobotRun& robot : robots) {
+    reached += robot.result.status == 0;
+    Json one{{"name", robot.name}};
+    one.update(object_of(robot.inputs, robot.result, std::nullopt, std::nullopt));
+    one.erase("schema");
+    all.push_back(std::move(one));
+  }
+  Json json{{"schema", "robosim.fleet/1"}, {"reached", reached}, {"robots", std::move(all)}};
+  if (wall_s) json["host"] = {{"wall_s", *wall_s}};
+  return wire::text_of(json, 2) + "\n";
+}
+
 }  // namespace robosim::cli

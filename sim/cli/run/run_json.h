@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/cli/run/second_look.h"
 #include "sim/launch/launch.h"
@@ -30,5 +31,15 @@ std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std
 
 /// The same object in one line, for JSON Lines.
 std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result);
+
+/// One of several robots.
+struct RobotRun {
+  std::string name;
+  RunInputs inputs;
+  wire::RunResult result;
+};
+
+/// Schema robosim.fleet/1: how many reached their goals, and the object of each with its name.
+std::string fleet_json(const std::vector<RobotRun>& robots, std::optional<double> wall_s);
 
 }  // namespace robosim::cli

@@ -2,12 +2,12 @@
 
 #include <dwarf.h>
 #include <elfutils/libdw.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "sim/base/file.h"
 
 namespace robosim::exec {
 namespace {
@@ -142,14 +142,15 @@ bool is_core_file(const std::string& file) {
          file.starts_with("/usr/") || file.starts_with("../");  // of newlib and libgcc
 }
 
-DebugInfo::DebugInfo(const std::filesystem::path& file)
-    : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (descriptor_ >= 0) dwarf_ = dwarf_begin(descriptor_, DWARF_C_READ);
+DebugInfo::DebugInfo(const std::filesystem::path& file) : content_(read_file(file)) {
+  ::elf_version(EV_CURRENT);
+  elf_ = ::elf_memory(content_.data(), content_.size());
+  if (elf_) dwarf_ = dwarf_begin_elf(elf_, DWARF_C_READ, nullptr);
 }
 
 DebugInfo::~DebugInfo() {
   if (dwarf_) dwarf_end(dwarf_);
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (elf_) ::elf_end(elf_);
 }
 
 std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {

@@ -12,6 +12,7 @@
 #include "sim/exec/core/executor.h"
 
 struct Dwarf;
+struct Elf;
 
 namespace robosim::exec {
 
@@ -47,7 +48,8 @@ class DebugInfo {
   std::vector<CodeLine> lines() const;
 
  private:
-  int descriptor_ = -1;
+  std::string content_;  ///< all of the file: nothing is read later, when the process may have no files
+  Elf* elf_ = nullptr;
   Dwarf* dwarf_ = nullptr;
 };
 

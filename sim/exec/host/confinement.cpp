@@ -39,12 +39,11 @@ bool confined = false;
 
 /// Of one process, on memory that it has.
 constexpr const char* kHarmless[] = {
-    "brk",          "cacheflush",     "clock_getres", "clock_gettime", "clock_gettime64",
-    "close",        "exit",           "exit_group",   "futex",         "futex_time64",
-    "getcpu",       "getpid",         "getrandom",    "gettid",        "gettimeofday",
-    "madvise",      "memfd_create",   "mremap",       "munmap",        "restart_syscall",
-    "rt_sigreturn", "rt_sigprocmask", "sched_yield",  "sigaltstack",   "sigreturn",
-    "time",         "ftruncate",      "ftruncate64",  "membarrier"};
+    "brk",       "cacheflush",      "clock_getres", "clock_gettime",  "clock_gettime64", "close",
+    "exit",      "exit_group",      "futex",        "futex_time64",   "getcpu",          "getpid",
+    "getrandom", "gettid",          "gettimeofday", "madvise",        "memfd_create",    "mremap",
+    "munmap",    "restart_syscall", "rt_sigreturn", "rt_sigprocmask", "sched_yield",     "sigaltstack",
+    "sigreturn", "sysinfo",         "time",         "ftruncate",      "ftruncate64",     "membarrier"};
 
 class Filter {
  public:
@@ -273,7 +272,7 @@ bool serve_loader(const siginfo_t& info, ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   if (info.si_syscall == SYS_openat) {
-    if (std::strcmp(path, kImageName) != 0) return false;
+    if (!std::string_view(path).starts_with(kImageName)) return false;
     result = kImageFd;
 #ifdef SYS_newfstatat
   } else if (info.si_syscall == SYS_newfstatat) {

@@ -49,7 +49,7 @@ constexpr int kNoMemoryStatus = 97;
 
 /// Whether confine() was called.
 bool is_confined();
-/// What the loader opens in a confined process: it gets kImageFd.
+/// How the names begin that the loader opens in a confined process: it gets kImageFd.
 constexpr const char* kImageName = "/robosim/firmware";
 /// In a handler of SIGSYS, while the image is being loaded: does what the loader needs of kImageFd. False if
 /// it was something else.

@@ -93,9 +93,12 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
     done += static_cast<std::size_t>(wrote);
   }
   // The descriptor stays open while the image is loaded, because the loader also knows files by this name. In
-  // a confined process it opens nothing, but gets this descriptor, and closes it.
+  // a confined process it opens nothing, but gets this descriptor, and closes it: there each has a name of
+  // its own.
   if (is_confined()) lseek(copy_.get(), 0, SEEK_SET);
-  const std::string name = is_confined() ? kImageName : fmt::format("/proc/self/fd/{}", copy_.get());
+  static int loaded = 0;
+  const std::string name = is_confined() ? fmt::format("{}-{}", kImageName, ++loaded)
+                                         : fmt::format("/proc/self/fd/{}", copy_.get());
   handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
   const std::string error = handle_ ? "" : dlerror();
   if (handle_) entry_ = static_cast<const host::Image*>(dlsym(handle_, "robosim_image"));

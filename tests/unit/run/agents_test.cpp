@@ -99,7 +99,7 @@ TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {
 
   // The second is in somebody's hand.
   const std::vector<judge::Outcome> both =
-      run({agent(driver_, "laps:1"), agent(parked_, "none", "", "at 0s lift\n")});
+      run({agent(driver_, "laps:1"), agent(parked_, "none", "20,2,E", "at 0s lift\n")});
 
   EXPECT_EQ(both[0].trace_hash, alone.trace_hash);
   EXPECT_EQ(both[0].time, alone.time);
@@ -108,7 +108,7 @@ TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {
 TEST_F(AgentsTest, AreDifferentIndividualsWithTheirOwnNoise) {
   const judge::Outcome first = run({agent(driver_, "none")}, kSecond).front();
   const std::vector<judge::Outcome> both =
-      run({agent(parked_, "none", "", "at 0s lift\n"), agent(other_, "none")}, kSecond);
+      run({agent(parked_, "none", "20,2,E", "at 0s lift\n"), agent(other_, "none")}, kSecond);
   EXPECT_NE(both[1].trace_hash, first.trace_hash) << "robot 1 of a seed is not robot 0";
 }
 

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -269,6 +270,63 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   EXPECT_EQ(result.robot_sha256, robot.sha256);
   const auto again = session.ask_for<wire::RunResult>(wire::Request(request_));
   EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner, many runs";
+}
+
+TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
+  request_.name = "A";
+  request_.start = "10,14,E";
+  request_.samples_every_ns = 100 * kMillisecond;
+  request_.notes = true;
+  wire::AgentRequest other{
+      "B", "", request_.image, "uno5", "20,2,W", "none", 0, "at 50ms press start 10ms", "b.txt"};
+  request_.agents = {other};
+  Session session({"built-in", drivers().make, nullptr, {{"other", drivers().make}}});
+  session.line();
+  request_.agents[0].target = "other";
+  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+  EXPECT_EQ(result.verdict, "reached");
+  ASSERT_EQ(result.others.size(), 1u);
+  EXPECT_EQ(result.others[0].goal, "none");
+  EXPECT_EQ(result.others[0].image_sha256, sha256("any"));
+  EXPECT_NE(result.others[0].trace_hash, result.trace_hash);
+  std::array<int, 2> started{}, samples{}, notes{};
+  for (const wire::Event& event : session.events) {
+    if (const auto* one = std::get_if<wire::Started>(&event)) ++started[static_cast<std::size_t>(one->agent)];
+    if (const auto* one = std::get_if<wire::Sample>(&event)) ++samples[static_cast<std::size_t>(one->agent)];
+    if (const auto* one = std::get_if<wire::Note>(&event))
+      notes[static_cast<std::size_t>(one->agent)] += one->is<wire::ScriptActed>() != nullptr;
+  }
+  EXPECT_THAT(started, ::testing::ElementsAre(1, 1));
+  EXPECT_EQ(samples[1], 201) << "it goes on to the end of the time";
+  EXPECT_GT(samples[0], 50);
+  EXPECT_THAT(notes, ::testing::ElementsAre(0, 1)) << "each has its own script";
+}
+
+TEST_F(SessionTest, RefusesRobotsThatCannotBeTogether) {
+  request_.name = "A";
+  request_.start = "10,14,E";
+  const wire::AgentRequest good{"B", "", request_.image, "uno5", "20,2,W", "none", 0, "", ""};
+  const auto message_with = [&](auto spoil) {
+    wire::RunRequest request = request_;
+    request.agents = {good};
+    spoil(request);
+    const wire::ErrorAnswer error = refusal(request);
+    EXPECT_EQ(error.kind, "input") << error.message;
+    return error.message;
+  };
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].name = "A"; }), HasSubstr("two robots are named A"));
+  EXPECT_THAT(message_with([](auto& r) { r.name = ""; }), HasSubstr("each has a name"));
+  EXPECT_THAT(message_with([](auto& r) { r.gdb_port = 3333; }), HasSubstr("a run of its own"));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].target = "avr"; }),
+              HasSubstr("robot B: “avr” is no target of robosim-built-in; it runs built-in"));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].start = "0,0,E"; }), StartsWith("robot B: "));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].start = "10,14,W"; }),
+              HasSubstr("robot B starts on top of robot A"));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].goal = "station:77"; }), HasSubstr("robot B: "));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].robot = "uno9"; }), StartsWith("robot B: "));
+  EXPECT_THAT(message_with([](auto& r) { r.agents[0].script = "at 1s pres start"; }), HasSubstr("robot B: "));
+  EXPECT_THAT(message_with([&](auto& r) { r.agents.assign(256, good); }),
+              HasSubstr("there are 257 robots; a run may have 256"));
 }
 
 TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {

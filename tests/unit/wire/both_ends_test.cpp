@@ -21,7 +21,7 @@ class Filler {
   static constexpr bool kReads = true;
   static constexpr bool kDescribes = false;
 
-  explicit Filler(std::mt19937_64& random) : random_(random) {}
+  explicit Filler(std::mt19937_64& random, int depth = 0) : random_(random), depth_(depth) {}
 
   template <class T>
   void operator()(const char*, T&& value, const char*, const Rules& rules = {}) {
@@ -50,7 +50,7 @@ class Filler {
   template <class T>
   void fill(T& value, const Rules& rules) {
     if constexpr (Described<Filler, T>) {
-      Filler inner(random_);
+      Filler inner(random_, depth_ + 1);
       fields(inner, value);
     } else if constexpr (std::is_same_v<T, bool>) {
       value = below(2) == 1;
@@ -76,7 +76,8 @@ class Filler {
                                rules.most == std::numeric_limits<std::int64_t>::max()
                                    ? static_cast<std::uint64_t>(Limits::max())
                                    : static_cast<std::uint64_t>(rules.most));
-    const std::array<T, 3> odd{static_cast<T>(least), static_cast<T>(most), static_cast<T>(below(100))};
+    const std::array<T, 3> odd{static_cast<T>(least), static_cast<T>(most),
+                               std::max(static_cast<T>(least), static_cast<T>(below(100)))};
     value = odd[below(odd.size())];
     value = static_cast<T>(value - value % static_cast<T>(rules.multiple_of));
   }
@@ -102,7 +103,7 @@ class Filler {
 
   template <class T>
   void fill_many(std::vector<T>& value, const Rules& rules) {
-    value.resize(below(4));
+    value.resize(depth_ < 3 ? below(4) : 0);  // a result may hold results
     for (T& element : value) fill(element, rules);
   }
   template <class T>
@@ -133,6 +134,7 @@ class Filler {
   }
 
   std::mt19937_64& random_;
+  int depth_;
   std::uint64_t choices_ = 0;
 };
 

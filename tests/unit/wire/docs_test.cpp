@@ -123,6 +123,7 @@ Table table(const char* name, bool request = false) {
 std::vector<Table> tables() {
   return {table<DescribeRobot>("describe_robot", true),
           table<RunRequest>("run", true),
+          table<AgentRequest>("run.agents", true),
           table<Act>("script", true),
           table<GoOn>("continue", true),
           table<Stop>("stop", true),

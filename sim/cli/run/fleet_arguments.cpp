@@ -1,0 +1,159 @@
+#include "sim/cli/run/fleet_arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "sim/cli/launching.h"
+
+namespace robosim::cli {
+namespace {
+
+struct Named {
+  std::string name;  ///< empty = of all
+  std::string value;
+};
+
+/// "A=uno5" is of A; a path may have = in it behind its first '/' or '.'.
+Named split(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals == word.npos || equals == 0 || word.find_first_of("./") < equals) return {"", word};
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
+std::string label(const char* option) { return *option ? option : "SKETCH"; }
+
+}  // namespace
+
+FleetOptions::FleetOptions(Options& options, RunArguments& run)
+    : run_(run),
+      given_{Given{"", [](launch::Launch& l) -> std::string& { return l.sketch; }},
+             Given{"--robot", [](launch::Launch& l) -> std::string& { return l.robot; }},
+             Given{"--target", [](launch::Launch& l) -> std::string& { return l.target; }},
+             Given{"--start", [](launch::Launch& l) -> std::string& { return l.request.start; }},
+             Given{"--goal", [](launch::Launch& l) -> std::string& { return l.request.goal; }}} {
+  options.positionals("SKETCH", given_[0].values,
+                      "folder, .ino file or name; default: the current folder; or several robots: a .toml, "
+                      "or NAME=SKETCH for each (docs/fleets.md)");
+  options.texts(
+      "--robot", given_[1].values, "ROBOT",
+      "file, or name of a stock robot; with @BOARD behind it, on that board; this and the next three, "
+      "and --script, as NAME=… for one of several");
+  options.texts("--target", given_[2].values, "TARGET", "host, avr or stm32");
+  options.texts("--start", given_[3].values, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
+  options.texts("--goal", given_[4].values, "GOAL",
+                "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
+  options.texts("--script", scripts_, "FILE", "what happens meanwhile: buttons, serial, faults");
+}
+
+launch::Member& FleetOptions::member(const char* option, const std::string& name) {
+  launch::Fleet& fleet = run_.fleet;
+  if (launch::Member* known = fleet.find(name)) return *known;
+  launch::check_member_name(name, {label(option)});
+  if (!fleet.file.empty()) {
+    std::vector<std::string> names;
+    for (const launch::Member& other : fleet.members) names.push_back(other.name);
+    throw InputError(fmt::format("{}: there is no robot {} in {}; there is {}", label(option), name,
+                                 fleet.file, one_of(names)));
+  }
+  if (fleet.members.size() == wire::kMostAgents)
+    throw InputError(
+        fmt::format("{}: {} is a robot too many; a run may have {}", label(option), name, wire::kMostAgents));
+  launch::Member fresh;
+  fresh.name = name;
+  fleet.members.push_back(std::move(fresh));
+  return fleet.members.back();
+}
+
+void FleetOptions::read_file() {
+  std::vector<std::string>& words = given_[0].values;
+  const auto file = std::find_if(words.begin(), words.end(), launch::is_fleet_file);
+  if (file == words.end()) return;
+  run_.fleet = launch::read_fleet(*file);
+  words.erase(file);
+}
+
+void FleetOptions::take(const Given& given) {
+  std::vector<std::string> had;
+  for (const std::string& word : given.values) {
+    const auto [name, value] = split(word);
+    if (std::find(had.begin(), had.end(), name) != had.end()) {
+      if (name.empty() && *given.option)
+        throw InputError(fmt::format("{} is given more than once", given.option));
+      if (name.empty())
+        throw InputError(fmt::format("run: “{}” is one word too many; see robosim run --help", word));
+      throw InputError(fmt::format("{} is given more than once for {}", label(given.option), name));
+    }
+    had.push_back(name);
+    if (value.empty() && !name.empty())
+      throw InputError(fmt::format("{}: {} has no value", label(given.option), word));
+    launch::Launch& launch = name.empty() ? run_ : member(given.option, name).launch;
+    given.of(launch) = value;
+  }
+}
+
+void FleetOptions::take_scripts() {
+  bool had = false;
+  std::vector<std::string> names;
+  for (const std::string& word : scripts_) {
+    const auto [name, file] = split(word);
+    if (name.empty()) {
+      if (std::exchange(had, true)) throw InputError("--script is given more than once");
+      run_.script = file;
+      continue;
+    }
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      throw InputError(fmt::format("--script is given more than once for {}", name));
+    names.push_back(name);
+    wire::RunRequest& request = member("--script", name).launch.request;
+    request.script = script_text(file);
+    request.script_file = file;
+  }
+}
+
+/// What a robot has none of is that of all.
+void FleetOptions::fill_up() {
+  for (launch::Member& member : run_.fleet.members) {
+    launch::Launch& launch = member.launch;
+    for (const Given& given : given_)
+      if (given.of(launch).empty()) given.of(launch) = given.of(run_);
+    if (launch.request.script.empty() && (!run_.script.empty() || !run_.send.empty())) {
+      launch.request.script = scenario_text(run_);
+      launch.request.script_file = run_.script.empty() ? "--send" : run_.script;
+    }
+    if (launch.environment.empty()) launch.environment = run_.environment;
+    launch.libraries.insert(launch.libraries.begin(), run_.libraries.begin(), run_.libraries.end());
+    launch.sanitize |= run_.sanitize;
+    launch.untrusted |= run_.untrusted;
+  }
+}
+
+void FleetOptions::finish() {
+  read_file();
+  for (const Given& given : given_) take(given);
+  take_scripts();
+  if (run_.fleet.members.empty()) return;
+  if (!run_.map.empty()) run_.fleet.map = run_.map;
+  fill_up();
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) throw InputError(fmt::format("{} {}", option, why));
+  };
+  refuse(run_.request.gdb_port > 0, "--gdb",
+         "halts one robot's chip, not the others'; debug it in a run of its own");
+  refuse(!run_.coverage.empty(), "--coverage",
+         "counts the lines of one robot's sketch; run it alone for that");
+  refuse(run_.view, "--view", "is for runs of one robot");
+  refuse(!run_.record.empty(), "--record", "is for runs of one robot");
+  refuse(!run_.plot.empty(), "--plot", "is for runs of one robot");
+  refuse(run_.live, "--live", "is for runs of one robot");
+  refuse(run_.serial, "--serial", "prints what one sketch sends; run it alone, or see it in --json");
+  refuse(run_.request.clock_ns > 0, "--clock",
+         "is for runs of one robot; a fleet's file has it as clock, for each");
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,113 @@
+#include "sim/cli/run/fleet_command.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/wall_clock.h"
+#include "sim/base/write_claim.h"
+#include "sim/cli/launching.h"
+#include "sim/cli/output.h"
+#include "sim/cli/run/run_json.h"
+#include "sim/cli/run/screen.h"
+#include "sim/cli/run/second_look.h"
+#include "sim/client/interrupts.h"
+#include "sim/client/runner.h"
+#include "sim/launch/fleet.h"
+#include "sim/record/recorder.h"
+#include "sim/tui/fleet_report.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+namespace {
+
+/// 0 where all have reached their goals; else what went wrong most.
+int status_of(const std::vector<wire::RunResult>& results) {
+  // Where a sketch has taken the process down, the others are interrupted, too.
+  if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
+  for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
+    for (const wire::RunResult& result : results)
+      if (result.status == static_cast<int>(status)) return result.status;
+  return static_cast<int>(ExitStatus::ok);
+}
+
+/// One for each robot, the first one's without the others.
+std::vector<wire::RunResult> results_of(wire::RunResult first) {
+  std::vector<wire::RunResult> all = {wire::RunResult{}};
+  for (wire::RunResult& other : first.others) all.push_back(std::move(other));
+  first.others.clear();
+  all.front() = std::move(first);
+  return all;
+}
+
+}  // namespace
+
+int fleet_command(const RunArguments& arguments) {
+  launch::Fleet fleet = arguments.fleet;
+  launch::ChosenFleet chosen = choose(fleet);
+  tui::Progress progress(true);
+  wire::RunRequest common = arguments.request;
+  common.script.clear();
+  const bool draws = !arguments.json;
+  common.samples_every_ns = draws || progress.active() ? tui::trail_every_ns(common.for_ns) : 0;
+
+  client::Runner runner(chosen.runner);
+  launch::Launcher launcher(listener_of(progress));
+  const launch::PreparedFleet run = launch::prepare(
+      launcher, fleet, std::move(chosen), common,
+      [&](const std::string& name) { return runner.describe_robot(name); }, runner.hello());
+
+  tui::FleetReport report;
+  report.map = run.members.front().map.name;
+  for (std::size_t i = 0; i < run.members.size(); ++i) {
+    const launch::Prepared& member = run.members[i];
+    report.rows.push_back(
+        {fleet.members[i].name, launch::title_of(member.sketch), member.robot.name, member.target, {}, {}});
+    if (!member.remark.empty())
+      complain(fmt::format("robosim: {}: {}\n", fleet.members[i].name, member.remark));
+  }
+  const auto on_event = [&](const wire::Event& event) {
+    const auto row = [&](int agent) { return &report.rows.at(static_cast<std::size_t>(agent)); };
+    if (const auto* started = std::get_if<wire::Started>(&event); started && started->agent == 0)
+      report.started = *started;
+    if (const auto* note = std::get_if<wire::Note>(&event)) row(note->agent)->trail.add(*note);
+    const auto* sample = std::get_if<wire::Sample>(&event);
+    if (!sample) return;
+    if (draws) row(sample->agent)->trail.add(*sample);
+    if (sample->agent == 0) progress.advance(sample->t_us, static_cast<double>(common.for_ns) * 1e-9);
+  };
+  const double began_s = 1e-6 * static_cast<double>(wall_us());
+  std::vector<wire::RunResult> results;
+  try {
+    const client::Interrupts interrupts(runner);
+    results = results_of(runner.run(run.request, on_event));
+  } catch (const InputError& error) {
+    throw launch::with_place(fleet, error);
+  }
+  if (arguments.timing) report.wall_s = 1e-6 * static_cast<double>(wall_us()) - began_s;
+  progress.clear();
+  for (wire::RunResult& result : results) result.next = next_of(result);
+
+  if (arguments.json) {
+    std::vector<RobotRun> robots;
+    for (std::size_t i = 0; i < results.size(); ++i)
+      robots.push_back(
+          {fleet.members[i].name, inputs_of(run.members[i], runner.hello().version), results[i]});
+    print(fleet_json(robots, report.wall_s));
+  } else {
+    for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
+    const ScreenSize screen = screen_size();
+    const auto drawn = map_to_draw(run.members.front().map.path);
+    print(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
+  }
+  if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
+    ::raise(client::Interrupts::signal());
+  return status_of(results);
+}
+
+}  // namespace robosim::cli

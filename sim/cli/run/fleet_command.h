@@ -1,0 +1,11 @@
+// `robosim run` with several robots (docs/fleets.md).
+#pragma once
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// The exit status: 0 where all of them reached their goals.
+int fleet_command(const RunArguments& arguments);
+
+}  // namespace robosim::cli

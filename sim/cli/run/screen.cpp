@@ -1,0 +1,32 @@
+#include "sim/cli/run/screen.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "sim/tui/terminal.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr int kWidest_columns = 78;
+// Above this a picture of the map takes longer than the run.
+constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
+
+}  // namespace
+
+ScreenSize screen_size() {
+  const auto size = tui::terminal_size(STDOUT_FILENO);
+  return {std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns),
+          tui::look_from_environment(size.has_value())};
+}
+
+std::unique_ptr<grid::Map> map_to_draw(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(path, error);
+  if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
+  return std::make_unique<grid::Map>(grid::read_map(path));
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,243 @@
+#include "sim/launch/fleet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "sim/base/config.h"
+#include "sim/base/file.h"
+#include "sim/base/units.h"
+
+namespace robosim::launch {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLongestName = 32;
+constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
+
+/// One [[agent]].
+class MemberReader {
+ public:
+  MemberReader(const ConfigValue& table, fs::path folder)
+      : reader_(table, "[[agent]]"), folder_(std::move(folder)) {}
+
+  Member member() {
+    Member member;
+    member.place = reader_.table().place;
+    const ConfigValue& name = reader_.require("name");
+    member.name = as_string(name, "name");
+    check_member_name(member.name, name.place);
+    Launch& launch = member.launch;
+    launch.sketch = path_at("sketch");
+    if (launch.sketch.empty()) reader_.require("sketch");
+    launch.robot = path_at("robot");
+    launch.target = word_at("target");
+    launch.environment = word_at("env");
+    launch.libraries = libraries();
+    launch.sanitize = reader_.boolean("sanitize", false);
+    launch.request.start = word_at("start");
+    launch.request.goal = word_at("goal");
+    launch.request.clock_ns = clock();
+    if (const std::string script = path_at("script", true); !script.empty()) {
+      launch.request.script_file = script;
+      launch.request.script = read_file(script, kMostScript_bytes);
+    }
+    reader_.finish();
+    if (!launch.target.empty())
+      at(reader_.table().find("target")->place, [&] { check_target(launch.target); });
+    return member;
+  }
+
+ private:
+  /// A word that may not be empty; empty if it is not there.
+  std::string word_at(const char* key) {
+    const ConfigValue* value = reader_.find(key);
+    if (!value) return "";
+    const std::string& word = as_string(*value, key);
+    if (word.empty()) throw InputError(value->place, fmt::format("{} is empty; leave the key out", key));
+    return word;
+  }
+  /// Paths begin at the file's folder.
+  std::string path_at(const char* key, bool always = false) {
+    const std::string word = word_at(key);
+    return word.empty() || !(always || is_path(word)) ? word : from_folder(word);
+  }
+  std::string from_folder(const std::string& word) const {
+    if (folder_.empty() || fs::path(word).is_absolute()) return word;
+    return (folder_ / word).lexically_normal().string();
+  }
+  std::vector<std::string> libraries() {
+    std::vector<std::string> folders;
+    const ConfigValue* value = reader_.find("libraries");
+    if (!value) return folders;
+    if (value->kind != ConfigValue::Kind::array) return {from_folder(as_string(*value, "libraries"))};
+    for (const ConfigValue& item : value->items) folders.push_back(from_folder(as_string(item, "libraries")));
+    return folders;
+  }
+  std::int64_t clock() {
+    const std::string word = word_at("clock");
+    if (word.empty()) return 0;
+    const auto ns = parse_duration_ns(word);
+    if (!ns || *ns <= 0)
+      throw InputError(
+          reader_.table().find("clock")->place,
+          fmt::format("clock is “{}”; it must be a time above 0 with its unit, as in \"49.7d\"", word));
+    return *ns;
+  }
+  template <class Check>
+  static void at(const Place& place, Check check) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      throw InputError(place, error.message());
+    }
+  }
+
+  TableReader reader_;
+  fs::path folder_;
+};
+
+/// Says of which robot it is true, and where a file has it.
+[[noreturn]] void blame(const Member& member, const InputError& error) {
+  if (error.place().file.empty())
+    throw InputError(member.place, fmt::format("robot {}: {}", member.name, error.message()));
+  throw InputError(error.place(), fmt::format("{} (robot {})", error.message(), member.name));
+}
+
+}  // namespace
+
+Member* Fleet::find(const std::string& name) {
+  const auto found =
+      std::find_if(members.begin(), members.end(), [&](const Member& member) { return member.name == name; });
+  return found == members.end() ? nullptr : &*found;
+}
+
+bool is_fleet_file(const std::string& word) { return fs::path(word).extension() == ".toml"; }
+
+void check_member_name(const std::string& name, const Place& place) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  if (!name.empty() && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), fits)) return;
+  throw InputError(
+      place, fmt::format("“{}” cannot be a robot's name; that is letters, digits, _ and -, {} at most", name,
+                         kLongestName));
+}
+
+Fleet read_fleet(const fs::path& file) { return parse_fleet(read_file(file), file); }
+
+Fleet parse_fleet(std::string_view text, const fs::path& file) {
+  const ConfigValue root = parse_toml(text, file.string());
+  TableReader reader(root, file.filename().string());
+  Fleet fleet;
+  fleet.file = file.string();
+  fleet.map = reader.string("map", "");
+  if (is_path(fleet.map) && fs::path(fleet.map).is_relative())
+    fleet.map = (file.parent_path() / fleet.map).lexically_normal().string();
+  const ConfigValue* tables = reader.find("agent");
+  reader.finish();
+  if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
+    throw InputError({file.string(), 0, 0}, "holds no robot; each begins with a line [[agent]]");
+  if (tables->items.size() > wire::kMostAgents)
+    throw InputError(
+        tables->items[wire::kMostAgents].place,
+        fmt::format("there are {} robots; a run may have {}", tables->items.size(), wire::kMostAgents));
+  for (const ConfigValue& table : tables->items) {
+    Member member = MemberReader(table, file.parent_path()).member();
+    if (const Member* other = fleet.find(member.name))
+      throw InputError(table.find("name")->place, fmt::format("there is a robot {} already, on line {}",
+                                                              member.name, other->place.line));
+    fleet.members.push_back(std::move(member));
+  }
+  return fleet;
+}
+
+namespace {
+
+void check_go_together(const Fleet& fleet, const std::vector<std::string>& targets) {
+  const auto first = [&](const char* target) {
+    return std::find(targets.begin(), targets.end(), target) - targets.begin();
+  };
+  const auto host = static_cast<std::size_t>(first("host")), stm32 = static_cast<std::size_t>(first("stm32"));
+  if (host == targets.size() || stm32 == targets.size()) return;
+  throw InputError(
+      fleet.members[stm32].place,
+      fmt::format("robot {} is for the target stm32 and robot {} for the host: one run cannot hold both, "
+                  "since sketches on the host are confined and the STM32's emulator cannot be; the "
+                  "target avr goes with either",
+                  fleet.members[stm32].name, fleet.members[host].name));
+}
+
+}  // namespace
+
+std::string runner_of(const std::vector<std::string>& targets) {
+  for (const char* target : {"stm32", "avr"})
+    if (std::find(targets.begin(), targets.end(), target) != targets.end()) return target;
+  return "host";
+}
+
+ChosenFleet choose(Fleet& fleet) {
+  ChosenFleet all;
+  std::vector<std::string> targets;
+  for (Member& member : fleet.members) {
+    try {
+      member.launch.map = fleet.map;
+      Chosen chosen = choose(member.launch);
+      if (all.members.empty()) fleet.map = chosen.map.path.string();
+      if (!all.members.empty()) chosen.map = all.members.front().map;
+      targets.push_back(chosen.target);
+      all.members.push_back(std::move(chosen));
+    } catch (const InputError& error) {
+      blame(member, error);
+    }
+  }
+  check_go_together(fleet, targets);
+  all.runner = runner_of(targets);
+  return all;
+}
+
+PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
+                      const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner) {
+  std::map<std::string, wire::RobotInfo> described;
+  const Describe once = [&](const std::string& robot) {
+    const auto known = described.find(robot);
+    return known != described.end() ? known->second : described.emplace(robot, describe(robot)).first->second;
+  };
+  PreparedFleet all;
+  all.request = common;
+  for (std::size_t i = 0; i < fleet.members.size(); ++i) {
+    const Member& member = fleet.members[i];
+    try {
+      all.members.push_back(launcher.prepare(member.launch, std::move(chosen.members[i]), once, runner));
+    } catch (const InputError& error) {
+      blame(member, error);
+    }
+    const Prepared& ready = all.members.back();
+    const wire::RunRequest& own = member.launch.request;
+    wire::AgentRequest agent{member.name, ready.target, ready.request.image, ready.request.robot, own.start,
+                             own.goal,    own.clock_ns, own.script,          own.script_file};
+    if (i > 0) {
+      all.request.agents.push_back(std::move(agent));
+      continue;
+    }
+    wire::RunRequest& first = all.request;
+    first.map = ready.request.map;
+    first.name = agent.name, first.target = agent.target, first.image = agent.image,
+    first.robot = agent.robot;
+    first.start = agent.start, first.goal = agent.goal, first.clock_ns = agent.clock_ns;
+    first.script = agent.script, first.script_file = agent.script_file;
+  }
+  return all;
+}
+
+InputError with_place(const Fleet& fleet, const InputError& error) {
+  if (!error.place().file.empty()) return error;
+  for (const Member& member : fleet.members)
+    if (error.message().starts_with(fmt::format("robot {}: ", member.name)) ||
+        error.message().starts_with(fmt::format("robot {} starts ", member.name)))
+      return {member.place, error.message()};
+  return error;
+}
+
+}  // namespace robosim::launch

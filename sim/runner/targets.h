@@ -1,0 +1,34 @@
+// The targets that runners are put together of.
+#pragma once
+
+#include "sim/exec/host/host_executor.h"
+#include "sim/runner/session.h"
+
+namespace robosim::runner {
+
+inline ExecutorFactory host_target() {
+  using exec::HostExecutor;
+  return {"host",
+          [](const BoardSpec& board, const std::filesystem::path& image) {
+            return std::make_unique<HostExecutor>(board, image);
+          },
+          [](exec::Executor& executor, exec::AddressLines lines) {
+            static_cast<HostExecutor&>(executor).prepare_for_confinement(std::move(lines));
+          }};
+}
+
+/// For a target whose firmware is data: `avr`, by `AvrExecutor`.
+template <class Executor>
+ExecutorFactory chip_target(const char* target) {
+  return {target, [](const BoardSpec& board, const std::filesystem::path& image) {
+            return std::make_unique<Executor>(board, image);
+          }};
+}
+
+/// `runner`'s program also runs firmware of these.
+inline ExecutorFactory beside(ExecutorFactory runner, std::vector<ExecutorFactory> others) {
+  runner.besides = std::move(others);
+  return runner;
+}
+
+}  // namespace robosim::runner

@@ -1,0 +1,32 @@
+// The screen at the end of a run of several robots: a line for each.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/tui/report.h"
+
+namespace robosim::tui {
+
+struct FleetRow {
+  std::string name;
+  std::string sketch;  ///< as the user named it, and so the next
+  std::string robot;
+  std::string target;
+  wire::RunResult result;
+  Trail trail;
+};
+
+struct FleetReport {
+  std::string map;
+  wire::Started started;  ///< of the first
+  std::vector<FleetRow> rows;
+  std::optional<double> wall_s;  ///< empty = not shown
+};
+
+/// `map` may be null: then there is no picture.
+std::string fleet_screen(const FleetReport& report, const grid::Map* map, int columns, Look look);
+
+}  // namespace robosim::tui

@@ -1,0 +1,124 @@
+// `robosim run` with several robots: docs/fleets.md.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/require_target.h"
+#include "tests/system/json_of.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::vector<std::string> kTwoRobots{"run",    "A=PidFollower", "B=PidFollower", "--map",
+                                          "oval",   "--for",         "12s",           "--goal",
+                                          "laps:1", "--start",       "B=20,2,W"};
+
+std::vector<std::string> two_with(const std::vector<std::string>& more) {
+  std::vector<std::string> words = kTwoRobots;
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(CliFleet, TwoRobotsHaveALineAndAVerdictEach) {
+  const Ended run = robosim_command(kTwoRobots);
+  EXPECT_EQ(run.status, 0) << run.err << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("\nA      reached"), HasSubstr("\nB      reached"),
+                             HasSubstr("A: The goal laps:1 was reached after"), HasSubstr("2 of 2 reached")));
+}
+
+TEST(CliFleet, OneThatFailsIsEnoughForTheExitStatus) {
+  const Ended run = robosim_command(two_with({"--goal", "B=station:1"}));
+  EXPECT_EQ(run.status, 2) << "the oval has no station";
+  EXPECT_THAT(run.err, HasSubstr("robot B: "));
+  const Ended late = robosim_command(two_with({"--goal", "B=laps:9"}));
+  EXPECT_EQ(late.status, 4) << late.err;
+  EXPECT_THAT(late.out, HasSubstr("1 of 2 reached"));
+}
+
+TEST(CliFleet, TheJsonHasAnObjectForEachAndTheFirstOnesRunIsTheOneItHasAlone) {
+  const Ended run = robosim_command(two_with({"--json"}));
+  EXPECT_EQ(robosim_command(two_with({"--json"})).out, run.out);
+  const nlohmann::json fleet = json_of(run);
+  EXPECT_EQ(fleet["schema"], "robosim.fleet/1");
+  EXPECT_EQ(fleet["reached"], 2);
+  ASSERT_EQ(fleet["robots"].size(), 2u);
+  nlohmann::json first = fleet["robots"][0];
+  EXPECT_EQ(first["name"], "A");
+  const nlohmann::json alone = json_of(
+      robosim_command({"run", "PidFollower", "--map", "oval", "--for", "12s", "--goal", "laps:1", "--json"}));
+  EXPECT_EQ(first["trace_hash"], alone["trace_hash"]) << "they never met";
+  EXPECT_NE(fleet["robots"][1]["trace_hash"], first["trace_hash"]);
+}
+
+TEST(CliFleet, HostAndAvrDriveSideBySideFromAFile) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  write_file(folder / "robots.toml",
+             "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ngoal = \"laps:1\"\n"
+             "[[agent]]\nname = \"B\"\nsketch = \"PidFollower\"\ntarget = \"avr\"\ngoal = \"laps:1\"\n"
+             "start = \"20,2,W\"\n");
+  const Ended run = robosim_command({"run", "robots.toml"}, folder.path());
+  EXPECT_EQ(run.status, 0) << run.err << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("uno5, host"), HasSubstr("uno5, avr"), HasSubstr("2 of 2")));
+}
+
+TEST(CliFleet, TheSameSketchTwiceHasItsVariablesTwiceAndACrashIsItsRobots) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  write_file(folder / "Count.ino",
+             "int n;\nvoid setup() { Serial.begin(9600); }\n"
+             "void loop() { delay(100); Serial.println(++n); if (n == 5 && digitalRead(2)) *(volatile int*)0 "
+             "= 1; }\n");
+  const Ended run = robosim_command(
+      {"run", "A=./Count.ino", "B=./Count.ino", "C=./Count.ino", "--target", "C=avr", "--map", "oval",
+       "--goal", "none", "--for", "1s", "--start", "B=20,2,W", "--start", "C=10,2,W", "--json"},
+      folder.path());
+  const nlohmann::json robots = json_of(run)["robots"];
+  ASSERT_EQ(robots.size(), 3u) << run.err;
+  for (const auto& robot : robots)
+    EXPECT_THAT(robot["serial"].get<std::string>(), StartsWith("1\r\n2\r\n3\r\n4\r\n5"));
+  EXPECT_EQ(robots[0]["verdict"], "crashed");
+  EXPECT_THAT(robots[1]["why"].get<std::string>(), HasSubstr("in loop, Count.ino:3"));
+  EXPECT_EQ(robots[2]["verdict"], "reached") << "a chip has something at address 0";
+}
+
+#if defined(__x86_64__)
+TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
+  const Folder folder;
+  write_file(folder / "Gone.ino",
+             "void setup() {}\nvoid loop() { delay(300); long call = 60, status = 3; "
+             "asm volatile(\"syscall\" ::\"a\"(call), \"D\"(status)); }\n");
+  const Ended run = robosim_command({"run", "A=PidFollower", "B=./Gone.ino", "--map", "oval", "--goal",
+                                     "none", "--for", "1s", "--start", "B=20,2,W", "--json"},
+                                    folder.path());
+  EXPECT_EQ(run.status, 1) << run.err << run.out;
+  const nlohmann::json robots = json_of(run)["robots"];
+  ASSERT_EQ(robots.size(), 2u) << run.err;
+  EXPECT_EQ(robots[0]["verdict"], "interrupted");
+  EXPECT_EQ(robots[0]["why"], "The run ended when the sketch of B took its process down.");
+  EXPECT_EQ(robots[1]["verdict"], "crashed");
+}
+#endif
+
+TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
+  const auto refusal = [](const std::vector<std::string>& more) {
+    const Ended run = robosim_command(two_with(more));
+    EXPECT_EQ(run.status, 2) << run.err;
+    return run.err;
+  };
+  EXPECT_THAT(refusal({"--target", "B=pic"}), HasSubstr("robot B: "));
+  EXPECT_THAT(refusal({"--start", "B=2,2,E"}), HasSubstr("--start is given more than once for B"));
+  EXPECT_THAT(refusal({"--start", "A=20,2,E"}), HasSubstr("robot B starts on top of robot A"));
+  EXPECT_THAT(refusal({"--robot", "B="}), HasSubstr("--robot: B= has no value"));
+  EXPECT_THAT(refusal({"--gdb", "3333"}), HasSubstr("--gdb halts one robot's chip"));
+  EXPECT_THAT(refusal({"--script", "B=/none.txt"}), HasSubstr("/none.txt"));
+  EXPECT_THAT(refusal({"--map", "ovall"}), HasSubstr("--map is given more than once"));
+  EXPECT_THAT(refusal({"--robot", "B b=uno5"}), HasSubstr("“B b” cannot be a robot's name"));
+}
+
+}  // namespace
+}  // namespace robosim::test

@@ -1,0 +1,159 @@
+#include "sim/launch/fleet.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/base/file.h"
+#include "tests/support/readable.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::launch {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(FleetFile, SaysOfEachRobotWhatTheCommandLineSaysOfOne) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "b.txt", "at 1s lift\n");
+  const Fleet fleet = parse_fleet(R"(map = "own.map"
+
+[[agent]]
+name = "A"
+sketch = "PidFollower"
+
+[[agent]]
+name = "b-2"
+sketch = "./Mine"
+robot = "robot.toml"
+target = "avr"
+start = "2,2,E"
+goal = "laps:2"
+script = "b.txt"
+clock = "1h"
+libraries = ["libs"]
+sanitize = true
+)",
+                                  folder.path() / "robots.toml");
+  const auto in_folder = [&](const char* file) { return (folder.path() / file).string(); };
+  EXPECT_EQ(fleet.map, in_folder("own.map"));
+  ASSERT_EQ(fleet.members.size(), 2u);
+  EXPECT_EQ(fleet.members[0].name, "A");
+  EXPECT_EQ(fleet.members[0].launch.sketch, "PidFollower");
+  EXPECT_EQ(fleet.members[0].place.line, 3);
+  const Member& b = fleet.members[1];
+  EXPECT_EQ(b.launch.sketch, in_folder("Mine")) << "paths begin at the file's folder";
+  EXPECT_EQ(b.launch.robot, in_folder("robot.toml"));
+  EXPECT_EQ(b.launch.target, "avr");
+  EXPECT_EQ(b.launch.request.start, "2,2,E");
+  EXPECT_EQ(b.launch.request.goal, "laps:2");
+  EXPECT_EQ(b.launch.request.clock_ns, 3'600'000'000'000);
+  EXPECT_EQ(b.launch.request.script, "at 1s lift\n");
+  EXPECT_EQ(b.launch.request.script_file, in_folder("b.txt"));
+  EXPECT_THAT(b.launch.libraries, ElementsAre(in_folder("libs")));
+  EXPECT_TRUE(b.launch.sanitize);
+}
+
+TEST(FleetFile, NeedsTheRunnerThatHasAllOfItsTargets) {
+  EXPECT_EQ(runner_of({"host", "host"}), "host");
+  EXPECT_EQ(runner_of({"host", "avr"}), "avr");
+  EXPECT_EQ(runner_of({"avr", "stm32", "avr"}), "stm32");
+}
+
+TEST(FleetFile, TheHostAndAnStm32CannotBeInOneRun) {
+  Fleet fleet = parse_fleet(R"([[agent]]
+name = "A"
+sketch = "PidFollower"
+[[agent]]
+name = "B"
+sketch = "LeftPath"
+target = "stm32"
+)",
+                            "robots.toml");
+  EXPECT_THAT([&] { choose(fleet); },
+              ::testing::ThrowsMessage<InputError>(StartsWith(
+                  "robots.toml:4:1: robot B is for the target stm32 and robot A for the host: one run")));
+}
+
+struct Bad {
+  const char* name;
+  const char* text;
+  const char* sentence;  ///< its beginning, behind the file's name
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+class BadFleet : public ::testing::TestWithParam<Bad> {};
+
+TEST_P(BadFleet, IsOneSentenceWithItsPlace) {
+  std::string said;
+  try {
+    Fleet fleet = parse_fleet(GetParam().text, "robots.toml");
+    choose(fleet);
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  EXPECT_THAT(said, StartsWith(std::string("robots.toml") + GetParam().sentence));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0);
+}
+
+std::string many(int robots) {
+  std::string text;
+  for (int i = 0; i < robots; ++i)
+    text += "[[agent]]\nname = \"r" + std::to_string(i) + "\"\nsketch = \"PidFollower\"\n";
+  return text;
+}
+const std::string kTooMany = many(257);
+
+const Bad kBad[] = {
+    {"empty", "", ": holds no robot; each begins with a line [[agent]]"},
+    {"noAgents", "map = \"oval\"", ": holds no robot; each begins"},
+    {"notATable", "agent = 3", ": holds no robot; each begins"},
+    {"oneTable", "[agent]\nname = \"A\"", ": holds no robot; each begins"},
+    {"notToml", "[[agent]\n", ":1:"},
+    {"unknownTop", "maps = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"", ":1:"},
+    {"mapIsANumber", "map = 3\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"", ":1:"},
+    {"noName", "[[agent]]\nsketch = \"PidFollower\"", ":1:1: [[agent]] lacks"},
+    {"emptyName", "[[agent]]\nname = \"\"\nsketch = \"PidFollower\"", ":2:8: “” cannot be a robot's name"},
+    {"nameWithASpace", "[[agent]]\nname = \"A B\"\nsketch = \"PidFollower\"",
+     ":2:8: “A B” cannot be a robot's name"},
+    {"nameIsANumber", "[[agent]]\nname = 1\nsketch = \"PidFollower\"", ":2:8: name"},
+    {"longName", "[[agent]]\nname = \"abcdefghijklmnopqrstuvwxyz-1234567\"\nsketch = \"PidFollower\"",
+     ":2:8: “abcdefghijklmnopqrstuvwxyz-1234567” cannot be"},
+    {"nameTwice",
+     "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"",
+     ":5:8: there is a robot A already, on line 1"},
+    {"noSketch", "[[agent]]\nname = \"A\"", ":1:1: [[agent]] lacks"},
+    {"emptySketch", "[[agent]]\nname = \"A\"\nsketch = \"\"", ":3:10: sketch is empty"},
+    {"noSuchSketch", "[[agent]]\nname = \"A\"\nsketch = \"PidFolower\"", ":1:1: robot A: "},
+    {"unknownKey", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ncolour = \"red\"", ":4:10: unknown key colour"},
+    {"unknownTarget", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ntarget = \"pic\"", ":4:10: "},
+    {"noSuchRobot", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nrobot = \"uno9\"", ":1:1: robot A: "},
+    {"noSuchMap", "map = \"ovall\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"", ":2:1: robot A: "},
+    {"clockWithoutUnit", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nclock = \"5\"",
+     ":4:9: clock is “5”"},
+    {"clockIsANumber", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nclock = 5", ":4:9: clock"},
+    {"emptyStart", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nstart = \"\"", ":4:9: start is empty"},
+    {"sanitizeIsText", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nsanitize = \"yes\"",
+     ":4:12: sanitize"},
+    {"librariesAreNumbers", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nlibraries = [1]",
+     ":4:14: libraries"},
+    {"tooMany", kTooMany.c_str(), ":769:1: there are 257 robots; a run may have 256"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Files, BadFleet, ::testing::ValuesIn(kBad),
+                         [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(FleetFile, AScriptThatIsNotThereIsNamed) {
+  EXPECT_THAT(
+      [] {
+        parse_fleet("[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nscript = \"none.txt\"", "r.toml");
+      },
+      ::testing::ThrowsMessage<InputError>(HasSubstr("none.txt")));
+}
+
+}  // namespace
+}  // namespace robosim::launch
