@@ -1,9 +1,9 @@
-// node avr8js.mjs FOLDER FLASH.bin CYCLES: runs a program of tests/conformance/avr on avr8js, which FOLDER has
+// node avr8js.mjs FOLDER FLASH.bin CYCLES LOOP: runs a program of tests/conformance/avr on avr8js, which FOLDER has
 // (`npm install avr8js`), and prints "ended" or "stopped" and the bytes that it reported.
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
 
-const [folder, image, cycles] = process.argv.slice(2);
+const [folder, image, cycles, loop] = process.argv.slice(2);
 const require = createRequire(`${folder}/package.json`);
 const avr = require('avr8js');
 
@@ -15,7 +15,8 @@ new avr.AVRTimer(cpu, avr.timer0Config);
 new avr.AVRTimer(cpu, avr.timer1Config);
 new avr.AVRTimer(cpu, avr.timer2Config);
 for (const port of [avr.portBConfig, avr.portCConfig, avr.portDConfig]) new avr.AVRIOPort(cpu, port);
-new avr.AVRUSART(cpu, avr.usart0Config, 16e6);
+const usart = new avr.AVRUSART(cpu, avr.usart0Config, 16e6);
+if (loop === '0') usart.onByteTransmit = (byte) => usart.writeByte(byte, true);
 new avr.AVRADC(cpu, avr.adcConfig);
 new avr.AVRClock(cpu, 16e6);
 new avr.AVREEPROM(cpu, new avr.EEPROMMemoryBackend(1024));

@@ -21,10 +21,13 @@ class Bench final : public avr::Surroundings {
     chip.cpu().on_write<&Bench::report>(spec.at.general[0], this);
     chip.cpu().on_write<&Bench::end>(spec.at.general[1], this);
     eeprom_.fill(0xFF);
+    arrives_ = chip.core().events.add<&Bench::arrive>(this);
   }
 
   /// Runs until the program ends, something stops it, or so many cycles have passed.
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
+  /// What this USART sends it receives, a frame later.
+  void wire_to_itself(int usart) { loop_ = usart; }
   /// A pin's level changes; the chip hears of it if it listens.
   void set_level(int pin, bool level) {
     levels[pin] = level;
@@ -47,6 +50,7 @@ class Bench final : public avr::Surroundings {
 
  private:
   void report(avr::Address, std::uint8_t byte) { reported.push_back(byte); }
+  void arrive(avr::Cycle at) { chip.receive(loop_, sent_bytes.back().second, at); }
   void end(avr::Address, std::uint8_t) {
     ended = true;
     chip.cpu().stop();
@@ -73,7 +77,10 @@ class Bench final : public avr::Surroundings {
     listens_to[pin] = wanted;
     return level(pin, true, at);
   }
-  void sent(int, std::uint16_t data, avr::Cycle at) override { sent_bytes.emplace_back(at, data); }
+  void sent(int usart, std::uint16_t data, avr::Cycle at) override {
+    sent_bytes.emplace_back(at, data);
+    if (usart == loop_ && !frames.empty()) chip.core().schedule(arrives_, at + frames.back().second);
+  }
   void listens(int, avr::Cycle frame, avr::Cycle at) override { frames.emplace_back(at, frame); }
   bool two_wire_address(std::uint8_t, avr::Cycle) override { return false; }
   bool two_wire_write(std::uint8_t, avr::Cycle) override { return false; }
@@ -88,6 +95,8 @@ class Bench final : public avr::Surroundings {
   void was_reset(std::uint8_t, avr::Cycle) override { ++resets; }
 
   std::array<std::uint8_t, 4096> eeprom_;
+  int loop_ = -1;
+  avr::Events::Id arrives_ = 0;
 };
 
 }  // namespace robosim::conformance

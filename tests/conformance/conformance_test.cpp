@@ -30,6 +30,7 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
   const Program& program = GetParam().program;
   const auto flash = compile(program, GetParam().chip);
   Bench bench(chip_named(GetParam().chip), flash);
+  bench.wire_to_itself(program.loop);
   bench.run(program.cycles);
   EXPECT_TRUE(bench.ended) << "it has not ended after " << program.cycles << " cycles, at word "
                            << bench.chip.cpu().pc() << " of flash";

@@ -59,6 +59,8 @@ Program read(const std::filesystem::path& file) {
       program.chips.assign(std::istream_iterator<std::string>(names), {});
     } else if (const auto ends = field("Ends")) {
       program.cycles = std::stoull(*ends);
+    } else if (const auto loop = field("Loop")) {
+      program.loop = std::stoi(*loop);
     } else if (program.source.empty()) {
       program.sentence += (program.sentence.empty() ? "" : " ") + text;
     }

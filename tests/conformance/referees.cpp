@@ -1,5 +1,6 @@
 extern "C" {
 #include <simavr/avr_ioport.h>
+#include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_io.h>
 }
@@ -31,6 +32,7 @@ bool is_right(const Program& program, const Report& report) {
 
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash) {
   Bench bench(chip_named(program.chips.front()), flash);
+  bench.wire_to_itself(program.loop);
   bench.run(program.cycles);
   return {bench.reported, bench.ended};
 }
@@ -48,6 +50,10 @@ Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash
   const AvrRegisters& at = chip_named(program.chips.front()).at;
   avr_register_io_write(avr, at.general[0], on_report, &report);
   avr_register_io_write(avr, at.general[1], on_end, &report);
+  if (program.loop >= 0) {
+    const auto usart = static_cast<unsigned>(AVR_IOCTL_UART_GETIRQ('0' + program.loop));
+    avr_connect_irq(avr_io_getirq(avr, usart, UART_IRQ_OUTPUT), avr_io_getirq(avr, usart, UART_IRQ_INPUT));
+  }
   int state = cpu_Running;
   while (!report.ended && state != cpu_Done && state != cpu_Crashed && avr->cycle < program.cycles)
     state = avr_run(avr);
@@ -63,8 +69,8 @@ std::optional<Report> run_on_avr8js(const Program& program, std::span<const std:
   const auto image = scratch.path() / "flash.bin";
   std::ofstream(image, std::ios::binary)
       .write(reinterpret_cast<const char*>(flash.data()), static_cast<std::streamsize>(flash.size()));
-  std::istringstream words(
-      output_of({"node", ROBOSIM_AVR8JS_SCRIPT, folder, image.string(), std::to_string(program.cycles)}));
+  std::istringstream words(output_of({"node", ROBOSIM_AVR8JS_SCRIPT, folder, image.string(),
+                                      std::to_string(program.cycles), std::to_string(program.loop)}));
   Report report;
   std::string how;
   if (!(words >> how)) return std::nullopt;

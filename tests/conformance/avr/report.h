@@ -6,6 +6,7 @@
 //   // Expect: 05 05 ff          bytes, in hex; `..` is any
 //   // Ends: 20000               optional: cycles after which it is stopped, 100000 unless told
 //   // Chips: atmega2560         optional: of which it holds, atmega328p unless told; referees run the first
+//   // Loop: 0                   optional: TX of USART 0 is wired to its RX
 //
 // Compiled by avr-gcc -Os with C's start-up code, without an Arduino core. A call takes one OUT.
 #pragma once
