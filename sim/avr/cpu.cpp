@@ -73,8 +73,6 @@ bool needs_large_core(Op op) {
   }
 }
 
-bool writes_sph(const Instruction& i) { return i.op == Op::out && i.k == reg::kSpH; }
-
 }  // namespace
 
 Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram)
@@ -92,6 +90,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
   marks_.resize(code_.size());
+  unmarked_.resize(code_.size());
   for (std::size_t pc = 0; pc < code_.size(); ++pc) prepare(static_cast<std::uint32_t>(pc));
   state.sp = state.sp_watch = last_ram;
 }
@@ -167,8 +166,7 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
   }
   switch (address) {
     case reg::kSreg:
-      // Between the halves of the stack pointer it is a function's that makes room for its variables.
-      if (state.last_pc == 0 || !writes_sph(original_[state.last_pc - 1])) touch();
+      if (!is_in_prologue(state.last_pc)) touch();
       return set_sreg(value);
     case reg::kSpL:
       state.sp_before = state.sp;
@@ -257,7 +255,13 @@ void Cpu::skip_if(bool taken) {
   state.cycle += words;
 }
 
-Op Cpu::alone(std::uint32_t pc) const { return is_count(pc) ? Op::count_down : quick(original_[pc]); }
+Op Cpu::alone(std::uint32_t pc) const {
+  const Instruction& i = original_[pc];
+  if (is_count(pc)) return Op::count_down;
+  if (i.op != Op::lds && i.op != Op::sts) return quick(i);
+  if (i.k < ram_begin_ || i.k > last_ram_) return i.op;
+  return i.op == Op::lds ? Op::lds_ram : Op::sts_ram;
+}
 
 // Not as one with what has a mark: run() stops there.
 Op Cpu::unmarked(std::uint32_t pc) const {
@@ -267,7 +271,10 @@ Op Cpu::unmarked(std::uint32_t pc) const {
   return both_of(first, alone(static_cast<std::uint32_t>(behind)));
 }
 
-void Cpu::prepare(std::uint32_t pc) { code_[pc].op = marks_[pc] ? Op::mark : unmarked(pc); }
+void Cpu::prepare(std::uint32_t pc) {
+  unmarked_[pc] = unmarked(pc);
+  code_[pc].op = marks_[pc] ? Op::mark : unmarked_[pc];
+}
 
 bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(original_[pc - 1], original_[pc]); }
 

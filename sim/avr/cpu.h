@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "hal/board/avr_registers.h"
 #include "hal/board/chip_spec.h"
 #include "sim/avr/cycle.h"
 #include "sim/avr/decode.h"
@@ -252,6 +253,13 @@ class Cpu {
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
+  /// Whether an OUT to SREG stands between the halves of the stack pointer: it is a function's that makes
+  /// room for its variables.
+  bool is_in_prologue(std::uint32_t pc) const {
+    if (pc == 0) return false;
+    const Instruction& before = original_[pc - 1];
+    return before.op == Op::out && before.k == reg::kSpH;
+  }
   void stop_with(Stop why) {
     stop_ = why;
     horizon_ = 0;
@@ -276,6 +284,7 @@ class Cpu {
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
   std::vector<Instruction> original_, code_;  ///< code_: as run() has it
+  std::vector<Op> unmarked_;                  ///< by word: what code_ would have without marks in front of it
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address

@@ -65,9 +65,8 @@
       goto L_##one;                    \
     }                                  \
     r[i->a] = r[first];                \
-    i += i->words - 1;                 \
     SECOND(2);                         \
-    LOAD(i->a, address, i->words);     \
+    LOAD(i->a, address, 1);            \
   }
 #define STORE_TWICE(one, address)      \
   PAIR(one, one, 2) {                  \
@@ -124,7 +123,20 @@
     sp = static_cast<std::uint16_t>(sp + 2);                                                      \
     NEXT(1);                                                                                      \
   }                                                                                               \
-  LOAD_TWICE(lds, static_cast<Address>(i->k))                                                     \
+  PAIR(lds_ram, lds_ram, 2) {                                                                     \
+    r[i->a] = r[i->k];                                                                            \
+    ++i;                                                                                          \
+    SECOND(2);                                                                                    \
+    r[i->a] = r[i->k];                                                                            \
+    NEXT(2);                                                                                      \
+  }                                                                                               \
+  PAIR(sts_ram, sts_ram, 2) {                                                                     \
+    r[i->k] = r[i->a];                                                                            \
+    ++i;                                                                                          \
+    SECOND(2);                                                                                    \
+    r[i->k] = r[i->a];                                                                            \
+    NEXT(2);                                                                                      \
+  }                                                                                               \
   LOAD_TWICE(ldd_y, static_cast<Address>(pair(kYLow) + i->b))                                     \
   LOAD_TWICE(ldd_z, static_cast<Address>(pair(kZLow) + i->b))                                     \
   STORE_TWICE(std_y, static_cast<Address>(pair(kYLow) + i->b))                                    \

@@ -182,6 +182,8 @@ choose:
   OPERATION(ldd_y, 2) LOAD(i->a, static_cast<Address>(pair(kYLow) + i->b), 1);
   OPERATION(ldd_z, 2) LOAD(i->a, static_cast<Address>(pair(kZLow) + i->b), 1);
   OPERATION(lds, 2) LOAD(i->a, static_cast<Address>(i->k), 2);
+  OPERATION(lds_ram, 2) r[i->a] = r[i->k];
+  NEXT(2);
   OPERATION(ld_x_inc, 2) LOAD_AND_STEP(kXLow);
   OPERATION(ld_y_inc, 2) LOAD_AND_STEP(kYLow);
   OPERATION(ld_z_inc, 2) LOAD_AND_STEP(kZLow);
@@ -192,6 +194,8 @@ choose:
   OPERATION(std_y, 2) STORE(static_cast<Address>(pair(kYLow) + i->b), r[i->a], 1);
   OPERATION(std_z, 2) STORE(static_cast<Address>(pair(kZLow) + i->b), r[i->a], 1);
   OPERATION(sts, 2) STORE(static_cast<Address>(i->k), r[i->a], 2);
+  OPERATION(sts_ram, 2) r[i->k] = r[i->a];
+  NEXT(2);
   OPERATION(st_x_inc, 2) STORE_AND_STEP(kXLow);
   OPERATION(st_y_inc, 2) STORE_AND_STEP(kYLow);
   OPERATION(st_z_inc, 2) STORE_AND_STEP(kZLow);
@@ -232,6 +236,21 @@ choose:
     RESUME_WITH_FLAGS;
   }
   OPERATION(out, 1) {
+    if (i->k == reg::kSreg) {
+      const std::uint8_t value = r[i->a];
+      const bool rises = value & ~flags.others & kI;
+      if (!rises || (waiting && !*waiting)) [[likely]] {
+        const Cycle now = end - static_cast<Cycle>(left);
+        state.last_pc = static_cast<std::uint32_t>(i - code);
+        if (rises) state.held_at = now;
+        if (state.open_handlers == 0 && !is_in_prologue(state.last_pc)) {
+          state.last_io = now;
+          state.last_io_pc = state.last_pc;
+        }
+        flags.unpack(value);
+        NEXT(1);
+      }
+    }
     PUT_PLACE(1);
     store_elsewhere(static_cast<Address>(i->k), r[i->a]);
     if (i->k == reg::kSreg) {
@@ -348,7 +367,7 @@ choose:
     const auto pc = static_cast<std::uint32_t>(i - code);
     if (state.passing == pc) {
       state.passing = ~0u;
-      GO_TO_OPERATION(unmarked(pc));
+      GO_TO_OPERATION(unmarked_[pc]);
     }
     state.passing = pc;
     stop_ = Stop::mark;

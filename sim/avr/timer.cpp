@@ -155,20 +155,14 @@ std::uint8_t Timer::flag_of(int vector) const {
 // What the clock's edge at `at` will set, where all before it are counted.
 std::uint8_t Timer::coming(Cycle at) const {
   std::uint8_t hits = next_edge() == at ? coming_by_edge() : std::uint8_t{0};
-  if (ticks_come() && tick_after(state_.at, 1) == at) {
-    Counter ahead = state_.counter;
-    hits |= ahead.advance(1);
-  }
+  if (ticks_come() && tick_after(state_.at, 1) == at) hits |= state_.counter.next_hits();
   return hits;
 }
 
 std::uint8_t Timer::coming_by_edge() const {
   const Cycle edge = next_edge();
   std::uint8_t hits = state_.captures.next() == edge ? kCaptured : std::uint8_t{0};
-  if (state_.pulses.next() == edge) {
-    Counter ahead = state_.counter;
-    hits |= ahead.advance(1);
-  }
+  if (state_.pulses.next() == edge) hits |= state_.counter.next_hits();
   return hits;
 }
 

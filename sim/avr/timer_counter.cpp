@@ -109,6 +109,17 @@ std::uint8_t Counter::advance_regularly(unsigned ticks) {
   return hits;
 }
 
+std::uint8_t Counter::next_hits() const {
+  if (!is_regular()) {
+    Counter ahead = *this;
+    return ahead.advance(1);
+  }
+  std::uint8_t hits = value_ == top() ? hits_at_end() : std::uint8_t{0};
+  for (std::size_t channel = 0; channel < channels_; ++channel)
+    if (compare_[channel] == value_) hits |= kMatch[channel];
+  return hits;
+}
+
 std::uint8_t Counter::hits_at_end() const {
   const bool overflows = how_.kind == Counting::Kind::pwm || top() == max_;
   return static_cast<std::uint8_t>((overflows ? kOverflow : 0) |

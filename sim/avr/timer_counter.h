@@ -69,6 +69,8 @@ class Counter {
 
   /// So many ticks. Returns what happened, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
+  /// What the next tick will return.
+  std::uint8_t next_hits() const;
   /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
   /// So many ticks it surely counts up, one each.
