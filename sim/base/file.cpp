@@ -115,7 +115,11 @@ std::string sha256_of_file(const fs::path& path) {
   const Descriptor file = open_to_read(path);
   SHA2_CTX context;
   SHA256Init(&context);
-  std::vector<std::uint8_t> chunk(256 * 1024);
+  struct stat info {};
+  ::fstat(file.get(), &info);
+  // Most files are small, and a page that is never touched costs nothing.
+  std::vector<std::uint8_t> chunk(
+      std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 1, 256 * 1024));
   for (;;) {
     const ssize_t n = ::read(file.get(), chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;

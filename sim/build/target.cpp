@@ -84,13 +84,16 @@ const Target kHost = {
                          "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
                  .definitions = {"-DROBOSIM_COVERAGE"},
                  .link = {"-lgcov"}},
-    .core = {},
+    // Functions and lines, for a crash inside it; of the sketch all that a debugger shows.
+    .core = {"-g1"},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
     // The loader shall find nothing to run: start files bring constructors of their own.
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
              "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
+             // An image is hashed and read before each run: without this it is some 800 KB.
+             "-Wl,--compress-debug-sections=zlib",
              // Handlers that a sketch does not define are null, whatever the process has.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
              // Of arm: hal/host/division.cpp.

@@ -30,9 +30,12 @@ class MapFile {
 
   std::size_t size() const { return size_; }
 
+  /// For all of it or, if it is larger, so much at a time. What read() does not fill of it is the file's end.
+  std::vector<char> buffer_of(std::size_t most) const { return std::vector<char>(std::min(size_ + 1, most)); }
+
   /// In which all front matter is.
   std::string beginning() {
-    std::vector<char> buffer(MapParser::kMaxFrontMatter + 1024);
+    std::vector<char> buffer = buffer_of(MapParser::kMaxFrontMatter + 1024);
     return std::string(read(buffer));
   }
 
@@ -70,12 +73,12 @@ std::string stem(const std::string& file) { return fs::path(file).stem().string(
 Map read_map(const fs::path& path) {
   MapFile file(path);
   MapParser parser(path.string(), file.size());
-  std::vector<char> buffer(kChunk);
+  std::vector<char> buffer = file.buffer_of(kChunk);
   std::string_view chunk = file.read(buffer);
-  const std::string_view small = chunk.size() < kChunk ? chunk : std::string_view();
+  const std::string_view small = chunk.size() < buffer.size() ? chunk : std::string_view();
   while (!chunk.empty()) {
     parser.feed(chunk);
-    chunk = chunk.size() < kChunk ? std::string_view() : file.read(buffer);
+    chunk = chunk.size() < buffer.size() ? std::string_view() : file.read(buffer);
   }
   Map map = parser.finish();
   if (!small.empty()) map.sha256 = sha256_with_picture(small, map);

@@ -157,7 +157,7 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
   watch_->follow(run.pid());
   Told told;
   std::string taken;
-  std::vector<char> buffer(kChunk);
+  std::array<char, kChunk> buffer;
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
                                  pollfd{lines ? STDIN_FILENO : -1, POLLIN, 0}};
   if (lines) write_all(lines_.write.get(), take_unread());
