@@ -1,0 +1,113 @@
+#!/usr/bin/env bash
+# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work in valgrind's callgrind,
+# and compares them with the table of docs/performance.md, or writes them into it.
+# Status 1: something takes more than 2 % more than the table says.
+set -euo pipefail
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+page=$here/../../docs/performance.md
+way=$1
+build=$2
+work=$build/performance
+tolerance=2  # per cent
+
+# Counts are of this compiler's code; another's say nothing.
+if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! command -v valgrind >/dev/null; then
+  echo 'not counted: the table holds for g++ 12 on x86-64, under valgrind'
+  exit 0
+fi
+rm -rf "$work"
+mkdir -p "$work"
+
+# Nothing of a user's environment, whose size is on the stack, and no sandbox, in which callgrind cannot write.
+clean() { env -i PATH=/usr/bin:/bin HOME="$work" XDG_CACHE_HOME="$work/cache" TMPDIR="$work" ROBOSIM_SANDBOX=off "$@"; }
+
+# Runs a command, and leaves a line "PROGRAM INSTRUCTIONS" for each of its processes; a fork has those of before, too.
+trace() {  # COMMAND...
+  rm -f "$work"/out.*
+  clean valgrind --tool=callgrind --trace-children=yes --callgrind-out-file="$work/out.%p" "$@" >"$work/stdout" 2>"$work/stderr" || {
+    local status=$?
+    ((status == 4)) || { tail -n 5 "$work/stderr" "$work/stdout" >&2; echo "$* ended with status $status" >&2; return 1; }
+  }
+  awk '/^cmd:/ { n = split($2, path, "/"); name = path[n] } /^(summary|totals):/ { print name, $2; nextfile }' "$work"/out.*
+}
+most() { awk -v name="$1" '$1 == name && $2 > most { most = $2 } END { printf "%.0f\n", most }'; }  # PROGRAM
+each() {  # SHORT LONG NUMBER: what one of NUMBER takes by which LONG is longer
+  awk -v short="$1" -v long="$2" -v number="$3" 'BEGIN { printf "%.0f\n", (long - short) / number }'
+}
+
+robosim() { echo "$build/robosim" "$@"; }
+command_() { trace $(robosim "$@") | most robosim; }
+run_for() {  # RUNNER TIME SKETCH OPTION...: the process that simulates
+  trace $(robosim run "$3" --map oval --robot uno5 --goal none --for "$2" "${@:4}") | most "$1"
+}
+simulated() {  # RUNNER SKETCH OPTION...: for a simulated millisecond, from 200 ms on
+  local sketch=$2 span=1000
+  [[ $1 == robosim-host ]] || span=500
+  [[ ! -d $here/../bench/sketches/$2 ]] || sketch=$here/../bench/sketches/$2
+  clean $(robosim build "$sketch" --robot uno5 "${@:3}") >/dev/null 2>&1
+  each "$(run_for "$1" 200ms "$sketch" "${@:3}")" "$(run_for "$1" $((200 + span))ms "$sketch" "${@:3}")" $span
+}
+work_of() {  # NAME FEW MANY
+  each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
+    "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
+}
+# All processes; of the forks, one for each seed, what they do themselves: they begin with the count of the runner, which
+# is the next smaller one.
+swept() {  # SEEDS
+  trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") | sort -k2nr |
+    awk -v forks="$1" '$1 == "robosim-host" && ++runners <= forks { sum += $2; next }
+                       $1 == "robosim-host" && runners == forks + 1 { sum -= forks * $2 }
+                       { sum += $2 } END { printf "%.0f\n", sum }'
+}
+
+workload() {  # the table's first column
+  case $1 in
+    '`robosim --help`') command_ --help ;;
+    '`robosim map check city`') command_ map check city ;;
+    '`robosim run`: the command') command_ run PidFollower --map oval --robot uno5 --goal none --for 1ms ;;
+    '`robosim run`: the runner') run_for robosim-host 1ms PidFollower ;;
+    'a run of a sweep') each "$(swept 2)" "$(swept 12)" 10 ;;
+    'host: PidFollower') simulated robosim-host PidFollower ;;
+    'host: reads and drives') simulated robosim-host ReadsAndDrives ;;
+    'host: polls `millis()`') simulated robosim-host PollsMillis ;;
+    'host: polls a pin') simulated robosim-host PollsPin ;;
+    'avr: PidFollower') simulated robosim-avr PidFollower --target avr ;;
+    'avr: computes') simulated robosim-avr Computes --target avr ;;
+    'avr: sleeps idle') simulated robosim-avr SleepsIdle --target avr ;;
+    'a tick, sensors read in each') work_of ticks-1ms 200 1200 ;;
+    'a tick, sensors read in each fifth') work_of ticks-5ms 200 2200 ;;
+    'a move on cells') work_of moves 1000 101000 ;;
+    'a scan on cells') work_of scans 1 3 ;;
+    'a map'\''s row') work_of map-rows 1000 3000 ;;
+    *) echo "docs/performance.md: there is no workload '$1'" >&2; return 1 ;;
+  esac
+}
+
+clean $(robosim build PidFollower --robot uno5) >/dev/null 2>&1
+status=0
+exec 3<"$page"
+written=
+table=
+while IFS= read -r line <&3; do
+  if [[ $line == '<!-- table -->' ]]; then table=1; elif [[ $line == '<!-- end -->' ]]; then table=; fi
+  if [[ -n $table && $line == '| '* && $line != '| what '* ]]; then
+    IFS='|' read -r _ name of allowed first rest <<<"$line"
+    name=${name# } name=${name% }
+    allowed=${allowed//[ ,]/}
+    counted=$(workload "$name") || exit 1
+    change=$(awk -v new="$counted" -v old="$allowed" 'BEGIN { printf "%+.1f", 100 * (new / old - 1) }')
+    printf '%-40s %12d %8s %%\n' "$name" "$counted" "$change"
+    if awk -v change="$change" -v most="$tolerance" 'BEGIN { exit !(change > most) }'; then
+      status=1
+      [[ $way == performance_table ]] || echo "more than $tolerance % worse: $name took $allowed instructions and takes $counted"
+    fi
+    line="| $name |$of| $(sed -E ':a; s/^([0-9]+)([0-9]{3})/\1,\2/; ta' <<<"$counted") |$first|"
+  fi
+  written+=$line$'\n'
+done
+if [[ $way == performance_table ]]; then
+  printf '%s' "$written" >"$page"
+  exit 0
+fi
+((status == 0)) || echo 'If that is meant: cmake --build build/ci --target performance_table writes docs/performance.md anew.'
+exit "$status"
