@@ -34,10 +34,17 @@ Floor::Floor(const grid::Map& map)
       areas_(map),
       lines_(map),
       gloss_(map.gloss),
-      lines_only_(marks_.empty() && areas_.empty() && !image_ && is_plain(map)),
+      alike_(areas_.empty() && lines_.empty() && !image_ && gloss_ == 0.0),
+      lines_only_(alike_ && marks_.empty()),
+      paints_only_(!lines_.empty() && areas_.empty()),
       kinds_{} {
+  double widest = map.line_m;
+  for (const grid::Paint& paint : map.course.paints) widest = std::max(widest, paint.width);
+  if (widest > map.line_m && !map.raster)
+    for (const grid::Paint& paint : grid::paints_of(map))
+      widths_.push_back(std::max(paint.width, map.line_m));
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
-    stripes_reach_ = half_line_ + 0.5 * kUsualFootprint;
+    stripes_reach_ = 0.5 * widest + 0.5 * kUsualFootprint;
     stripes_ = std::make_unique<grid::Stripes>(map, stripes_reach_);
   } else {
     read_stripes(map);
@@ -98,14 +105,13 @@ void Floor::read_raster(const grid::Map& map) {
 }
 
 double Floor::darkness_of_paint(Vec2 p, double footprint) const {
-  if (!areas_.empty() || !lines_.empty() || gloss_ > 0.0) return darkness(p, footprint, Band::infrared);
-  if (image_) return image_->darkness(p, std::max(footprint, 1e-6));
-  const double painted = painted_share(p, footprint);
-  return light_line_ ? 1.0 - painted : painted;
+  if (image_ && areas_.empty() && gloss_ == 0.0) return image_->darkness(p, std::max(footprint, 1e-6));
+  return darkness(p, footprint, Band::infrared);
 }
 
 double Floor::darkness(Vec2 p, double footprint_m, Band band) const {
-  if (areas_.empty() && lines_.empty() && gloss_ == 0.0) return darkness(p, footprint_m);
+  if (alike_) return darkness(p, footprint_m);
+  if (image_ && areas_.empty() && gloss_ == 0.0) return darkness_of_paint(p, footprint_m);
   const double footprint = std::max(footprint_m, image_ ? 1e-6 : 1e-9);
   if (image_) {
     const double bare = 1.0 - image_->darkness(p, footprint) + gloss_;
@@ -186,6 +192,24 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
     if (stripe.painted) nearest = std::min(nearest, grid::distance(stripe, p));
   }
   return ramp(nearest, reach, footprint);
+}
+
+double Floor::on_wide_line(Vec2 p, double footprint) const {
+  double most = 0.0;
+  const auto look = [&](const grid::Stripe& stripe) {
+    if (!stripe.painted) return;
+    const double width = widths_[stripe.paint];
+    most = std::max(most, std::min((0.5 * (width + footprint) - grid::distance(stripe, p)) / footprint,
+                                   std::min(1.0, width / footprint)));
+  };
+  int column, row;
+  double x, y;
+  if (footprint > kUsualFootprint) {
+    for (const grid::Stripe& stripe : stripes_->all()) look(stripe);
+  } else if (locate(p, column, row, x, y)) {
+    for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) look(stripes_->all()[i]);
+  }
+  return most;
 }
 
 double Floor::coverage_raster(Vec2 p, double footprint) const {

@@ -47,16 +47,25 @@ class Floor {
   /// exact share of a square of side f.
   double coverage(Vec2 p, double footprint_m) const;
 
+  /// The same of what counts as the line for people: where a segment is wider than the map's line, it is as
+  /// wide as that.
+  double on_line(Vec2 p, double footprint_m) const {
+    return widths_.empty() ? coverage(p, footprint_m) : on_wide_line(p, std::max(footprint_m, 1e-9));
+  }
+
   /// How dark a reflectance sensor finds its footprint: 0 as white paper, 1 as black, below 0 where more
-  /// comes back than from paper. Of a picture its mean
-  /// darkness there. Where there are lines only, the share of the footprint that is dark: that on
-  /// the line, or where the line is the light one that beside it. Marks are painted as the line is; areas lie
-  /// under lines and marks, or over them, in their order (grid::Area). Lines of other widths and colours,
-  /// worn ones and gloss: PaintedLines.
+  /// comes back than from paper. Of a picture its mean darkness there. Where there are lines only, the share
+  /// of the footprint that is dark: that on the line, or where the line is the light one that beside it.
+  /// Marks are painted as the line is; areas lie under lines and marks, or over them, in their order
+  /// (grid::Area). Lines of other widths and colours, worn ones and gloss: PaintedLines.
   double darkness(Vec2 p, double footprint_m) const {
-    if (!lines_only_) return darkness_of_paint(p, footprint_m);
-    const double painted = coverage(p, footprint_m);
-    return light_line_ ? 1.0 - painted : painted;
+    if (lines_only_ || alike_) {
+      const double painted = lines_only_ ? coverage(p, footprint_m) : painted_share(p, footprint_m);
+      return light_line_ ? 1.0 - painted : painted;
+    }
+    return paints_only_ ? 1.0 - lines_.over((light_line_ ? 0.0 : 1.0) + gloss_, Band::infrared, p,
+                                            std::max(footprint_m, 1e-9), marks_)
+                        : darkness_of_paint(p, footprint_m);
   }
   /// The same by the light of a band.
   double darkness(Vec2 p, double footprint_m, Band band) const;
@@ -120,7 +129,8 @@ class Floor {
   double darkness_of_paint(Vec2 p, double footprint) const;
   double painted_share(Vec2 p, double footprint) const {
     const double lines = coverage(p, footprint);
-    return marks_.empty() ? lines : std::max(lines, marks_.coverage(p, std::max(footprint, 1e-9)));
+    return marks_.any_near(p, footprint) ? std::max(lines, marks_.coverage(p, std::max(footprint, 1e-9)))
+                                         : lines;
   }
 
   void read_stripes(const grid::Map& map);
@@ -128,6 +138,7 @@ class Floor {
   double search(Vec2 p, bool painted_only) const;
   double square_in(int column, int row, Vec2 p, bool painted_only) const;
   double coverage_round(Vec2 p, double footprint) const;
+  double on_wide_line(Vec2 p, double footprint) const;
   double coverage_raster(Vec2 p, double footprint) const;
 
   int width_, height_;
@@ -140,14 +151,17 @@ class Floor {
   const PaintedAreas areas_;
   PaintedLines lines_;
   const double gloss_;
-  const bool lines_only_;  // all alike, whole and matt
+  const bool alike_;  // nothing but lines and marks, all of them whole and matt
+  const bool lines_only_;
+  const bool paints_only_;  // lines, not all of them alike, and marks
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
   std::unique_ptr<grid::Stripes> stripes_;  // round corners
-  std::vector<std::uint8_t> quads_;         // raster: bits SW SE NW NE; a row and a column more than the map
+  std::vector<double> widths_;       // m, of each paint, at least the map's line; empty if none is more
+  std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; a row and a column more than the map
 };
 
 inline double Floor::coverage(Vec2 p, double footprint_m) const {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "sim/grid/map.h"
+#include "sim/world/tiles.h"
 
 namespace robosim::world {
 
@@ -27,16 +27,15 @@ class PaintedAreas {
   /// where `below` comes back from what these areas are painted over: those with or without `over_lines`,
   /// each over those before it. An area's share of the square is exact where it is a rectangle and parallel;
   /// of a disc it is taken as if its edge were straight.
-  double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const;
+  double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
+    return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);
+  }
 
  private:
-  int tile_of(double metres, int count) const;
+  double over_any(double below, bool over_lines, Band band, Vec2 p, double footprint) const;
 
   std::vector<grid::Area> areas_;
-  // The floor in squares, and for each, row by row from the bottom, the areas that may be seen from it.
-  double tile_ = 1.0;  // m
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> near_;
+  Tiles near_;
 };
 
 }  // namespace robosim::world

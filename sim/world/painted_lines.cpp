@@ -4,62 +4,63 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
+#include <numeric>
 
 namespace robosim::world {
 namespace {
 
-constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all stripes
-constexpr double kFlake = 0.010;              // m between the points at which paint is whole or gone
-static_assert(grid::Paint::kMost + 1 < 64);   // paints are bits of a word
+constexpr double kFlake = 0.010;             // m between the points at which paint is whole or gone
+static_assert(grid::Paint::kMost + 1 < 64);  // paints are bits of a word
 
 }  // namespace
 
-PaintedLines::PaintedLines(const grid::Map& map) : map_(&map), paints_(grid::paints_of(map)) {
+PaintedLines::PaintedLines(const grid::Map& map)
+    : columns_(map.width), rows_(map.height), per_cell_(1.0 / map.cell_m), last_row_(map.height - 1) {
   if ((map.course.paints.empty() && map.worn == 0.0) || map.image || map.raster) return;
-  for (const grid::Paint& paint : paints_)
+  for (const grid::Paint& paint : grid::paints_of(map)) {
     reach_ = std::max(reach_, 0.5 * (paint.width + kLookedUpFootprint));
+    Paint& own = paints_.emplace_back(Paint{paint.width, paint.worn, {}});
+    for (const Band band : {Band::infrared, Band::red, Band::green, Band::blue})
+      own.back[static_cast<std::size_t>(band)] = sent_back(*paint.colour, band) + paint.gloss;
+  }
   stripes_ = std::make_unique<grid::Stripes>(map, reach_);
+  all_.resize(stripes_->all().size());
+  std::iota(all_.begin(), all_.end(), 0u);
 }
 
-double PaintedLines::over(double below, Band band, Vec2 p, double footprint,
-                          const PaintedMarks& marks) const {
+double PaintedLines::over_these(std::span<const std::uint32_t> stripes, double below, Band band, Vec2 p,
+                                double footprint, const PaintedMarks& marks) const {
   std::array<double, grid::Paint::kMost + 1> shares;  // of the paints in `met`; distances at first
   std::uint64_t met = 0;
-  const auto approach = [&](const grid::Stripe& stripe) {
-    if (!stripe.painted) return;
+  for (const std::uint32_t i : stripes) {
+    const grid::Stripe& stripe = stripes_->all()[i];
+    if (!stripe.painted) continue;
     const double away = grid::distance(stripe, p);
     const std::uint64_t bit = std::uint64_t{1} << stripe.paint;
     shares[stripe.paint] = met & bit ? std::min(shares[stripe.paint], away) : away;
     met |= bit;
+  }
+  const auto each_met = [&](auto visit) {
+    for (std::uint64_t rest = met; rest; rest &= rest - 1)
+      visit(static_cast<std::size_t>(std::countr_zero(rest)));
   };
-  if (footprint <= kLookedUpFootprint) {
-    const double u = p.x / map_->cell_m, v = p.y / map_->cell_m;
-    if (!(u >= 0.0 && v >= 0.0 && u < map_->width && v < map_->height)) return below;
-    for (const std::uint32_t i :
-         stripes_->near({static_cast<int>(u), map_->height - 1 - static_cast<int>(v)}))
-      approach(stripes_->all()[i]);
-  } else {
-    for (const grid::Stripe& stripe : stripes_->all()) approach(stripe);
-  }
-  for (std::uint64_t rest = met; rest; rest &= rest - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+  const auto share_of_line = [&](std::size_t i) {
     const double width = paints_[i].width;
-    shares[i] = std::clamp((0.5 * (width + footprint) - shares[i]) / footprint, 0.0,
-                           std::min(1.0, width / footprint));
-  }
-  if (!marks.empty()) {
-    for (std::size_t i = 0; i < paints_.size(); ++i)
-      if (!(met >> i & 1)) shares[i] = 0.0;
-    met = (std::uint64_t{1} << paints_.size()) - 1;
-    marks.raise(p, footprint, {shares.data(), paints_.size()});
-  }
-  for (std::uint64_t rest = met; rest; rest &= rest - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-    const grid::Paint& paint = paints_[i];
-    if (shares[i] <= 0.0) continue;
-    const double there = paint.worn > 0.0 ? shares[i] * left(p, paint.worn) : shares[i];
-    below += there * (sent_back(*paint.colour, band) + paint.gloss - below);
+    return std::clamp((0.5 * (width + footprint) - shares[i]) / footprint, 0.0,
+                      std::min(1.0, width / footprint));
+  };
+  const auto lay = [&](std::size_t i, double share) {
+    if (share <= 0.0) return;
+    const Paint& paint = paints_[i];
+    const double there = paint.worn > 0.0 ? share * left(p, paint.worn) : share;
+    below += there * (paint.back[static_cast<std::size_t>(band)] - below);
+  };
+  if (marks.empty()) {
+    each_met([&](std::size_t i) { lay(i, share_of_line(i)); });
+  } else {
+    each_met([&](std::size_t i) { shares[i] = share_of_line(i); });
+    marks.raise(p, footprint, shares.data(), met);
+    each_met([&](std::size_t i) { lay(i, shares[i]); });
   }
   return below;
 }

@@ -1,7 +1,10 @@
 // Lines and marks that are not all alike: of other widths and colours, worn, or glossy (grid::Paint).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/base/noise.h"
@@ -27,7 +30,14 @@ class PaintedLines {
   ///   r <- r + c t (r_paint - r)
   /// c: the largest share of the footprint that one stripe or mark of that paint takes, as
   /// Floor::coverage has it; t: what is left of the paint there.
-  double over(double below, Band band, Vec2 p, double footprint, const PaintedMarks& marks) const;
+  double over(double below, Band band, Vec2 p, double footprint, const PaintedMarks& marks) const {
+    if (footprint > kLookedUpFootprint) return over_these(all_, below, band, p, footprint, marks);
+    const double u = p.x * per_cell_, v = p.y * per_cell_;
+    if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) return below;
+    const auto near = stripes_->near({static_cast<int>(u), last_row_ - static_cast<int>(v)});
+    if (near.empty() && !marks.any_near(p, footprint)) return below;
+    return over_these(near, below, band, p, footprint, marks);
+  }
 
   /// What is left at p of paint of which the share `worn` is gone, 0..1. At each point of a lattice of 10 mm
   /// it is whole or gone; in between it is the smooth mean of the four points around. So its mean over a
@@ -35,10 +45,22 @@ class PaintedLines {
   double left(Vec2 p, double worn) const;
 
  private:
-  const grid::Map* map_;
-  std::vector<grid::Paint> paints_;
+  struct Paint {
+    double width, worn;
+    double back[4];  // what comes back of each band
+  };
+
+  static constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all stripes
+
+  double over_these(std::span<const std::uint32_t> stripes, double below, Band, Vec2 p, double footprint,
+                    const PaintedMarks&) const;
+
+  double columns_, rows_, per_cell_;
+  int last_row_;
+  std::vector<Paint> paints_;
   double reach_ = 0.0;  // m
   std::unique_ptr<grid::Stripes> stripes_;
+  std::vector<std::uint32_t> all_;  // their numbers
   NoiseStream noise_;
 };
 

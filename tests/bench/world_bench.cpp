@@ -83,15 +83,20 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// The same loop, 3.2 by 2.2 m, as a path; `paint` are keys of one of its long sides, and of two bends.
-void read_path(benchmark::State& state, const std::string& paint) {
+// The same loop, 3.2 by 2.2 m, as a path; `paint` are keys of one of its long sides, and of two bends; and so
+// many marks beside it.
+void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
+  std::string beside;
+  for (int i = 0; i < marks; ++i)
+    beside += "[[mark]]\nside = \"" + std::string(i % 2 ? "left" : "right") + "\"\nalong = \"" +
+              std::to_string(0.2 + 9.6 * i / marks) + " m\"\n";
   const grid::Map map = grid::parse_map(
       "+++\nsize = [\"4 m\", \"3 m\"]\n[[path]]\nfrom = [\"550 mm\", \"400 mm\"]\nsegments = [\n{ length = "
       "\"2.9 m\"" +
           paint + " }, " + bend + " }, { length = \"1.9 m\" }, " + bend + paint +
-          " },\n{ length = \"2.9 m\" }, " + bend + paint + " }, { length = \"1.9 m\" }, " + bend +
-          " }]\n+++\n",
+          " },\n{ length = \"2.9 m\" }, " + bend + paint + " }, { length = \"1.9 m\" }, " + bend + " }]\n" +
+          beside + "+++\n",
       "path.map");
   const world::Floor floor(map);
   const std::vector<Vec2> at = points();
@@ -101,6 +106,8 @@ void read_path(benchmark::State& state, const std::string& paint) {
 
 void floor_coverage_path(benchmark::State& state) { read_path(state, ""); }
 BENCHMARK(floor_coverage_path);
+void floor_marks(benchmark::State& state) { read_path(state, "", 40); }
+BENCHMARK(floor_marks);
 void floor_paints(benchmark::State& state) {
   read_path(state, ", width = \"12 mm\", colour = \"grey 60 %\"");
 }
