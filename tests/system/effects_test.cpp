@@ -34,7 +34,7 @@ class Effects : public testing::Test {
     wire::RunRequest request = request_of({.sketch = "LooksInLight",
                                            .map = map.string(),
                                            .robot = file.string(),
-                                           .goal = way == 'p' ? "none" : "laps:1",
+                                           .goal = way == 'p' || way == 'k' ? "none" : "laps:1",
                                            .script = std::string("at 50ms send \"") + way + "\"\n" + script,
                                            .seed = seed,
                                            .for_s = seconds});
@@ -109,6 +109,19 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", colour = \"grey 45 %\""), code(kWhite + (kBlack - kWhite) * 0.45));
   EXPECT_EQ(seen(", gloss = \"5 %\""), code(kBlack - (kBlack - kWhite) * 0.05));
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
+}
+
+// Its edge is farther from its middle than half the map's line.
+TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
+  const std::string loop =
+      "+++\nline = \"20 mm\"\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nwidth = \"90 mm\"\nfrom = [\"500 "
+      "mm\", "
+      "\"300 mm\"]\nsegments = [{ length = \"900 mm\" }, { radius = \"300 mm\", angle = \"180 deg\" }, { "
+      "length "
+      "= \"900 mm\" }, { radius = \"300 mm\", angle = \"180 deg\" }]\n+++\n";
+  const wire::RunResult result = run("", loop, "typical", 'k', 1, 12.0);
+  EXPECT_EQ(result.verdict, "reached") << result.why;
+  EXPECT_GT(result.metrics.distance_m, 2.0);
 }
 
 class Survival : public Effects, public testing::WithParamInterface<Effect> {};

@@ -109,7 +109,7 @@ class Sensor : public Breakable {
     const Vec2 p = context_.view.body->pose().to_world(state_.at);
     if (p.x != state_.line_sought.x || p.y != state_.line_sought.y) {
       state_.line_sought = p;
-      state_.coverage = context_.view.floor->coverage(p, footprint_);
+      state_.coverage = context_.view.floor->on_line(p, footprint_);
     }
     return state_.coverage;
   }

@@ -39,8 +39,27 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   // A footprint wider than the line, and one wider than what the index looks up.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
-  // What counts as the line is as wide as the map says.
-  EXPECT_EQ(floor.coverage({1.1, 0.506}, kSeen), 1.0);
+  // What counts as the line is as wide as the map says, or as the segment, where that is more.
+  EXPECT_EQ(floor.on_line({1.1, 0.506}, kSeen), 1.0);
+  EXPECT_EQ(floor.on_line({0.5, 0.012}, kSeen), 0.0);
+  EXPECT_EQ(floor.on_line({1.7, 0.518}, kSeen), 1.0);
+  EXPECT_NEAR(floor.on_line({1.7, 0.520}, kSeen), 0.5, 1e-9);
+  EXPECT_EQ(floor.on_line({1.7, 0.522}, kSeen), 0.0);
+  EXPECT_NEAR(floor.on_line({1.7, 0.520}, 0.02), 0.5, 1e-9) << "wider than what the index looks up";
+}
+
+TEST(Paints, OfAWideSegmentAreTheLineThere) {
+  const std::string cells = "_________\n_..._..._\n_________\n";
+  const grid::Map map = grid::parse_map(
+      "+++\nline = \"20 mm\"\n[[path]]\nfrom = [\"100 mm\", \"250 mm\"]\nwidth = \"60 mm\"\nsegments = [{ "
+      "length = \"300 mm\" }, { length = \"100 mm\", gap = true }, { length = \"200 mm\" }]\n+++\n" +
+          cells,
+      "m.map");
+  const Floor floor(map);
+  EXPECT_EQ(floor.on_line({0.3, 0.275}, kSeen), 1.0);
+  EXPECT_EQ(floor.on_line({0.45, 0.25}, kSeen), 0.0) << "a gap";
+  EXPECT_EQ(floor.on_line({0.2, 0.15}, kSeen), 1.0) << "a line of cells";
+  EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "which is not wider for that";
 }
 
 // Of points along the middle of the line.

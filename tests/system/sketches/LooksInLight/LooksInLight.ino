@@ -4,6 +4,7 @@
 //   d  by the difference that its own light makes, at once    w  so, 1 ms after it has switched the light
 //   e  as t, and the first look without a line is its end     l  as t, and 250 ms without a line are its end
 //   b  as t, until one look at the battery is 20 steps low    v  as t, until the mean of 16 is
+//   k  keeps the middle one on the line's right edge
 //   p  prints the middle sensor, and the battery, for ever
 const byte EMITTERS = 12, BATTERY = A5;
 const byte PIN[5] = {A0, A1, A2, A3, A4};
@@ -103,5 +104,6 @@ void loop() {
   else error = error > 0 ? 300 : -300;
   const int turn = error / 3 + (error - before);
   before = error;
+  if (way == 'k') return drive(70 + (raw[2] - 511) / 10, 70 - (raw[2] - 511) / 10);
   drive(70 + turn, 70 - turn);
 }
