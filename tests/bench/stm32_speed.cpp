@@ -3,6 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <filesystem>
+#include <string>
+
 #include "sim/build/sketch.h"
 #include "sim/exec/stm32/stm32_executor.h"
 #include "sim/robot/description.h"
@@ -14,11 +17,11 @@ namespace {
 constexpr SimTime kSimulated = 10 * kSecond;
 
 // The whole simulation: robot, world and judge too.
-void whole(benchmark::State& state, const char* board) {
+void whole(benchmark::State& state, const char* board, const std::filesystem::path& sketch) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::parse_description(
       std::string("base = \"bluepill5\"\nboard = \"") + board + "\"\n", "bench.toml");
-  build::Request request{build::find_sketch("PidFollower"), *robot.board};
+  build::Request request{sketch, *robot.board};
   request.target = "stm32";
   const auto image = build::build(request).image;
   for (auto _ : state) {
@@ -34,12 +37,21 @@ void whole(benchmark::State& state, const char* board) {
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
 }
 
-BENCHMARK_CAPTURE(whole, at_8, "bluepill8")
-    ->Name("stm32/PidFollower on oval, 8 MHz")
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(whole, at_72, "bluepill")
-    ->Name("stm32/PidFollower on oval, 72 MHz")
-    ->Unit(benchmark::kMillisecond);
+void add(const char* name, const std::filesystem::path& sketch) {
+  for (const char* const board : {"bluepill8", "bluepill"}) {
+    const std::string clock = find_board(board)->clock_hz > 8'000'000 ? ", 72 MHz" : ", 8 MHz";
+    benchmark::RegisterBenchmark(("stm32/" + (name + clock)).c_str(), whole, board, sketch)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+[[maybe_unused]] const bool added = [] {
+  const std::filesystem::path sketches = ROBOSIM_BENCH_SKETCHES;
+  add("PidFollower on oval", build::find_sketch("PidFollower"));
+  add("computes", sketches / "Computes");
+  add("reads and drives", sketches / "ReadsAndDrives");
+  return true;
+}();
 
 }  // namespace
 }  // namespace robosim

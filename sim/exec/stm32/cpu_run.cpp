@@ -128,6 +128,8 @@ void Cpu::run() {
     NEXT;
   }
 
+  STEP(ssat, 1) SATURATE(-(std::int64_t{1} << (i->value - 1)), (std::int64_t{1} << (i->value - 1)) - 1);
+  STEP(usat, 1) SATURATE(0, (std::int64_t{1} << i->value) - 1);
   DO(ldr_const, 2, D = i->value);
   READS(ldr_i, 4, N + i->value, D = value);
   READS(ldr_r, 4, INDEXED, D = value);

@@ -175,6 +175,18 @@
     NEXT;                                                              \
   }
 
+#define SATURATE(least, most)                                                    \
+  {                                                                              \
+    const std::int64_t from = static_cast<std::int32_t>(N << i->shift);          \
+    const std::int64_t result = std::clamp<std::int64_t>(from, (least), (most)); \
+    if (result != from && !saturated_) [[unlikely]] {                            \
+      saturated_ = true;                                                         \
+      idle_.interrupted();                                                       \
+    }                                                                            \
+    D = static_cast<std::uint32_t>(result);                                      \
+    NEXT;                                                                        \
+  }
+
 #define NOTE_JUMP(pc) jumps_[jump_count_++ % jumps_.size()] = (pc)
 // To a Step of flash that is not the next one.
 #define JUMP_TO_STEP        \

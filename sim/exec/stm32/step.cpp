@@ -163,6 +163,10 @@ Kind other_kind(const Thumb& t, bool sets) {
       return Kind::ubfx;
     case Op::bfi:
       return Kind::bfi;
+    case Op::ssat:
+      return Kind::ssat;
+    case Op::usat:
+      return Kind::usat;
     case Op::b:
     case Op::bl:
     case Op::bcond:

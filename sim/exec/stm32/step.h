@@ -21,7 +21,7 @@ namespace robosim::exec::stm32 {
   X(bic_lsl) X(bic_lsr) X(bic_asr) X(add_lsl) X(add_lsr) X(add_asr) X(sub_lsl) X(sub_lsr) X(sub_asr)     \
   X(rsb_lsl) X(rsb_lsr) X(rsb_asr) X(shift_r) X(shift_rs) X(sub_sp) X(to_sp) X(to_pc) X(movt) X(mul)     \
   X(muls) X(mla) X(mls) X(multiply_long) X(sdiv) X(udiv) X(sxtb) X(sxth) X(uxtb) X(uxth) X(clz) X(rbit)  \
-  X(rev) X(rev16) X(revsh) X(sbfx) X(ubfx) X(bfi) X(ldr_const) X(ldr_i) X(ldr_r) X(ldrb_i) X(ldrb_r)     \
+  X(rev) X(rev16) X(revsh) X(sbfx) X(ubfx) X(bfi) X(ssat) X(usat) X(ldr_const) X(ldr_i) X(ldr_r) X(ldrb_i) X(ldrb_r)     \
   X(ldrh_i) X(ldrh_r) X(ldrsb) X(ldrsh) X(ldr_pc) X(str_i) X(str_r) X(strb_i) X(strb_r) X(strh_i)        \
   X(strh_r) X(ldr_back) X(ldrb_back) X(ldrh_back) X(ldrsb_back) X(ldrsh_back) X(ldr_pc_back) X(str_back) \
   X(push) X(strb_back) X(strh_back) X(ldrd) X(strd) X(ldm) X(ldm_pc) X(stm) X(b) X(beq) X(bne) X(bcs)    \

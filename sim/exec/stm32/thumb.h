@@ -70,6 +70,8 @@ enum class Op : std::uint8_t {
   sbfx,
   ubfx,
   bfi,  ///< r[d], r[n]; from bit `shift`, of `value` bits
+  ssat,
+  usat,  ///< r[d], r[n] << shift; to `value` bits
   // r[d] at r[n] + (r[m] << shift) + value
   ldr,
   ldrb,

@@ -1,5 +1,6 @@
 // The instructions of 32 bits (ARMv7-M ARM, A5.3). Whatever uses the stack pointer or the program counter in
-// an unusual place is left to libunicorn, as are exclusive accesses and saturation.
+// an unusual place is left to libunicorn, as are exclusive accesses, and saturation of what is shifted to the
+// right.
 #include <bit>
 
 #include "sim/exec/stm32/thumb.h"
@@ -96,6 +97,13 @@ Thumb plain_immediate(const Halves& h) {
       t.op = h.first & 0x80 ? Op::movt : Op::mov;
       t.n = Thumb::kZero;
       t.value = (h.first & 15u) << 12 | imm12;
+      return t;
+    case 16:
+    case 24:
+      if (reserved || special(t.n)) return {};
+      t.op = h.first & 0x80 ? Op::usat : Op::ssat;
+      t.shift = static_cast<std::uint8_t>(lsb);
+      t.value = t.op == Op::usat ? last : last + 1;
       return t;
     case 20:
     case 28:

@@ -161,5 +161,33 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
   EXPECT_GT(blocks, 300);
 }
 
+// Of numbers below, within and above, as constrain() has them: too rare among random ones.
+TEST(Thumb, SaturatesAsLibunicornDoes) {
+  std::mt19937 random(1);
+  std::vector<std::uint16_t> code;
+  for (int i = 0; i < 60; ++i) {
+    const unsigned shift = random() % 3 == 0 ? random() % 32 : 0;
+    code.push_back(static_cast<std::uint16_t>(0xF300 | (i % 2) << 7 | random() % 6));
+    code.push_back(static_cast<std::uint16_t>((shift >> 2) << 12 | (6 + random() % 6) << 8 |
+                                              (shift & 3) << 6 | random() % 32));
+  }
+  const Firmware firmware = firmware_of(code);
+  Chip ours(firmware), referee(firmware);
+  referee.cpu.use_referee();
+  const std::uint32_t values[] = {0, 255, 256, 0xFFFFFFFF, 0x80000000, 0x7FFFFFFF};
+  for (Chip* chip : {&ours, &referee})
+    for (int number = 0; number < 6; ++number) chip->cpu.write_register(number, values[number]);
+  while (ours.cpu.next_pc() < firmware.code_end) {
+    const std::uint32_t pc = ours.cpu.next_pc();
+    ours.step();
+    referee.step();
+    ASSERT_EQ(ours.cpu.next_pc(), referee.cpu.next_pc());
+    for (int number = 0; number < Cpu::kPc; ++number)
+      ASSERT_EQ(ours.cpu.reg(number), referee.cpu.reg(number)) << std::hex << pc << " r" << number;
+    ASSERT_EQ(ours.cpu.status(), referee.cpu.status()) << std::hex << pc;
+    ASSERT_EQ(ours.now(), referee.now()) << std::hex << pc;
+  }
+}
+
 }  // namespace
 }  // namespace robosim::exec::stm32
