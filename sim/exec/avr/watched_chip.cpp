@@ -230,16 +230,25 @@ void WatchedChip::stack_pointer_written() {
   chip_.cpu().state.sp_watch = 0xFFFF;
   if (!whole) return;
   const std::uint16_t now_at = sp();
-  if (was_loaded()) task_changed(state_.pointer_before, now_at);
+  const bool loaded = was_loaded();
+  if (loaded) task_changed(state_.pointer_before, now_at);
   if (now_at + 1 >= state_.stack_limit) {
     state_.own_stack = false;
   } else if (!is_computed_from_itself()) {
     state_.own_stack = true;
-    state_.own_variable = firmware_.symbols.variable_at(kAvrData + now_at);
+    state_.own_variable = variable_of_stack(now_at, loaded);
     state_.own_limit = static_cast<std::uint16_t>(
         state_.own_variable ? state_.own_variable->address - kAvrData : firmware_.globals_end);
   }
   stack_moved();
+}
+
+/// A new stack may begin right behind its variable, at the first byte of another.
+const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) const {
+  const Symbol* const here = firmware_.symbols.variable_at(kAvrData + at);
+  if (is_in_use || (here && here->address < kAvrData + at)) return here;
+  const Symbol* const below = firmware_.symbols.variable_at(kAvrData + at - 1u);
+  return below ? below : here;
 }
 
 /// Whether the value that was just written to the stack pointer was made from it, as a function makes room

@@ -142,6 +142,7 @@ class WatchedChip final : robosim::avr::Visitor {
   void stack_is_low();
   void stack_pointer_written();
   void stack_moved();
+  const Symbol* variable_of_stack(std::uint16_t at, bool is_in_use) const;
   bool is_computed_from_itself() const;
   bool was_loaded() const;
   void task_changed(std::uint16_t from, std::uint16_t to);

@@ -174,6 +174,34 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
+// `stack + sizeof stack`: the first byte that is pushed lies behind the variable, and the stack in it.
+TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
+  const auto with = [](const char* body) {
+    return std::string(
+               "volatile uint8_t before[4], stack_b[200], after[4];\n"
+               "int deep(int n) { volatile char room[20]; room[n] = n;"
+               " return n == 0 ? 0 : deep(n - 1) + room[n]; }\n"
+               "void __attribute__((noinline)) work() { for (int n = 1;; ++n) { ") +
+           body + R"( Serial.println(n); delay(10); } }
+void setup() {
+  Serial.begin(115200);
+  before[1] = after[1] = stack_b[1] = 1;
+  __asm__ volatile("ldi r24, lo8(stack_b+200)\n ldi r25, hi8(stack_b+200)\n in r0, 0x3f\n cli\n"
+                   "out 0x3e, r25\n out 0x3f, r0\n out 0x3d, r24\n call %x0" ::"i"(work) : "r24", "r25");
+}
+void loop() {})";
+  };
+  start(with(""));
+  run(95 * kMillisecond);
+  EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_GT(numbers().size(), 7u);
+  start(with("deep(12);"));
+  run(95 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_EQ(avr_->crash()->reason,
+            "stack overflow: the stack that the sketch keeps in stack_b has outgrown its 200 bytes");
+}
+
 TEST_F(FailuresTest, AStackOfTheSketchsOwnMustStayInItsVariable) {
   start(coroutines("deep(9);"));
   run(95 * kMillisecond);
