@@ -20,6 +20,7 @@ constexpr double kAccelScale = 16384.0;  // LSB per g
 constexpr double kAccelNoise = 0.0039;   // g
 constexpr double kCodeAt25 = (25.0 - 36.53) * 340.0;
 constexpr Number kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};
+constexpr Number kScale{1.0, 0.0, Spread{1.0, 0.03}}, kAccelBias{0.0, 0.0, Spread{0.0, 0.05}};
 
 // Full scale, bits 3 and 4 of the configuration.
 double scale(double finest, std::uint8_t config) { return finest / (1 << (config >> 3 & 3)); }
@@ -31,6 +32,8 @@ std::shared_ptr<const PartSpec> read_mpu6050(PartReader& reader) {
   spec->address = read_two_wire(reader, kUsualMpuAddress);
   spec->facing = reader.angle("facing");
   spec->bias = reader.figure("bias", Dimension::rotation_rate, kBias, -1.0, 1.0);
+  spec->scale = reader.figure("scale", Dimension::ratio, kScale, 0.9, 1.1);
+  spec->accel_bias = reader.figure("accel_bias", Dimension::ratio, kAccelBias, -0.2, 0.2);
   spec->gyro_noise = reader.figure("noise", Dimension::rotation_rate, kGyroNoise, 0.0, 1.0);
   return reader.finish(spec);
 }
@@ -48,6 +51,10 @@ Mpu6050Part::Mpu6050Part(const Mpu6050Spec& spec, PartContext& context)
       bias_{context.individual.draw(spec.bias, spec.name, "bias x"),
             context.individual.draw(spec.bias, spec.name, "bias y"),
             context.individual.draw(spec.bias, spec.name, "bias")},
+      accel_bias_{context.individual.draw(spec.accel_bias, spec.name, "accel_bias x"),
+                  context.individual.draw(spec.accel_bias, spec.name, "accel_bias y"),
+                  context.individual.draw(spec.accel_bias, spec.name, "accel_bias z")},
+      scale_(context.individual.draw(spec.scale, spec.name, "scale")),
       gyro_noise_(context.individual.ideal() ? 0.0
                                              : context.individual.draw(spec.gyro_noise, spec.name, "noise")) {
   reset();
@@ -100,8 +107,10 @@ void Mpu6050Part::hold(SimTime t) {
   const double of_gyro = scale(kGyroScale, at(kGyroConfig)) / kDegree;
   const double of_accel = scale(kAccelScale, at(kAccelConfig));
   for (std::uint8_t i = 0; i < 3; ++i) {
-    put(static_cast<std::uint8_t>(kAccel + 2 * i), of_accel * (g[i] + kAccelNoise * noise()));
-    put(static_cast<std::uint8_t>(kGyro + 2 * i), of_gyro * (turn[i] + bias_[i] + gyro_noise_ * noise()));
+    put(static_cast<std::uint8_t>(kAccel + 2 * i),
+        of_accel * (g[i] + accel_bias_[i] + kAccelNoise * noise()));
+    put(static_cast<std::uint8_t>(kGyro + 2 * i),
+        of_gyro * (scale_ * turn[i] + bias_[i] + gyro_noise_ * noise()));
   }
   put(kTemperature, kCodeAt25);
   at(kIntStatus) |= kDataReady;
@@ -123,7 +132,7 @@ std::uint8_t Mpu6050Part::get(std::uint8_t number, SimTime) {
 }
 
 void Mpu6050Part::read(std::vector<Reading>& readings) const {
-  readings.push_back({spec_.name, (context_.view.body->turn_rate() + bias_[2]) / kDegree});
+  readings.push_back({spec_.name, (scale_ * context_.view.body->turn_rate() + bias_[2]) / kDegree});
 }
 
 }  // namespace robosim::robot

@@ -1,12 +1,15 @@
 // type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00),
 // flat on the robot, its x axis ahead, y to the left, z up.
 //
-//   gyro    z: the robot's turn rate; x, y: the rate at which a hand tilts it; each + bias + noise;
+//   gyro    z: the robot's turn rate; x, y: the rate at which a hand tilts it; each times scale + bias +
+//   noise;
 //           131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
-//   accel   x: dv/dt; y: v w; z: 1 g, or where a hand holds it tilted, 1 g straight up; each + noise;
+//   accel   x: dv/dt; y: v w; z: 1 g, or where a hand holds it tilted, 1 g straight up; each + bias + noise;
 //           16384 LSB/g at +-2 g, halved with each step of AFS_SEL
 //   temperature 25 degrees: (T - 36.53) 340
 //   bias    +-20 deg/s at most (zero rate output, 6.1), one for each axis and robot
+//   scale   from the profile typical@2 on 1 +- 3 % (6.1), one for all axes; before, 1
+//   accel_bias  from typical@2 on +-50 mg (6.2; of z 80), one for each axis; before, 0
 //   noise   0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
 //
 // dv/dt is that of the last tick. Samples are 8 kHz / (1 + SMPLRT_DIV), 1 kHz with a low-pass filter; each
@@ -27,6 +30,8 @@ class Mpu6050Spec final : public PartSpec {
   std::uint8_t address = 0;
   double facing = 0.0;  ///< rad: where its x axis points to, from ahead, counter-clockwise
   Number bias;          ///< rad/s
+  Number scale;         ///< what the gyroscope tells for each rad/s
+  Number accel_bias;    ///< g
   Number gyro_noise;    ///< rad/s, standard deviation of a sample
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -64,8 +69,8 @@ class Mpu6050Part final : public Part, public RegisterDevice {
   PartContext& context_;
   const NoiseStream stream_;
   const Vec2 axis_;
-  const std::array<double, 3> bias_;
-  const double gyro_noise_;
+  const std::array<double, 3> bias_, accel_bias_;
+  const double scale_, gyro_noise_;
   State state_;
 };
 

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/unit/robot/bench_robot.h"
@@ -17,8 +20,9 @@ using testing::IsEmpty;
 
 class TwoWireBench : public BenchRobot {
  public:
-  explicit TwoWireBench(const std::string& part, const std::string& more = "")
-      : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more) {}
+  explicit TwoWireBench(const std::string& part, const std::string& more = "",
+                        Profile profile = Profile::ideal, std::uint64_t seed = 1)
+      : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more, profile, seed) {}
 
   /// Whether all was acknowledged.
   bool send(std::uint8_t address, const std::vector<int>& bytes) {
@@ -194,6 +198,31 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   bench.ticks(5);
   EXPECT_EQ(at(0x3B), 0);
   EXPECT_EQ(at(0x3F), 16384);
+}
+
+TEST(Mpu6050, IsAsWellMadeAsItsDataSheetSaysInTypical2) {
+  const auto differs_by = [](Profile profile, std::uint64_t seed) {
+    TwoWireBench bench("mpu-6050", "bias = \"0 deg/s\"\nnoise = \"0 deg/s\"\n", profile, seed);
+    bench.send(0x68, {0x6B, 0x00});
+    bench.body().tilt({{0.0, 0.0}, 1.0, {200 * std::numbers::pi / 180.0, 0.0}});
+    bench.ticks(5);
+    return std::pair{static_cast<std::int16_t>(bench.get16(0x68, 0x45)) / 26200.0 - 1.0,
+                     static_cast<std::int16_t>(bench.get16(0x68, 0x3B)) / 16384.0};
+  };
+  double least = 0.0, most = 0.0, sideways = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto [scale, ahead] = differs_by(Profile::typical_2, seed);
+    least = std::min(least, scale);
+    most = std::max(most, scale);
+    sideways = std::max(sideways, std::abs(ahead));
+    EXPECT_NEAR(differs_by(Profile::typical, seed).first, 0.0, 1e-4);
+  }
+  EXPECT_GE(least, -0.0301);
+  EXPECT_LT(least, -0.02);
+  EXPECT_GT(most, 0.02);
+  EXPECT_LE(most, 0.0301);
+  EXPECT_GT(sideways, 0.035);
+  EXPECT_LT(sideways, 0.05 + 5 * 0.0039);
 }
 
 TEST(Pca9685, TellsThePulsesOfItsChannels) {
