@@ -157,6 +157,15 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
   if (unit.kind == Unit::Kind::core) append(words, counting.definitions);
 }
 
+/// Macros, and where headers are.
+void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
+  append(words, definitions(toolchain));
+  for (const auto* folders : {&toolchain.core.includes, &unit.includes})
+    for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
+  for (const fs::path& folder : toolchain.core.system_includes) append(words, {"-isystem", folder.string()});
+  if (toolchain.target.hal) append(words, {"-isystem", toolchain.facts.include_folder.string()});
+}
+
 std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit) {
   const Target& target = toolchain.target;
   const bool core = unit.kind == Unit::Kind::core;
@@ -174,11 +183,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   if (toolchain.coverage) add_counting(words, toolchain, unit);
   append(words, warning_flags(toolchain, unit));
   append(words, toolchain.core.machine);
-  append(words, definitions(toolchain));
-  for (const auto* folders : {&toolchain.core.includes, &unit.includes})
-    for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
-  for (const fs::path& folder : toolchain.core.system_includes) append(words, {"-isystem", folder.string()});
-  if (target.hal) append(words, {"-isystem", toolchain.facts.include_folder.string()});
+  add_headers(words, toolchain, unit);
   add_prefix_maps(words, toolchain, places_of(unit));
   return words;
 }
@@ -204,6 +209,12 @@ std::vector<fs::path> split_paths(const std::string& text) {
   for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
     paths.emplace_back(text.substr(at, end - at));
   return paths;
+}
+
+std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& unit) {
+  std::vector<std::string> words = {"-std=gnu++14", "-nostdinc", "-nostdinc++"};
+  add_headers(words, toolchain, unit);
+  return words;
 }
 
 bool through_assembly(const Toolchain& toolchain, const Unit& unit) {

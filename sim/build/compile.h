@@ -46,6 +46,8 @@ Command compile_command(const Toolchain& toolchain, const Unit& unit, const std:
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& object);
 /// Only preprocesses, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
+/// The language, macros and folders of a unit in C++, for another parser (reading.h).
+std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& unit);
 /// Several objects to one.
 Command merge_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                       const std::filesystem::path& object);

@@ -202,6 +202,17 @@ struct TestArguments {
   bool untrusted = false;
 };
 
+/// `robosim mutate`
+struct MutateArguments {
+  std::string sketch;
+  std::string checks;  ///< a file; empty = the checks.toml beside the sketch
+  std::uint64_t seed = 1;
+  std::size_t count = 20;  ///< bugs
+  std::size_t jobs = 1;    ///< runs at a time
+  double min_score = 0.0;
+  bool json = false;
+};
+
 /// `robosim new`
 struct NewArguments {
   std::string name;
@@ -212,10 +223,11 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunArguments, ReplayArguments, SweepArguments, ReportArguments, CompareArguments,
-                             PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments,
-                             MapArguments, GenerateArguments, ImportArguments, PrintArguments, RobotArguments,
-                             CalibrateArguments, ServeArguments, TestArguments, NewArguments, PrintText>;
+using Command =
+    std::variant<RunArguments, ReplayArguments, SweepArguments, ReportArguments, CompareArguments,
+                 PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
+                 GenerateArguments, ImportArguments, PrintArguments, RobotArguments, CalibrateArguments,
+                 ServeArguments, TestArguments, MutateArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

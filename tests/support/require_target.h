@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "sim/build/process.h"
 #include "sim/build/sketch.h"
 
 namespace robosim::test {
@@ -25,4 +26,12 @@ inline bool is_required(const std::string& target) {
     const std::string missing = ::robosim::build::missing_tool(target);              \
     if (!missing.empty() && ::robosim::test::is_required(target)) FAIL() << missing; \
     if (!missing.empty()) GTEST_SKIP() << missing;                                   \
+  } while (false)
+
+/// The same where clang++ is missing, which only `robosim mutate` needs.
+#define ROBOSIM_NEEDS_CLANG()                                                             \
+  do {                                                                                    \
+    const bool missing = ::robosim::build::find_program("clang++").empty();               \
+    if (missing && ::robosim::test::is_required("clang")) FAIL() << "clang++ is missing"; \
+    if (missing) GTEST_SKIP() << "clang++ is not installed";                              \
   } while (false)

@@ -55,7 +55,7 @@ struct Attempt {
   const char* text;
 };
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
-std::string name_of(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
+std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
 /// Declared for all of them; LINES is what they say.
 constexpr const char* kOfTheSystem = R"(
@@ -206,7 +206,7 @@ TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
   EXPECT_NE(json["why"], "FORGED");
 }
 
-INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of);
+INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of_attempt);
 
 TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
   // What these do harms nobody; the others would.
@@ -267,7 +267,7 @@ TEST_P(OnAChip, IsNeverSaidToHaveReachedItsGoal) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Forgery, OnAChip, testing::ValuesIn(kOnAChip), name_of);
+INSTANTIATE_TEST_SUITE_P(Forgery, OnAChip, testing::ValuesIn(kOnAChip), name_of_attempt);
 
 }  // namespace
 }  // namespace robosim::test

@@ -2,7 +2,7 @@
 
 # What waits for disks, compilers and people is compiled in two thirds of the time, and nobody sees the difference.
 set(quick $<$<CONFIG:Release>:-O1>)
-foreach(library project build course print calibrate launch play wiring tui client record analysis cli serve)
+foreach(library project build course print calibrate launch play wiring mutate tui client record analysis cli serve)
   if(TARGET robosim_${library})
     target_compile_options(robosim_${library} PRIVATE ${quick})
   endif()

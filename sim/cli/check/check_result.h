@@ -24,6 +24,7 @@ struct CheckResult {
   std::size_t passed = 0;
   double time_s = 0.0;                  ///< simulated, of all runs
   std::optional<wire::RunResult> only;  ///< of a check of one run
+  std::vector<std::string> traces;      ///< the trace hashes of all runs, in the order of the plan
 
   bool ok() const { return status == ExitStatus::ok; }
 };

@@ -203,6 +203,8 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   const auto why = why_failed(planned.check, run_result);
   planned.tallies[run / planned.plan.seeds].add(!why);
   ++result.runs;
+  result.traces.resize(planned.plan.runs());
+  result.traces[run] = run_result.trace_hash;
   result.time_s += run_result.time_s;
   if (planned.plan.runs() == 1) result.only = run_result;
   if (!why) {

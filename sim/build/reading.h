@@ -1,0 +1,20 @@
+// What another parser than the compiler needs to read a sketch as it is compiled for the host.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/build/sketch.h"
+#include "sim/build/source.h"
+
+namespace robosim::build {
+
+struct Reading {
+  Sketch sketch;
+  std::vector<std::string> words;  ///< as a C++ compiler has them: the language, macros, folders of headers
+};
+
+/// Builds the sketch for the host first, so that it is one that compiles. Throws as build() does.
+Reading reading_of(const Request& request);
+
+}  // namespace robosim::build

@@ -1,0 +1,14 @@
+// The command line of `robosim mutate`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// `words` after "mutate". Throws InputError.
+Command parse_mutate(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

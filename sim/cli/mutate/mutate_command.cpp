@@ -1,0 +1,111 @@
+#include "sim/cli/mutate/mutate_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim/base/noise.h"
+#include "sim/build/reading.h"
+#include "sim/cli/check/checks_file.h"
+#include "sim/cli/launching.h"
+#include "sim/cli/mutate/mutate_report.h"
+#include "sim/cli/output.h"
+#include "sim/client/runner.h"
+#include "sim/launch/launch.h"
+#include "sim/mutate/operators.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kControls = 6;
+
+/// In an order drawn by the seed: the first n of it are n drawn at random.
+template <typename T>
+std::vector<T> shuffled(std::vector<T> all, std::uint64_t seed, const char* purpose) {
+  const NoiseStream draw(seed, 0, "mutate", purpose);
+  for (std::size_t i = all.size(); i > 1; --i)
+    std::swap(all[i - 1], all[static_cast<std::size_t>(draw.bits(i) % i)]);
+  return all;
+}
+
+/// The sketch's source, as the first check builds it.
+build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
+  launch::Launch launch = launch_of(check.sweep.each);
+  launch.sketch = sketch;
+  if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
+  if (!check.sweep.robots.empty()) launch.robot = check.sweep.robots.front();
+  launch.target = "host";
+  launch::Chosen chosen = choose(launch);
+  client::Runner runner(chosen.target);
+  launch::Launcher launcher(listener_of(progress, {false, false}));
+  return build::reading_of(launcher
+                               .prepare(
+                                   launch, std::move(chosen),
+                                   [&](const std::string& name) { return runner.describe_robot(name); },
+                                   runner.hello())
+                               .wanted);
+}
+
+}  // namespace
+
+int mutate_command(const MutateArguments& arguments) {
+  const launch::SketchChoice choice = launch::choose_sketch(arguments.sketch);
+  if (!choice.elf_target.empty())
+    throw InputError({choice.path.string()}, "is a finished image; bugs are put into a sketch's source");
+  const std::string file =
+      arguments.checks.empty() ? (choice.folder / "checks.toml").string() : arguments.checks;
+  std::error_code error;
+  if (!fs::exists(file, error))
+    throw InputError({file}, "there is no such file: what is tried is how many bugs its checks find");
+  const std::vector<Check> checks = read_checks(file);
+
+  tui::Progress progress(true);
+  progress.say("reading the sketch");
+  const mutate::Tree tree = mutate::parse(read(arguments.sketch, checks.front(), progress));
+  Workbench bench(choice.folder, choice.path, fs::absolute(file).string(), arguments.jobs);
+  const Trial unchanged = bench.try_unchanged();
+  if (unchanged.ending == Trial::Ending::not_compiled)
+    throw InputError({choice.path.string()}, "a copy of its folder alone does not build: " + unchanged.why);
+  if (unchanged.ending != Trial::Ending::passed)
+    throw InputError({file}, fmt::format("the check \"{}\" fails without any bug put in: {}", unchanged.check,
+                                         unchanged.why));
+
+  MutationResult result{launch::title_of(choice), file, arguments.seed};
+  const std::vector<mutate::Mutation> all = shuffled(mutate::mutations(tree), arguments.seed, "bugs");
+  result.places = all.size();
+  const auto try_one = [&](const mutate::Mutation& mutation, std::vector<Mutant>& mutants) {
+    Mutant mutant{mutation, bench.try_with(mutation)};
+    if (mutant.trial.ending == Trial::Ending::interrupted) {
+      result.complete = false;
+    } else if (mutant.trial.ending == Trial::Ending::not_compiled) {
+      ++result.not_compiled;
+    } else {
+      mutant.observed = mutant.trial.traces != unchanged.traces;
+      mutants.push_back(std::move(mutant));
+    }
+  };
+  for (const mutate::Mutation& mutation : all) {
+    if (!result.complete || result.mutants.size() == arguments.count) break;
+    progress.update(
+        fmt::format("bug {} of {}, {} found", result.mutants.size() + 1, arguments.count, result.found()));
+    try_one(mutation, result.mutants);
+  }
+  std::vector<mutate::Mutation> harmless = shuffled(mutate::controls(tree), arguments.seed, "controls");
+  harmless.resize(std::min(harmless.size(), kControls));
+  const std::size_t left_out = result.not_compiled;
+  for (const mutate::Mutation& mutation : harmless)
+    if (result.complete) try_one(mutation, result.controls);
+  result.not_compiled = left_out;
+  progress.clear();
+
+  print(arguments.json ? mutation_json(result) : mutation_text(result));
+  if (!result.complete) return static_cast<int>(ExitStatus::interrupted);
+  const bool good = result.brittle() == 0 && result.score() >= arguments.min_score;
+  return static_cast<int>(good ? ExitStatus::ok : ExitStatus::failed);
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,128 @@
+#include "sim/cli/mutate/mutate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace robosim::cli {
+namespace {
+
+std::string shown(const std::string& text) {
+  std::string line = text.substr(0, text.find('\n'));
+  if (line.size() > 60) line = line.substr(0, 57) + "…";
+  return line.size() < text.size() && line.find("…") == std::string::npos ? line + " …" : line;
+}
+
+std::string where(const mutate::Mutation& mutation) {
+  return fmt::format("{}:{}", mutation.edits.front().file, mutation.line);
+}
+
+std::string what(const mutate::Mutation& mutation) {
+  const bool lost = mutation.now.find_first_not_of(' ') == std::string::npos;
+  return lost ? fmt::format("`{}` left out", shown(mutation.was))
+              : fmt::format("`{}` for `{}`", shown(mutation.now), shown(mutation.was));
+}
+
+const char* word(const Mutant& mutant) {
+  switch (mutant.trial.ending) {
+    case Trial::Ending::failed:
+      return "found";
+    case Trial::Ending::late:
+      return "late";
+    case Trial::Ending::passed:
+      return mutant.observed ? "survived" : "unobserved";
+    case Trial::Ending::not_compiled:
+      return "not compiled";
+    case Trial::Ending::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+std::string list(const std::vector<Mutant>& mutants, const std::string& which, const char* heading) {
+  std::string text;
+  for (const Mutant& mutant : mutants)
+    if (word(mutant) == which)
+      text +=
+          fmt::format("  {}  {}: {}\n", where(mutant.mutation), mutant.mutation.kind, what(mutant.mutation));
+  return text.empty() ? "" : fmt::format("\n{}\n{}", heading, text);
+}
+
+nlohmann::ordered_json json_of(const Mutant& mutant) {
+  const mutate::Mutation& m = mutant.mutation;
+  nlohmann::ordered_json json = {{"result", word(mutant)}, {"kind", m.kind}, {"file", m.edits.front().file},
+                                 {"line", m.line},         {"was", m.was},   {"now", m.now}};
+  if (!mutant.trial.check.empty()) json["check"] = mutant.trial.check;
+  if (!mutant.trial.why.empty()) json["why"] = mutant.trial.why;
+  return json;
+}
+
+}  // namespace
+
+std::size_t MutationResult::count(Trial::Ending ending) const {
+  return static_cast<std::size_t>(std::count_if(mutants.begin(), mutants.end(),
+                                                [&](const Mutant& m) { return m.trial.ending == ending; }));
+}
+
+std::size_t MutationResult::unobserved() const {
+  return static_cast<std::size_t>(std::count_if(mutants.begin(), mutants.end(), [](const Mutant& m) {
+    return m.trial.ending == Trial::Ending::passed && !m.observed;
+  }));
+}
+
+std::size_t MutationResult::brittle() const {
+  return static_cast<std::size_t>(std::count_if(controls.begin(), controls.end(), [](const Mutant& m) {
+    return m.trial.ending != Trial::Ending::passed;
+  }));
+}
+
+double MutationResult::score() const {
+  const std::size_t shown = mutants.size() - unobserved();
+  return shown == 0 ? 1.0 : static_cast<double>(found()) / static_cast<double>(shown);
+}
+
+std::string mutation_text(const MutationResult& result) {
+  const std::size_t observed = result.mutants.size() - result.unobserved();
+  std::string text =
+      fmt::format("{}: {} small bugs, drawn by seed {} from {}; {} more did not compile\n", result.sketch,
+                  result.mutants.size(), result.seed, result.places, result.not_compiled);
+  text += fmt::format("found {} of {} ({:.0f} %), {} of them since time was up\n", result.found(), observed,
+                      100.0 * result.score(), result.count(Trial::Ending::late));
+  if (result.unobserved() > 0)
+    text += fmt::format("{} more changed nothing in any run\n", result.unobserved());
+  text += list(result.mutants, "survived", "no check minds:");
+  text += list(result.mutants, "unobserved", "without a trace in these runs:");
+  for (const Mutant& control : result.controls)
+    if (control.trial.ending != Trial::Ending::passed)
+      text += fmt::format("\nbrittle: the check \"{}\" fails where it should not, with {} at {}: {}\n",
+                          control.trial.check, what(control.mutation), where(control.mutation),
+                          control.trial.why);
+  if (!result.controls.empty() && result.brittle() == 0)
+    text += fmt::format("\n{} harmless changes: all checks pass, as they should\n", result.controls.size());
+  if (!result.complete) text += "interrupted: this is how far it came\n";
+  return text;
+}
+
+std::string mutation_json(const MutationResult& result) {
+  nlohmann::ordered_json json = {{"schema", "robosim.mutate/1"},
+                                 {"sketch", result.sketch},
+                                 {"checks", result.checks},
+                                 {"seed", result.seed},
+                                 {"places", result.places},
+                                 {"not_compiled", result.not_compiled},
+                                 {"found", result.found()},
+                                 {"late", result.count(Trial::Ending::late)},
+                                 {"unobserved", result.unobserved()},
+                                 {"survived", result.count(Trial::Ending::passed) - result.unobserved()},
+                                 {"score", result.score()},
+                                 {"complete", result.complete}};
+  for (const auto& [name, mutants] :
+       {std::pair{"mutants", &result.mutants}, std::pair{"controls", &result.controls}}) {
+    json[name] = nlohmann::ordered_json::array();
+    for (const Mutant& mutant : *mutants) json[name].push_back(json_of(mutant));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace robosim::cli

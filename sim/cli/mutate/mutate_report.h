@@ -1,0 +1,42 @@
+// What `robosim mutate` has found, for people and for programs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/cli/mutate/trial.h"
+#include "sim/mutate/mutation.h"
+
+namespace robosim::cli {
+
+struct Mutant {
+  mutate::Mutation mutation;
+  Trial trial;
+  bool observed = true;  ///< a run of it differs from the unchanged sketch's
+};
+
+struct MutationResult {
+  std::string sketch;
+  std::string checks;
+  std::uint64_t seed = 1;
+  std::size_t places = 0;        ///< mutations that there are
+  std::size_t not_compiled = 0;  ///< drawn, and left out
+  std::vector<Mutant> mutants;   ///< in the order in which they were drawn
+  std::vector<Mutant> controls;
+  bool complete = true;  ///< not interrupted
+
+  std::size_t count(Trial::Ending ending) const;
+  std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
+  std::size_t unobserved() const;
+  std::size_t brittle() const;  ///< controls that did not pass
+  /// Of those that some run could show; 1 if there are none.
+  double score() const;
+};
+
+std::string mutation_text(const MutationResult& result);
+/// Schema robosim.mutate/1, docs/mutation.md.
+std::string mutation_json(const MutationResult& result);
+
+}  // namespace robosim::cli

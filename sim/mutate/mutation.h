@@ -1,0 +1,32 @@
+// A small change of a sketch's source: one that breaks it, as people break theirs, or one that must not
+// matter.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace robosim::mutate {
+
+/// Bytes `from` to `to` of a file are replaced.
+struct Edit {
+  std::string file;  ///< relative to the sketch's folder
+  std::size_t from = 0, to = 0;
+  std::string now;
+
+  friend bool operator==(const Edit&, const Edit&) = default;
+};
+
+struct Mutation {
+  std::string kind;         ///< "relational", "constant" …; docs/mutation.md lists them
+  std::vector<Edit> edits;  ///< in the order of their places; all of one file. The first says where it is
+  int line = 0;             ///< of the first, from 1
+  std::string was, now;     ///< for people: the text at the first place, and what it becomes
+
+  friend bool operator==(const Mutation&, const Mutation&) = default;
+};
+
+/// `text` with all edits made.
+std::string changed(std::string text, const std::vector<Edit>& edits);
+
+}  // namespace robosim::mutate

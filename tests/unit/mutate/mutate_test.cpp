@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "sim/base/file.h"
+#include "sim/mutate/operators.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::mutate {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
+
+const Mutation& first_of(const std::vector<Mutation>& all, const std::string& kind) {
+  for (const Mutation& one : all)
+    if (one.kind == kind) return one;
+  throw std::runtime_error("none is " + kind);
+}
+
+TEST(Edits, AreMadeFromTheLastToTheFirst) {
+  EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
+}
+
+// clang leaves out what is as at the place before; what is included is told by a place's own file.
+TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
+  const auto tree = read_tree(
+      R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [
+        {"name": "theirs", "loc": {"offset": 3, "file": "/lib.h", "tokLen": 6, "includedFrom": {"file": "/own.cpp"}}},
+        {"name": "theirs_too", "loc": {"offset": 30, "tokLen": 6}},
+        {"name": "own", "loc": {"offset": 7, "file": "/own.cpp", "tokLen": 3},
+         "inner": [{"range": {"begin": {"offset": 9, "tokLen": 1}, "end": {"offset": 10, "tokLen": 1}}}]}]})",
+      [](const std::string& file) { return file == "/own.cpp" ? 0 : -1; });
+  ASSERT_EQ(tree["inner"].size(), 1u);
+  EXPECT_EQ(tree["inner"][0]["name"], "own");
+  EXPECT_EQ(tree["inner"][0]["inner"][0]["range"]["end"]["in"], 0);
+}
+
+/// A sketch in a folder of its own, parsed by clang.
+class Sketch : public testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("host");
+    ROBOSIM_NEEDS_CLANG();
+    std::string name = (std::filesystem::temp_directory_path() / "robosim-mutate-XXXXXX").string();
+    ASSERT_TRUE(::mkdtemp(name.data()));
+    folder_ = name;
+    std::filesystem::create_directory(folder_ / "S");
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
+
+  void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
+  Tree tree() { return parse(build::reading_of({folder_ / "S", *find_board("uno")})); }
+
+  /// "relational < -> <=", of the file.
+  std::multiset<std::string> changes(const std::string& name) {
+    std::multiset<std::string> all;
+    for (const Mutation& one : mutations(tree()))
+      if (one.edits[0].file == name) all.insert(one.kind + ' ' + one.was + " -> " + one.now);
+    return all;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Sketch, HasAMutationForEachOperatorAtItsPlace) {
+  file("S.ino",
+       "volatile int edges = 0;\n"
+       "void setup() { pinMode(3, OUTPUT); Serial.println(F(\"on\")); }\n"
+       "void loop() {\n"
+       "  if (low(edges) && millis() > 100UL) edges += 2;  // < this is no operator\n"
+       "}\n"
+       "bool low(int v) { return v < 10; }\n");
+  EXPECT_THAT(changes("S.ino"),
+              IsSupersetOf({"storage volatile -> ", "type int -> int8_t", "constant 0 -> 1",
+                            "statement pinMode(3, OUTPUT) -> ", "storage F(\"on\") -> \"on\"",
+                            "logic && -> ||", "relational > -> >=", "relational > -> <",
+                            "constant 100UL -> 101UL", "constant 100UL -> 200UL",
+                            "arithmetic += -> -=", "statement edges += 2 -> ", "returned v < 10 -> !(v < 10)",
+                            "relational < -> <=", "constant 10 -> 9", "constant 3 -> 4"}));
+  EXPECT_THAT(changes("S.ino"), Not(Contains("arguments 3, OUTPUT -> OUTPUT, 3"))) << "they are of two types";
+}
+
+TEST_F(Sketch, IsChangedAtTheLineThatIsSaidInEachOfItsFiles) {
+  file("S.ino", "#include \"wheel.h\"\nWheel left;\nvoid setup() { go(left); }\n");
+  file("b.ino", "\r\nvoid go(Wheel& wheel) {\r\n  wheel.turn(7, 8);\r\n}\r\nvoid loop() {}\r\n");
+  file("wheel.h",
+       "#pragma once\nstruct Wheel {\n  void turn(int a, int b) { sum = a - b; }\n  long sum = 0;\n};\n");
+  file("wheel.cpp", "#include <Arduino.h>\n#include \"wheel.h\"\n");
+  const std::vector<Mutation> all = mutations(tree());
+  const Mutation& swapped = first_of(all, "arguments");
+  EXPECT_EQ(swapped.edits[0].file, "b.ino");
+  EXPECT_EQ(swapped.line, 3);
+  EXPECT_EQ(changed("\r\nvoid go(Wheel& wheel) {\r\n  wheel.turn(7, 8);\r\n}\r\n", swapped.edits),
+            "\r\nvoid go(Wheel& wheel) {\r\n  wheel.turn(8, 7);\r\n}\r\n");
+  EXPECT_EQ(changes("wheel.h").count("arithmetic - -> +"), 1u) << "the header is read with both sources";
+  EXPECT_EQ(first_of(all, "arithmetic").line, 3);
+}
+
+TEST_F(Sketch, IsLeftAloneInMacrosAndInHeadersOfOthers) {
+  file("S.ino", "#define TWICE(x) ((x) * 2)\nvoid setup() { analogWrite(5, TWICE(40)); }\nvoid loop() {}\n");
+  for (const std::string& one : changes("S.ino")) EXPECT_THAT(one, Not(testing::HasSubstr("* ")));
+  for (const Mutation& one : mutations(tree())) EXPECT_EQ(one.edits[0].file, "S.ino");
+}
+
+TEST_F(Sketch, HasHarmlessChanges) {
+  file("S.ino",
+       "void setup() {\n  pinMode(3, OUTPUT);\n  pinMode(4, OUTPUT);\n}\n"
+       "void loop() {\n  int sum = 1;\n  sum += sum;\n  analogWrite(3, min(sum, 9));\n}\n");
+  const std::vector<Mutation> all = controls(tree());
+  EXPECT_EQ(first_of(all, "order").now, "pinMode(4, OUTPUT);\n  pinMode(3, OUTPUT)");
+  EXPECT_EQ(first_of(all, "delay").now, "{ delay(1);");
+  for (const Mutation& one : all) EXPECT_NE(one.kind, "name") << "sum is also the macro's";
+}
+
+TEST_F(Sketch, HasALocalVariableThatMayHaveAnotherName) {
+  const std::string text = "void setup() {}\nint sum = 5;\nvoid loop() {\n  int sum = 1;\n  sum += sum;\n}\n";
+  file("S.ino", text);
+  EXPECT_EQ(
+      changed(text, first_of(controls(tree()), "name").edits),
+      "void setup() {}\nint sum = 5;\nvoid loop() {\n  int other_sum = 1;\n  other_sum += other_sum;\n}\n");
+}
+
+}  // namespace
+}  // namespace robosim::mutate
