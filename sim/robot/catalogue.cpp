@@ -21,6 +21,7 @@
 #include "sim/robot/parts/pca9685.h"
 #include "sim/robot/parts/radio.h"
 #include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/serial_radio.h"
 #include "sim/robot/parts/servo.h"
 #include "sim/robot/parts/seven_segment.h"
 #include "sim/robot/parts/shift_register.h"
@@ -85,6 +86,7 @@ const std::vector<PartType>& part_types() {
       {"ir-distance", read_ir_distance},
       {"ir-switch", read_ir_switch},
       {"bluetooth", read_bluetooth},
+      {"serial-radio", read_serial_radio},
       {"ir-receiver", read_ir_receiver},
       {"keypad", read_keypad},
       {"lcd", read_lcd},

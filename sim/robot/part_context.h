@@ -50,6 +50,7 @@ struct View {
   Supply supply;         ///< the board's
   const world::World* world = nullptr;
   std::size_t body_number = 0;  ///< of `body` in it
+  world::Air* air = nullptr;
 
   /// The pose at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }

@@ -39,7 +39,7 @@ struct Robot::Inside {
       : description(d),
         body(world.body(body_number)),
         individual(seed, profile, number),
-        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number},
+        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number, &world.air()},
         netlist(board, d.registers.size(), kept),
         analog(analog_inputs(board)),
         context(d, board, netlist, view, individual, kept, analog.get()) {

@@ -142,7 +142,8 @@ class Body {
   bool pressed_ahead() const { return pressed_ahead_; }
   /// Whether the body's outline covers a point of the floor.
   bool covers(Vec2 p) const;
-  /// Of the circle about the outline's middle that holds the outline, m.
+  /// The circle about the outline's middle that holds the outline, m.
+  Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
   /// Kinetic energy of body and wheels, J.
   double kinetic_energy() const;
@@ -238,7 +239,6 @@ class Body {
   void set_velocity(Vec2 velocity);
   void grip_after_contact();
   void settle_contact();
-  Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
 
   Pose pose_;
   double v_ = 0.0, u_ = 0.0, omega_ = 0.0;

@@ -96,7 +96,7 @@ double Walls::range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double mo
 double World::range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const {
   double way = walls_.range_along(from, direction, most);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (i != from_body)
+    if (i != from_body && !bodies_[i]->lifted())
       way = std::min(way,
                      range_to_disc(from, direction, bodies_[i]->circle_centre(), bodies_[i]->bound_radius()));
   return way;
@@ -106,7 +106,7 @@ double World::range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Ve
                             double most) const {
   double nearest = walls_.range_in_beam(from, direction, half_beam, most);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (i != from_body)
+    if (i != from_body && !bodies_[i]->lifted())
       nearest = std::min(nearest, range_to_disc(from, direction, half_beam, bodies_[i]->circle_centre(),
                                                 bodies_[i]->bound_radius()));
   return nearest;

@@ -2,7 +2,12 @@
 
 namespace robosim::world {
 
-World::World(const grid::Map& map) : floor_(map), ground_(map), lighting_(map.lights), walls_(map) {}
+World::World(const grid::Map& map)
+    : floor_(map),
+      ground_(map),
+      lighting_(map.lights),
+      walls_(map),
+      near_(map.width * map.cell_m, map.height * map.cell_m) {}
 
 std::size_t World::add_body(const BodyParams& params, const Pose& pose) {
   bodies_.push_back(std::make_unique<Body>(params, pose));
@@ -21,7 +26,7 @@ std::optional<std::size_t> World::first_overlap(std::size_t number) const {
 }
 
 World::State World::save() const {
-  State state{{}, walls_.save(), ground_.save()};
+  State state{{}, walls_.save(), ground_.save(), air_.save()};
   state.bodies.reserve(bodies_.size());
   for (const auto& body : bodies_) state.bodies.push_back(*body);
   return state;
@@ -31,6 +36,7 @@ void World::restore(const State& saved) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) *bodies_[i] = saved.bodies[i];
   walls_.restore(saved.walls);
   ground_.restore(saved.ground);
+  air_.restore(saved.air);
 }
 
 void World::step() {
@@ -43,26 +49,24 @@ void World::step() {
 
 // Bodies meet as circles: pushed apart, and their approach cancelled, in proportion to their masses.
 void World::collide_bodies() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    for (std::size_t j = i + 1; j < bodies_.size(); ++j) {
-      Body &a = *bodies_[i], &b = *bodies_[j];
-      if (a.lifted_ || b.lifted_) continue;
-      const Vec2 d = b.circle_centre() - a.circle_centre();
-      const double radii = a.bound_radius_ + b.bound_radius_;
-      const double reach = radii + Walls::kNear;
-      const double square = dot(d, d);
-      if (square >= reach * reach) continue;
-      a.near_ = b.near_ = true;
-      if (square >= radii * radii) continue;
-      a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
-      const double away = std::sqrt(square);
-      const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-      const double share = a.per_mass_ / (a.per_mass_ + b.per_mass_);
-      const double approach = dot(a.velocity() - b.velocity(), n);
-      const double depth = radii - away;
-      a.meet(n * -1.0, depth * share, approach * share);
-      b.meet(n, depth * (1.0 - share), approach * (1.0 - share));
-    }
+  for (const auto& [i, j] : near_.pairs(bodies_)) {
+    Body &a = *bodies_[i], &b = *bodies_[j];
+    if (a.lifted_ || b.lifted_) continue;
+    const Vec2 d = b.circle_centre() - a.circle_centre();
+    const double radii = a.bound_radius_ + b.bound_radius_;
+    const double reach = radii + Walls::kNear;
+    const double square = dot(d, d);
+    if (square >= reach * reach) continue;
+    a.near_ = b.near_ = true;
+    if (square >= radii * radii) continue;
+    a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
+    const double away = std::sqrt(square);
+    const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
+    const double share = a.per_mass_ / (a.per_mass_ + b.per_mass_);
+    const double approach = dot(a.velocity() - b.velocity(), n);
+    const double depth = radii - away;
+    a.meet(n * -1.0, depth * share, approach * share);
+    b.meet(n, depth * (1.0 - share), approach * (1.0 - share));
   }
 }
 

@@ -8,10 +8,12 @@
 
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
+#include "sim/world/air.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
 #include "sim/world/ground.h"
 #include "sim/world/lighting.h"
+#include "sim/world/near_bodies.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {
@@ -44,8 +46,11 @@ class World {
   /// Takes it away; does nothing if there is no such obstacle.
   void remove_obstacle(int number) { walls_.remove(number); }
 
-  // How far body number `from_body` sees from a point of the floor: to what would stop it, other bodies as
-  // the circles about their outlines. As Walls has it (walls.h).
+  /// For radios.
+  Air& air() { return air_; }
+
+  // How far body number `from_body` sees from a point of the floor: to what would stop it, other bodies that
+  // nobody holds up as the circles about their outlines. As Walls has it (walls.h).
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
@@ -54,6 +59,7 @@ class World {
     std::vector<Body> bodies;
     Walls::State walls;
     Ground::State ground;
+    Air::State air;
   };
   State save() const;
   /// Of this world; bodies stay where they are in memory.
@@ -69,7 +75,9 @@ class World {
   Ground ground_;
   Lighting lighting_;
   Walls walls_;
+  Air air_;
   std::vector<std::unique_ptr<Body>> bodies_;
+  NearBodies near_;
 };
 
 }  // namespace robosim::world

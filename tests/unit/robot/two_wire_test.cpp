@@ -55,7 +55,7 @@ class TwoWireBench : public BenchRobot {
   }
 };
 
-std::string error_of(const std::string& robot) {
+std::string two_wire_error(const std::string& robot) {
   try {
     parse_description(robot, "bench.toml");
   } catch (const InputError& error) {
@@ -74,11 +74,11 @@ TEST(TwoWireParts, ShareTheBusAndAnswerToTheirAddressAlone) {
 
 TEST(TwoWireParts, AreRefusedWhereTheBusIsNotToBeHad) {
   std::string file = kBareRobot + "[[part]]\nname = \"lcd\"\ntype = \"lcd-i2c\"\n";
-  EXPECT_THAT(error_of(file + "[[part]]\nname = \"go\"\ntype = \"button\"\npin = \"A4\"\n"),
+  EXPECT_THAT(two_wire_error(file + "[[part]]\nname = \"go\"\ntype = \"button\"\npin = \"A4\"\n"),
               HasSubstr("pin A4 is taken: sda of lcd uses it"));
-  EXPECT_THAT(error_of(file + "address = 3\n"), HasSubstr("address"));
+  EXPECT_THAT(two_wire_error(file + "address = 3\n"), HasSubstr("address"));
   file.replace(file.find("nano"), 4, "bluepill");
-  EXPECT_THAT(error_of(file),
+  EXPECT_THAT(two_wire_error(file),
               AllOf(HasSubstr("lcd-i2c lcd needs a two-wire bus (I2C)"), HasSubstr("bluepill")));
 }
 
@@ -264,7 +264,7 @@ TEST(Pca9685, DrivesWhatHangsOnItsChannels) {
 TEST(Pca9685, HasSixteenChannelsToBeNamed) {
   const std::string file = kBareRobot + "[[part]]\nname = \"it\"\ntype = \"pca9685\"\n";
   const auto led = [&](const std::string& pin) {
-    return error_of(file + "[[part]]\nname = \"led\"\ntype = \"led\"\npin = \"" + pin + "\"\n");
+    return two_wire_error(file + "[[part]]\nname = \"led\"\ntype = \"led\"\npin = \"" + pin + "\"\n");
   };
   EXPECT_EQ(led("it.15"), "");
   EXPECT_THAT(led("it.16"), HasSubstr("the outputs of it are it.0 to it.15"));

@@ -1,0 +1,70 @@
+// A serial module's line to the board, on any two pins, which the sketch drives bit by bit (SoftwareSerial,
+// AltSoftSerial): 8 bits, no parity, one stop bit. On the pins of the board's Serial bytes go through the
+// chip's UART, and `baud` does not matter.
+//
+//   txd  ‾‾\_s_/b0 b1 … b7\‾‾   to the sketch, each bit 1/baud long
+//   rxd  the same from the sketch; a bit is looked at in its middle
+#pragma once
+
+#include <functional>
+
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/pulse_train.h"
+
+namespace robosim::robot {
+
+/// Its wiring, as a part's table says it.
+struct SerialWiring {
+  Pin txd = kNoPin;  ///< from the module to the board
+  Pin rxd = kNoPin;  ///< from the board; kNoPin = not wired
+  std::int64_t baud = 9600;
+};
+/// Keys `pins` and `baud`.
+SerialWiring read_serial_wiring(PartReader& reader);
+
+class SerialLine final : public PinSource, public PinWatcher, public SerialWatcher {
+ public:
+  /// `heard` is told each byte of the sketch's; `sound`: its stop bit was high.
+  using Heard = std::function<void(std::uint8_t byte, bool sound, SimTime t)>;
+
+  SerialLine(const SerialWiring& wiring, PartContext& context, Heard heard);
+
+  /// Joins for `owner`, which hands on begin_tick().
+  void join(Part& owner, Roster& roster);
+  void begin_tick(SimTime t);
+  /// To the sketch, behind what is on the way.
+  void send(std::uint8_t byte, SimTime t);
+  /// Whether nothing is on the way to the sketch.
+  bool idle() const { return state_.line.empty(); }
+
+  void pin_changed(Pin, const PinDrive&, SimTime) override;
+  void byte_sent(std::uint8_t byte, SimTime t) override { heard_(byte, true, t); }
+  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
+  bool level(SimTime t) override { return state_.line.level(t); }
+  SimTime same_until(SimTime t) override { return state_.line.same_until(t); }
+
+ private:
+  /// Takes in the bits whose middle is before `t`.
+  void listen(SimTime t);
+
+  struct State {
+    PulseTrain line{true};   // to the sketch
+    SimTime free_at = 0;     // when the last byte to the sketch has ended
+    bool high = true;        // what the sketch sends
+    SimTime began = kNever;  // a start bit
+    int bits = 0;            // so many of the frame have been looked at, the start bit too
+    std::uint32_t frame = 0;
+  };
+
+  const SerialWiring wiring_;
+  PartContext& context_;
+  const Heard heard_;
+  const bool on_uart_;
+  const SimTime bit_;
+  const double supply_;
+  State state_;
+};
+
+}  // namespace robosim::robot

@@ -1,0 +1,60 @@
+// type = "serial-radio": a serial line through the air (HC-12, APC220 and their kin). Each byte that the
+// sketch sends reaches all other serial-radios on its channel `delay` later, or is lost on its way to one of
+// them with the probability `loss`. A script's `send` is one more sender. Its line to the board:
+// serial_line.h.
+//
+// HC-12's manual has delays of 4 to 80 ms, by mode and baud rate; 20 ms is between them. Range, bytes that
+// meet on the air, packets and AT commands are not modelled.
+#pragma once
+
+#include "sim/base/noise.h"
+#include "sim/robot/part.h"
+#include "sim/robot/part_context.h"
+#include "sim/robot/part_reader.h"
+#include "sim/robot/parts/serial_line.h"
+
+namespace robosim::robot {
+
+std::shared_ptr<const PartSpec> read_serial_radio(PartReader&);
+
+class SerialRadioSpec final : public PartSpec {
+ public:
+  SerialWiring wiring;
+  Number delay;  ///< s
+  Number loss;   ///< 0..1
+  int channel = 1;
+
+  std::unique_ptr<Part> make(PartContext&) const override;
+};
+
+class SerialRadioPart final : public Part, public Receiver, public Breakable {
+ public:
+  SerialRadioPart(const SerialRadioSpec&, PartContext&);
+
+  void check(const Message&) const override {}
+  void send(const Message&, SimTime) override;
+  void join(Roster&) override;
+  void begin_tick(SimTime) override;
+  void read(std::vector<Reading>&) const override;
+
+  const std::string& name() const override { return spec_.name; }
+  std::span<const FaultKind> fault_kinds() const override;
+  void fail(const Fault&) override;
+
+ private:
+  struct State {
+    std::uint64_t arrived = 0;  // bytes, lost ones too
+    bool dead = false;
+  };
+
+  const SerialRadioSpec& spec_;
+  world::Air& air_;
+  const std::size_t number_;  ///< in the air
+  const SimTime delay_;
+  const double loss_;
+  const NoiseStream losses_;
+  SerialLine line_;
+  State state_;
+};
+
+}  // namespace robosim::robot

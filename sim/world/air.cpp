@@ -1,0 +1,31 @@
+#include "sim/world/air.h"
+
+#include <algorithm>
+
+namespace robosim::world {
+
+std::size_t Air::join(int channel) {
+  channels_.push_back(channel);
+  state_.arriving.emplace_back();
+  return channels_.size() - 1;
+}
+
+void Air::send(std::size_t from, std::uint8_t byte, SimTime at) {
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (i == from || channels_[i] != channels_[from]) continue;
+    std::vector<Arrival>& arriving = state_.arriving[i];
+    const auto later = std::upper_bound(arriving.begin(), arriving.end(), at,
+                                        [](SimTime t, const Arrival& arrival) { return t < arrival.at; });
+    arriving.insert(later, {at, byte});
+  }
+}
+
+std::optional<Air::Arrival> Air::take(std::size_t radio, SimTime t) {
+  std::vector<Arrival>& arriving = state_.arriving[radio];
+  if (arriving.empty() || arriving.front().at >= t) return std::nullopt;
+  const Arrival first = arriving.front();
+  arriving.erase(arriving.begin());
+  return first;
+}
+
+}  // namespace robosim::world

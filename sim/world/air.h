@@ -1,0 +1,42 @@
+// What radios send to each other, byte by byte: all on a channel hear all that others there send. Neither
+// range nor bytes that meet on the air are modelled.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::world {
+
+class Air {
+ public:
+  /// A byte as it reaches a radio.
+  struct Arrival {
+    SimTime at = 0;
+    std::uint8_t byte = 0;
+  };
+
+  /// A new radio; its number.
+  std::size_t join(int channel);
+  /// It reaches the others at `at`. To be seen alike whoever is asked first in a tick, that must be in a
+  /// later one.
+  void send(std::size_t from, std::uint8_t byte, SimTime at);
+  /// The next byte that has reached this radio before `t`, once.
+  std::optional<Arrival> take(std::size_t radio, SimTime t);
+
+  /// What changes during a run.
+  struct State {
+    std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  std::vector<int> channels_;  ///< of each radio
+  State state_;
+};
+
+}  // namespace robosim::world

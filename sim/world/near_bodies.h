@@ -1,0 +1,39 @@
+// Which bodies are near enough to each other to meet, without a look at every pair: by a grid of squares,
+// each so wide that bodies which meet are in the same one or in neighbours.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "sim/world/body.h"
+
+namespace robosim::world {
+
+class NearBodies {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  NearBodies(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {}
+
+  /// Those that meet are among them, by number, the lesser one first. Valid until the next call.
+  const std::vector<Pair>& pairs(const std::vector<std::unique_ptr<Body>>& bodies);
+
+ private:
+  void make_squares(const std::vector<std::unique_ptr<Body>>& bodies);
+  std::size_t square_of(Vec2 p) const;
+
+  double width_m_, height_m_;
+  // Made for so many bodies.
+  std::size_t count_ = 0;
+  double per_side_ = 0.0;
+  int columns_ = 0, rows_ = 0;
+  // Within a call.
+  std::vector<std::int32_t> first_, next_;  ///< of a square, and behind a body in the same one; -1 = none
+  std::vector<std::size_t> square_;         ///< of each body
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace robosim::world

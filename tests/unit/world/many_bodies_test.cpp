@@ -1,0 +1,86 @@
+// Many bodies on one floor: who meets whom is found without a look at every pair.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "sim/world/air.h"
+#include "sim/world/near_bodies.h"
+#include "sim/world/world.h"
+#include "tests/unit/world/maps.h"
+
+namespace robosim::world {
+namespace {
+
+std::vector<std::unique_ptr<Body>> crowd(std::size_t count, double width_m, double height_m,
+                                         std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto up_to = [&](double most) { return static_cast<double>(random() % 10'001) * 1e-4 * most; };
+  std::vector<std::unique_ptr<Body>> bodies;
+  for (std::size_t i = 0; i < count; ++i)
+    bodies.push_back(
+        std::make_unique<Body>(default_body_params(), Pose{{up_to(width_m), up_to(height_m)}, {1.0, 0.0}}));
+  return bodies;
+}
+
+TEST(NearBodies, HoldEveryPairThatMeetsInTheOrderOfTheirNumbers) {
+  for (const std::size_t count : {2u, 8u, 9u, 60u, 256u}) {
+    const auto bodies = crowd(count, 3.0, 2.0, count);
+    NearBodies near(3.0, 2.0);
+    const std::vector<NearBodies::Pair> found = near.pairs(bodies);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    std::size_t meet = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+      for (std::uint32_t j = i + 1; j < count; ++j) {
+        const Vec2 d = bodies[i]->circle_centre() - bodies[j]->circle_centre();
+        if (length(d) > bodies[i]->bound_radius() + bodies[j]->bound_radius()) continue;
+        ++meet;
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), NearBodies::Pair{i, j}))
+            << i << " and " << j;
+      }
+    EXPECT_TRUE(count <= 9 || meet > 0);
+    EXPECT_EQ(near.pairs(bodies), found) << "again";
+  }
+}
+
+TEST(NearBodies, AreFewOnALargeFloorAndGoBeyondItsEdge) {
+  auto bodies = crowd(256, 100.0, 100.0, 1);
+  bodies.push_back(std::make_unique<Body>(default_body_params(), Pose{{-5.0, -5.0}, {1.0, 0.0}}));
+  bodies.push_back(std::make_unique<Body>(default_body_params(), Pose{{-5.0, -5.05}, {1.0, 0.0}}));
+  NearBodies near(100.0, 100.0);
+  const auto& found = near.pairs(bodies);
+  EXPECT_LT(found.size(), 100u);
+  EXPECT_TRUE(std::binary_search(found.begin(), found.end(), NearBodies::Pair{256, 257}));
+}
+
+TEST(World, SeesOtherBodiesFromAboveTheFloorButThoseInAHand) {
+  const grid::Map map = empty_map(30, 3);
+  World world(map);
+  const std::size_t eye = world.add_body(default_body_params(), {{0.2, 0.15}, {1.0, 0.0}});
+  const std::size_t other = world.add_body(default_body_params(), {{0.8, 0.15}, {1.0, 0.0}});
+  const Vec2 from = {0.3, 0.15};
+  const double free = world.range_along(eye, from, {1.0, 0.0}, 5.0);
+  EXPECT_LT(free, 0.5);
+  world.body(other).lift(true);
+  EXPECT_GT(world.range_along(eye, from, {1.0, 0.0}, 5.0), 0.6);
+}
+
+TEST(Air, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
+  Air air;
+  const std::size_t a = air.join(1), b = air.join(1), c = air.join(2), d = air.join(1);
+  air.send(a, 'x', 20);
+  air.send(d, 'y', 10);
+  EXPECT_FALSE(air.take(a, 10)) << "not before its time";
+  EXPECT_EQ(air.take(a, 100)->byte, 'y');
+  EXPECT_FALSE(air.take(a, 100)) << "not what it has sent itself";
+  EXPECT_EQ(air.take(b, 100)->byte, 'y');
+  EXPECT_EQ(air.take(b, 100)->at, 20);
+  EXPECT_FALSE(air.take(c, 100)) << "another channel";
+  const Air::State before = air.save();
+  EXPECT_TRUE(air.take(d, 100));
+  air.restore(before);
+  EXPECT_TRUE(air.take(d, 100));
+}
+
+}  // namespace
+}  // namespace robosim::world
