@@ -44,8 +44,10 @@ void RunWatch::heard() { wall_us_ = wall_us(); }
 RunWatch::Found RunWatch::look() {
   const SimTime reached = shared_->reached.load(std::memory_order_relaxed);
   const std::int64_t processor = processor_ns(run_);
-  if (reached != seen_ || reached == kNotBegun) {
+  const int acting = shared_->acting.load(std::memory_order_relaxed);
+  if (reached != seen_ || acting != seen_acting_ || reached == kNotBegun) {
     seen_ = reached;
+    seen_acting_ = acting;
     processor_ns_ = processor;
     heard();
     return Found::nothing;

@@ -11,8 +11,9 @@
 
 namespace robosim::runner {
 
-/// Firmware that takes so long for one tick (usually a microsecond) will never end it: it loops where nothing
-/// is instrumented, such as in a library function that was handed an endless string, or it sleeps.
+/// Firmware that takes so long for one tick (usually a microsecond; of several robots, each) will never end
+/// it: it loops where nothing is instrumented, such as in a library function that was handed an endless
+/// string, or it sleeps.
 constexpr int kLongestTick_s = 5;    ///< of processor time
 constexpr int kLongestSleep_s = 30;  ///< of wall time
 
@@ -53,6 +54,7 @@ class RunWatch {
   Shared* shared_;
   pid_t run_ = -1;
   SimTime seen_ = kNotBegun;
+  int seen_acting_ = 0;
   std::int64_t processor_ns_ = 0, wall_us_ = 0;
 };
 

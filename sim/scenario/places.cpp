@@ -24,6 +24,15 @@ grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
   return {static_cast<int>(x), static_cast<int>(y)};
 }
 
+Stretch parse_stretch(const grid::Map& map, const std::string& text) {
+  const std::size_t space = text.find(' ');
+  const grid::CellAt a = parse_cell(map, text.substr(0, space)), b = parse_cell(map, text.substr(space + 1));
+  if (a.x != b.x && a.y != b.y)
+    throw InputError(fmt::format("{} and {} are neither in one row nor in one column", text.substr(0, space),
+                                 text.substr(space + 1)));
+  return {map.centre(a), map.centre(b)};
+}
+
 Pose parse_place(const grid::Map& map, const grid::Stripes& stripes, const std::string& text) {
   const std::size_t first = std::min(text.find(','), text.size());
   const std::size_t second = std::min(text.find(',', first + 1), text.size());

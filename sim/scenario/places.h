@@ -12,6 +12,12 @@ namespace robosim::scenario {
 /// "COLUMN,ROW"
 grid::CellAt parse_cell(const grid::Map& map, const std::string& text);
 
+/// A stretch between the middles of two cells in one row or column: "X,Y X,Y".
+struct Stretch {
+  Vec2 from, to;  ///< m
+};
+Stretch parse_stretch(const grid::Map& map, const std::string& text);
+
 /// Where a robot is put: on a line cell, "X,Y,DIR"; or anywhere, "352mm,118mm,NE".
 Pose parse_place(const grid::Map& map, const grid::Stripes& stripes, const std::string& text);
 

@@ -11,8 +11,9 @@
 namespace robosim::scenario {
 namespace {
 
-constexpr std::array kVerbs = {"press",    "release", "send",  "place", "lift",  "lower", "cover",
-                               "obstacle", "clear",   "fault", "power", "sweep", "tilt"};
+constexpr std::array kVerbs = {"press", "release",  "send",  "place", "lift",  "lower",
+                               "cover", "obstacle", "clear", "fault", "power", "sweep",
+                               "tilt",  "paint",    "erase", "door",  "light"};
 
 constexpr SimTime kSweep = 5 * kSecond, kSweepPeriod = kSecond;
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -66,12 +67,46 @@ void parse_send(ScriptLine& line, Action& action) {
   action.held = line.optional_duration().value_or(0);
 }
 
-// obstacle X,Y [radius LENGTH] [for TIME]
+// obstacle X,Y [radius LENGTH] [to X,Y in TIME] [for TIME]
 void parse_obstacle(ScriptLine& line, Action& action) {
   action.text = line.take("a cell as X,Y").text;
   if (line.take_if("radius"))
     action.radius = line.quantity("a radius from 5mm to 500mm", Dimension::length, 0.005, 0.5);
+  if (line.take_if("to")) {
+    action.to = line.take("the cell that it moves to, as X,Y").text;
+    if (!line.take_if("in")) line.refuse("how long it takes is missing: to X,Y in TIME");
+    action.period = line.duration();
+    if (action.period < kTick) line.refuse("an obstacle takes 1ms at least to move");
+  }
   action.duration = line.optional_duration();
+}
+
+// paint X,Y X,Y [for TIME], and erase
+void parse_paint(ScriptLine& line, Action& action) {
+  action.text = line.take("the cell where it begins, as X,Y").text;
+  action.text += " " + line.take("the cell where it ends, as X,Y").text;
+  action.duration = line.optional_duration();
+}
+
+/// One of two words, behind what it is about.
+void parse_state(ScriptLine& line, Action& action, const char* what, const char* one, const char* other) {
+  action.part = line.take(fmt::format("{} or {}", one, other).c_str()).text;
+  if (action.part != one && action.part != other)
+    line.refuse(fmt::format("{} is \"{}\" or \"{}\", not \"{}\"", what, one, other, action.part));
+  action.duration = line.optional_duration();
+}
+
+// door X,Y X,Y shut|open [for TIME]
+void parse_door(ScriptLine& line, Action& action) {
+  action.text = line.take("the cell at one end, as X,Y").text;
+  action.text += " " + line.take("the cell at the other end, as X,Y").text;
+  parse_state(line, action, "a door", "shut", "open");
+}
+
+// light NUMBER|all on|off [for TIME]
+void parse_light(ScriptLine& line, Action& action) {
+  action.text = line.take("a light's number, or all").text;
+  parse_state(line, action, "a light", "on", "off");
 }
 
 // fault NAME KIND [ARGUMENT…] [for TIME]
@@ -177,6 +212,16 @@ Action parse_action(ScriptLine& line) {
       break;
     case Action::Verb::tilt:
       parse_tilt(line, action);
+      break;
+    case Action::Verb::paint:
+    case Action::Verb::erase:
+      parse_paint(line, action);
+      break;
+    case Action::Verb::door:
+      parse_door(line, action);
+      break;
+    case Action::Verb::light:
+      parse_light(line, action);
       break;
   }
   line.end();

@@ -59,19 +59,25 @@ struct Action {
     fault,
     power,
     sweep,
-    tilt
+    tilt,
+    paint,
+    erase,
+    door,
+    light
   };
   Verb verb = Verb::press;
-  std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power
+  std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power and light;
+                     ///< "shut" or "open" for a door
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
   std::string text;  ///< send: the bytes, or what a part is sent; place: "X,Y,DIR"; obstacle, clear:
-                     ///< "X,Y"
+                     ///< "X,Y"; paint, erase, door: "X,Y X,Y"; light: its number, or "all"
+  std::string to;    ///< obstacle: the cell that it moves to; empty = it stays
   SimTime held = 0;  ///< send: for which a remote control's key is held
   double radius = kObstacleRadius;  ///< m, of an obstacle
   double reach = 0.0;               ///< m, of sweep: so far to each side
-  SimTime period = 0;               ///< of sweep: to and fro; of tilt: the way over, or back
-  double angle = 0.0;               ///< rad, of tilt: so far …
-  Vec2 side;                        ///< … to where, in the robot's frame
+  SimTime period = 0;  ///< of sweep: to and fro; of tilt: the way over, or back; of obstacle: the way to `to`
+  double angle = 0.0;  ///< rad, of tilt: so far …
+  Vec2 side;           ///< … to where, in the robot's frame
   HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };

@@ -34,6 +34,13 @@ std::string subject_of(const Action& action) {
     case sweep:
     case tilt:
       return "body";
+    case paint:
+    case erase:
+      return "floor " + action.text;
+    case door:
+      return "door " + action.text;
+    case light:
+      return "light " + action.text;
     default:
       return "";
   }
@@ -42,17 +49,21 @@ std::string subject_of(const Action& action) {
 }  // namespace
 
 ScenarioPlayer::ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress)
-    : stage_(stage), board_(stage.executor, stage.robot, stage.seed, stage.number) {
+    : stage_(stage),
+      board_(stage.executor, stage.robot, stage.seed, stage.number),
+      changes_(stage.map, stage.stripes, stage.world) {
   add(std::move(steps), progress);
 }
 
 void ScenarioPlayer::restore(const Saved& saved) {
   state_ = saved.own;
   board_.restore(saved.board);
+  changes_.restore(saved.world);
 }
 
 void ScenarioPlayer::check_limits(const std::vector<Step>& steps) {
   std::size_t all = state_.timed.size() + state_.awaiting.size(), awaited = state_.awaiting.size();
+  std::size_t changes = state_.change_lines;
   std::set<std::pair<int, int>> cells = state_.obstacle_cells;
   const auto refuse = [](const Step& step, std::size_t most, const char* what) {
     throw InputError(step.place, fmt::format("this is one too many: a script has at most {} {}", most, what));
@@ -61,12 +72,17 @@ void ScenarioPlayer::check_limits(const std::vector<Step>& steps) {
     if (++all > kMostSteps) refuse(step, kMostSteps, "lines");
     if (step.trigger.kind != Trigger::Kind::at && ++awaited > kMostAwaited)
       refuse(step, kMostAwaited, "lines that begin with after");
-    if (step.action.verb != Action::Verb::obstacle) continue;
+    using enum Action::Verb;
+    const Action::Verb verb = step.action.verb;
+    if ((verb == paint || verb == erase || verb == door) && ++changes > kMostChanges)
+      refuse(step, kMostChanges, "lines that paint, erase or move a door");
+    if (verb != obstacle) continue;
     const grid::CellAt cell = parse_cell(stage_.map, step.action.text);
     if (cells.insert({cell.x, cell.y}).second && cells.size() > kMostObstacles)
       refuse(step, kMostObstacles, "cells with obstacles");
   }
   state_.obstacle_cells = std::move(cells);
+  state_.change_lines = changes;
 }
 
 void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progress) {
@@ -99,8 +115,7 @@ std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,
     }
     if (step.trigger.kind == Trigger::Kind::told) stage_.robot.check_tells(step.trigger.part);
     if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_eeprom();
-    if (action.verb == Action::Verb::obstacle || action.verb == Action::Verb::clear)
-      parse_cell(stage_.map, action.text);
+    changes_.check(action);
     if (action.verb == Action::Verb::place) parse_place(stage_.map, stage_.stripes, action.text);
     if (action.verb == Action::Verb::press || action.verb == Action::Verb::release)
       stage_.robot.check_press(action.part);
@@ -202,6 +217,7 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
   if (!state_.undo.empty()) end_what_is_over(t, events);
   if (state_.sweep) stage_.body.carry(state_.sweep->at(t));
   if (state_.tilt) stage_.body.tilt(state_.tilt->at(t));
+  changes_.act(t);
   if (state_.awaiting.empty() && (state_.timed.empty() || state_.timed.begin()->first.first > t)) return;
   std::map<std::uint64_t, Pending> due;
   while (!state_.timed.empty() && state_.timed.begin()->first.first <= t) {
@@ -231,26 +247,6 @@ void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Even
   }
   state_.awaiting.erase(state_.awaiting.begin() + static_cast<std::ptrdiff_t>(kept), state_.awaiting.end());
   carry_out_before(std::numeric_limits<std::uint64_t>::max());
-}
-
-wire::ScriptActed ScenarioPlayer::put_obstacle(const Action& action) {
-  clear_obstacle(action.text);
-  const grid::CellAt cell = parse_cell(stage_.map, action.text);
-  const Vec2 at =
-      grid::is_line(stage_.map.at(cell)) ? stage_.stripes.point_of(cell) : stage_.map.centre(cell);
-  state_.obstacles.push_back({cell, stage_.world.add_obstacle(at, action.radius)});
-  wire::ScriptActed event = acted("obstacle", action);
-  event.disc_mm = {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius};
-  return event;
-}
-
-void ScenarioPlayer::clear_obstacle(const std::string& text) {
-  const grid::CellAt cell = parse_cell(stage_.map, text);
-  std::erase_if(state_.obstacles, [&](const Obstacle& obstacle) {
-    if (obstacle.cell != cell) return false;
-    stage_.world.remove_obstacle(obstacle.number);
-    return true;
-  });
 }
 
 void ScenarioPlayer::note_repair(const std::string& part, SimTime t) {
@@ -340,9 +336,9 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
       stage_.body.tilt(state_.tilt->at(t));
       return acted("tilt", action);
     case Action::Verb::obstacle:
-      return put_obstacle(action);
+      return changes_.put_obstacle(action, t);
     case Action::Verb::clear:
-      clear_obstacle(action.text);
+      changes_.clear_obstacle(action.text);
       return acted("clear", action);
     case Action::Verb::cover:
       stage_.robot.cover(action.part, true);
@@ -351,6 +347,11 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
       return break_or_repair(action, *fault, t);
     case Action::Verb::power:
       return switch_power(action, t);
+    case Action::Verb::paint:
+    case Action::Verb::erase:
+    case Action::Verb::door:
+    case Action::Verb::light:
+      return changes_.perform(action);
   }
   return {};
 }
@@ -371,7 +372,7 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
       state_.sweep.reset();
       return acted("lower", action);
     case Action::Verb::obstacle:
-      clear_obstacle(action.text);
+      changes_.clear_obstacle(action.text);
       return acted("clear", action);
     case Action::Verb::cover:
       stage_.robot.cover(action.part, false);
@@ -383,6 +384,11 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
     case Action::Verb::power:
       board_.switch_power(true, t);
       return wire::PowerBack{};
+    case Action::Verb::paint:
+    case Action::Verb::erase:
+    case Action::Verb::door:
+    case Action::Verb::light:
+      return changes_.undo(action);
     default:
       return std::nullopt;
   }

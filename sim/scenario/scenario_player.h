@@ -18,6 +18,7 @@
 #include "sim/scenario/board_faults.h"
 #include "sim/scenario/hand_motion.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/world_changes.h"
 #include "sim/world/world.h"
 
 namespace robosim::scenario {
@@ -35,8 +36,10 @@ struct Stage {
 };
 
 /// Limits of a script, so that each of its steps costs the same however many there are: all steps, those that
-/// wait for an event (each is looked at in each tick), and the cells that obstacles are put on.
-inline constexpr std::size_t kMostSteps = 100'000, kMostAwaited = 1000, kMostObstacles = 1000;
+/// wait for an event (each is looked at in each tick), the cells that obstacles are put on,
+/// and lines that paint, erase or move a door.
+inline constexpr std::size_t kMostSteps = 100'000, kMostAwaited = 1000, kMostObstacles = 1000,
+                             kMostChanges = 100;
 
 class ScenarioPlayer {
  public:
@@ -78,10 +81,6 @@ class ScenarioPlayer {
   template <class T>
   using Due = std::map<std::pair<SimTime, std::uint64_t>, T>;
 
-  struct Obstacle {
-    grid::CellAt cell;
-    int number;  ///< the world's
-  };
   /// What changes during a run, but for what the script has changed elsewhere.
   struct State {
     std::uint64_t steps = 0, undos = 0;  ///< so far
@@ -90,10 +89,10 @@ class ScenarioPlayer {
     Due<Undo> undo;
     /// Where in `undo` that is which a later action about the same thing makes void.
     std::map<std::string, std::pair<SimTime, std::uint64_t>> lasting;
-    std::vector<Obstacle> obstacles;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;
     std::set<std::pair<int, int>> obstacle_cells;  ///< that the script names
+    std::size_t change_lines = 0;                  ///< that paint, erase or move a door
     std::vector<judge::ScriptFault> faults;
     std::map<std::string, std::size_t> broken;  ///< a part's fault that has not ended, in `faults`
     std::string heard;
@@ -102,8 +101,9 @@ class ScenarioPlayer {
   struct Saved {
     State own;
     BoardFaults::State board;
+    WorldChanges::State world;
   };
-  Saved save() const { return {state_, board_.save()}; }
+  Saved save() const { return {state_, board_.save(), changes_.save()}; }
   void restore(const Saved& saved);
 
  private:
@@ -120,8 +120,6 @@ class ScenarioPlayer {
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
-  wire::ScriptActed put_obstacle(const Action& action);
-  void clear_obstacle(const std::string& cell);
   /// Throws InputError, with the step's place. Gives its fault, if it is one.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;
   /// The arguments begin with the kind.
@@ -129,6 +127,7 @@ class ScenarioPlayer {
 
   const Stage stage_;
   BoardFaults board_;
+  WorldChanges changes_;
   State state_;
 };
 

@@ -14,6 +14,16 @@ std::string fault_text(const std::string& part, const std::vector<std::string>& 
   return text;
 }
 
+/// "2,3 9,3" in words.
+std::string stretch(std::string cells) {
+  const std::size_t space = cells.find(' ');
+  return space == cells.npos ? cells : cells.replace(space, 1, " to ");
+}
+
+std::string light(const ScriptActed& e) {
+  return (e.text == "all" ? "all lights " : "light " + e.text + " ") + e.part;
+}
+
 struct Text {
   std::string operator()(const StationVisited& e) const {
     return fmt::format("station {} visited", e.station);
@@ -35,6 +45,13 @@ struct Text {
     if (e.verb == "sweep") return "robot moved to and fro by hand";
     if (e.verb == "lower") return "robot put down";
     if (e.verb == "cover") return e.part + " covered";
+    if (e.verb == "paint") return "line painted, " + stretch(e.text);
+    if (e.verb == "erase") return "line erased, " + stretch(e.text);
+    if (e.verb == "door") return "door " + e.part + ", " + stretch(e.text);
+    if (e.verb == "light") return light(e);
+    if (e.verb == "restore" && e.part.empty()) return "the floor as before, " + stretch(e.text);
+    if (e.verb == "restore")
+      return e.text.find(' ') == e.text.npos ? light(e) : "door " + e.part + ", " + stretch(e.text);
     if (e.verb == "obstacle") return "obstacle put on " + e.text;
     return "obstacle on " + e.text + " taken away";
   }

@@ -53,18 +53,21 @@ void fields(V& v, Same<V, CollisionBegan>& e) {
 /// taken away.
 struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
-  std::string
-      verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle, clear
-  std::string part;                 ///< press, release, cover, and send to a part; else empty
-  std::string text;                 ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
+  std::string verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle,
+                     ///< clear, paint, erase, door, light, restore
+  std::string part;  ///< press, release, cover, and send to a part; else empty
+  std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
   std::array<double, 3> disc_mm{};  ///< obstacle: its centre, and its radius
 };
 
 template <class V>
 void fields(V& v, Same<V, ScriptActed>& e) {
   v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
-  v("part", e.part, "`script_acted`: of press, release, cover, and send to a part; else empty");
-  v("argument", e.text, "`script_acted`: of send, place, obstacle and clear; else empty");
+  v("part", e.part,
+    "`script_acted`: of press, release, cover, and send to a part; of light on or off, of door shut or open; "
+    "else empty");
+  v("argument", e.text,
+    "`script_acted`: of send, place, obstacle, clear, paint, erase, door and light; else empty");
   v("disc", e.disc_mm, "`script_acted`: of obstacle: x and y of its centre, and its radius",
     {.unit = "mm", .presence = when(e.disc_mm[2] > 0.0)});
 }

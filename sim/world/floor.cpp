@@ -106,11 +106,11 @@ void Floor::read_raster(const grid::Map& map) {
 
 double Floor::darkness_of_paint(Vec2 p, double footprint) const {
   if (image_ && areas_.empty() && gloss_ == 0.0) return image_->darkness(p, std::max(footprint, 1e-6));
-  return darkness(p, footprint, Band::infrared);
+  return drawn_darkness(p, footprint, Band::infrared);
 }
 
-double Floor::darkness(Vec2 p, double footprint_m, Band band) const {
-  if (alike_) return darkness(p, footprint_m);
+double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
+  if (alike_) return drawn_darkness(p, footprint_m);
   if (image_ && areas_.empty() && gloss_ == 0.0) return darkness_of_paint(p, footprint_m);
   const double footprint = std::max(footprint_m, image_ ? 1e-6 : 1e-9);
   if (image_) {

@@ -19,6 +19,7 @@
 #include "sim/world/painted_areas.h"
 #include "sim/world/painted_lines.h"
 #include "sim/world/painted_marks.h"
+#include "sim/world/patches.h"
 
 namespace robosim::world {
 
@@ -45,12 +46,17 @@ class Floor {
   ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
   /// Exact for the square on a stripe along it, within 0.026 for the disc on an edge. On a raster floor: the
   /// exact share of a square of side f.
-  double coverage(Vec2 p, double footprint_m) const;
+  double coverage(Vec2 p, double footprint_m) const {
+    const double drawn = drawn_coverage(p, footprint_m);
+    return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
+  }
 
   /// The same of what counts as the line for people: where a segment is wider than the map's line, it is as
   /// wide as that.
   double on_line(Vec2 p, double footprint_m) const {
-    return widths_.empty() ? coverage(p, footprint_m) : on_wide_line(p, std::max(footprint_m, 1e-9));
+    if (widths_.empty()) return coverage(p, footprint_m);
+    const double drawn = on_wide_line(p, std::max(footprint_m, 1e-9));
+    return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
   /// How dark a reflectance sensor finds its footprint: 0 as white paper, 1 as black, below 0 where more
@@ -59,16 +65,13 @@ class Floor {
   /// Marks are painted as the line is; areas lie under lines and marks, or over them, in their order
   /// (grid::Area). Lines of other widths and colours, worn ones and gloss: PaintedLines.
   double darkness(Vec2 p, double footprint_m) const {
-    if (lines_only_ || alike_) {
-      const double painted = lines_only_ ? coverage(p, footprint_m) : painted_share(p, footprint_m);
-      return light_line_ ? 1.0 - painted : painted;
-    }
-    return paints_only_ ? 1.0 - lines_.over((light_line_ ? 0.0 : 1.0) + gloss_, Band::infrared, p,
-                                            std::max(footprint_m, 1e-9), marks_)
-                        : darkness_of_paint(p, footprint_m);
+    const double drawn = drawn_darkness(p, footprint_m);
+    return patches_.empty() ? drawn : patched(drawn, p, footprint_m);
   }
   /// The same by the light of a band.
-  double darkness(Vec2 p, double footprint_m, Band band) const;
+  double darkness(Vec2 p, double footprint_m, Band band) const {
+    return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);
+  }
 
   /// Patches of the floor are brighter and darker than the rest: brightness() gets the standard deviation
   /// `share`, and values half-way alike some 5 mm apart. At 0 all is 1.
@@ -80,6 +83,11 @@ class Floor {
   void wear(const NoiseStream& noise) { lines_.wear(noise); }
   /// The light that the floor (not what is dark) sends back at p, against its mean.
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
+
+  /// What is painted or taken off during the run. The map's centre lines, and what is measured by them, stay.
+  Patches& patches() { return patches_; }
+  const Patches& patches() const { return patches_; }
+  double line_width() const { return 2.0 * half_line_; }
 
   /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
   double distance_to_line(Vec2 p) const;
@@ -126,9 +134,27 @@ class Floor {
     return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamp to 0..most without a branch
   }
   double patch_brightness(Vec2 p) const;
+  /// Of the map's own lines.
+  double drawn_coverage(Vec2 p, double footprint_m) const;
+  /// A darkness, under what was painted during the run.
+  double patched(double darkness, Vec2 p, double footprint) const {
+    if (patches_.empty()) return darkness;
+    return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
+  }
   double darkness_of_paint(Vec2 p, double footprint) const;
+  // Without what was painted during the run.
+  double drawn_darkness(Vec2 p, double footprint_m) const {
+    if (lines_only_ || alike_) {
+      const double painted = lines_only_ ? drawn_coverage(p, footprint_m) : painted_share(p, footprint_m);
+      return light_line_ ? 1.0 - painted : painted;
+    }
+    return paints_only_ ? 1.0 - lines_.over((light_line_ ? 0.0 : 1.0) + gloss_, Band::infrared, p,
+                                            std::max(footprint_m, 1e-9), marks_)
+                        : darkness_of_paint(p, footprint_m);
+  }
+  double drawn_darkness(Vec2 p, double footprint_m, Band band) const;
   double painted_share(Vec2 p, double footprint) const {
-    const double lines = coverage(p, footprint);
+    const double lines = drawn_coverage(p, footprint);
     return marks_.any_near(p, footprint) ? std::max(lines, marks_.coverage(p, std::max(footprint, 1e-9)))
                                          : lines;
   }
@@ -150,6 +176,7 @@ class Floor {
   const PaintedMarks marks_;
   const PaintedAreas areas_;
   PaintedLines lines_;
+  Patches patches_;
   const double gloss_;
   const bool alike_;  // nothing but lines and marks, all of them whole and matt
   const bool lines_only_;
@@ -164,7 +191,7 @@ class Floor {
   std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; a row and a column more than the map
 };
 
-inline double Floor::coverage(Vec2 p, double footprint_m) const {
+inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {
   const double footprint = std::max(footprint_m, 1e-9);
   if (!quads_.empty()) return coverage_raster(p, footprint);
   const double reach = half_line_ + 0.5 * footprint;

@@ -28,10 +28,21 @@ void Lighting::draw_phases(const NoiseStream& noise) {
   for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].phase = noise.uniform(i);
 }
 
+std::vector<bool> Lighting::save() const {
+  std::vector<bool> on;
+  for (const Lit& light : lights_) on.push_back(light.on);
+  return on;
+}
+
+void Lighting::restore(const std::vector<bool>& on) {
+  for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].on = on[i];
+}
+
 double Lighting::at(Vec2 p, SimTime t) const {
   const double seconds = static_cast<double>(t) * 1e-9;
   double sum = 0.0;
-  for (const auto& [light, phase] : lights_) {
+  for (const auto& [light, phase, on] : lights_) {
+    if (!on) continue;
     double level = light.level * share(light, p, seconds);
     if (light.flicker > 0.0 && level > 0.0) {
       const double periods = light.frequency * seconds + phase;

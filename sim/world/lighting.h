@@ -13,6 +13,7 @@
 // our estimate of half a sensor board's width.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sim/base/noise.h"
@@ -29,6 +30,12 @@ class Lighting {
 
   /// Draws where in its flicker each lamp begins.
   void draw_phases(const NoiseStream& noise);
+  std::size_t count() const { return lights_.size(); }
+  /// Switches one off, or on again.
+  void switch_light(std::size_t number, bool on) { lights_[number].on = on; }
+  /// What changes during a run: which are on.
+  std::vector<bool> save() const;
+  void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }
   /// L of all lights together: the share of white to black by which what is at p looks whiter at `t` to a
   /// sensor that is 3 mm high.
@@ -38,6 +45,7 @@ class Lighting {
   struct Lit {
     grid::Light light;
     double phase;  // of its flicker, in periods
+    bool on = true;
   };
   std::vector<Lit> lights_;
 };

@@ -71,6 +71,11 @@ void Walls::remove(int id) {
   std::erase_if(state_.discs, [id](const Disc& d) { return d.id == id; });
 }
 
+void Walls::move(int id, Vec2 centre) {
+  for (Disc& disc : state_.discs)
+    if (disc.id == id) disc.centre = centre;
+}
+
 bool Walls::near_disc(Vec2 centre, double radius) const {
   for (const Disc& disc : state_.discs) {
     const Vec2 d = centre - disc.centre;

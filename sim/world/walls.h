@@ -77,8 +77,9 @@ class Walls {
   double range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
   int add(Vec2 centre, double radius_m);
-  /// Does nothing if there is no such obstacle.
+  /// Both do nothing if there is no such obstacle.
   void remove(int id);
+  void move(int id, Vec2 centre);
   std::span<const Disc> discs() const { return state_.discs; }
   /// What changes during a run.
   struct State {

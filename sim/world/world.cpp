@@ -26,7 +26,7 @@ std::optional<std::size_t> World::first_overlap(std::size_t number) const {
 }
 
 World::State World::save() const {
-  State state{{}, walls_.save(), ground_.save(), air_.save()};
+  State state{{}, walls_.save(), ground_.save(), air_.save(), floor_.patches().save(), lighting_.save()};
   state.bodies.reserve(bodies_.size());
   for (const auto& body : bodies_) state.bodies.push_back(*body);
   return state;
@@ -37,6 +37,8 @@ void World::restore(const State& saved) {
   walls_.restore(saved.walls);
   ground_.restore(saved.ground);
   air_.restore(saved.air);
+  floor_.patches().restore(saved.patches);
+  lighting_.restore(saved.lights);
 }
 
 void World::step() {

@@ -43,8 +43,12 @@ class World {
   /// Puts a round obstacle on the floor: it stops bodies, and floor sensors do not see it. Gives its number,
   /// from 1.
   int add_obstacle(Vec2 centre, double radius_m) { return walls_.add(centre, radius_m); }
-  /// Takes it away; does nothing if there is no such obstacle.
+  /// Takes it away, or elsewhere; does nothing if there is no such obstacle.
   void remove_obstacle(int number) { walls_.remove(number); }
+  void move_obstacle(int number, Vec2 centre) { walls_.move(number, centre); }
+  /// What is painted on the floor meanwhile.
+  Patches& patches() { return floor_.patches(); }
+  Lighting& lighting() { return lighting_; }
 
   /// For radios.
   Air& air() { return air_; }
@@ -60,6 +64,8 @@ class World {
     Walls::State walls;
     Ground::State ground;
     Air::State air;
+    Patches::State patches;
+    std::vector<bool> lights;  ///< which are on
   };
   State save() const;
   /// Of this world; bodies stay where they are in memory.

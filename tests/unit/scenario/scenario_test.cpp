@@ -139,7 +139,7 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
   EXPECT_EQ(error_of("at 2s dance\n"),
             "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, lift, lower, cover, "
             "obstacle, "
-            "clear, fault, power, sweep or tilt");
+            "clear, fault, power, sweep, tilt, paint, erase, door or light");
   EXPECT_EQ(error_of("\nafter lunch press b"),
             "s.txt:2:7: unknown event \"lunch\"; known are serial, station, boot, eeprom, and a part with a "
             "text in quotes");

@@ -1,0 +1,146 @@
+#include "sim/scenario/world_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/whole.h"
+#include "sim/scenario/places.h"
+
+namespace robosim::scenario {
+namespace {
+
+using enum Action::Verb;
+
+constexpr double kErased_m = 0.005;   // beyond the line, on each side
+constexpr double kDoorRadius = 0.01;  // a door is as thick as two of these, a row of discs
+constexpr double kDoorStep = 0.015;   // from disc to disc
+constexpr double kLongestDoor = 5.0;  // m
+
+}  // namespace
+
+void WorldChanges::check(const Action& action) const {
+  if (action.verb == obstacle || action.verb == clear) parse_cell(map_, action.text);
+  if (!action.to.empty()) parse_cell(map_, action.to);
+  if (action.verb == paint || action.verb == erase || action.verb == door) {
+    const Stretch stretch = parse_stretch(map_, action.text);
+    if (action.verb == door && length(stretch.to - stretch.from) > kLongestDoor)
+      throw InputError(fmt::format("a door is {} m long at most", kLongestDoor));
+  }
+  if (action.verb == light) lights_of(action.text);
+}
+
+Vec2 WorldChanges::place_of(grid::CellAt cell) const {
+  return grid::is_line(map_.at(cell)) ? stripes_.point_of(cell) : map_.centre(cell);
+}
+
+wire::ScriptActed WorldChanges::put_obstacle(const Action& action, SimTime t) {
+  clear_obstacle(action.text);
+  const grid::CellAt cell = parse_cell(map_, action.text);
+  const Vec2 at = place_of(cell);
+  Obstacle& put = state_.obstacles.emplace_back(Obstacle{cell, world_.add_obstacle(at, action.radius)});
+  if (!action.to.empty()) {
+    put.from = at;
+    put.to = place_of(parse_cell(map_, action.to));
+    put.began = t;
+    put.period = action.period;
+  }
+  return {"obstacle", action.part, action.text, {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius}};
+}
+
+void WorldChanges::clear_obstacle(const std::string& text) {
+  const grid::CellAt cell = parse_cell(map_, text);
+  std::erase_if(state_.obstacles, [&](const Obstacle& one) {
+    if (one.cell != cell) return false;
+    world_.remove_obstacle(one.number);
+    return true;
+  });
+}
+
+void WorldChanges::act(SimTime t) {
+  for (Obstacle& one : state_.obstacles) {
+    if (one.period == 0) continue;
+    const double share = std::min(static_cast<double>(t - one.began) / static_cast<double>(one.period), 1.0);
+    world_.move_obstacle(one.number, one.from + (one.to - one.from) * share);
+    if (share == 1.0) one.period = 0;
+  }
+}
+
+/// The lights that a script names: all, or one by its number from 1.
+std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const {
+  std::vector<std::size_t> lights;
+  const std::size_t count = map_.lights.size();
+  const std::uint64_t number = parse_whole(text).value_or(0);
+  if (count == 0) throw InputError("the map has no light ([[light]]) that could be switched");
+  if (text != "all" && (number == 0 || number > count))
+    throw InputError(fmt::format("there is no light \"{}\"; allowed are 1 to {} and all", text, count));
+  for (std::size_t i = 0; i < count; ++i)
+    if (text == "all" || i + 1 == number) lights.push_back(i);
+  return lights;
+}
+
+void WorldChanges::remove_patch(const std::string& text) {
+  const auto known = state_.patches.find(text);
+  if (known == state_.patches.end()) return;
+  world_.patches().remove(known->second);
+  state_.patches.erase(known);
+}
+
+void WorldChanges::add_patch(const Action& action) {
+  const auto [a, b] = parse_stretch(map_, action.text);
+  const bool line = action.verb == paint;
+  const double half = 0.5 * world_.floor().line_width() + (line ? 0.0 : kErased_m);
+  const Vec2 least = {std::min(a.x, b.x) - half, std::min(a.y, b.y) - half};
+  const Vec2 most = {std::max(a.x, b.x) + half, std::max(a.y, b.y) + half};
+  remove_patch(action.text);
+  state_.patches[action.text] = world_.patches().add(least, most, line);
+}
+
+void WorldChanges::open_door(const std::string& text) {
+  for (const int disc : state_.doors[text]) world_.remove_obstacle(disc);
+  state_.doors.erase(text);
+}
+
+void WorldChanges::shut_door(const std::string& text) {
+  const auto [a, b] = parse_stretch(map_, text);
+  open_door(text);
+  const int steps = std::max(1, static_cast<int>(std::ceil(length(b - a) / kDoorStep)));
+  std::vector<int>& discs = state_.doors[text];
+  for (int i = 0; i <= steps; ++i)
+    discs.push_back(world_.add_obstacle(a + (b - a) * (static_cast<double>(i) / steps), kDoorRadius));
+}
+
+void WorldChanges::bring_about(const Action& action) {
+  if (action.verb == paint || action.verb == erase) add_patch(action);
+  if (action.verb == door && action.part == "shut") shut_door(action.text);
+  if (action.verb == door && action.part == "open") open_door(action.text);
+  if (action.verb != light) return;
+  for (const std::size_t number : lights_of(action.text))
+    world_.lighting().switch_light(number, action.part == "on");
+}
+
+wire::ScriptActed WorldChanges::perform(const Action& action) {
+  bring_about(action);
+  const char* const verb = action.verb == paint   ? "paint"
+                           : action.verb == erase ? "erase"
+                           : action.verb == door  ? "door"
+                                                  : "light";
+  return {verb, action.part, action.text};
+}
+
+wire::ScriptActed WorldChanges::undo(const Action& action) {
+  static const std::map<std::string, std::string> opposites = {
+      {"shut", "open"}, {"open", "shut"}, {"on", "off"}, {"off", "on"}};
+  Action back = action;
+  if (action.verb == paint || action.verb == erase) {
+    remove_patch(action.text);
+  } else {
+    back.part = opposites.at(action.part);
+    bring_about(back);
+  }
+  return {"restore", back.part, back.text};
+}
+
+}  // namespace robosim::scenario

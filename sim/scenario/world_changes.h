@@ -1,0 +1,62 @@
+// What a script changes of the world: obstacles, paint on the floor, doors, lights.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
+#include "sim/scenario/scenario.h"
+#include "sim/wire/events.h"
+#include "sim/world/world.h"
+
+namespace robosim::scenario {
+
+class WorldChanges {
+ public:
+  WorldChanges(const grid::Map& map, const grid::Stripes& stripes, world::World& world)
+      : map_(map), stripes_(stripes), world_(world) {}
+
+  /// Throws InputError for what does not exist; of actions that change nothing of the world it does nothing.
+  void check(const Action& action) const;
+  wire::ScriptActed put_obstacle(const Action& action, SimTime t);
+  void clear_obstacle(const std::string& cell);
+  /// Paint, erase, door or light.
+  wire::ScriptActed perform(const Action& action);
+  /// The same undone.
+  wire::ScriptActed undo(const Action& action);
+  /// Obstacles that move are then where they are at `t`.
+  void act(SimTime t);
+
+  struct Obstacle {
+    grid::CellAt cell;              ///< where it was put
+    int number;                     ///< the world's
+    Vec2 from = {}, to = {};        ///< of one that moves
+    SimTime began = 0, period = 0;  ///< period 0: it stands
+  };
+  /// What changes during a run; the rest is by the script's words for it.
+  struct State {
+    std::vector<Obstacle> obstacles;
+    std::map<std::string, int> patches;             ///< the world's numbers
+    std::map<std::string, std::vector<int>> doors;  ///< of the discs that a shut one is made of
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  void bring_about(const Action& action);
+  Vec2 place_of(grid::CellAt cell) const;
+  std::vector<std::size_t> lights_of(const std::string& text) const;
+  void remove_patch(const std::string& text);
+  void add_patch(const Action& action);
+  void open_door(const std::string& text);
+  void shut_door(const std::string& text);
+
+  const grid::Map& map_;
+  const grid::Stripes& stripes_;
+  world::World& world_;
+  State state_;
+};
+
+}  // namespace robosim::scenario

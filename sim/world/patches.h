@@ -1,0 +1,40 @@
+// What is painted on the floor during a run, or taken off it: rectangles parallel to its edges, of line or of
+// bare floor, each over those before it.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace robosim::world {
+
+class Patches {
+ public:
+  struct Patch {
+    int id = 0;
+    Vec2 least, most;  ///< corners, m
+    bool line = false;
+  };
+  /// What changes during a run.
+  struct State {
+    std::vector<Patch> patches;
+    int next_id = 1;
+  };
+
+  bool empty() const { return state_.patches.empty(); }
+  int add(Vec2 least, Vec2 most, bool line);
+  /// Does nothing if there is no such patch.
+  void remove(int id);
+
+  /// What a square of side `footprint` about p shows, where it shows `below` without these, and `line` and
+  /// `bare` where all of it is so.
+  double over(double below, double line, double bare, Vec2 p, double footprint) const;
+
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  State state_;
+};
+
+}  // namespace robosim::world

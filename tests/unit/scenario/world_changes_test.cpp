@@ -1,0 +1,154 @@
+// A world that changes by a script: a built-in driver follows the oval, and finds it other than it was.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "tests/support/built_in_driver.h"
+#include "tests/support/event_values.h"
+
+namespace robosim::scenario {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ChangingWorld : public testing::Test, public run::Listener {
+ protected:
+  judge::Outcome play(const std::string& script, double seconds) {
+    const robot::Description robot = robot::load_description("uno5");
+    test::BuiltInDriver driver;
+    run::Setup setup;
+    setup.map = &map;
+    setup.agents = {{.robot = &robot,
+                     .executor = &driver,
+                     .goal = judge::parse_goal("none"),
+                     .scenario = parse_scenario(script, "s.txt"),
+                     .listener = this}};
+    setup.limit = static_cast<SimTime>(seconds * 1e9);
+    setup.samples_every = kTick;
+    setup.profile = robot::Profile::ideal;
+    samples.clear();
+    happenings.clear();
+    return simulate(setup).front();
+  }
+  std::string error_of(const std::string& script) {
+    try {
+      play(script, 0.01);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  void sampled(const run::Sample& sample) override { samples.push_back(sample); }
+  void happened(const wire::RunEvent& event) override { happenings.push_back(wire::text_of(event)); }
+  const run::Sample& at(double seconds) const {
+    return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
+  }
+  Vec2 place(double seconds) const { return at(seconds).pose.position; }
+
+  grid::Map map = grid::read_map(grid::find_map("oval"));
+  std::vector<run::Sample> samples;  // one each millisecond
+  std::vector<std::string> happenings;
+};
+
+TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {
+  play("", 1.0);
+  EXPECT_GT(at(0.5).readings[2], 0.9) << "the middle sensor is on the line";
+  play("at 300ms erase 3,14 20,14 for 20ms\n", 1.0);
+  EXPECT_GT(at(0.299).readings[2], 0.9);
+  EXPECT_EQ(at(0.310).readings[2], 0.0);
+  EXPECT_GT(at(0.321).readings[2], 0.9) << "and there again";
+  EXPECT_THAT(happenings, ElementsAre("line erased, 3,14 to 20,14", "the floor as before, 3,14 to 20,14"));
+}
+
+TEST_F(ChangingWorld, ALineThatIsErasedCountsAsNone) {
+  EXPECT_EQ(play("", 1.0).metrics.off_line_s, 0.0);
+  EXPECT_GT(play("at 300ms erase 3,14 20,14\n", 1.0).metrics.off_line_s, 0.2);
+}
+
+TEST_F(ChangingWorld, ALineThatIsPaintedIsSeenBesideTheMapsOwn) {
+  // Over the floor north of the line, where the outermost left sensor passes.
+  play("at 10ms lift\nat 20ms paint 4,8 20,8\nat 30ms place 10,14,E\nat 40ms place 650mm,850mm,E\n", 0.1);
+  const grid::Map& m = map;
+  EXPECT_NEAR(m.centre({10, 8}).y, 0.1 * (m.height - 8.5), 1e-9);
+  EXPECT_GT(at(0.09).readings[2], 0.9) << "in the middle of the field, where the map has no line";
+}
+
+TEST_F(ChangingWorld, AShutDoorStopsTheRobotUntilItOpens) {
+  const judge::Outcome outcome = play("at 0s door 15,13 15,15 shut for 3s\n", 6.0);
+  EXPECT_EQ(outcome.metrics.collisions, 1);
+  EXPECT_LT(length(place(2.9) - place(2.0)), 0.05) << "it stands before the door";
+  EXPECT_GT(length(place(5.0) - place(3.0)), 0.3);
+  EXPECT_THAT(happenings, Contains("door shut, 15,13 to 15,15"));
+  EXPECT_THAT(happenings, Contains("door open, 15,13 to 15,15"));
+}
+
+TEST_F(ChangingWorld, AnObstacleThatMovesPushesTheRobotThatStandsInItsWay) {
+  play("at 0s fault left dead\nat 0s fault right dead\nat 100ms obstacle 4,14 radius 50mm to 20,14 in 4s\n",
+       6.0);
+  const Vec2 before = place(0.1);
+  EXPECT_EQ(place(0.5).x, before.x);
+  EXPECT_GT(length(place(4.5) - before), 0.05) << "out of the way";
+  EXPECT_LT(length(place(6.0) - place(4.5)), 0.01) << "and it stands still at the end of its way";
+}
+
+TEST_F(ChangingWorld, LightsGoOffAndOn) {
+  map.lights.push_back({.level = 0.5});
+  play("at 0s power off\nat 100ms light 1 off for 100ms\nat 300ms light all off\nat 400ms light all on\n",
+       0.5);
+  const auto seen = [&](double seconds) { return at(seconds).readings[0]; };
+  EXPECT_NEAR(seen(0.05), seen(0.25), 1e-9);
+  EXPECT_NEAR(seen(0.15), seen(0.35), 1e-9);
+  EXPECT_THAT(happenings,
+              ElementsAre("power off", "light 1 off", "light 1 on", "all lights off", "all lights on"));
+}
+
+struct Bad {
+  const char* line;
+  const char* said;
+};
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.line; }
+
+class BadChange : public ChangingWorld, public testing::WithParamInterface<Bad> {};
+
+TEST_P(BadChange, IsOneSentenceWithItsPlace) {
+  const std::string error = error_of(GetParam().line);
+  EXPECT_THAT(error, testing::StartsWith("s.txt:1"));
+  EXPECT_THAT(error, HasSubstr(GetParam().said));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lines, BadChange,
+    testing::Values(Bad{"at 1s paint", "the cell where it begins, as X,Y is missing"},
+                    Bad{"at 1s paint 4,4", "the cell where it ends, as X,Y is missing"},
+                    Bad{"at 1s paint 4,4 5,5", "4,4 and 5,5 are neither in one row nor in one column"},
+                    Bad{"at 1s paint 4,4 4,99", "\"4,99\" is no cell of the map"},
+                    Bad{"at 1s paint red 4,9", "\"red\" is no cell of the map"},
+                    Bad{"at 1s paint 4,4 4,9 for ever", "\"ever\" is no time"},
+                    Bad{"at 1s erase 4,4 4,9 now", "\"now\" is no time"},
+                    Bad{"at 1s erase 4,4 4,9 2s 3s", "\"3s\" is too much"},
+                    Bad{"at 1s door 4,4 4,9", "shut or open is missing"},
+                    Bad{"at 1s door 4,4 4,9 ajar", "a door is \"shut\" or \"open\", not \"ajar\""},
+                    Bad{"at 1s door 4,4 9,9 shut", "neither in one row nor in one column"},
+                    Bad{"at 1s door 4,4 shut", "shut or open is missing"},
+                    Bad{"at 1s light", "a light's number, or all is missing"},
+                    Bad{"at 1s light all", "on or off is missing"},
+                    Bad{"at 1s light 1 dim", "a light is \"on\" or \"off\", not \"dim\""},
+                    Bad{"at 1s light 1 off", "the map has no light ([[light]])"},
+                    Bad{"at 1s obstacle 4,4 to", "the cell that it moves to, as X,Y is missing"},
+                    Bad{"at 1s obstacle 4,4 to 5,5", "how long it takes is missing: to X,Y in TIME"},
+                    Bad{"at 1s obstacle 4,4 to 5,5 in", "a time such as 2s or 100ms is missing"},
+                    Bad{"at 1s obstacle 4,4 to 5,5 in 10us", "an obstacle takes 1ms at least to move"},
+                    Bad{"at 1s obstacle 4,4 to 99,5 in 1s", "\"99,5\" is no cell of the map"}));
+
+TEST_F(ChangingWorld, HasALimit) {
+  std::string script;
+  for (int i = 0; i <= 100; ++i) script += "at 1s paint 4,4 4,9\n";
+  EXPECT_THAT(error_of(script),
+              HasSubstr("s.txt:101: this is one too many: a script has at most 100 lines that paint"));
+}
+
+}  // namespace
+}  // namespace robosim::scenario
