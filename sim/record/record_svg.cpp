@@ -32,7 +32,7 @@ double scale_bar_mm(double width_mm) {
 
 class Drawing {
  public:
-  Drawing(const FloorShapes& floor, const RecordedRun& run) : floor_(floor), run_(run) {
+  explicit Drawing(const FloorShapes& floor) : floor_(floor) {
     em_ = std::max(floor.width_mm, 0.8 * floor.height_mm) / 58.0;
   }
 
@@ -141,28 +141,34 @@ class Drawing {
         point(x + half, y - half), colour, 0.25 * em_);
   }
 
-  void robot(double x, double y, double yaw) {
+  void robot(const wire::RobotInfo& info, const wire::Pose& pose) {
+    const double x = pose.x_mm, y = pose.y_mm, yaw = pose.yaw_rad;
     const double c = std::cos(yaw), s = std::sin(yaw);
     const auto world = [&](double forward, double left) {
       return point(x + c * forward - s * left, y + s * forward + c * left);
     };
     std::string path;
-    for (const auto& [forward, left] : run_.robot_info.outline_mm)
+    for (const auto& [forward, left] : info.outline_mm)
       path += (path.empty() ? "M" : "L") + world(forward, left);
     put(R"(<path d="{}Z" fill="#0072b2" fill-opacity="0.25" stroke="#0072b2" stroke-width="{:.1f}" stroke-linejoin="round"/>)",
         path, 0.18 * em_);
-    const double track = run_.robot_info.track_mm, wheel = run_.robot_info.wheel_mm;
+    const double track = info.track_mm, wheel = info.wheel_mm;
     for (const double side : {0.5, -0.5}) {
       if (track <= 0.0 || wheel <= 0.0) break;
       put(R"(<path d="M{}L{}" stroke="#1f1f1f" stroke-width="{:.1f}"/>)", world(-wheel / 2, side * track),
           world(wheel / 2, side * track), 0.12 * track);
     }
     std::string dots;
-    for (const auto& sensor : run_.robot_info.sensors)
-      dots += fmt::format("M{0}L{0}", world(sensor.x_mm, sensor.y_mm));
+    for (const auto& sensor : info.sensors) dots += fmt::format("M{0}L{0}", world(sensor.x_mm, sensor.y_mm));
     if (!dots.empty())
       put(R"(<path d="{}" stroke="#d55e00" stroke-width="{:.1f}" stroke-linecap="round"/>)", dots,
           0.45 * em_);
+  }
+
+  /// Beside a robot.
+  void name(const std::string& text, const wire::Pose& pose) {
+    put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600" fill="#0072b2" stroke="#fff" stroke-width="{:.1f}" paint-order="stroke">{}</text>)",
+        pose.x_mm + 1.6 * em_, flip(pose.y_mm) - 1.2 * em_, 0.2 * em_, markup_text(text));
   }
 
   void legend(double fastest_mm_s, const std::string& first, const std::string& second) {
@@ -207,7 +213,6 @@ class Drawing {
   }
 
   const FloorShapes& floor_;
-  const RecordedRun& run_;
   double em_ = 0.0;
   std::string text_;
 };
@@ -231,8 +236,7 @@ FloorShapes shapes_of(const std::string& file, const wire::Started& started) {
 }  // namespace
 
 std::string floor_elements(const FloorShapes& floor) {
-  const RecordedRun none;
-  Drawing drawing(floor, none);
+  Drawing drawing(floor);
   drawing.floor();
   return drawing.text();
 }
@@ -242,40 +246,72 @@ void SvgRecorder::ask(wire::RunRequest& request) const {
   request.notes = true;
 }
 
+void SvgRecorder::begin(const RecordedRun& run) {
+  run_ = run;
+  drives_.resize(std::max<std::size_t>(run.robots.size(), 1));
+}
+
 void SvgRecorder::add(const wire::Event& event) {
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
-    trail_.push_back({sample->x_mm, sample->y_mm, sample->speed_mm_s, hand_.has_moved()});
+    Drive& drive = drives_.at(static_cast<std::size_t>(sample->agent));
+    drive.trail.push_back({sample->x_mm, sample->y_mm, sample->speed_mm_s, drive.hand.has_moved()});
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
-    hand_.add(*note);
-    if (note->is<wire::CollisionBegan>() && !trail_.empty()) collisions_.push_back(trail_.back());
+    Drive& drive = drives_.at(static_cast<std::size_t>(note->agent));
+    drive.hand.add(*note);
+    if (note->is<wire::CollisionBegan>() && !drive.trail.empty()) collisions_.push_back(drive.trail.back());
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
-    started_ = *started;
+    if (started->agent == 0) started_ = *started;
   }
 }
 
 void SvgRecorder::finish(const wire::RunResult& result) {
   const FloorShapes floor = shapes_of(run_.request.map, started_);
   double fastest = 1.0;
-  for (const Point& p : trail_) fastest = std::max(fastest, std::fabs(p.speed_mm_s));
-  const std::string what = fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", run_.sketch, run_.robot,
-                                       run_.map, result.goal, result.seed, result.profile, run_.target);
-  Drawing drawing(floor, run_);
-  drawing.open(what + " · " + result.verdict);
+  for (const Drive& drive : drives_)
+    for (const Point& p : drive.trail) fastest = std::max(fastest, std::fabs(p.speed_mm_s));
+  Drawing drawing(floor);
+  const Words words = run_.robots.empty() ? words_of_one(result) : words_of_several(result);
+  drawing.open(words.title);
   drawing.floor();
-  drawing.trail(trail_, fastest);
+  for (const Drive& drive : drives_) drawing.trail(drive.trail, fastest);
   drawing.stations(started_.stations);
   for (const Point& p : collisions_) drawing.cross(p.x_mm, p.y_mm, 20.0, "#d55e00");
-  drawing.robot(result.end.x_mm, result.end.y_mm, result.end.yaw_rad);
-  drawing.legend(
-      fastest,
-      fmt::format("{} on {}: {} after {:.2f} s", run_.sketch, run_.map, result.verdict, result.time_s),
-      fmt::format("{:.2f} m driven{}; robot {}, seed {}", result.metrics.distance_m,
-                  run_.robot_info.sensors.empty()
-                      ? ""
-                      : fmt::format(", its sensors {:.1f} mm off the line at most",
-                                    result.metrics.cross_track_max_mm),
-                  run_.robot, result.seed));
+  if (run_.robots.empty()) drawing.robot(run_.robot_info, result.end);
+  for (std::size_t i = 0; i < run_.robots.size(); ++i) {
+    const wire::Pose& end = i == 0 ? result.end : result.others.at(i - 1).end;
+    drawing.robot(run_.robots[i].info, end);
+    drawing.name(run_.robots[i].name, end);
+  }
+  drawing.legend(fastest, words.first, words.second);
   write_file(path_, content(drawing.close()));
+}
+
+SvgRecorder::Words SvgRecorder::words_of_one(const wire::RunResult& result) const {
+  const std::string what = fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", run_.sketch, run_.robot,
+                                       run_.map, result.goal, result.seed, result.profile, run_.target);
+  return {what + " · " + result.verdict,
+          fmt::format("{} on {}: {} after {:.2f} s", run_.sketch, run_.map, result.verdict, result.time_s),
+          fmt::format("{:.2f} m driven{}; robot {}, seed {}", result.metrics.distance_m,
+                      run_.robot_info.sensors.empty()
+                          ? ""
+                          : fmt::format(", its sensors {:.1f} mm off the line at most",
+                                        result.metrics.cross_track_max_mm),
+                      run_.robot, result.seed)};
+}
+
+SvgRecorder::Words SvgRecorder::words_of_several(const wire::RunResult& result) const {
+  int reached = result.status == 0, collisions = result.metrics.collisions;
+  double last_s = result.time_s;
+  for (const wire::RunResult& other : result.others) {
+    reached += other.status == 0;
+    collisions += other.metrics.collisions;
+    last_s = std::max(last_s, other.time_s);
+  }
+  const std::string what = fmt::format("{} robots on {}", run_.robots.size(), run_.map);
+  return {fmt::format("{} · seed {} · {}", what, result.seed, result.profile),
+          fmt::format("{}: {} of {} reached their goals, after {:.2f} s", what, reached, run_.robots.size(),
+                      last_s),
+          fmt::format("{} collision{}; seed {}", collisions, collisions == 1 ? "" : "s", result.seed)};
 }
 
 }  // namespace robosim::record

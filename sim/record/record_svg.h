@@ -17,8 +17,9 @@ std::string floor_elements(const FloorShapes& floor);
 class SvgRecorder : public Recorder {
  public:
   explicit SvgRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  bool knows_several() const override { return true; }
   void ask(wire::RunRequest& request) const override;
-  void begin(const RecordedRun& run) override { run_ = run; }
+  void begin(const RecordedRun& run) override;
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult& result) override;
 
@@ -33,11 +34,21 @@ class SvgRecorder : public Recorder {
   virtual std::string content(const std::string& svg) const { return svg; }
 
  private:
+  struct Words {
+    std::string title, first, second;
+  };
+  Words words_of_one(const wire::RunResult& result) const;
+  Words words_of_several(const wire::RunResult& result) const;
+
   std::filesystem::path path_;
   RecordedRun run_;
   wire::Started started_;
-  wire::Hand hand_;
-  std::vector<Point> trail_;
+  /// Of one robot.
+  struct Drive {
+    wire::Hand hand;
+    std::vector<Point> trail;
+  };
+  std::vector<Drive> drives_{1};
   std::vector<Point> collisions_;
 };
 

@@ -21,6 +21,12 @@ namespace robosim::record {
 /// How often a recording takes a sample, simulated time.
 constexpr std::int64_t kRecordEvery_ns = 10'000'000;
 
+/// One of several robots.
+struct RecordedRobot {
+  std::string name, sketch, robot, target;
+  wire::RobotInfo info;
+};
+
 /// The run that is recorded, as it is known before it begins. Names are as the user typed them.
 struct RecordedRun {
   std::string robosim;  ///< version
@@ -30,6 +36,7 @@ struct RecordedRun {
   std::string target;
   wire::RobotInfo robot_info;
   wire::RunRequest request;
+  std::vector<RecordedRobot> robots = {};  ///< where there are several: all, the first one too
 };
 
 class Recorder {
@@ -41,6 +48,8 @@ class Recorder {
 
   /// Adds to a request what it wants to hear of. No result depends on that.
   virtual void ask(wire::RunRequest& request) const;
+  /// Whether it can record several robots.
+  virtual bool knows_several() const { return false; }
   /// Before the first event. Throws InputError.
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
@@ -64,13 +73,16 @@ class Recorders {
   explicit Recorders(const std::vector<std::string>& files);
 
   bool empty() const { return recorders_.empty(); }
+  /// Throws InputError for a file that is of one robot only.
+  void check_several() const;
   void ask(wire::RunRequest& request) const;
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
   void finish(const wire::RunResult& result);
 
  private:
-  std::vector<std::unique_ptr<Recorder>> recorders_;
+  std::vector<std::string> files_;
+  std::vector<std::unique_ptr<Recorder>> recorders_;  ///< of each
 };
 
 }  // namespace robosim::record

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/support/require_target.h"
 #include "tests/system/json_of.h"
 
@@ -103,6 +105,74 @@ TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
   EXPECT_EQ(robots[1]["verdict"], "crashed");
 }
 #endif
+
+TEST(CliFleet, TheOrderOfTheNamesChangesNothingButTheNumbers) {
+  const auto hashes = [](const std::string& first, const std::string& second) {
+    const Ended run = robosim_command({"run", first + "=PidFollower", second + "=PidFollower", "--map",
+                                       "oval", "--for", "4s", "--goal", "none", "--start", "B=18,14,W",
+                                       "--start", "A=10,14,E", "--profile", "ideal", "--json"});
+    std::map<std::string, std::string> by_name;
+    for (const auto& robot : json_of(run)["robots"]) by_name[robot["name"]] = robot["trace_hash"];
+    EXPECT_GT(json_of(run)["robots"][0]["metrics"]["collisions"], 0) << "they meet";
+    return by_name;
+  };
+  EXPECT_EQ(hashes("A", "B"), hashes("B", "A"));
+}
+
+TEST(CliFleet, ARecordingHasRowsOfAllAndAPictureShowsAll) {
+  const Folder folder;
+  const Ended plain = robosim_command(two_with({"--json"}));
+  const Ended run =
+      robosim_command(two_with({"--json", "--record", "r.csv", "--plot", "p.svg"}), folder.path());
+  EXPECT_EQ(run.out, plain.out) << "recorded or not";
+  const std::string csv = read_file(folder / "r.csv");
+  EXPECT_THAT(csv, StartsWith("t_us,robot,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right,S1,"));
+  EXPECT_THAT(csv, AllOf(HasSubstr("\n10000,A,"), HasSubstr("\n10000,B,")));
+  const std::string svg = read_file(folder / "p.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr("2 robots on oval: 2 of 2 reached their goals"), HasSubstr(">A</text>"),
+                         HasSubstr(">B</text>")));
+  const Ended page = robosim_command(two_with({"--record", "r.html"}), folder.path());
+  EXPECT_EQ(page.status, 2);
+  EXPECT_THAT(page.err,
+              HasSubstr("r.html: this format is of one robot; of several there is .csv, .svg or .png"));
+}
+
+TEST(CliFleet, RobotsTalkByRadioFromHostToAvr) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Folder folder;
+  write_file(
+      folder / "robot.toml",
+      "base = \"uno5\"\n[[part]]\nname = \"air\"\ntype = \"serial-radio\"\npins = { txd = 0, rxd = 1 }\n");
+  write_file(folder / "Ask.ino",
+             "void setup() { Serial.begin(9600); delay(500); Serial.print('?'); }\n"
+             "void loop() { if (Serial.available()) Serial.println(Serial.read() == '!' ? \"heard\" : "
+             "\"else\"); }\n");
+  write_file(
+      folder / "Answer.ino",
+      "void setup() { Serial.begin(9600); }\nvoid loop() { if (Serial.read() == '?') Serial.print('!'); }\n");
+  const Ended run =
+      robosim_command({"run", "A=./Ask.ino", "B=./Answer.ino", "--target", "B=avr", "--robot", "./robot.toml",
+                       "--map", "oval", "--goal", "none", "--for", "1s", "--start", "B=20,2,W", "--json"},
+                      folder.path());
+  const nlohmann::json robots = json_of(run)["robots"];
+  ASSERT_EQ(robots.size(), 2u) << run.err;
+  EXPECT_EQ(robots[0]["serial"], "?heard\r\n");
+  EXPECT_EQ(robots[1]["serial"], "!");
+}
+
+TEST(CliFleet, TwoNavigatorsWaitForEachOtherAndDoNotCollide) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  const Ended run = robosim_command({"run", std::string(ROBOSIM_EXAMPLES) + "/navigators/robots.toml",
+                                     "--target", "B=avr", "--for", "400s", "--json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const nlohmann::json robots = json_of(run)["robots"];
+  ASSERT_EQ(robots.size(), 2u) << run.err;
+  for (const auto& robot : robots) {
+    EXPECT_EQ(robot["verdict"], "reached") << robot["why"];
+    EXPECT_EQ(robot["metrics"]["collisions"], 0);
+  }
+  EXPECT_THAT(robots[0]["serial"].get<std::string>(), HasSubstr("waiting"));
+}
 
 TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
   const auto refusal = [](const std::vector<std::string>& more) {

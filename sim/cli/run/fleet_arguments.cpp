@@ -148,8 +148,6 @@ void FleetOptions::finish() {
   refuse(!run_.coverage.empty(), "--coverage",
          "counts the lines of one robot's sketch; run it alone for that");
   refuse(run_.view, "--view", "is for runs of one robot");
-  refuse(!run_.record.empty(), "--record", "is for runs of one robot");
-  refuse(!run_.plot.empty(), "--plot", "is for runs of one robot");
   refuse(run_.live, "--live", "is for runs of one robot");
   refuse(run_.serial, "--serial", "prints what one sketch sends; run it alone, or see it in --json");
   refuse(run_.request.clock_ns > 0, "--clock",

@@ -10,9 +10,9 @@
 
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
-#include "sim/base/write_claim.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
+#include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/screen.h"
 #include "sim/cli/run/second_look.h"
@@ -45,9 +45,27 @@ std::vector<wire::RunResult> results_of(wire::RunResult first) {
   return all;
 }
 
+record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
+                             const std::string& version) {
+  const launch::Prepared& first = run.members.front();
+  record::RecordedRun all{version,        launch::title_of(first.sketch),
+                          first.map.name, first.robot.name,
+                          first.target,   first.robot_info,
+                          run.request};
+  for (std::size_t i = 0; i < run.members.size(); ++i) {
+    const launch::Prepared& one = run.members[i];
+    all.robots.push_back(
+        {fleet.members[i].name, launch::title_of(one.sketch), one.robot.name, one.target, one.robot_info});
+  }
+  return all;
+}
+
 }  // namespace
 
 int fleet_command(const RunArguments& arguments) {
+  record::Recorders recorders = recorders_of(arguments);
+  recorders.check_several();
+  const std::vector<WriteClaim> claims = claims_of(arguments);
   launch::Fleet fleet = arguments.fleet;
   launch::ChosenFleet chosen = choose(fleet);
   tui::Progress progress(true);
@@ -55,6 +73,8 @@ int fleet_command(const RunArguments& arguments) {
   common.script.clear();
   const bool draws = !arguments.json;
   common.samples_every_ns = draws || progress.active() ? tui::trail_every_ns(common.for_ns) : 0;
+  common.notes = true;
+  recorders.ask(common);
 
   client::Runner runner(chosen.runner);
   launch::Launcher launcher(listener_of(progress));
@@ -71,7 +91,9 @@ int fleet_command(const RunArguments& arguments) {
     if (!member.remark.empty())
       complain(fmt::format("robosim: {}: {}\n", fleet.members[i].name, member.remark));
   }
+  recorders.begin(recorded(fleet, run, runner.hello().version));
   const auto on_event = [&](const wire::Event& event) {
+    recorders.add(event);
     const auto row = [&](int agent) { return &report.rows.at(static_cast<std::size_t>(agent)); };
     if (const auto* started = std::get_if<wire::Started>(&event); started && started->agent == 0)
       report.started = *started;
@@ -82,16 +104,23 @@ int fleet_command(const RunArguments& arguments) {
     if (sample->agent == 0) progress.advance(sample->t_us, static_cast<double>(common.for_ns) * 1e-9);
   };
   const double began_s = 1e-6 * static_cast<double>(wall_us());
-  std::vector<wire::RunResult> results;
+  wire::RunResult result;
   try {
     const client::Interrupts interrupts(runner);
-    results = results_of(runner.run(run.request, on_event));
+    result = runner.run(run.request, on_event);
   } catch (const InputError& error) {
     throw launch::with_place(fleet, error);
   }
   if (arguments.timing) report.wall_s = 1e-6 * static_cast<double>(wall_us()) - began_s;
   progress.clear();
-  for (wire::RunResult& result : results) result.next = next_of(result);
+  std::exception_ptr unwritten;  // told behind the verdicts
+  try {
+    recorders.finish(result);
+  } catch (const InputError&) {
+    unwritten = std::current_exception();
+  }
+  std::vector<wire::RunResult> results = results_of(std::move(result));
+  for (wire::RunResult& one : results) one.next = next_of(one);
 
   if (arguments.json) {
     std::vector<RobotRun> robots;
@@ -107,6 +136,7 @@ int fleet_command(const RunArguments& arguments) {
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
+  if (unwritten) std::rethrow_exception(unwritten);
   return status_of(results);
 }
 

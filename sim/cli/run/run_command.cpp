@@ -15,7 +15,6 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
-#include "sim/base/write_claim.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
@@ -23,6 +22,7 @@
 #include "sim/cli/run/debugger.h"
 #include "sim/cli/run/fleet_command.h"
 #include "sim/cli/run/live.h"
+#include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/screen.h"
 #include "sim/cli/run/second_look.h"
@@ -66,17 +66,6 @@ std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64
     rooms.push_back({limit.what, limit.value, std::min(fit, limit.most), limit.bytes_each});
   }
   return rooms;
-}
-
-record::Recorders recorders_of(const RunArguments& arguments) {
-  std::vector<std::string> files = arguments.plot;
-  launch::name_flag("--plot", [&] {
-    for (const std::string& file : files) record::check_is_picture(file);
-  });
-  files.insert(files.end(), arguments.record.begin(), arguments.record.end());
-  record::Recorders recorders;
-  launch::name_flag("--record", [&] { recorders = record::Recorders(files); });
-  return recorders;
 }
 
 /// Everything that listens to a run's events.
@@ -148,9 +137,7 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
 int run_command(const RunArguments& arguments) {
   if (!arguments.fleet.members.empty()) return fleet_command(arguments);
   record::Recorders recorders = recorders_of(arguments);
-  std::vector<WriteClaim> claims;
-  for (const auto* files : {&arguments.record, &arguments.plot})
-    for (const std::string& file : *files) claims.emplace_back(file);
+  const std::vector<WriteClaim> claims = claims_of(arguments);
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
         "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
