@@ -1,6 +1,8 @@
 // What light, height, slow sensors, a noisy ADC and a weak battery do to a sketch: for each a pair of runs
 // without and with it, in which a figure changes as docs/models.md says, and of two ways to read sensors the
 // one that gets through and the one that does not.
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "sim/base/file.h"
@@ -61,17 +63,26 @@ class Effects : public testing::Test {
     return count;
   }
 
- private:
   TemporaryFolder folder_;
 };
 
 // A loop of 3.7 m whose far half circle and straight are painted otherwise.
-std::string loop(const std::string& paint) {
+std::string loop(const std::string& paint, const std::string& more = "") {
   return "+++\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nfrom = [\"500 mm\", \"300 mm\"]\nsegments = [\n{ "
          "length = "
          "\"900 mm\" },\n{ radius = \"300 mm\", angle = \"180 deg\"" +
          paint + " },\n{ length = \"900 mm\"" + paint +
-         " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n+++\n";
+         " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n" + more + "+++\n";
+}
+
+// Dust in spots on one straight of the oval.
+std::string dirt() {
+  std::string all;
+  for (int i = 0; i < 5; ++i)
+    all += fmt::format(
+        "[[area]]\ncolour = \"white\"\nat = [\"{} mm\", \"250 mm\"]\nradius = \"8 mm\"\nover_lines = true\n",
+        1300 + 100 * i);
+  return all;
 }
 
 constexpr double kBlack = 4.4, kWhite = 0.4;  // V, of uno5
@@ -111,6 +122,41 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
+// A straight line of 0.2 m, its gyroscope tells 15 deg/s at rest: only who subtracts that is straight again
+// after a turn.
+TEST_F(Effects, OfAGyroscopeThatTellsATurnAtRest) {
+  const auto reaches = [&](const std::string& bias, char way) {
+    const std::filesystem::path map = folder_.path() / "strip.map", file = folder_.path() / "turns.toml";
+    std::ofstream(map) << "______\n_S.G__\n______\n";
+    std::ofstream(file)
+        << "base = \"uno3\"\nremove = [\"LED2\"]\n[[part]]\nname = \"gyro\"\ntype = \"mpu-6050\"\nbias = \""
+        << bias << "\"\n";
+    wire::RunRequest request = request_of({.sketch = "TurnsByGyro",
+                                           .map = map.string(),
+                                           .robot = file.string(),
+                                           .goal = "station:goal",
+                                           .script = std::string("at 50ms send \"") + way + "\"\n",
+                                           .seed = 1,
+                                           .for_s = 15.0});
+    request.profile = "ideal";
+    return runner_of("host").run(request, {}).verdict == "reached";
+  };
+  EXPECT_TRUE(reaches("0 deg/s", 'n'));
+  EXPECT_TRUE(reaches("0 deg/s", 'o'));
+  EXPECT_TRUE(reaches("15 deg/s", 'o'));
+  EXPECT_FALSE(reaches("15 deg/s", 'n'));
+}
+
+// Who measures a divider against a reference that sinks with the battery does not see it sink.
+TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
+  const auto notices = [&](const std::string& robot) {
+    return run(robot, "", "ideal", 'v', 1, 4.0, "at 2s fault power sag 5.8V\n").serial.find("low") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(notices(""));
+  EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
+}
+
 // Its edge is farther from its middle than half the map's line.
 TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   const std::string loop =
@@ -136,21 +182,37 @@ TEST_P(Survival, DependsOnHowTheSketchLooks) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, Survival,
-    testing::Values(Effect{"ALamp", "",
-                           "[[light]]\nlevel = 0.8\nat = [\"1.2 m\", \"200 mm\"]\nheight = \"300 mm\"\n",
-                           "typical", 'c', 't'},
-                    Effect{"Sun", "",
-                           "[[light]]\nlevel = 0.65\nat = [\"1.2 m\", \"300 mm\"]\nradius = \"250 mm\"\n",
-                           "typical", 'c', 't'},
-                    Effect{"AHighSensorInDaylight", "height = \"8 mm\"\n", "[[light]]\nlevel = 0.25\n",
-                           "typical@2", 'c', 't'},
-                    Effect{"Flicker", "", "[[light]]\nlevel = 0.6\nflicker = 1\n", "typical", 'l', 'e'},
-                    Effect{"ASlowPhototransistor", "rise = \"500 us\"\n", "", "typical", 'w', 'd'},
-                    Effect{"AWornLine", "", "worn = \"30 %\"\n", "typical", 'l', 'e'},
-                    Effect{"AFadedStretch", "", loop(", colour = \"grey 45 %\""), "typical", 'c', 't'},
-                    Effect{"ANarrowStretch", "", loop(", width = \"4 mm\""), "typical", 'l', 'e'},
-                    Effect{"AGlossyLine", "", "gloss = \"55 %\"\n", "typical", 'c', 't'},
-                    Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'}),
+    testing::Values(
+        Effect{"ALamp", "", "[[light]]\nlevel = 0.8\nat = [\"1.2 m\", \"200 mm\"]\nheight = \"300 mm\"\n",
+               "typical", 'c', 't'},
+        Effect{"Sun", "", "[[light]]\nlevel = 0.65\nat = [\"1.2 m\", \"300 mm\"]\nradius = \"250 mm\"\n",
+               "typical", 'c', 't'},
+        Effect{"AHighSensorInDaylight", "height = \"8 mm\"\n", "[[light]]\nlevel = 0.25\n", "typical@2", 'c',
+               't'},
+        Effect{"Flicker", "", "[[light]]\nlevel = 0.6\nflicker = 1\n", "typical", 'l', 'e'},
+        Effect{"ASlowPhototransistor", "rise = \"500 us\"\n", "", "typical", 'w', 'd'},
+        Effect{"AWornLine", "", "worn = \"30 %\"\n", "typical", 'l', 'e'},
+        Effect{"AFadedStretch", "", loop(", colour = \"grey 45 %\""), "typical", 'c', 't'},
+        Effect{"ANarrowStretch", "", loop(", width = \"4 mm\""), "typical", 'l', 'e'},
+        Effect{"AGlossyLine", "", "gloss = \"55 %\"\n", "typical", 'c', 't'},
+        Effect{"DullElements", "black_volts = [\"2.3 V\", \"2.4 V\", \"2.2 V\", \"2.3 V\", \"2.4 V\"]\n", "",
+               "typical", 'c', 't'},
+        Effect{"Dirt", "", dirt(), "typical", 'l', 'e'},
+        Effect{"ADarkFloor", "",
+               "[[area]]\ncolour = \"grey 60 %\"\nat = [\"1.25 m\", \"850 mm\"]\nsize = [\"2.5 "
+               "m\", \"1.7 m\"]\n",
+               "typical", 'c', 't'},
+        Effect{"AGreenStretch", "", loop(", colour = \"green\""), "typical", 'c', 't'},
+        Effect{"ASilverStrip", "",
+               loop("",
+                    "[[area]]\ncolour = \"silver\"\nalong = \"700 mm\"\nsize = [\"12 mm\", \"250 "
+                    "mm\"]\nover_lines = true\n"),
+               "typical", 'l', 'e'},
+        Effect{"AMovingSun", "",
+               "[[light]]\nlevel = 0.65\nat = [\"1.9 m\", \"850 mm\"]\nradius = \"250 mm\"\nmoves = [\"40 "
+               "mm/s\", \"0 mm/s\"]\n",
+               "typical", 'c', 't'},
+        Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'}),
     [](const auto& effect) { return std::string(effect.param.name); });
 
 }  // namespace
