@@ -23,6 +23,7 @@ class AvrExecutor::Running final : public RunningChip {
       : image_(image), machine_(image.firmware, image.loop, board, t), debugger_(debugger), chip_(chip) {
     chip_ = &machine_.chip().chip();
     if (debugger) machine_.set_debug_port(debugger);
+    if (image.firmware.needs_larger_chip()) machine_.chip().look_for_tearing(image.debug);
   }
   ~Running() override {
     if (debugger_) debugger_->unplug();

@@ -81,6 +81,20 @@ std::string Diagnosis::overflow_text() const {
                      readable(variable->name), variable->size);
 }
 
+std::string Diagnosis::torn_text(const Tearing::Found& found) const {
+  const double later_us = 1e6 * static_cast<double>(found.later) / machine_.chip().clock_hz();
+  const SourceLine at = place(found.handler_pc);
+  const std::string handler =
+      at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
+  return fmt::format(
+      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and came "
+      "{:.0f} µs too "
+      "late to leave half of an old number and half of a new one; {} with interrupts off (noInterrupts(), "
+      "ATOMIC_BLOCK)",
+      found.writes ? "write" : "read", readable(found.number->name), found.number->size,
+      found.writes ? "writes" : "reads", handler, later_us, found.writes ? "write it" : "copy it");
+}
+
 std::string Diagnosis::reason(const Fault& fault) const {
   if (fault.kind == Fault::Kind::stack ||
       (fault.kind != Fault::Kind::watchdog && machine_.stack().has_overflown()))
@@ -98,6 +112,8 @@ std::string Diagnosis::reason(const Fault& fault) const {
       return fmt::format("write to the sketch's own flash at 0x{:04X} (instruction spm)", fault.address);
     case Fault::Kind::watchdog:
       return Bites::reason();
+    case Fault::Kind::torn:
+      return torn_text(*machine_.chip().tearing()->found());
     default:
       return jump_text(fault);
   }
@@ -159,6 +175,8 @@ Crash Diagnosis::crash(const Fault& fault) const {
     return crash;
   }
   crash.reason = reason(fault);
+  if (fault.kind == Fault::Kind::torn)
+    crash.check = machine_.chip().tearing()->found()->writes ? "torn_write" : "torn_read";
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = place(fault.pc);
   // Of a jump into the void: the call or return that led there.

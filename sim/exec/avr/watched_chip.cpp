@@ -188,6 +188,11 @@ void WatchedChip::count(LineCounts& lines) {
     if (begin.address < firmware_.code_end) set_trap(kLineTrap, begin.address);
 }
 
+void WatchedChip::look_for_tearing(const DebugInfo& debug) {
+  tearing_.emplace(firmware_, debug, chip_);
+  for (const std::uint32_t place : tearing_->places()) set_trap(kTearingTrap, place);
+}
+
 void WatchedChip::restore(const Saved& saved) {
   chip_.restore(saved.chip);
   for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, false);
@@ -196,8 +201,15 @@ void WatchedChip::restore(const Saved& saved) {
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
-  const unsigned traps = traps_at(2 * pc), others = traps & ~unsigned{kLineTrap};
+  const unsigned traps = traps_at(2 * pc), others = traps & ~unsigned{kLineTrap | kTearingTrap};
   if (traps & kLineTrap) lines_->ran(2 * pc);
+  if (traps & kTearingTrap) {
+    tearing_->visited(2 * pc);
+    if (const auto& found = tearing_->found()) {
+      fail(Fault::Kind::torn, found->pc, found->number->address);
+      return false;
+    }
+  }
   if (others == 0) return true;
   if (!rounds_ || !rounds_->is_running() || others != kLoopTrap) return false;
   rounds_->began(at);

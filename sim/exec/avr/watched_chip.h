@@ -13,6 +13,7 @@
 #include "sim/avr/chip.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
+#include "sim/exec/avr/tearing.h"
 #include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/round_counter.h"
 
@@ -20,7 +21,7 @@ namespace robosim::exec::avr {
 
 /// Why the firmware can run no further. Addresses of flash are in bytes.
 struct Fault {
-  enum class Kind { bad_read, bad_write, bad_opcode, bad_jump, restart, stack, watchdog, flash_write };
+  enum class Kind { bad_read, bad_write, bad_opcode, bad_jump, restart, stack, watchdog, flash_write, torn };
   Kind kind = Kind::bad_jump;
   std::uint32_t pc = 0;       ///< of the instruction; of a jump, where it led
   std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
@@ -62,7 +63,8 @@ class WatchedChip final : robosim::avr::Visitor {
     kWriteTrap = 8,
     kRestartTrap = 16,
     kFirstLoopTrap = 32,
-    kLineTrap = 64
+    kLineTrap = 64,
+    kTearingTrap = 128
   };
   void set_trap(Trap trap, std::uint32_t pc);
   /// Where lines begin has kLineTraps: it is counted how often they run.
@@ -70,6 +72,9 @@ class WatchedChip final : robosim::avr::Visitor {
   /// From the second round on, rounds are counted at a kLoopTrap, and run_to() runs on if nobody else wants
   /// to know.
   void count(RoundCounter<Cycle>& rounds) { rounds_ = &rounds; }
+  /// Torn reads and writes are faults.
+  void look_for_tearing(const DebugInfo& debug);
+  const std::optional<Tearing>& tearing() const { return tearing_; }
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
   unsigned take_traps();
@@ -155,6 +160,7 @@ class WatchedChip final : robosim::avr::Visitor {
   const std::uint32_t clock_hz_;
   RoundCounter<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
+  std::optional<Tearing> tearing_;
   bool singly_ = false;
   State state_;
   robosim::avr::Chip chip_;

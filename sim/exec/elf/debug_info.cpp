@@ -134,6 +134,34 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
+/// Without const, volatile and names given to it; none if it cannot be told.
+bool is_number(Dwarf_Die variable) {
+  Dwarf_Attribute attribute;
+  Dwarf_Die type = variable;
+  do {
+    if (!dwarf_attr_integrate(&type, DW_AT_type, &attribute) || !dwarf_formref_die(&attribute, &type))
+      return false;
+  } while (dwarf_tag(&type) == DW_TAG_const_type || dwarf_tag(&type) == DW_TAG_volatile_type ||
+           dwarf_tag(&type) == DW_TAG_typedef);
+  const int tag = dwarf_tag(&type);
+  return tag == DW_TAG_base_type || tag == DW_TAG_enumeration_type || tag == DW_TAG_pointer_type;
+}
+
+void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses) {
+  Dwarf_Die child;
+  if (dwarf_child(&parent, &child) != 0) return;
+  do {
+    Dwarf_Attribute attribute;
+    Dwarf_Op* operations = nullptr;
+    std::size_t count = 0;
+    if (dwarf_tag(&child) == DW_TAG_variable && dwarf_attr_integrate(&child, DW_AT_location, &attribute) &&
+        dwarf_getlocation(&attribute, &operations, &count) == 0 && count == 1 &&
+        operations[0].atom == DW_OP_addr && is_number(child))
+      addresses.push_back(static_cast<std::uint32_t>(operations[0].number));
+    find_numbers(child, addresses);
+  } while (dwarf_siblingof(&child, &child) == 0);
+}
+
 }  // namespace
 
 bool is_core_file(const std::string& file) {
@@ -190,6 +218,15 @@ std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
     });
   std::erase_if(all, [](const CodeLine& line) { return line.line <= 0 || is_core_file(line.file); });
   return all;
+}
+
+std::vector<std::uint32_t> DebugInfo::numbers() const {
+  std::vector<std::uint32_t> addresses;
+  if (dwarf_) for_each_unit(dwarf_, [&](Dwarf_Die unit) { find_numbers(unit, addresses); });
+  std::ranges::sort(addresses);
+  const auto same = std::ranges::unique(addresses);
+  addresses.erase(same.begin(), same.end());
+  return addresses;
 }
 
 DebugInfo::CodeOf DebugInfo::code_of(const std::string& function) const {

@@ -44,6 +44,9 @@ class DebugInfo {
     std::string file;
     int line = 0;
   };
+  /// Addresses of the global and static variables that are one number, enumerator or pointer each.
+  std::vector<std::uint32_t> numbers() const;
+
   /// But for those of core files.
   std::vector<CodeLine> lines() const;
 

@@ -9,6 +9,7 @@ DebugInfo::~DebugInfo() = default;
 std::vector<SourceLine> DebugInfo::frames(std::uint32_t) const { return {}; }
 DebugInfo::CodeOf DebugInfo::code_of(const std::string&) const { return {}; }
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const { return {}; }
+std::vector<std::uint32_t> DebugInfo::numbers() const { return {}; }
 
 bool is_core_file(const std::string&) { return false; }
 

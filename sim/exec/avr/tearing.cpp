@@ -1,0 +1,199 @@
+#include "sim/exec/avr/tearing.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/elf/avr_addresses.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+using robosim::avr::Address;
+using robosim::avr::Cpu;
+using robosim::avr::Cycle;
+using robosim::avr::Instruction;
+using robosim::avr::Op;
+
+constexpr std::uint32_t kLargestNumber = 8;
+// How far apart the bytes of one access are, and how far behind it the number is read again, in words.
+constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
+constexpr int kMostOfHandler = 5000;  // instructions
+constexpr std::int64_t kSoon_hz = 20'000;
+
+bool is_straight(Op op) {
+  switch (op) {
+    case Op::rjmp:
+    case Op::jmp:
+    case Op::rcall:
+    case Op::call:
+    case Op::ijmp:
+    case Op::icall:
+    case Op::eijmp:
+    case Op::eicall:
+    case Op::ret:
+    case Op::reti:
+    case Op::brbs:
+    case Op::brbc:
+    case Op::cpse:
+    case Op::sbrc:
+    case Op::sbrs:
+    case Op::sbic:
+    case Op::sbis:
+    case Op::sleep:
+    case Op::illegal:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip)
+    : firmware_(firmware), chip_(chip), alone_(chip.cpu().chip(), chip.cpu().flash(), chip.cpu().last_ram()) {
+  for (const std::uint32_t address : debug.numbers()) {
+    const Symbol* const symbol = address >= kAvrData ? firmware.symbols.variable_at(address) : nullptr;
+    if (!symbol || symbol->address != address || symbol->size < 2 || symbol->size > kLargestNumber) continue;
+    numbers_.push_back({symbol, static_cast<Address>(address - kAvrData)});
+  }
+  find_accesses(debug);
+}
+
+std::vector<std::uint32_t> Tearing::places() const {
+  if (accesses_.empty()) return {};
+  std::vector<std::uint32_t> all = leaves_;
+  for (const Access& access : accesses_) all.push_back(access.pc);
+  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector)
+    all.push_back(2 * chip_.cpu().entry_of(vector));
+  return all;
+}
+
+std::optional<std::size_t> Tearing::touched(const Instruction& i) const {
+  if (i.op != Op::lds && i.op != Op::sts) return std::nullopt;
+  for (std::size_t n = 0; n < numbers_.size(); ++n)
+    if (static_cast<std::uint32_t>(i.k - numbers_[n].begin) < numbers_[n].symbol->size) return n;
+  return std::nullopt;
+}
+
+void Tearing::find_accesses(const DebugInfo& debug) {
+  const Cpu& cpu = chip_.cpu();
+  for (std::uint32_t pc = 0; 2 * pc < firmware_.code_end; pc += cpu.instruction(pc).words) {
+    if (cpu.instruction(pc).op == Op::reti) leaves_.push_back(2 * pc);
+    if (touched(cpu.instruction(pc))) add_group(pc, debug);
+  }
+  std::sort(accesses_.begin(), accesses_.end(), [](const Access& a, const Access& b) { return a.pc < b.pc; });
+  const auto same = std::unique(accesses_.begin(), accesses_.end(),
+                                [](const Access& a, const Access& b) { return a.pc == b.pc; });
+  accesses_.erase(same, accesses_.end());
+}
+
+/// Whether behind a byte's access at `pc`, a word's address, another byte of the number is touched.
+void Tearing::add_group(std::uint32_t pc, const DebugInfo& debug) {
+  const Cpu& cpu = chip_.cpu();
+  const Instruction& first = cpu.instruction(pc);
+  const std::size_t number = *touched(first);
+  for (std::uint32_t next = pc + first.words; next < pc + kWordsOfAccess;
+       next += cpu.instruction(next).words) {
+    const Instruction& i = cpu.instruction(next);
+    if (!is_straight(i.op)) return;
+    if (touched(i) != number) continue;
+    if (i.op != first.op || i.k == first.k) return;
+    const auto frames = debug.frames(2 * next);
+    const bool is_sketchs = std::any_of(frames.begin(), frames.end(),
+                                        [](const SourceLine& frame) { return !is_core_file(frame.file); });
+    if (!is_sketchs || (first.op == Op::lds && is_read_again(pc, number))) return;
+    accesses_.push_back({2 * next, number, first.op == Op::sts});
+    return;
+  }
+}
+
+/// Whether near `pc` the number is read twice, with a comparison and a way back behind it.
+bool Tearing::is_read_again(std::uint32_t pc, std::size_t number) const {
+  const Cpu& cpu = chip_.cpu();
+  const std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;
+  int first_bytes = 0;
+  bool compares = false;
+  for (std::uint32_t at = begin; at < pc + kWordsOfSecondLook && 2 * at < firmware_.code_end; ++at) {
+    const Instruction& i = cpu.instruction(at);
+    if (i.op == Op::lds && i.k == numbers_[number].begin) ++first_bytes;
+    if (i.op == Op::cp || i.op == Op::cpc) compares = compares || first_bytes > 0;
+    const bool back = (i.op == Op::brbc || i.op == Op::brbs || i.op == Op::rjmp) && i.k < 0;
+    if (back && compares && first_bytes >= 2) return true;
+  }
+  return false;
+}
+
+std::uint64_t Tearing::value_of(const Number& number, const std::vector<std::uint8_t>& data) const {
+  std::uint64_t value = 0;
+  for (std::uint32_t byte = 0; byte < number.symbol->size; ++byte)
+    value |= std::uint64_t{data[number.begin + byte]} << (8 * byte);
+  return value;
+}
+
+void Tearing::visited(std::uint32_t pc) {
+  if (found_) return;
+  const Cpu& cpu = chip_.cpu();
+  const auto access = std::lower_bound(accesses_.begin(), accesses_.end(), pc,
+                                       [](const Access& a, std::uint32_t place) { return a.pc < place; });
+  if (access != accesses_.end() && access->pc == pc) {
+    if (cpu.open_handlers() == 0 && cpu.interrupts_enabled())
+      touch(static_cast<std::size_t>(access - accesses_.begin()));
+    return;
+  }
+  if (cpu.open_handlers() != 1) return;
+  if (cpu.instruction(pc / 2).op == Op::reti) return leave();
+  for (int vector = 1; vector < cpu.chip().vectors; ++vector)
+    if (2 * cpu.entry_of(vector) == pc) enter(vector);
+}
+
+Cycle Tearing::soon() const { return static_cast<Cycle>(chip_.core().clock_hz / kSoon_hz); }
+
+void Tearing::touch(std::size_t access) {
+  const Number& number = numbers_[accesses_[access].number];
+  std::erase_if(
+      armed_, [&](const Armed& armed) { return accesses_[armed.access].number == accesses_[access].number; });
+  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler comes before
+  for (std::uint64_t vectors = chip_.may_interrupt(); vectors; vectors &= vectors - 1) {
+    const int vector = std::countr_zero(vectors);
+    if (const auto at = would_change(number, vector)) armed_.push_back({access, vector, *at, chip_.cycle()});
+  }
+}
+
+/// Where a handler that came now would change the number; nothing if it would not.
+std::optional<std::uint32_t> Tearing::would_change(const Number& number, int vector) {
+  const Cpu& cpu = chip_.cpu();
+  alone_.data = cpu.data;
+  alone_.state = cpu.state;
+  alone_.state.sp_watch = 0;
+  alone_.state.passing = ~0u;
+  const std::uint64_t before = value_of(number, alone_.data);
+  alone_.enter(vector);
+  for (int i = 0; i < kMostOfHandler && alone_.open_handlers() > 0; ++i) {
+    const std::uint32_t pc = alone_.pc();
+    if (alone_.run(alone_.cycle() + 1) != Cpu::Stop::reached) return std::nullopt;
+    if (value_of(number, alone_.data) != before) return 2 * pc;
+  }
+  return std::nullopt;
+}
+
+void Tearing::enter(int vector) {
+  vector_ = vector;
+  for (Number& number : numbers_) number.before = value_of(number, chip_.cpu().data);
+}
+
+void Tearing::leave() {
+  const Cycle began = chip_.cpu().state.handler_began;
+  for (Number& number : numbers_) number.changed |= number.before ^ value_of(number, chip_.cpu().data);
+  for (const Armed& armed : armed_) {
+    const Access& access = accesses_[armed.access];
+    const Number& number = numbers_[access.number];
+    const bool changes = number.before != value_of(number, chip_.cpu().data);
+    const bool many = (number.changed >> (std::countr_zero(number.changed) / 8 * 8)) > 0xFF;
+    if (armed.vector != vector_ || !changes || !many || began < armed.at || began - armed.at > soon())
+      continue;
+    found_ = Found{number.symbol, access.writes, access.pc, armed.handler_pc, began - armed.at};
+    return;
+  }
+}
+
+}  // namespace robosim::exec::avr

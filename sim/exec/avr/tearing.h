@@ -1,0 +1,86 @@
+// Torn reads and writes: the main program is between the bytes of a number when a handler comes that writes
+// it, and has half of the old one and half of the new one.
+//
+// Seldom does it come just there. So what is looked for is shown to be possible, step by step:
+//
+//   the program touches two bytes of a number, interrupts being on
+//   an interrupt that is enabled has a handler which, run there by itself, would change the number
+//   that handler did come, within 50 µs, and changed it
+//   handlers have changed more than one byte of it in this run
+//
+// A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
+// is masked meanwhile are none. Looked at are global numbers of the sketch whose addresses stand in
+// its instructions, in images built for checking.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/avr/chip.h"
+#include "sim/exec/avr/firmware.h"
+#include "sim/exec/elf/debug_info.h"
+
+namespace robosim::exec::avr {
+
+class Tearing {
+ public:
+  struct Found {
+    const Symbol* number = nullptr;
+    bool writes = false;            ///< the main program does; else it reads
+    std::uint32_t pc = 0;           ///< of the main program, at a later byte; in bytes
+    std::uint32_t handler_pc = 0;   ///< where the handler writes
+    robosim::avr::Cycle later = 0;  ///< by how much the handler came too late
+  };
+
+  Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip);
+
+  /// Where visited() is to be called, in bytes.
+  std::vector<std::uint32_t> places() const;
+  /// The instruction there is about to run.
+  void visited(std::uint32_t pc);
+  const std::optional<Found>& found() const { return found_; }
+
+ private:
+  struct Number {
+    const Symbol* symbol = nullptr;
+    robosim::avr::Address begin = 0;
+    std::uint64_t before = 0;   ///< when the handler began
+    std::uint64_t changed = 0;  ///< bits that handlers have
+  };
+  /// A later byte of a number is touched.
+  struct Access {
+    std::uint32_t pc = 0;
+    std::size_t number = 0;
+    bool writes = false;
+  };
+  struct Armed {
+    std::size_t access = 0;
+    int vector = 0;
+    std::uint32_t handler_pc = 0;
+    robosim::avr::Cycle at = 0;
+  };
+
+  void find_accesses(const DebugInfo& debug);
+  void add_group(std::uint32_t pc, const DebugInfo& debug);
+  std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
+  bool is_read_again(std::uint32_t pc, std::size_t number) const;
+  robosim::avr::Cycle soon() const;
+  void touch(std::size_t access);
+  std::optional<std::uint32_t> would_change(const Number& number, int vector);
+  void enter(int vector);
+  void leave();
+  std::uint64_t value_of(const Number& number, const std::vector<std::uint8_t>& data) const;
+
+  const Firmware& firmware_;
+  const robosim::avr::Chip& chip_;
+  robosim::avr::Cpu alone_;
+  std::vector<Number> numbers_;
+  std::vector<Access> accesses_;       ///< by pc
+  std::vector<std::uint32_t> leaves_;  ///< where RETI stands
+  std::vector<Armed> armed_;           ///< the last access to each number that could be torn
+  int vector_ = 0;                     ///< whose handler runs
+  std::optional<Found> found_;
+};
+
+}  // namespace robosim::exec::avr
