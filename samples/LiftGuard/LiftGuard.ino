@@ -43,7 +43,7 @@ void setup() {
 void loop() {
   int16_t v[6];
   readAll(v);
-  float roll = atan2(v[1], v[2]) * 57.3, pitch = atan2(-v[0], sqrt((float)v[1] * v[1] + (float)v[2] * v[2])) * 57.3;
+  float roll = atan2(v[1], v[2]) * 57.3, pitch = atan2(-(float)v[0], sqrt((float)v[1] * v[1] + (float)v[2] * v[2])) * 57.3;
   bool tilted = fabs(roll) > 15 || fabs(pitch) > 15;
   static float fastest = 0;
   static unsigned long since = 0;
