@@ -228,6 +228,8 @@ class Printer {
     const std::size_t all =
         static_cast<std::size_t>(sheets_.rows) * static_cast<std::size_t>(sheets_.columns);
     y -= 3.0;
+    const bool worn = std::any_of(shapes_.paints().begin(), shapes_.paints().end(),
+                                  [](const grid::Paint& paint) { return paint.worn > 0.0; });
     for (const std::string& line :
          {fmt::format("{:.10g} x {:.10g} mm, {}, line {:.10g} mm wide; shown here at 1 : {:.1f}",
                       sheets_.width, sheets_.height,
@@ -242,8 +244,10 @@ class Printer {
           std::string("Print at 100 %, not fitted to the page: on each sheet the bar must measure 100 mm."),
           std::string("Cut off the left and the lower edge along the marks, and lay the sheet on the flaps "
                       "of those to the left and below."),
+          std::string(worn ? "What is worn here is printed whole." : ""),
           fmt::format("Marks that meet are {:.10g} mm apart to the right, {:.10g} mm upward.",
                       sheets_.net_width(), sheets_.net_height())}) {
+      if (line.empty()) continue;
       y -= 5.0;
       pdf_.text({margin, y}, 3.4, line);
     }

@@ -30,16 +30,23 @@ std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
   return runs;
 }
 
+// Of a rectangle, or of a mark.
+template <class T>
+std::vector<std::array<double, 2>> corners_of(const T& shape) {
+  std::vector<std::array<double, 2>> corners;
+  for (const Vec2 corner : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}})
+    corners.push_back(
+        millimetres(shape.middle.to_world({corner.x * shape.half_length, corner.y * shape.half_width})));
+  return corners;
+}
+
 FloorShapes::Area area_of(const grid::Area& area) {
   FloorShapes::Area drawn{area.colour.drawn(), {}, {}, area.over_lines};
   const auto [x, y] = millimetres(area.middle.position);
-  if (area.radius > 0.0) {
+  if (area.radius > 0.0)
     drawn.disc = {x, y, millimetres(area.radius)};
-    return drawn;
-  }
-  for (const Vec2 corner : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}})
-    drawn.corners.push_back(
-        millimetres(area.middle.to_world({corner.x * area.half_length, corner.y * area.half_width})));
+  else
+    drawn.corners = corners_of(area);
   return drawn;
 }
 
@@ -58,12 +65,12 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
   shapes.height_mm = millimetres(map.height * map.cell_m);
   shapes.cell_mm = millimetres(map.cell_m);
   shapes.line_mm = millimetres(map.line_m);
+  const std::vector<grid::Paint> paints = grid::paints_of(map);
   shapes.walls = runs_of(map, [](grid::Cell c) { return c == grid::Cell::wall; });
   if (map.raster) {
     shapes.dark = runs_of(map, [](grid::Cell c) { return grid::is_line(c) && c != grid::Cell::gap; });
   } else {
     const grid::Stripes stripes(map, 0.0);
-    const std::vector<grid::Paint> paints = grid::paints_of(map);
     for (std::size_t i = 0; i < paints.size(); ++i) {  // in the order in which they are painted
       const grid::Paint& paint = paints[i];
       for (const grid::Stripe& s : stripes.all())
@@ -82,6 +89,11 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
                       millimetres(map.image->high_m())};
   shapes.light_line = map.light_line;
   for (const grid::Mark& mark : map.course.marks) {
+    const grid::Colour colour = *paints[static_cast<std::size_t>(mark.paint)].colour;
+    if (colour != *paints[0].colour) {
+      shapes.areas.push_back({colour.drawn(), {}, corners_of(mark), true});
+      continue;
+    }
     const Vec2 half = mark.middle.heading * mark.half_length;
     const auto from = millimetres(mark.middle.position - half), to = millimetres(mark.middle.position + half);
     shapes.marks.push_back({from[0], from[1], to[0], to[1], millimetres(2.0 * mark.half_width)});

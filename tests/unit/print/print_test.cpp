@@ -170,6 +170,14 @@ TEST(Print, WallsAreThinOutlinesAndTakeNoSheetOfTheirOwn) {
   EXPECT_THAT(pages_of(one.pdf)[1], HasSubstr(" re"));
 }
 
+TEST(Print, SaysThatWornLinesAreWhole) {
+  const auto overview = [](const std::string& keys) {
+    return pages_of(printed(path_map("{ length = \"100 mm\"" + keys + " }", "")).pdf)[0];
+  };
+  EXPECT_THAT(overview(", worn = \"40 %\""), HasSubstr("printed whole"));
+  EXPECT_THAT(overview(""), Not(HasSubstr("printed whole")));
+}
+
 TEST(Print, PaintedAreasArePrintedInTheirColours) {
   const Printed one = printed(
       path_map("{ length = \"100 mm\" }",

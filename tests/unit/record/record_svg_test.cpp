@@ -61,6 +61,18 @@ TEST_F(Picture, ShowsTheFloorTheTrailAndHowItEnded) {
   EXPECT_THAT(svg, Not(HasSubstr("A<B")));
 }
 
+TEST_F(Picture, ShowsMarksInTheirOwnColour) {
+  write_file(
+      map,
+      "+++\nsize = [\"1 m\", \"500 mm\"]\n[[path]]\nfrom = [\"100 mm\", \"100 mm\"]\nsegments = [{ length "
+      "= \"800 mm\" }]\n[[mark]]\nalong = \"300 mm\"\n[[mark]]\nalong = \"500 mm\"\ncolour = \"red\"\n+++\n");
+  recorder.begin(run);
+  recorder.add(wire::Started{});
+  const std::string svg = drawn();
+  EXPECT_THAT(svg, HasSubstr(R"(fill="#c8322b")"));
+  EXPECT_THAT(svg, HasSubstr("400.0 350.0")) << "the other one";
+}
+
 TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
   recorder.begin(run);
   recorder.add(wire::Started{});
