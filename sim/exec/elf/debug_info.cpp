@@ -223,9 +223,8 @@ std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
 std::vector<std::uint32_t> DebugInfo::numbers() const {
   std::vector<std::uint32_t> addresses;
   if (dwarf_) for_each_unit(dwarf_, [&](Dwarf_Die unit) { find_numbers(unit, addresses); });
-  std::ranges::sort(addresses);
-  const auto same = std::ranges::unique(addresses);
-  addresses.erase(same.begin(), same.end());
+  std::sort(addresses.begin(), addresses.end());
+  addresses.erase(std::unique(addresses.begin(), addresses.end()), addresses.end());
   return addresses;
 }
 
