@@ -10,18 +10,17 @@
 namespace robosim::build {
 
 Reading reading_of(const Request& request) {
-  Request host = request;
-  host.target = "host";
-  const Image image = build(host);
-  const Target& target = find_target(host.target);
+  const Image image = build(request);
+  const Target& target = find_target(request.target);
   const Cache cache(cache_folder());
   const Compiler compiler = find_compiler(target);
+  const GenuineCore genuine = find_core();
   Toolchain toolchain{target, compiler, ask(compiler, cache.folder()),
-                      core_for(target, host.board, find_core(), cache.folder()), host.board};
-  toolchain.rules = host.rules;
-  Reading reading{read_sketch(host.sketch, host.rules), {}};
+                      core_for(target, request.board, genuine, cache.folder()), request.board};
+  toolchain.rules = request.rules;
+  Reading reading{read_sketch(request.sketch, request.rules), {}};
   std::vector<Library> libraries;
-  const auto folders = library_folders(reading.sketch.folder, host.libraries, toolchain.core.libraries);
+  const auto folders = library_folders(reading.sketch.folder, request.libraries, toolchain.core.libraries);
   for (const std::string& name : image.libraries)
     for (const Library& library : libraries_called(name, folders)) {
       libraries.push_back(library);
@@ -30,6 +29,12 @@ Reading reading_of(const Request& request) {
   Unit unit = sketch_unit(reading.sketch);
   unit.includes = include_folders(unit, libraries);
   reading.words = reading_words(toolchain, unit);
+  if (target.chip) {  // what its compiler brings by itself
+    reading.words.push_back("--target=avr");
+    for (const std::string& word : toolchain.core.machine) reading.words.push_back(word);
+    for (const auto& folder : {toolchain.facts.include_folder, genuine.avr_libc.parent_path()})
+      reading.words.insert(reading.words.end(), {"-isystem", folder.string()});
+  }
   return reading;
 }
 

@@ -1,4 +1,4 @@
-// What another parser than the compiler needs to read a sketch as it is compiled for the host.
+// What another parser than the compiler needs to read a sketch as it is compiled.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Reading {
   std::vector<std::string> words;  ///< as a C++ compiler has them: the language, macros, folders of headers
 };
 
-/// Builds the sketch for the host first, so that it is one that compiles. Throws as build() does.
+/// Builds the sketch first, for the host or an AVR, so that it is one that compiles. Throws as build() does.
 Reading reading_of(const Request& request);
 
 }  // namespace robosim::build

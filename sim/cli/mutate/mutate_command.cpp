@@ -38,7 +38,8 @@ build::Reading read(const std::string& sketch, const Check& check, tui::Progress
   launch.sketch = sketch;
   if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
   if (!check.sweep.robots.empty()) launch.robot = check.sweep.robots.front();
-  launch.target = "host";
+  const auto& targets = check.sweep.targets;
+  launch.target = targets.empty() || targets.front() != "avr" ? "host" : "avr";
   launch::Chosen chosen = choose(launch);
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress, {false, false}));
