@@ -9,6 +9,12 @@
 
 namespace robosim::testing {
 
+void RunLog::add(Entry entry) {
+  const auto later = std::upper_bound(events.begin(), events.end(), entry.t_ns,
+                                      [](std::int64_t t, const Entry& other) { return t < other.t_ns; });
+  events.insert(later, std::move(entry));
+}
+
 std::string seconds(std::int64_t ns) {
   std::string text = fmt::format("{:.3f}", static_cast<double>(ns) * 1e-9);
   // At least two decimals; the third only where it says something.

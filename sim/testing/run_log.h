@@ -43,6 +43,9 @@ struct RunLog {
   std::string replay;                  ///< the command, but for how long
   std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
   mutable bool verdict_asked = false;  ///< the test knows that the run may end
+
+  /// Notes of a tick are told at its end, behind what the sketch has said in it: it goes where it belongs.
+  void add(Entry entry);
 };
 
 /// A sample as a test sees it.

@@ -79,11 +79,11 @@ void Simulation::Inside::take(const wire::Event& event) {
     if (log->samples.empty() || log->samples.back().t_us < sample->t_us) log->samples.push_back(*sample);
   }
   if (const auto* note = std::get_if<wire::Note>(&event))
-    log->events.push_back({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
+    log->add({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) {
     log->serial += serial->text;
     log->said.push_back({serial->t_ns, log->serial.size()});
-    log->events.push_back({serial->t_ns, "the sketch says " + in_quotes(serial->text)});
+    log->add({serial->t_ns, "the sketch says " + in_quotes(serial->text)});
   }
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "sim/base/file.h"
+#include "sim/testing/run_log.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::harness {
@@ -57,6 +58,17 @@ TEST_F(FailedTests, SayWhatHappenedWhenAndWhere) {
             HasSubstr("it did not happen within 0.50 s that a motor is driven"),
             HasSubstr("the sketch says \"Ready: press start\\r\\n\""), HasSubstr("start pressed"),
             HasSubstr("the run ended at"), HasSubstr("Forgetful.ino:")));
+}
+
+// A script's step is told at the end of its tick, in which the sketch may have answered already.
+TEST(RunLog, HasACauseBeforeItsEffect) {
+  testing::RunLog log;
+  log.add({1'000'400'000, "the sketch says \"refused\""});
+  log.add({1'000'000'000, "\"3\" sent to the sketch"});
+  log.add({1'000'000'000, "start pressed"});
+  ASSERT_EQ(log.events.size(), 3u);
+  EXPECT_EQ(log.events[0].text, "\"3\" sent to the sketch");
+  EXPECT_EQ(log.events[1].text, "start pressed");
 }
 
 TEST_F(FailedTests, AreReplayedByTheCommandThatTheyTell) {
