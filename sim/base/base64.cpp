@@ -2,13 +2,34 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "sim/base/error.h"
 
 namespace robosim {
 namespace {
 
-constexpr const char* kBase64Digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+// Two digits for each twelve bits.
+constexpr auto kPairs = [] {
+  std::array<std::array<char, 2>, 4096> pairs{};
+  for (std::size_t bits = 0; bits < pairs.size(); ++bits)
+    pairs[bits] = {kDigits[bits >> 6], kDigits[bits & 63]};
+  return pairs;
+}();
+
+// What a digit stands for at each of a group's four places; kBad for what is none.
+constexpr std::uint32_t kBad = 1u << 24;
+constexpr auto kValues = [] {
+  std::array<std::array<std::uint32_t, 256>, 4> values{};
+  for (std::size_t place = 0; place < 4; ++place) {
+    for (std::uint32_t& value : values[place]) value = kBad;
+    for (std::uint32_t i = 0; i < 64; ++i)
+      values[place][static_cast<std::uint8_t>(kDigits[i])] = i << (18 - 6 * place);
+  }
+  return values;
+}();
 
 }  // namespace
 
@@ -16,44 +37,44 @@ std::string base64(std::string_view bytes) {
   std::string text((bytes.size() + 2) / 3 * 4, '=');
   char* to = text.data();
   const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<std::uint8_t>(bytes[i])}; };
-  const auto put = [&](std::uint32_t group, int digits) {
-    for (int k = 0; k < digits; ++k) to[k] = kBase64Digits[group >> (18 - 6 * k) & 63];
-    to += digits;
-  };
   std::size_t i = 0;
-  for (; i + 3 <= bytes.size(); i += 3) put(byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2), 4);
-  if (bytes.size() - i == 1) put(byte(i) << 16, 2);
-  if (bytes.size() - i == 2) put(byte(i) << 16 | byte(i + 1) << 8, 3);
+  for (; i + 3 <= bytes.size(); i += 3, to += 4) {
+    const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    std::memcpy(to, kPairs[group >> 12].data(), 2);
+    std::memcpy(to + 2, kPairs[group & 4095].data(), 2);
+  }
+  if (i == bytes.size()) return text;
+  const std::uint32_t group = byte(i) << 16 | (i + 1 < bytes.size() ? byte(i + 1) << 8 : 0);
+  std::memcpy(to, kPairs[group >> 12].data(), 2);
+  if (i + 1 < bytes.size()) to[2] = kPairs[group & 4095][0];
   return text;
 }
 
 std::string from_base64(std::string_view text) {
-  static const auto values = [] {
-    std::array<std::int8_t, 256> table;
-    table.fill(-1);
-    for (std::int8_t i = 0; i < 64; ++i) table[static_cast<std::uint8_t>(kBase64Digits[i])] = i;
-    return table;
-  }();
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   std::string bytes(text.size() * 3 / 4, '\0');
   char* to = bytes.data();
-  int bad = 0;  // negative once a character was none of base64's
-  const auto value = [&](std::size_t i) {
-    const int v = values[static_cast<std::uint8_t>(text[i])];
-    bad |= v;
-    return static_cast<std::uint32_t>(v);
+  std::uint32_t bad = 0;  // its bit kBad is set once a character was none of base64's
+  const auto value = [&](std::size_t i, std::size_t place) {
+    return kValues[place][static_cast<std::uint8_t>(text[i])];
   };
   std::size_t i = 0;
   for (; i + 4 <= text.size(); i += 4) {
-    const std::uint32_t group = value(i) << 18 | value(i + 1) << 12 | value(i + 2) << 6 | value(i + 3);
+    const std::uint32_t group = value(i, 0) | value(i + 1, 1) | value(i + 2, 2) | value(i + 3, 3);
+    bad |= group;
     *to++ = static_cast<char>(group >> 16);
     *to++ = static_cast<char>(group >> 8);
     *to++ = static_cast<char>(group);
   }
-  if (text.size() - i == 1) bad = -1;  // six bits are no byte
-  if (text.size() - i >= 2) *to++ = static_cast<char>(value(i) << 2 | value(i + 1) >> 4);
-  if (text.size() - i == 3) *to++ = static_cast<char>(value(i + 1) << 4 | value(i + 2) >> 2);
-  if (bad < 0) throw InputError("its data are damaged");
+  const std::size_t left = text.size() - i;
+  if (left == 1) bad = kBad;  // six bits are no byte
+  if (left >= 2) {
+    const std::uint32_t group = value(i, 0) | value(i + 1, 1) | (left == 3 ? value(i + 2, 2) : 0);
+    bad |= group;
+    *to++ = static_cast<char>(group >> 16);
+    if (left == 3) *to++ = static_cast<char>(group >> 8);
+  }
+  if (bad & kBad) throw InputError("its data are damaged");
   return bytes;
 }
 

@@ -1,9 +1,11 @@
 #include "sim/record/compressed.h"
 
+#include <libdeflate.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 
 #include "sim/base/error.h"
@@ -11,6 +13,7 @@
 namespace robosim::record {
 namespace {
 
+constexpr int kFastest = 1;
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
@@ -18,12 +21,11 @@ Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<c
 }  // namespace
 
 std::string deflated(std::string_view bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string out(size, '\0');
-  if (compress2(bytes_of(out.data()), &size, bytes_of(bytes.data()), static_cast<uLong>(bytes.size()),
-                Z_BEST_SPEED) != Z_OK)
-    throw std::runtime_error("zlib cannot compress a recording");
-  out.resize(size);
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kFastest), &libdeflate_free_compressor);
+  if (!compressor) throw std::runtime_error("libdeflate cannot begin");
+  std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
   return out;
 }
 

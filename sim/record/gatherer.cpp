@@ -51,6 +51,7 @@ void Gatherer::add(const wire::Event& event) {
 }
 
 void Gatherer::add_columns(const wire::Columns& columns) {
+  header_.sources.insert(header_.sources.end(), columns.sources.begin(), columns.sources.end());
   for (const wire::Rows& rows : columns.streams) {
     KeptStream& stream = streams_[rows.stream];
     stream.add(rows);

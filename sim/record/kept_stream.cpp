@@ -58,7 +58,7 @@ StreamInfo KeptStream::write(const std::string& name, std::string& body) {
   }
   StreamInfo info{name, thinned_ ? thinned_->few.count() : count_, {}};
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    const std::string& bytes = thinned_ ? thinned_->few.columns()[i].bytes() : bytes_[i];
+    const std::string_view bytes = thinned_ ? thinned_->few.columns()[i].bytes() : bytes_[i];
     info.columns.push_back(
         {specs_[i].name, specs_[i].scale, specs_[i].order, static_cast<std::int64_t>(bytes.size())});
     body += bytes;

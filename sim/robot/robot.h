@@ -31,8 +31,8 @@ Description load_description(const std::string& robot_name);
 
 /// A level for display: without noise, and consuming no sample of it.
 struct Reading {
-  std::string part;  ///< "S1" … for elements of an array, else the part's name
-  double value;      ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
+  std::string_view part;  ///< "S1" … for elements of an array, else the part's name; the robot keeps it
+  double value;           ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
 /// A pin of the board and what is wired to it, so that a verdict can name it ("pin 2, the button start").

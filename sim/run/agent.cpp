@@ -86,7 +86,7 @@ void Agent::restore(const Saved& saved) {
 void Agent::begin() {
   const grid::Map& map = *setup_.map;
   Beginning beginning{start_, goal_, network_.stations, {}, map.width, map.height, map.cell_m};
-  for (const robot::Reading& reading : robot_.readings()) beginning.readings.push_back(reading.part);
+  for (const robot::Reading& reading : robot_.readings()) beginning.readings.emplace_back(reading.part);
   state_.listener->began(beginning);
   executor_.power_on(0);
   if (setup_.samples_every > 0) state_.listener->sampled(sample_at(0));
@@ -175,7 +175,9 @@ Sample Agent::sample_at(SimTime t) const {
   Sample sample{
       t, body_.pose(), body_.speed(), state_.cross_track, robot_.left_command(), robot_.right_command(), {}};
   sample.wheels = {body_.tread_speed(world::left), body_.tread_speed(world::right)};
-  for (const robot::Reading& reading : robot_.readings()) sample.readings.push_back(reading.value);
+  const std::vector<robot::Reading> readings = robot_.readings();
+  sample.readings.reserve(readings.size());
+  for (const robot::Reading& reading : readings) sample.readings.push_back(reading.value);
   if (setup_.controller) {
     for (const judge::Waypoint& station : progress_.stations())
       if (body_.covers(station.centre)) sample.at_station = station.name;

@@ -53,7 +53,7 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
       const std::vector<robot::Reading> readings = scene_.robot.readings();
       if (find_reading(readings, stop.text)) break;
       std::vector<std::string> names;
-      for (const robot::Reading& reading : readings) names.push_back(reading.part);
+      for (const robot::Reading& reading : readings) names.emplace_back(reading.part);
       throw InputError(fmt::format("the robot has no part {} that could be read; {}", stop.text,
                                    names.empty() ? "it has none" : "those are " + one_of(names)));
     }

@@ -224,7 +224,8 @@ std::int64_t trail_every_ns(std::int64_t for_ns) {
 }
 
 void Trail::add(const wire::Sample& sample) {
-  last_ = {sample.x_mm / 1000.0, sample.y_mm / 1000.0};
+  const auto place = [](double mm) { return std::round(100.0 * mm) / 100'000.0; };  // as recordings keep it
+  last_ = {place(sample.x_mm), place(sample.y_mm)};
   yaw_rad_ = sample.yaw_rad;
   carried_ = hand_.has_moved();
   gap_ |= carried_;

@@ -144,8 +144,8 @@ std::string to_line(const Id& id, const Answer& answer) {
     line["event"] = Columns::kEvent;
     if (columns->agent != 0) line["agent"] = columns->agent;
     std::string text = text_of(line);
-    text.pop_back();  // the object's }
-    return text + ",\"streams\":" + streams_text(*columns) + "}\n";
+    text.back() = ',';  // in place of the object's }
+    return text.append(columns_text(*columns), 1) + "\n";
   }
   std::visit(Adder{line}, answer);
   return text_of(line) + "\n";

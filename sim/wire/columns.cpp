@@ -7,21 +7,31 @@
 
 namespace robosim::wire {
 
-void Column::add(double value) {
+void Column::add(const double* first, std::size_t step, std::size_t count) {
   constexpr auto kMost = static_cast<double>(kMostSteps);
-  const double scaled = value * spec_.scale;
-  std::int64_t steps = 0;  // of what is no number
-  if (std::fabs(scaled) < kMost)
-    steps = static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
-  else if (!std::isnan(scaled))
-    steps = scaled < 0.0 ? -kMostSteps : kMostSteps;
-  const std::int64_t change = steps - last_;
-  const std::int64_t d = spec_.order == 2 ? change - change_ : change;
-  last_ = steps;
-  change_ = change;
-  auto z = (static_cast<std::uint64_t>(d) << 1) ^ static_cast<std::uint64_t>(d >> 63);
-  for (; z >= 0x80; z >>= 7) bytes_.push_back(static_cast<char>(z | 0x80));
-  bytes_.push_back(static_cast<char>(z));
+  constexpr std::size_t kLongest = 10;  // bytes of 64 bits
+  buffer_.resize(std::max(buffer_.size(), used_ + kLongest * count));
+  const double scale = spec_.scale;
+  const bool is_second = spec_.order == 2;
+  std::int64_t last = last_, expected = is_second ? change_ : 0;
+  char* to = buffer_.data() + used_;
+  for (const double* value = first; count > 0; --count, value += step) {
+    const double scaled = *value * scale;
+    std::int64_t steps = 0;  // of what is no number
+    if (std::fabs(scaled) < kMost)
+      steps = static_cast<std::int64_t>(scaled + std::copysign(0.5, scaled));
+    else if (!std::isnan(scaled))
+      steps = scaled < 0.0 ? -kMostSteps : kMostSteps;
+    const std::int64_t change = steps - last, d = change - expected;
+    last = steps;
+    if (is_second) expected = change;
+    auto z = (static_cast<std::uint64_t>(d) << 1) ^ static_cast<std::uint64_t>(d >> 63);
+    for (; z >= 0x80; z >>= 7) *to++ = static_cast<char>(z | 0x80);
+    *to++ = static_cast<char>(z);
+  }
+  used_ = static_cast<std::size_t>(to - buffer_.data());
+  last_ = last;
+  change_ = expected;
 }
 
 std::optional<std::vector<std::int64_t>> ColumnReader::read(std::string_view bytes, std::size_t count) {
@@ -51,19 +61,23 @@ Stream::Stream(std::string name, const std::vector<ColumnSpec>& columns) : name_
 }
 
 void Stream::add(const double* row) {
-  for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i].add(row[i]);
+  const std::size_t columns = columns_.size();
+  if (rows_.size() < waiting_ + columns) rows_.resize(2 * rows_.size() + 16 * columns);
+  std::copy(row, row + columns, rows_.data() + waiting_);
+  waiting_ += columns;
   ++count_;
 }
 
-std::size_t Stream::bytes() const {
-  std::size_t bytes = 0;
-  for (const Column& column : columns_) bytes += column.bytes().size();
-  return bytes;
+std::vector<Column>& Stream::columns() {
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    columns_[i].add(rows_.data() + i, columns_.size(), waiting_ / columns_.size());
+  waiting_ = 0;
+  return columns_;
 }
 
 Rows Stream::take() {
   Rows rows{name_, count_, {}, {}};
-  for (Column& column : columns_) {
+  for (Column& column : columns()) {
     if (!told_) rows.columns.push_back(column.spec());
     rows.bytes.push_back(base64(column.bytes()));
     column.clear();

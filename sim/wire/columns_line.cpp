@@ -10,17 +10,21 @@ namespace {
 
 constexpr std::size_t kLong = 24;
 
-bool is_plain(const std::string& text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return c >= '+' && c <= 'z' && c != '\\'; });  // base64 is
+bool is_plain(
+    const std::string& text) {  // base64 is; without a branch, many characters are looked at at once
+  unsigned other = 0;
+  for (const char c : text)
+    other |=
+        static_cast<unsigned>(c < '+') | static_cast<unsigned>(c > 'z') | static_cast<unsigned>(c == '\\');
+  return other == 0;
 }
 
 }  // namespace
 
-std::string streams_text(const Columns& columns) {
-  std::string text = "[";
+std::string columns_text(const Columns& columns) {
+  std::string text = "{\"streams\":[";
   for (const Rows& rows : columns.streams) {
-    if (text.size() > 1) text += ',';
+    if (&rows != columns.streams.data()) text += ',';
     text += text_of(to_json(Rows{rows.stream, rows.count, rows.columns, {}}));
     text.resize(text.size() - 2);  // ]} of an empty "bytes", which stands last
     for (std::size_t i = 0; i < rows.bytes.size(); ++i) {
@@ -32,7 +36,14 @@ std::string streams_text(const Columns& columns) {
     }
     text += "]}";
   }
-  return text += ']';
+  text += ']';
+  Columns named;
+  named.sources = columns.sources;
+  if (!columns.sources.empty())  // without its {
+    text += ',' + text_of(to_json(named)).substr(sizeof R"({"streams":[],)" - 1);
+  else
+    text += '}';
+  return text;
 }
 
 std::string LongTexts::cut(std::string_view line) {

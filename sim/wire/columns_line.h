@@ -10,8 +10,8 @@
 
 namespace robosim::wire {
 
-/// The streams as JSON: what to_json() gives of them, in its order, as text.
-std::string streams_text(const Columns& columns);
+/// As JSON: what to_json() gives, in its order, as text.
+std::string columns_text(const Columns& columns);
 
 /// The long texts in the arrays of a line of JSON, each replaced by "#" and its number, which is no base64.
 class LongTexts {

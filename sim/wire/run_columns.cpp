@@ -1,10 +1,18 @@
 #include "sim/wire/run_columns.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "sim/base/base64.h"
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
+
+namespace {
+
+constexpr const char* kSamples = "samples";
+
+}  // namespace
 
 PinLevel pin_level(const PinChange& pin) {
   return pin_level(pin.mode == "output", pin.mode == "input_pullup", pin.pwm, pin.duty, pin.tone_hz);
@@ -19,8 +27,9 @@ std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings)
   return columns;
 }
 
-const std::vector<ColumnSpec>& pin_columns() {
-  static const std::vector<ColumnSpec> columns{{"t_ns", 1, 2}, {"level"}, {"duty", 10'000}, {"tone_hz"}};
+std::vector<ColumnSpec> pin_columns(bool sources) {
+  std::vector<ColumnSpec> columns{{"t_ns", 1, 2}, {"level"}, {"duty", 10'000}, {"tone_hz"}};
+  if (sources) columns.push_back({"source"});
   return columns;
 }
 
@@ -29,15 +38,44 @@ const std::vector<ColumnSpec>& volts_columns() {
   return columns;
 }
 
-RunColumns::RunColumns(std::vector<std::string> pins) {
+std::vector<Sample> PoseReader::take(const Columns& columns) {
+  constexpr std::size_t kPose = 4;
+  std::vector<Sample> samples;
+  for (const Rows& rows : columns.streams) {
+    if (rows.stream != kSamples) continue;
+    for (std::size_t i = specs_.size(); i < std::min(kPose, rows.columns.size()); ++i) {
+      specs_.push_back(rows.columns[i]);
+      readers_.emplace_back(rows.columns[i].order);
+    }
+    const auto count = static_cast<std::size_t>(rows.count);
+    std::vector<std::vector<std::int64_t>> values;
+    for (std::size_t i = 0; i < std::min(readers_.size(), rows.bytes.size()); ++i)
+      if (auto column = readers_[i].read(from_base64(rows.bytes[i]), count))
+        values.push_back(std::move(*column));
+    if (values.size() != kPose) return {};  // the recorder says what is wrong with them
+    const auto at = [&](std::size_t column, std::size_t row) {
+      return static_cast<double>(values[column][row]) / specs_[column].scale;
+    };
+    for (std::size_t row = 0; row < count; ++row) {
+      Sample& sample = samples.emplace_back();
+      sample.t_us = values[0][row];
+      sample.x_mm = at(1, row);
+      sample.y_mm = at(2, row);
+      sample.yaw_rad = at(3, row);
+    }
+  }
+  return samples;
+}
+
+RunColumns::RunColumns(const std::vector<std::string>& pins, bool sources) {
   for (const std::string& pin : pins) {
-    pins_.push_back({Stream("pin " + pin, pin_columns())});
+    pins_.push_back({Stream("pin " + pin, pin_columns(sources))});
     volts_.push_back({Stream("volts " + pin, volts_columns())});
   }
 }
 
 void RunColumns::begin(const std::vector<std::string>& readings) {
-  samples_.assign(1, Stream("samples", sample_columns(readings)));
+  samples_.assign(1, Stream(kSamples, sample_columns(readings)));
 }
 
 void RunColumns::add(const Sample& s) {
@@ -45,28 +83,42 @@ void RunColumns::add(const Sample& s) {
   row_.assign({static_cast<double>(s.t_us), s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left,
                s.right, s.wheels_mm_s[0], s.wheels_mm_s[1]});
   row_.insert(row_.end(), s.readings.begin(), s.readings.end());
-  row_.resize(samples_[0].columns().size());
+  row_.resize(samples_[0].width());
   samples_[0].add(row_.data());
 }
 
-void RunColumns::change(Changes& changes, const std::array<double, 4>& row) {
+void RunColumns::change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source) {
   if (changes.last[0] >= 0.0 && std::equal(row.begin() + 1, row.end(), changes.last.begin() + 1)) return;
-  changes.stream.add(row.data());
+  const double with_source[] = {row[0], row[1], row[2], row[3], static_cast<double>(number_of(source))};
+  changes.stream.add(with_source);
   changes.last = row;
 }
 
+int RunColumns::number_of(const SourceLine* source) {
+  if (!source || source->file.empty()) return 0;
+  const auto [known, fresh] = sources_.try_emplace({source->file, source->line, source->function},
+                                                   static_cast<int>(sources_.size()) + 1);
+  if (fresh) new_sources_.push_back(*source);
+  return known->second;
+}
+
 void RunColumns::add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, double duty,
-                         std::uint32_t tone_hz) {
+                         std::uint32_t tone_hz, const SourceLine* source) {
   change(pins_.at(pin),
-         {static_cast<double>(t_ns), static_cast<double>(level), duty, static_cast<double>(tone_hz)});
+         {static_cast<double>(t_ns), static_cast<double>(level), duty, static_cast<double>(tone_hz)}, source);
 }
 
 void RunColumns::add_volts(std::size_t pin, std::int64_t t_ns, double volts) {
-  change(volts_.at(pin), {static_cast<double>(t_ns), volts, 0.0, 0.0});
+  Changes& changes = volts_.at(pin);
+  if (changes.last[0] >= 0.0 && changes.last[1] == volts) return;
+  const double row[] = {static_cast<double>(t_ns), volts};
+  changes.stream.add(row);
+  changes.last = {row[0], volts};
 }
 
 Columns RunColumns::take() {
   Columns columns;
+  columns.sources = std::exchange(new_sources_, {});
   for (Stream& stream : samples_)
     if (stream.count() > 0) columns.streams.push_back(stream.take());
   for (auto* all : {&pins_, &volts_})

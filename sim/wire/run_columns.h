@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "sim/wire/columns.h"
@@ -27,17 +29,29 @@ constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, st
 PinLevel pin_level(const PinChange& pin);
 
 std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings);
-const std::vector<ColumnSpec>& pin_columns();
+/// `sources`: with the lines that drive the pin.
+std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
+
+/// The samples in the columns of a run, as they come: when they were, and the pose.
+class PoseReader {
+ public:
+  std::vector<Sample> take(const Columns& columns);
+
+ private:
+  std::vector<ColumnSpec> specs_;
+  std::vector<ColumnReader> readers_;
+};
 
 class RunColumns {
  public:
-  /// The board's pins, by number.
-  explicit RunColumns(std::vector<std::string> pins);
+  /// The board's pins, by number. `sources`: with the lines that drive them.
+  explicit RunColumns(const std::vector<std::string>& pins, bool sources = false);
 
   void begin(const std::vector<std::string>& readings);
   void add(const Sample& sample);
-  void add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, double duty, std::uint32_t tone_hz);
+  void add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, double duty, std::uint32_t tone_hz,
+               const SourceLine* source = nullptr);
   void add_volts(std::size_t pin, std::int64_t t_ns, double volts);
 
   /// All since the last call; without streams if there is nothing.
@@ -49,11 +63,15 @@ class RunColumns {
     Stream stream;
     std::array<double, 4> last{-1.0};  ///< of fewer columns the rest is unused; the time is never negative
   };
-  static void change(Changes& changes, const std::array<double, 4>& row);
+  void change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source);
+  /// Its number, from 1; 0 = it is none.
+  int number_of(const SourceLine* source);
 
   std::vector<Stream> samples_;  ///< one, once it has begun
   std::vector<Changes> pins_, volts_;
   std::vector<double> row_;
+  std::map<std::tuple<std::string, int, std::string>, int> sources_;  ///< their numbers
+  std::vector<SourceLine> new_sources_;
 };
 
 }  // namespace robosim::wire

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@
 #include "sim/tui/live_view.h"
 #include "sim/tui/progress.h"
 #include "sim/tui/report.h"
+#include "sim/wire/run_columns.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -75,6 +77,8 @@ class Listeners {
       : recorders_(recorders), progress_(progress), for_s_(static_cast<double>(for_ns) * 1e-9) {}
 
   void watch(tui::LiveView* view) { view_ = view; }
+  /// The run sends no samples, but columns, which have them, too.
+  void take_samples_from_columns(std::int64_t every_ns) { trail_every_ns_ = every_ns; }
   void print_serial() { print_serial_ = true; }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
 
@@ -83,11 +87,11 @@ class Listeners {
     if (const auto* serial = std::get_if<wire::SerialText>(&event); serial && print_serial_)
       print(serial->text);
     if (const auto* started = std::get_if<wire::Started>(&event)) started_ = *started;
-    if (const auto* sample = std::get_if<wire::Sample>(&event)) {
-      trail_.add(*sample);
-      if (!view_) progress_.advance(sample->t_us, for_s_);
-    }
-    if (const auto* note = std::get_if<wire::Note>(&event)) trail_.add(*note);
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) add(*sample);
+    if (const auto* columns = std::get_if<wire::Columns>(&event); columns && trail_every_ns_ > 0)
+      for (const wire::Sample& sample : poses_.take(*columns))
+        if (sample.t_us * 1000 % trail_every_ns_ == 0) add(sample);
+    if (const auto* note = std::get_if<wire::Note>(&event)) notes_.push_back(*note);
     if (std::holds_alternative<wire::DebuggerAwaited>(event)) {
       progress_.clear();
       complain(fmt::format("robosim: waiting for a debugger; in another terminal type: {}\n", debugger_));
@@ -99,6 +103,14 @@ class Listeners {
   const tui::Trail& trail() const { return trail_; }
 
  private:
+  /// Columns come later than the notes of their time.
+  void add(const wire::Sample& sample) {
+    for (; !notes_.empty() && notes_.front().t_ns < sample.t_us * 1000; notes_.pop_front())
+      trail_.add(notes_.front());
+    trail_.add(sample);
+    if (!view_) progress_.advance(sample.t_us, for_s_);
+  }
+
   record::Recorders& recorders_;
   tui::Progress& progress_;
   tui::LiveView* view_ = nullptr;
@@ -106,6 +118,9 @@ class Listeners {
   std::string debugger_;  ///< what to type to attach one
   wire::Started started_;
   tui::Trail trail_;
+  std::deque<wire::Note> notes_;  ///< that the trail has not heard of yet
+  wire::PoseReader poses_;
+  std::int64_t trail_every_ns_ = 0;
   double for_s_;
 };
 
@@ -157,6 +172,11 @@ int run_command(const RunArguments& arguments) {
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
+  const std::int64_t trail_every_ns = tui::trail_every_ns(launch.request.for_ns),
+                     columns_every_ns = launch.request.columns_every_ns;
+  const bool has_samples_in_columns = columns_every_ns > 0 && trail_every_ns % columns_every_ns == 0 &&
+                                      launch.request.samples_every_ns == trail_every_ns && !arguments.view;
+  if (has_samples_in_columns) launch.request.samples_every_ns = 0;
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);
@@ -173,6 +193,7 @@ int run_command(const RunArguments& arguments) {
   recorders.begin(recorded);
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
+  if (has_samples_in_columns) listeners.take_samples_from_columns(trail_every_ns);
   if (run.request.gdb_port > 0)
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));

@@ -93,6 +93,22 @@ TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
   EXPECT_THAT(pin[2], ElementsAre(0.25, 1.0));
 }
 
+TEST_F(ARecording, KeepsTheLinesThatDrovePins) {
+  const wire::SourceLine on{"setup", "Blink.ino", 3}, off{"loop", "Blink.ino", 7};
+  wire::RunColumns known{{"D2"}, true};
+  known.add_pin(0, 10, wire::PinLevel::high, 1.0, 0, &on);
+  gatherer.add(known.take());
+  known.add_pin(0, 20, wire::PinLevel::low, 0.0, 0, &off);
+  gatherer.add(known.take());
+  const Recording recording = written();
+  const auto pin = recording.stream("pin D2");
+  ASSERT_THAT(pin, SizeIs(5));
+  EXPECT_THAT(pin[4], ElementsAre(1, 2));
+  ASSERT_THAT(recording.header().sources, SizeIs(2));
+  EXPECT_EQ(recording.header().sources[1].file, "Blink.ino");
+  EXPECT_EQ(recording.header().sources[1].line, 7);
+}
+
 TEST_F(ARecording, LeavesOutWhatSaysNothingNew) {
   for (int i = 0; i < 100; ++i)
     columns.add_pin(kD2, i * 1000, i >= 50 ? wire::PinLevel::high : wire::PinLevel::low, i >= 50, 0);

@@ -22,7 +22,7 @@ TEST(Columns, HoldAnyNumberThatTheyCanAndTheNearestOtherwise) {
   const std::vector<double> values{0.0, 1e12, -1e12, 0.004, -0.006, 1e300, -1e300, std::nan("")};
   for (const int order : {1, 2}) {
     Column column({"c", 100.0, order});
-    for (const double value : values) column.add(value);
+    for (const double value : values) column.add(&value, 1, 1);
     const auto read = ColumnReader(order).read(column.bytes(), values.size());
     ASSERT_TRUE(read);
     EXPECT_THAT(*read,
@@ -68,6 +68,24 @@ TEST(RunColumns, HoldWhatIsNewAndNothingElse) {
   EXPECT_EQ(taken.streams[2].stream, "volts A0");
 }
 
+TEST(RunColumns, NameTheLineThatDrivesAPinOnce) {
+  const SourceLine set{"setup", "Blink.ino", 3}, high{"loop", "Blink.ino", 7};
+  RunColumns columns({"D13"}, true);
+  columns.add_pin(0, 10, PinLevel::low, 0.0, 0, &set);
+  columns.add_pin(0, 20, PinLevel::high, 1.0, 0, &high);
+  const Columns first = columns.take();
+  ASSERT_THAT(first.sources, SizeIs(2));
+  EXPECT_EQ(first.sources[1].line, 7);
+  columns.add_pin(0, 30, PinLevel::low, 0.0, 0, &high);
+  columns.add_pin(0, 40, PinLevel::high, 1.0, 0, nullptr);
+  const Columns next = columns.take();
+  EXPECT_THAT(next.sources, IsEmpty());
+  ASSERT_EQ(first.streams[0].columns.back().name, "source");
+  ColumnReader reader(1);
+  EXPECT_THAT(*reader.read(from_base64(first.streams[0].bytes.back()), 2), ElementsAre(1, 2));
+  EXPECT_THAT(*reader.read(from_base64(next.streams[0].bytes.back()), 2), ElementsAre(2, 0));
+}
+
 TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
   const std::string longer(100, 'q'), hostile = "no base64: \" \\ \x01 ü, and long enough to be cut out";
   const Columns columns{{{"samples",
@@ -75,14 +93,20 @@ TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
                           {{"t_us", 1, 2}, {"a name \"in\" quotes, of more than 24 letters", 10, 1}},
                           {longer, "AA=="}},
                          {"pin D2", 1, {}, {longer + "/+", hostile}},
-                         {"none", 0, {}, {}}}};
+                         {"none", 0, {}, {}}},
+                        0,
+                        {{"loop", "Blink.ino", 7}, {"", "a \"name\", and a long one.h", 1}}};
   const std::string line = to_line(Id(std::int64_t{7}), Answer(Event(columns)));
-  EXPECT_EQ(nlohmann::json::parse(line)["streams"],
-            nlohmann::json::parse(text_of(to_json(columns)))["streams"]);
+  const auto json = nlohmann::json::parse(line), same = nlohmann::json::parse(text_of(to_json(columns)));
+  EXPECT_EQ(json["streams"], same["streams"]);
+  EXPECT_EQ(json["sources"], same["sources"]);
   const Line read = parse_line(line);
   EXPECT_EQ(read.id, 7);
   const auto& streams = std::get<Columns>(std::get<Event>(read.content)).streams;
   ASSERT_THAT(streams, SizeIs(3));
+  const auto& sources = std::get<Columns>(std::get<Event>(read.content)).sources;
+  ASSERT_THAT(sources, SizeIs(2));
+  EXPECT_EQ(sources[1].file, columns.sources[1].file);
   EXPECT_EQ(streams[0].columns[1].name, columns.streams[0].columns[1].name);
   EXPECT_THAT(streams[0].bytes, ElementsAre(longer, "AA=="));
   EXPECT_THAT(streams[1].bytes, ElementsAre(longer + "/+", hostile));
