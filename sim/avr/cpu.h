@@ -154,6 +154,26 @@ class Cpu {
     };
     hook.write_self = &shared_.back();
   }
+  /// void Owner::Method(Address): told before each write to the register, if somebody owns it by now.
+  template <auto Method, typename Owner>
+  void before_write(Address address, Owner* owner) {
+    Hook& hook = hooks_[address];
+    if (!hook.write) return;
+    early_.push_back({hook, [](void* self, Address at) { (static_cast<Owner*>(self)->*Method)(at); }, owner});
+    hook.write = [](void* self, Address at, std::uint8_t value) {
+      const Early& early = *static_cast<Early*>(self);
+      early.tell(early.self, at);
+      early.hook.write(early.hook.write_self, at, value);
+    };
+    hook.write_self = &early_.back();
+    if (!hook.write_bit) return;
+    hook.write_bit = [](void* self, Address at, std::uint8_t value, std::uint8_t bit) {
+      const Early& early = *static_cast<Early*>(self);
+      early.tell(early.self, at);
+      early.hook.write_bit(early.hook.write_bit_self, at, value, bit);
+    };
+    hook.write_bit_self = &early_.back();
+  }
   /// void Owner::Method(Address, uint8_t value, uint8_t bit)
   template <auto Method, typename Owner>
   void on_write_bit(Address address, Owner* owner) {
@@ -295,6 +315,12 @@ class Cpu {
     void* second_self = nullptr;
   };
   std::deque<Shared> shared_;  ///< by who has two owners
+  struct Early {
+    Hook hook;  ///< as it was
+    void (*tell)(void* self, Address address);
+    void* self;
+  };
+  std::deque<Early> early_;  ///< by whom somebody is told first
   Cycle horizon_ = 0;
   Stop stop_ = Stop::reached;
 };

@@ -57,7 +57,8 @@ export class Track {
     parent.append(this.box);
     const { player } = span;
     let dragging = false;
-    const scrub = (e) => player.seek(this.timeAt(e.offsetX));
+    this.snap = (t) => t;
+    const scrub = (e) => player.seek(this.snap(this.timeAt(e.offsetX)));
     this.canvas.addEventListener('pointerdown', (e) => {
       this.canvas.setPointerCapture(e.pointerId);
       dragging = true;

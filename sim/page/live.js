@@ -64,7 +64,10 @@ export class LiveRun extends Run {
 
   /** A line of the run's; gives what has to be drawn anew: '' is the moment alone. */
   take({ event, paused, result, ...line }) {
-    if (event === 'columns') return this.takeColumns(line.streams);
+    if (event === 'columns') {
+      this.sources.push(...(line.sources ?? []));
+      return this.takeColumns(line.streams);
+    }
     if (event === 'serial') {
       const t = line.t_ns / 1e9, text = line.text.replace(/\r?\n$/, '');
       this.lines.push({ t, text });
@@ -138,7 +141,7 @@ export class LiveRun extends Run {
       Object.defineProperty(pin, 'volts', { get: () => of.volts.all });
       this.addGrowing(`volts ${name}`, 'V', `${name} volts`, true, () => t.all, () => of.volts.all);
     } else {
-      for (const [key, column] of [['level', 'level'], ['duty', 'duty'], ['tone', 'tone_hz']]) Object.defineProperty(pin, key, { get: () => of[column].all });
+      for (const [key, column] of [['level', 'level'], ['duty', 'duty'], ['tone', 'tone_hz'], ['source', 'source']]) Object.defineProperty(pin, key, { get: () => of[column]?.all });
       this.addGrowing(`${name} duty`, '', `${name} duty`, true, () => t.all, () => of.duty.all);
     }
     this.pins.push(pin);

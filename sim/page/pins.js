@@ -16,19 +16,51 @@ export function pinText(pin, t) {
   return pin.tone[i] > 0 ? `${pin.tone[i]} Hz` : `PWM ${Math.round(100 * pin.duty[i])} %`;
 }
 
+/** The line of the sketch that has driven the pin as it is now: "Blink.ino:12 in loop()"; '' where none is known. */
+export function sourceText(pin, t, sources) {
+  const i = indexAt(pin.t, t);
+  if (!pin.source || !pin.t.length || pin.t[i] > t) return '';
+  const { file, line, function: name } = sources[pin.source[i] - 1] ?? {};
+  return file ? `${file}:${line}${name ? ` in ${name}()` : ''}` : '';
+}
+
+const NEAR_PX = 5;
+
 export class PinRow {
   constructor(parent, span, pin, use) {
     Object.assign(this, { span, pin });
     const box = Object.assign(document.createElement('section'), { className: 'pin' });
     const name = Object.assign(document.createElement('div'), { className: 'pin-name' });
-    name.innerHTML = '<b></b> <span></span> <em></em>';
+    name.innerHTML = '<button></button> <span></span> <em></em>';
     [this.title, this.use, this.now] = name.children;
     this.title.textContent = pin.name;
+    this.title.title = `to the next change of ${pin.name} (with shift: the one before)`;
+    this.title.setAttribute('aria-label', this.title.title);
+    this.title.addEventListener('click', (e) => this.stepChange(e.shiftKey ? -1 : 1));
     this.use.textContent = use;
     this.now.dataset.pin = pin.name + (pin.volts ? ' volts' : '');
     box.append(name);
     parent.append(box);
     this.track = new Track(box, span, pin.volts ? 40 : 26, `pin ${pin.name} over time`, 4);
+    this.track.snap = (t) => this.changeNear(t);
+    this.source = Object.assign(document.createElement('div'), { className: 'pin-source' });
+    if (pin.source) box.append(this.source);
+  }
+
+  /** Whoever points at an edge means its moment. */
+  changeNear(t) {
+    const { t: times } = this.pin, i = indexAt(times, t);
+    const near = [times[i], times[i + 1]].filter((at) => Math.abs(this.track.xOf(at) - this.track.xOf(t)) <= NEAR_PX);
+    return near.length ? near.reduce((a, b) => (Math.abs(a - t) <= Math.abs(b - t) ? a : b)) : t;
+  }
+
+  stepChange(direction) {
+    const { player } = this.span, { t: times } = this.pin;
+    let i = indexAt(times, player.t);
+    if (direction < 0 && times[i] >= player.t) i--;
+    if (direction > 0 && times[i] <= player.t) i++;
+    player.pause();
+    if (i >= 0 && i < times.length) player.seek(times[i]);
   }
 
   draw() {
@@ -86,7 +118,10 @@ export class PinRow {
 
   move() {
     this.track.moveHead();
-    this.now.textContent = pinText(this.pin, this.span.player.t);
+    const { t, run } = this.span.player;
+    this.now.textContent = pinText(this.pin, t);
+    this.source.textContent = sourceText(this.pin, t, run.sources);
+    this.source.title = this.source.textContent;
   }
 }
 

@@ -35,7 +35,8 @@ export class Run {
     this.signals = [];
     this.events = [];
     this.lines = [];  // of the serial port: { t, text }
-    this.pins = [];   // { name, t, level, duty, tone }
+    this.pins = [];   // { name, t, level, duty, tone, source }
+    this.sources = [];  // lines of the sketch that drove pins; a pin's `source` counts them from 1
     this.sensors = [];
     for (const [name, unit] of [['x_mm', 'mm'], ['y_mm', 'mm'], ['yaw_rad', 'rad'], ['speed_mm_s', 'mm/s']])
       this.addSignal(name, unit);
@@ -146,13 +147,14 @@ export function runOf({ header, streams }) {
     const t = stream.t_ns && seconds(stream.t_ns, 1e9);
     const [kind, pin] = name.split(' ');
     if (kind === 'pin') {
-      run.pins.push({ name: pin, t, level: stream.level, duty: stream.duty, tone: stream.tone_hz });
+      run.pins.push({ name: pin, t, level: stream.level, duty: stream.duty, tone: stream.tone_hz, source: stream.source });
       if (stream.level.includes(3)) run.addSignal(`${pin} duty`, '', `${pin} duty`, t, stream.duty, true);
     } else if (kind === 'volts') {
       run.addSignal(name, 'V', `${pin} volts`, t, stream.volts, true);
       run.pins.push({ name: pin, t, volts: stream.volts });
     }
   }
+  run.sources = header.sources ?? [];
   run.pins.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 
   addSerial(run, streams.get('serial'));

@@ -25,7 +25,7 @@ Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& 
   if (request.columns_every_ns == 0) return;
   std::vector<std::string> pins;
   for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
-  columns_.emplace(pins);
+  columns_.emplace(pins, executor.trace_drives());
 }
 
 void Narrator::began(const run::Beginning& beginning) {
@@ -52,7 +52,7 @@ void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
     columns_->add_pin(pin, t,
                       wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
                                       drive.pwm, drive.duty, drive.tone_hz),
-                      drive.duty, drive.tone_hz);
+                      drive.duty, drive.tone_hz, &executor_.driving(pin, drive));
   if (!request_.pins) return;
   detail(wire::PinChange{t,
                          board_.pins[pin].name,

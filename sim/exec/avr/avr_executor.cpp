@@ -2,6 +2,7 @@
 
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
+#include "sim/exec/avr/driven_lines.h"
 #include "sim/exec/avr/hang.h"
 #include "sim/exec/avr/loop.h"
 
@@ -31,6 +32,7 @@ class AvrExecutor::Running final : public RunningChip {
   }
 
   void count(LineCounts& lines) { machine_.chip().count(lines); }
+  void trace_drives() { lines_.emplace(machine_.chip(), machine_.stack(), image_.debug); }
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.chip().fault().has_value(); }
   Crash crash() const override { return diagnosis().crash(*machine_.chip().fault()); }
@@ -42,6 +44,10 @@ class AvrExecutor::Running final : public RunningChip {
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine&) const override {
     return diagnosis().place_of_calls(machine_.stack().open_calls());
+  }
+  const SourceLine& driving(Pin pin, const PinDrive& drive) const override {
+    return lines_ ? lines_->line_of(machine_.outside().chip_pin(pin), drive.pwm)
+                  : RunningChip::driving(pin, drive);
   }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
   std::any save() const override {
@@ -58,8 +64,9 @@ class AvrExecutor::Running final : public RunningChip {
 
   const Image& image_;
   avr::Machine machine_;
-  avr::DebugPort* debugger_;   ///< null = nobody debugs
-  robosim::avr::Chip*& chip_;  ///< who else wants to know that there is one
+  std::optional<avr::DrivenLines> lines_;  ///< nothing = nobody asks
+  avr::DebugPort* debugger_;               ///< null = nobody debugs
+  robosim::avr::Chip*& chip_;              ///< who else wants to know that there is one
 };
 
 class AvrExecutor::Firmware final : public ChipFirmware {
@@ -83,14 +90,17 @@ class AvrExecutor::Firmware final : public ChipFirmware {
     auto running = std::make_unique<Running>(image_, board, t, debugger_.get(), chip);
     chip->idle().allow(!runs_waiting_loops);
     if (lines) running->count(*lines);
+    if (traces_drives) running->trace_drives();
     return running;
   }
 
   void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
+  bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
 
   robosim::avr::Chip* chip = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false;
+  bool traces_drives = false;
   std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 
  private:

@@ -35,15 +35,9 @@ std::string file_name(const std::string& path) { return std::filesystem::path(pa
 
 }  // namespace
 
-SourceLine Diagnosis::place(std::uint32_t pc) const {
-  for (const SourceLine& frame : debug_.frames(pc))
-    if (!is_core_file(frame.file)) return frame;
-  return {};
-}
-
 SourceLine Diagnosis::place_of_calls(const std::vector<Stack::Call>& calls) const {
   for (const Stack::Call& call : calls) {
-    const SourceLine where = place(call.pc);
+    const SourceLine where = debug_.place(call.pc);
     if (!where.file.empty()) return where;
   }
   return {};
@@ -51,8 +45,8 @@ SourceLine Diagnosis::place_of_calls(const std::vector<Stack::Call>& calls) cons
 
 SourceLine Diagnosis::where_now() const {
   const WatchedChip& chip = machine_.chip();
-  SourceLine where = place(chip.pc());
-  if (where.file.empty() && chip.in_handler()) where = place(chip.interrupted_pc());
+  SourceLine where = debug_.place(chip.pc());
+  if (where.file.empty() && chip.in_handler()) where = debug_.place(chip.interrupted_pc());
   return where.file.empty() ? place_of_calls(machine_.stack().open_calls()) : where;
 }
 
@@ -83,7 +77,7 @@ std::string Diagnosis::overflow_text() const {
 
 std::string Diagnosis::torn_text(const Tearing::Found& found) const {
   const double later_us = 1e6 * static_cast<double>(found.later) / machine_.chip().clock_hz();
-  const SourceLine at = place(found.handler_pc);
+  const SourceLine at = debug_.place(found.handler_pc);
   const std::string handler =
       at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
   return fmt::format(
@@ -178,13 +172,13 @@ Crash Diagnosis::crash(const Fault& fault) const {
   if (fault.kind == Fault::Kind::torn)
     crash.check = machine_.chip().tearing()->found()->writes ? "torn_write" : "torn_read";
   const Stack& stack = machine_.stack();
-  if (!is_jump(fault)) crash.where = place(fault.pc);
+  if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // Of a jump into the void: the call or return that led there.
   if (is_jump(fault))
     for (const std::uint32_t pc : machine_.chip().last_jumps())
-      if (crash.where.file.empty()) crash.where = place(pc);
+      if (crash.where.file.empty()) crash.where = debug_.place(pc);
   if (crash.where.file.empty() && machine_.chip().in_handler())
-    crash.where = place(machine_.chip().interrupted_pc());
+    crash.where = debug_.place(machine_.chip().interrupted_pc());
   if (crash.where.file.empty()) crash.where = place_of_calls(stack.open_calls());
   return crash;
 }

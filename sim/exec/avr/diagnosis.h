@@ -20,7 +20,6 @@ class Diagnosis {
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
 
  private:
-  SourceLine place(std::uint32_t pc) const;
   SourceLine place_of_check(const Undefined& found) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;

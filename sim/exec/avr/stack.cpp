@@ -46,14 +46,10 @@ bool Stack::find_call(std::uint32_t pc, Call& call) const {
 
 std::vector<Stack::Call> Stack::open_calls() const {
   std::vector<Call> calls;
-  Call call;
-  const std::uint32_t bytes = firmware_.chip->return_address_bytes;
-  for (std::uint32_t at = chip_.sp() + 1u;
-       at + bytes - 1u <= firmware_.last_ram && calls.size() < kMostScannedCalls; ++at) {
-    if (at < firmware_.chip->ram_address || !find_call(return_address(at), call)) continue;
+  each_call(0, [&](const Call& call) {
     calls.push_back(call);
-    at += bytes - 1u;
-  }
+    return calls.size() >= kMostScannedCalls;
+  });
   return calls;
 }
 

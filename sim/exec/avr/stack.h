@@ -37,6 +37,21 @@ class Stack {
   /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
   /// Saved registers may happen to look like one.
   std::vector<Call> open_calls() const;
+  /// Tells `visit` the pc of each, and stops where that returns true; or, unless it is 0, at the word
+  /// `until`.
+  template <typename Visit>
+  void each_call(std::uint32_t until, Visit visit) const {
+    Call call;
+    const std::uint32_t bytes = firmware_.chip->return_address_bytes;
+    for (std::uint32_t at = chip_.sp() + 1u; at + bytes - 1u <= firmware_.last_ram; ++at) {
+      if (at < firmware_.chip->ram_address) continue;
+      const std::uint32_t word = return_address(at);
+      if (until != 0 && word == until) return;
+      if (!find_call(word, call)) continue;
+      if (visit(call)) return;
+      at += bytes - 1u;
+    }
+  }
   struct State {
     std::uint16_t heap_end = 0;  ///< the highest it has been
   };

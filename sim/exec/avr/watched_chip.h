@@ -37,6 +37,8 @@ class WatchedChip final : robosim::avr::Visitor {
   std::uint32_t clock_hz() const { return clock_hz_; }
   Cycle cycle() const { return chip_.cycle(); }
   std::uint32_t pc() const { return 2 * cpu().pc(); }
+  /// Of the instruction that runs, or ran last.
+  std::uint32_t last_pc() const { return 2 * cpu().last_pc(); }
   std::uint16_t sp() const { return cpu().sp(); }
   std::uint8_t status() const { return cpu().sreg(); }
   /// As it lies in memory, without effect on the firmware.

@@ -37,6 +37,11 @@ class RunningChip {
   virtual SourceLine printing(const SourceLine& before) const = 0;
   /// What the firmware prints is told to `bytes`, which outlives this.
   virtual void trace_bytes(WrittenBytes& bytes) = 0;
+  /// As Executor has it.
+  virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {
+    static const SourceLine unknown;
+    return static_cast<void>(pin), static_cast<void>(drive), unknown;
+  }
   /// All that changes while it runs, but for its board. Throws InputError where that cannot be copied.
   virtual std::any save() const = 0;
   /// Of a chip with the same firmware. It does nothing to the board.
@@ -69,6 +74,8 @@ class ChipFirmware {
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
   /// From the next power-on, it is counted how often lines run.
   virtual void count_lines() = 0;
+  /// From the next power-on, the chip tells which lines drive pins, if this returns true.
+  virtual bool trace_drives() { return false; }
   /// As LineCounts has it; empty where nothing is counted.
   virtual std::string line_counts() const = 0;
   /// One at a time; it ends before `board` and this do.

@@ -39,6 +39,10 @@ class ChipExecutor : public Executor {
   std::any save() const override;
   void restore(const std::any& saved) override;
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
+  bool trace_drives() override { return firmware_->trace_drives(); }
+  const SourceLine& driving(Pin pin, const PinDrive& drive) override {
+    return chip_ ? chip_->driving(pin, drive) : Executor::driving(pin, drive);
+  }
   void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
   SourceLine source_of(std::uint8_t byte) override { return written_ ? written_->take(byte) : SourceLine{}; }
 

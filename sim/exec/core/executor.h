@@ -103,6 +103,14 @@ class Executor {
   /// The line that has printed the byte which is being sent.
   virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
 
+  /// From the next power-on, driving() tells lines. False if it cannot: it knows none, or not at once.
+  virtual bool trace_drives() { return false; }
+  /// The line that drives a pin, to be asked while that is told; empty where none has.
+  virtual const SourceLine& driving(Pin pin, const PinDrive& drive) {
+    static const SourceLine unknown;
+    return static_cast<void>(pin), static_cast<void>(drive), unknown;
+  }
+
   /// Whether the firmware's EEPROM is the board's, so that scripts can break and follow it.
   virtual bool has_boards_eeprom() const { return false; }
   /// From `t` on, which is now, the firmware's clock runs so much too fast, in parts per million; also after

@@ -203,6 +203,17 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
   return frames;
 }
 
+const SourceLine& DebugInfo::place(std::uint32_t pc) const {
+  const auto [known, fresh] = places_.try_emplace(pc);
+  if (!fresh) return known->second;
+  for (SourceLine& frame : frames(pc)) {
+    if (is_core_file(frame.file)) continue;
+    known->second = std::move(frame);
+    break;
+  }
+  return known->second;
+}
+
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
   std::vector<CodeLine> all;
   if (dwarf_)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,13 @@ class DebugInfo {
   DebugInfo(const DebugInfo&) = delete;
   DebugInfo& operator=(const DebugInfo&) = delete;
 
+  /// Whether the image has any.
+  bool is_there() const { return dwarf_ != nullptr; }
   /// The function that holds the instruction at `pc`, and those that it was inlined into, innermost first,
   /// each with the line it has reached. Empty if not known.
   std::vector<SourceLine> frames(std::uint32_t pc) const;
+  /// Of frames() the first that is the user's; empty if none is. Looked up once for each `pc`.
+  const SourceLine& place(std::uint32_t pc) const;
 
   struct Range {
     std::uint32_t begin = 0, end = 0;
@@ -54,6 +59,7 @@ class DebugInfo {
   std::string content_;  ///< all of the file: nothing is read later, when the process may have no files
   Elf* elf_ = nullptr;
   Dwarf* dwarf_ = nullptr;
+  mutable std::map<std::uint32_t, SourceLine> places_;
 };
 
 /// Whether debug information names this file for code that is not the user's: the core, the C library,

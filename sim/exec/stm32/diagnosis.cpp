@@ -21,23 +21,17 @@ bool same_place(const SourceLine& a, const SourceLine& b) {
 
 }  // namespace
 
-SourceLine Diagnosis::place(std::uint32_t pc) const {
-  for (const SourceLine& frame : debug_.frames(pc))
-    if (!is_core_file(frame.file)) return frame;
-  return {};
-}
-
 SourceLine Diagnosis::place_of(const std::vector<std::uint32_t>& calls) const {
   for (const std::uint32_t call : calls) {
-    const SourceLine where = place(call);
+    const SourceLine where = debug_.place(call);
     if (!where.file.empty()) return where;
   }
   return {};
 }
 
 SourceLine Diagnosis::where_now() const {
-  SourceLine where = place(cpu_.pc());
-  if (where.file.empty() && cpu_.in_handler()) where = place(cpu_.interrupted_pc());
+  SourceLine where = debug_.place(cpu_.pc());
+  if (where.file.empty() && cpu_.in_handler()) where = debug_.place(cpu_.interrupted_pc());
   return where.file.empty() ? place_of(machine_.open_calls()) : where;
 }
 
@@ -118,12 +112,12 @@ std::string Diagnosis::registers() const {
 Crash Diagnosis::crash(const Fault& fault) const {
   Crash crash;
   crash.reason = reason(fault);
-  if (!is_jump(fault)) crash.where = place(fault.pc);
+  if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // Of a jump into the void: the call or return that led there.
   if (is_jump(fault))
     for (const std::uint32_t pc : cpu_.last_jumps())
-      if (crash.where.file.empty()) crash.where = place(pc);
-  if (crash.where.file.empty() && cpu_.in_handler()) crash.where = place(cpu_.interrupted_pc());
+      if (crash.where.file.empty()) crash.where = debug_.place(pc);
+  if (crash.where.file.empty() && cpu_.in_handler()) crash.where = debug_.place(cpu_.interrupted_pc());
   if (crash.where.file.empty()) crash.where = place_of(machine_.open_calls());
   crash.calls = call_chain(is_jump(fault) ? cpu_.pc() : fault.pc);
   crash.registers = registers();

@@ -19,7 +19,6 @@ class Diagnosis {
   SourceLine place_of(const std::vector<std::uint32_t>& calls) const;
 
  private:
-  SourceLine place(std::uint32_t pc) const;
   std::string access_text(const char* kind, std::uint32_t address) const;
   std::string jump_text(const Fault& fault) const;
   std::string reason(const Fault& fault) const;

@@ -7,6 +7,7 @@ DebugInfo::DebugInfo(const std::filesystem::path&) {}
 DebugInfo::~DebugInfo() = default;
 
 std::vector<SourceLine> DebugInfo::frames(std::uint32_t) const { return {}; }
+const SourceLine& DebugInfo::place(std::uint32_t pc) const { return places_[pc]; }
 DebugInfo::CodeOf DebugInfo::code_of(const std::string&) const { return {}; }
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const { return {}; }
 std::vector<std::uint32_t> DebugInfo::numbers() const { return {}; }
