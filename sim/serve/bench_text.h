@@ -11,5 +11,6 @@ std::string_view bench_js();
 std::string_view watch_js();
 std::string_view editor_js();
 std::string_view drop_js();
+std::string_view hands_js();
 
 }  // namespace robosim::serve

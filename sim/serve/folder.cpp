@@ -33,6 +33,7 @@ void look(const fs::path& folder, const fs::path& root, int depth, Choices& choi
     const std::string path = below + "/" + name;
     if (extension == ".ino" && (choices.sketches.empty() || choices.sketches.back() != below))
       choices.sketches.push_back(below);
+    if (is_image(name)) choices.sketches.push_back(path);
     if (extension == ".toml" && name != "checks.toml") choices.robots.push_back(path);
     if (extension == ".map") choices.maps.push_back(path);
   }
@@ -46,6 +47,8 @@ void finish(std::vector<std::string>& own, const std::vector<std::string>& ours)
 }
 
 }  // namespace
+
+bool is_image(const std::string& name) { return name.ends_with(".hex") || name.ends_with(".elf"); }
 
 Choices choices_in(const fs::path& folder) {
   Choices choices;

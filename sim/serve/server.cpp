@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
@@ -23,11 +24,15 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
-constexpr std::size_t kLongestRequest = 4000;  // to a run that is watched
-constexpr std::size_t kThreads = 64;           // each waits for its client
+constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, 2 MB and some
+constexpr const char* kFiles = "/api/file";             // where such is sent
+constexpr std::size_t kLongestRequest = 4000;           // to a run that is watched
+constexpr std::size_t kThreads = 64;                    // each waits for its client
 constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // for a slow client
 constexpr const char* kCookie = "robosim=";
+
+const Refusal kTooLong{413, "a request has at most 256 KB, and one with an image 3 MB"};
 
 std::string json_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -102,7 +107,7 @@ struct Server::Inside {
       : workshop(settings.robosim, settings.folder),
         guard(settings.address, bind(http, settings), is_loopback(settings.address) ? "" : random_token()) {
     http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-    http.set_payload_max_length(kLongestBody);
+    http.set_payload_max_length(kLongestImage);
     http.set_read_timeout(kPatience_s);
     http.set_write_timeout(kPatience_s);
     http.set_keep_alive_timeout(kPatience_s);
@@ -122,6 +127,7 @@ struct Server::Inside {
     give("/watch.js", watch_js(), "text/javascript");
     give("/editor.js", editor_js(), "text/javascript");
     give("/drop.js", drop_js(), "text/javascript");
+    give("/hands.js", hands_js(), "text/javascript");
     http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
     http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
     http.Post("/api/live",
@@ -134,9 +140,7 @@ struct Server::Inside {
       return Json{{"text", map_text(workshop.folder(), offered.name)}};
     });
     act("/api/floor", [](const Offered& offered) { return Json{{"floor", Json::parse(floor_of(offered))}}; });
-    act("/api/file", [this](const Offered& offered) {
-      return Json{{"saved", keep(workshop.folder(), offered)}};
-    });
+    act(kFiles, [this](const Offered& offered) { return Json{{"saved", keep(workshop.folder(), offered)}}; });
     http.Get("/live.html", [](const Request&, Response& response) {
       const std::string_view page = record::page_text();
       response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
@@ -152,7 +156,9 @@ struct Server::Inside {
   void act(const char* path, std::function<Json(const Offered&)> work) {
     http.Post(path, [work = std::move(work)](const Request& request, Response& response) {
       try {
-        response.set_content(json_text(work(read_offered(request.body))), "application/json");
+        const Offered offered = read_offered(request.body);
+        if (!is_image(offered.name) && request.body.size() > kLongestBody) return refuse(response, kTooLong);
+        response.set_content(json_text(work(offered)), "application/json");
       } catch (const InputError& error) {
         refuse(response, {400, error.what()});
       } catch (const IsThere& there) {
@@ -162,7 +168,11 @@ struct Server::Inside {
   }
 
   httplib::Server::HandlerResponse check(const Request& request, Response& response) const {
-    const auto refusal = guard.refuse(asked_of(request));
+    auto refusal = guard.refuse(asked_of(request));
+    const bool is_long =
+        request.has_header("Transfer-Encoding") ||
+        std::strtoull(request.get_header_value("Content-Length").c_str(), nullptr, 10) > kLongestBody;
+    if (!refusal && is_long && request.path != kFiles) refusal = kTooLong;
     if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
     refuse(response, *refusal);
     return httplib::Server::HandlerResponse::Handled;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/grid/map.h"
@@ -29,12 +30,11 @@ fs::path place_of(const fs::path& folder, const std::string& name) {
         std::find(choices.maps.begin(), choices.maps.end(), name) != choices.maps.end())
       return folder / name.substr(2);
   }
-  static const std::regex plain("[A-Za-z0-9][A-Za-z0-9_-]{0,62}\\.(ino|toml|map)");
+  static const std::regex plain("[A-Za-z0-9][A-Za-z0-9_-]{0,62}\\.(ino|hex|elf|toml|map)");
   if (!std::regex_match(name, plain) || name == "checks.toml")
     throw InputError(
-        "the name of a file must end with .ino, .toml or .map, and before that have 1 to 63 letters, digits, "
-        "- "
-        "and _; checks.toml is not written");
+        "the name of a file must end with .ino, .hex, .elf, .toml or .map, and before that have 1 to 63 "
+        "letters, digits, - and _; checks.toml is not written");
   return has_ending(name, ".ino") ? folder / fs::path(name).stem() / name : folder / name;
 }
 
@@ -49,18 +49,29 @@ Offered read_offered(const std::string& text) {
       offered.name = item.value();
     else if (item.key() == "text" && item.value().is_string())
       offered.text = item.value();
+    else if (item.key() == "base64" && item.value().is_string())
+      offered.text = from_base64(item.value().get_ref<const std::string&>());
     else if (item.key() == "replace" && item.value().is_boolean())
       offered.replace = item.value();
     else
-      throw InputError("what is sent may have the texts name and text, and replace, true or false");
+      throw InputError(
+          "what is sent may have the texts name, text and base64 (of an image), and replace, true or false");
   }
-  if (offered.text.find('\0') != std::string::npos) throw InputError("what is sent is no text");
+  if (!is_image(offered.name) && offered.text.find('\0') != std::string::npos)
+    throw InputError("what is sent is no text");
+  if (json.contains("base64") != is_image(offered.name))
+    throw InputError("a .hex or .elf is sent as base64, and what else there is as text");
   return offered;
 }
 
 std::string keep(const fs::path& folder, const Offered& offered) {
   const fs::path root = fs::canonical(folder), place = place_of(root, offered.name);
   if (has_ending(offered.name, ".map")) grid::parse_map(offered.text, offered.name);
+  if (has_ending(offered.name, ".elf") && !offered.text.starts_with("\x7F"
+                                                                    "ELF"))
+    throw InputError(offered.name + ": is no ELF file");
+  if (has_ending(offered.name, ".hex") && !offered.text.starts_with(":"))
+    throw InputError(offered.name + ":1: is no line of an Intel HEX file");
   std::error_code error;
   const fs::path parent = place.parent_path();
   if (fs::is_symlink(fs::symlink_status(parent, error)) || fs::is_symlink(fs::symlink_status(place, error)) ||

@@ -1,5 +1,5 @@
-// The files of the folder that a page may write: sketches, robots and maps, by name. Nothing else is written,
-// nowhere else, and nothing over what is there unless that is said.
+// The files of the folder that a page may write: sketches, finished images, robots and maps, by name. Nothing
+// else is written, nowhere else, and nothing over what is there unless that is said.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,9 @@ namespace robosim::serve {
 
 /// What a page wants to keep.
 struct Offered {
-  std::string name;  ///< "Mine.ino", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
-  std::string text;
+  /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
+  std::string name;
+  std::string text;      ///< of an image its bytes
   bool replace = false;  ///< what is there
 };
 /// Reads the JSON of a request. Throws InputError.

@@ -81,20 +81,14 @@ Workshop::~Workshop() {
 
 ChildStart Workshop::start_of(const Wanted& wanted, int number) const {
   ChildStart start;
-  start.words = {robosim_.string(),
-                 "run",
-                 wanted.sketch,
-                 "--target",
-                 wanted.target,
-                 "--seed",
-                 std::to_string(wanted.seed),
-                 "--for",
-                 fmt::format("{}s", wanted.for_s),
-                 "--record",
-                 page_file(kept_, number).string()};
+  start.words = {robosim_.string(), "run", wanted.sketch};
   const auto option = [&](const char* name, const std::string& value) {
     if (!value.empty()) start.words.insert(start.words.end(), {name, value});
   };
+  if (!is_image(wanted.sketch)) option("--target", wanted.target);
+  option("--seed", std::to_string(wanted.seed));
+  option("--for", fmt::format("{}s", wanted.for_s));
+  option("--record", page_file(kept_, number).string());
   option("--robot", wanted.robot);
   option("--map", wanted.map);
   option("--goal", wanted.goal);

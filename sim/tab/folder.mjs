@@ -26,6 +26,7 @@ for (const [name, robot] of sketches.map((sketch) => sketch.split(':')))
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const name of readdirSync(page)) if (name !== 'sw.js') copyFileSync(`${page}/${name}`, `${out}/${name}`);
+copyFileSync(`${source}/sim/serve/page/hands.js`, `${out}/hands.js`);
 for (const name of ['robosim.js', 'robosim.wasm', 'replay.html']) copyFileSync(`${build}/${name}`, `${out}/${name}`);
 writeFileSync(`${out}/licences.txt`, ['robosim-tab', 'robosim'].map((name) => read(`${source}/toolchain/licences/${name}.copyright`)).join(''));
 writeFileSync(`${out}/stock.json`, JSON.stringify({ sketches: images, robots, maps }));

@@ -4,6 +4,7 @@
 
 import { put } from '/drop.js';
 import { Editor } from '/editor.js';
+import { buttonsOf, onClicks, sending, withLine } from '/hands.js';
 import { post, Watch } from '/watch.js';
 
 const $ = (id) => document.getElementById(id);
@@ -24,6 +25,7 @@ async function list() {
   if (!answer.ok) throw new Error(folder.error);
   document.title = `${folder.folder} · Robosim`;
   options($('sketch'), folder.sketches);
+  targets();
   options($('robot'), folder.robots, 'the sketch’s own');
   options($('map'), folder.maps, 'the sketch’s own, or oval');
 }
@@ -46,8 +48,7 @@ function show(recording, moment) {
       const page = shown();
       if (!page) return;
       clearInterval(begun);
-      pressable(page);
-      clickable(page);
+      touchable(page);
       if (moment === undefined) return;
       page.player.seek(moment);
       if (moment < Infinity) page.player.toggle();
@@ -57,47 +58,21 @@ function show(recording, moment) {
   if (matchMedia('(max-width: 700px)').matches) frame.scrollIntoView();
 }
 
-/** A button for each of the robot's. */
-function pressable(page) {
-  const buttons = page.run.robot.parts.filter((part) => part.type === 'button' || part.type === 'bumper');
-  $('buttons').replaceChildren(...buttons.map(({ name }) => {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = `press ${name}`;
-    button.onclick = () => act(`press ${name} for 200ms`);
-    return button;
-  }));
-}
-
-/** What a click on the floor does, as a line of the script; null: nothing. */
-function byHand(page, x, y) {
-  const { cell, height } = page.run.header.floor;
-  if ($('hand').value === 'obstacle') return `obstacle ${Math.floor(x / cell)},${Math.floor((height - y) / cell)}`;
-  if ($('hand').value !== 'robot') return null;
-  const eighth = Math.round(page.run.pose(page.player.t).yaw / (Math.PI / 4));
-  return `place ${Math.round(x)}mm,${Math.round(y)}mm,${['E', 'NE', 'N', 'NW', 'W', 'SW', 'S', 'SE'][(eighth + 8) % 8]}`;
-}
-
-function clickable(page) {
-  const floor = $('replay').contentDocument.getElementById('floor');
-  let from = null;
-  floor.addEventListener('pointerdown', (e) => { from = e; });
-  floor.addEventListener('click', (e) => {
-    if (!from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // it was dragged
-    const what = byHand(page, ...page.view.toFloor(e.offsetX, e.offsetY));
-    if (what) act(what);
-  });
+/** Its buttons, and what a click on the floor does. */
+function touchable(page) {
+  $('buttons').replaceChildren(...buttonsOf(page, act));
+  onClicks(page, $('replay').contentDocument.getElementById('floor'), () => $('hand').value, act);
+  page.touchable = true;  // for tests
 }
 
 /** At the moment that is shown, and the run again from there; of a run that is watched now. */
 function act(what) {
   if (watching) return watching.ask({ do: 'script', lines: what });
   const page = shown();
-  const t = page ? Math.floor(page.player.t * 1000) : 0;
-  const before = $('script').value.trimEnd();
-  $('script').value = `${before ? `${before}\n` : ''}at ${t}ms ${what}\n`;
+  const t = page ? page.player.t : 0;
+  $('script').value = withLine($('script').value, t, what);
   $('script-box').open = true;
-  run(t / 1000);
+  run(Math.floor(t * 1000) / 1000);
 }
 
 const wanted = () => ({
@@ -116,8 +91,7 @@ const live = () => underWay('building …', async (signal) => {
     say: (text) => { said += text; },
     begun: (page) => {
       $('state').textContent = 'live';
-      pressable(page);
-      clickable(page);
+      touchable(page);
     },
     did: (lines) => {
       $('script').value = `${$('script').value.trimEnd()}\n${lines}`.trimStart();
@@ -197,12 +171,28 @@ function comeBack() {
   }, 1000);
 }
 
+$('sketch').addEventListener('change', targets);
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
 const editor = new Editor({ listed: list, maps: $('map') });
 $('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));
 
+/** What has been put into the folder is chosen. */
+function choose(place) {
+  const kind = place.endsWith('.map') ? 'map' : place.endsWith('.toml') ? 'robot' : 'sketch';
+  $(kind).value = place.endsWith('.ino') ? place.slice(0, place.lastIndexOf('/')) : place;
+  targets();
+}
+
+/** An image is for its chip. */
+function targets() {
+  const image = /\.(hex|elf)$/.test($('sketch').value);
+  $('target').disabled = image;
+  $('target').title = image ? 'this image is for its own chip' : '';
+}
+
 const dropped = {
   listed: list,
+  put: choose,
   say: (sentence, bad) => { $('state').textContent = bad ? '' : sentence; if (bad) say(`${sentence}\n`, true); },
   ask: (question, yes, then) => {
     const button = Object.assign(document.createElement('button'), { type: 'button', textContent: yes, onclick: then });
@@ -224,13 +214,14 @@ $('stop').addEventListener('click', () => {
 });
 $('send').addEventListener('submit', (e) => {
   e.preventDefault();
-  act(`send "${$('text').value.replace(/[\\"]/g, '\\$&')}\\n"`);
+  act(sending($('text').value));
 });
 /** /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
 async function begin() {
   await list();
   const where = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of where) if (['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'].includes(key)) $(key).value = value;
+  targets();
   if (where.has('run')) await run();
   if (where.has('live')) live();
 }

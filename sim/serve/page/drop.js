@@ -2,27 +2,37 @@
 
 import { post } from '/watch.js';
 
-const LARGEST = 200 * 1024;
+const LARGEST_KB = 200, LARGEST_IMAGE_KB = 2048;
 
-/** `tell`: { say(sentence, bad), ask(question, yes), listed() }. */
+const base64 = (file) => new Promise((done, failed) => {
+  const reader = new FileReader();
+  reader.onload = () => done(reader.result.slice(reader.result.indexOf(',') + 1));
+  reader.onerror = () => failed(new Error(`${file.name} cannot be read`));
+  reader.readAsDataURL(file);
+});
+
+/** `tell`: { say(sentence, bad), ask(question, yes), listed(), put(place) }. */
 export async function put(files, tell) {
   for (const file of files) {
-    if (file.size > LARGEST) {
-      tell.say(`${file.name} has ${Math.ceil(file.size / 1024)} KB; at most 200 are taken`, true);
+    const image = /\.(hex|elf)$/.test(file.name), most = image ? LARGEST_IMAGE_KB : LARGEST_KB;
+    if (file.size > most * 1024) {
+      tell.say(`${file.name} has ${Math.ceil(file.size / 1024)} KB; at most ${most} are taken`, true);
       continue;
     }
-    await one(file.name, await file.text(), false, tell);
+    const content = image ? { base64: await base64(file) } : { text: await file.text() };
+    await one({ name: file.name, ...content, replace: false }, tell);
   }
 }
 
-async function one(name, text, replace, tell) {
+async function one(file, tell) {
   try {
-    const answer = await post('/api/file', { name, text, replace });
+    const answer = await post('/api/file', file);
     const { saved } = await answer.json();
     await tell.listed();
+    tell.put(saved);
     tell.say(`${saved.slice(2)} is in the folder now`);
   } catch (error) {
-    if (error.message.endsWith('already')) tell.ask(`${error.message}.`, 'Replace it', () => one(name, text, true, tell));
+    if (error.message.endsWith('already')) tell.ask(`${error.message}.`, 'Replace it', () => one({ ...file, replace: true }, tell));
     else tell.say(error.message, true);
   }
 }

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "sim/base/base64.h"
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -167,6 +168,26 @@ TEST_F(Serving, KeepsFilesInTheFolderAndNothingOverWhatIsThereUnasked) {
   EXPECT_EQ(Json::parse(floor->body)["floor"]["width"], 300) << floor->body;
   EXPECT_THAT(http_->Post("/api/floor", R"({"name": "a.map", "text": "S..\n.\n"})", "application/json")->body,
               HasSubstr("a.map:2"));
+}
+
+TEST_F(Serving, KeepsAnImageAndRunsItOnItsOwnChip) {
+  serve("echo \"$@\"\n");
+  const auto keep = [&](const std::string& name, const std::string& bytes) {
+    const std::string json = Json{{"name", name}, {"base64", base64(bytes)}}.dump();
+    return http_->Post("/api/file", json, "application/json");
+  };
+  const std::string hex = ":00000001FF\n", elf = std::string("\x7F") + "ELF" + std::string(400'000, '\0');
+  EXPECT_EQ(Json::parse(keep("Mine.hex", hex)->body)["saved"], "./Mine.hex");
+  EXPECT_EQ(keep("Mine.elf", elf)->status, 200);
+  EXPECT_EQ(read_file(root() / "Mine.elf"), elf);
+  EXPECT_EQ(keep("Other.elf", "no program")->status, 400);
+  EXPECT_EQ(keep("Other.hex", "no lines")->status, 400);
+  EXPECT_EQ(keep("Other.ino", "void setup() {}")->status, 400) << "base64 is of images alone";
+  EXPECT_EQ(http_->Post("/api/file", file_json("Other.hex", false, hex), "application/json")->status, 400);
+  EXPECT_EQ(keep("Large.elf", elf + std::string(2'500'000, 'x'))->status, 413);
+  const auto answer = run(R"({"sketch": "./Mine.hex", "target": "host"})");
+  EXPECT_THAT(answer->body, HasSubstr("run ./Mine.hex --seed 1"));
+  EXPECT_THAT(answer->body, Not(HasSubstr("--target")));
 }
 
 TEST_F(Serving, WritesNothingElseAndNowhereElse) {
