@@ -11,7 +11,7 @@ log=build/$preset/tests.log
 ctest=(ctest --preset "$preset" -j "$(nproc)" "${@:2}")
 again='./robosim test'
 if [[ ${2-} == --browser ]]; then  # those alone that every preset leaves out
-  ctest=(ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -L '^browser$' "${@:3}")
+  ctest=(ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error -L '^browser$' "${@:3}")
   again='./robosim test --browser'
 fi
 [[ $preset == release ]] || again="ROBOSIM_PRESET=$preset $again"

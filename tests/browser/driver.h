@@ -1,10 +1,12 @@
-// Chromium without a window, driven by Debian's chromedriver (W3C WebDriver): for pages that ask a server.
+// Debian's chromium without a window, driven by its chromedriver (W3C WebDriver). All tests of a program
+// share one.
 #pragma once
 
 #include <httplib.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,7 +16,19 @@
 #include "sim/base/base64.h"
 #include "sim/base/child.h"
 #include "sim/base/file.h"
-#include "tests/browser/browser.h"
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+
+/// Where the browser is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE names
+/// it. One that is there and does not start fails either way.
+#define ROBOSIM_NEEDS_BROWSER()                                                                           \
+  do {                                                                                                    \
+    if (std::filesystem::exists("/usr/bin/chromedriver") && std::filesystem::exists("/usr/bin/chromium")) \
+      break;                                                                                              \
+    const std::string missing = "the browser is missing: sudo apt install chromium chromium-driver";      \
+    if (::robosim::test::is_required("browser")) FAIL() << missing;                                       \
+    GTEST_SKIP() << missing;                                                                              \
+  } while (false)
 
 namespace robosim::test {
 
@@ -34,6 +48,7 @@ class Started {
     while (said.find(before) == said.npos && ::read(pipe_.read.get(), &c, 1) == 1) said += c;
     while (::read(pipe_.read.get(), &c, 1) == 1 && c > ' ') where_ += c;
     if (where_.ends_with(".")) where_.pop_back();
+    if (where_.empty()) throw std::runtime_error(start.words[0] + " does not start: it says " + said);
   }
   const std::string& where() const { return where_; }
   /// Ends it as Ctrl-C does.
@@ -53,30 +68,47 @@ class Driver {
   Driver()
       : program_({"/usr/bin/chromedriver", "--port=0"}, "successfully on port "),
         http_("http://127.0.0.1:" + program_.where()) {
-    http_.set_read_timeout(60);
+    http_.set_read_timeout(90);
     const nlohmann::json options{
-        {"binary", chromium()},
-        {"args", {"--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,850"}}};
-    const auto session =
-        call("/session", {{"capabilities", {{"alwaysMatch", {{"goog:chromeOptions", options}}}}}});
+        {"binary", "/usr/bin/chromium"},
+        {"args",
+         {"--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--disable-quic",
+          "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+          "--disable-extensions", "--hide-scrollbars", "--allow-file-access-from-files"}}};
+    const nlohmann::json wanted{{"goog:chromeOptions", options}, {"timeouts", {{"script", 60'000}}}};
+    const auto session = call("/session", {{"capabilities", {{"alwaysMatch", wanted}}}});
     session_ = "/session/" + session["sessionId"].get<std::string>();
   }
   ~Driver() { http_.Delete(session_); }
 
-  void open(const std::string& url) { call(session_ + "/url", {{"url", url}}); }
-  /// What an async function's body returns.
+  /// As a page that was not open before.
+  void open(const std::string& url, int width = 1300, int height = 850) {
+    call(session_ + "/url", {{"url", "about:blank"}});
+    const nlohmann::json screen{
+        {"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}};
+    call(session_ + "/goog/cdp/execute", {{"cmd", "Emulation.setDeviceMetricsOverride"}, {"params", screen}});
+    call(session_ + "/url", {{"url", url}});
+  }
+  /// What an async function's body returns. It may use `$`, `key(name)`, `until(is)` and `drawn()`, which
+  /// waits until the page has been laid out and drawn again.
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"
         "const until = async (is) => { while (!is()) await new Promise((r) => setTimeout(r, 20)); };"
+        "const drawn = () => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));"
+        "const key = (name, more = {}) => document.body.dispatchEvent("
+        "new KeyboardEvent('keydown', { key: name, bubbles: true, ...more }));"
         "(async () => {" +
-        body + "})().then(done, (e) => done(`failed: ${e}`));";
-    return call(session_ + "/execute/async", {{"script", script}, {"args", nlohmann::json::array()}});
+        body + "})().then((value) => done({ value }), (e) => done({ error: `${e} ${e.stack}` }));";
+    const auto result =
+        call(session_ + "/execute/async", {{"script", script}, {"args", nlohmann::json::array()}});
+    if (result.contains("error")) throw std::runtime_error(result["error"].get<std::string>());
+    return result.contains("value") ? result["value"] : nlohmann::json();
   }
   void picture(const std::filesystem::path& file) {
     const auto answer = http_.Get(session_ + "/screenshot");
-    if (answer)
-      write_file(file, from_base64(nlohmann::json::parse(answer->body)["value"].get<std::string>()));
+    if (!answer) throw std::runtime_error("chromedriver gives no picture");
+    write_file(file, from_base64(nlohmann::json::parse(answer->body)["value"].get<std::string>()));
   }
 
  private:
@@ -92,5 +124,20 @@ class Driver {
   httplib::Client http_;
   std::string session_;
 };
+
+/// The browser of this program; started when it is asked for.
+inline Driver& browser() {
+  static Driver driver;
+  return driver;
+}
+
+/// A page of a run from the disk; `page` in the body is its own object, null where there is nothing to show.
+inline nlohmann::json in_page(const std::filesystem::path& page, const std::string& body, int width = 1400,
+                              int height = 900) {
+  browser().open("file://" + page.string(), width, height);
+  return browser().run(
+      "await until(() => document.documentElement.dataset.ready); const page = window.robosim ?? null;" +
+      body);
+}
 
 }  // namespace robosim::test

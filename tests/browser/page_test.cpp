@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sim/record/record_page.h"
-#include "tests/browser/browser.h"
+#include "tests/browser/driver.h"
 
 namespace robosim::test {
 namespace {
@@ -19,7 +19,6 @@ using Json = nlohmann::json;
 class Page : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (!std::filesystem::exists(chromium())) return;
     folder = new Folder;
     write_file(*folder / "go.script",
                "at 1s press start 100ms\nat 2500ms cover S3 200ms\nat 4s send \"hi\\n\"\n");
@@ -35,13 +34,7 @@ class Page : public ::testing::Test {
     recording = nullptr;
     folder = nullptr;
   }
-  void SetUp() override {
-    if (folder) return;
-    const char* required = std::getenv("ROBOSIM_REQUIRE");
-    const std::string missing = "chromium is missing: sudo apt install chromium";
-    if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
-    GTEST_SKIP() << missing;
-  }
+  void SetUp() override { ROBOSIM_NEEDS_BROWSER(); }
   static std::filesystem::path file() { return *folder / "run.html"; }
 
   static inline Folder* folder = nullptr;
@@ -271,6 +264,44 @@ TEST_F(Page, SaysWhichPinLeadsWhereAndWhatIsOnIt) {
   EXPECT_THAT(row("D11")[2].get<std::string>(), HasSubstr("never used"));
 }
 
+TEST_F(Page, SaysWhichLineOfTheSketchDroveAPin) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  folder->write("Blink/Blink.ino",
+                "void light(bool on) {\n  digitalWrite(13, on);\n}\n"
+                "void setup() {\n  pinMode(13, OUTPUT);\n}\n"
+                "void loop() {\n  light(true);\n  delay(10);\n  PORTB &= ~_BV(5);\n  delay(10);\n}\n");
+  const Ended ended = robosim_command({"run", "./Blink", "--map", "oval", "--robot", "uno5", "--target",
+                                       "avr", "--goal", "none", "--for", "100ms", "--record", "blink.html"},
+                                      folder->path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json seen = in_page(*folder / "blink.html", R"(
+    $('tab-pins').click();
+    const row = page.pins.find((one) => one.pin.name === 'D13'), { canvas } = row.track;
+    const said = () => [row.now.textContent, row.source.textContent];
+    page.span.set(0.1, 0);
+    const edges = Array.from(row.pin.t), seen = [];
+    canvas.setPointerCapture = () => {};
+    const { left, top } = canvas.getBoundingClientRect();
+    for (const t of edges.slice(2, 5)) {  // 3 px beside the edge
+      canvas.dispatchEvent(new PointerEvent('pointerdown', { clientX: left + row.track.xOf(t) - 3, clientY: top + 9, pointerId: 1, bubbles: true }));
+      canvas.dispatchEvent(new PointerEvent('pointerup', { pointerId: 1, bubbles: true }));
+      seen.push([page.player.t === t, ...said()]);
+    }
+    row.title.click();
+    const next = page.player.t === edges[5];
+    row.title.dispatchEvent(new MouseEvent('click', { shiftKey: true }));
+    const back = page.player.t === edges[4];
+    page.player.seek(0);
+    return { seen, next, back, before: said()[1] };)");
+  EXPECT_EQ(
+      seen["seen"],
+      Json::parse(R"x([[true, "low", "Blink.ino:10 in loop()"], [true, "high", "Blink.ino:2 in light()"],
+                                          [true, "low", "Blink.ino:10 in loop()"]])x"));
+  EXPECT_TRUE(seen["next"]);
+  EXPECT_TRUE(seen["back"]);
+  EXPECT_EQ(seen["before"], "") << "nothing has driven it yet";
+}
+
 TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
   write_file(*folder / "scan.script", "at 1s press start 100ms\n");
   const Ended ended = robosim_command({"run", "AiNavigator", "--map", "b", "--goal", "none", "--for", "60s",
@@ -316,11 +347,9 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
 }
 
 TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
-  for (const int width : {500, 1400}) {
+  for (const int width : {360, 1400}) {
     const Json faults = in_page(file(), R"(
       const faults = [];
-      if (innerWidth < 600) document.body.style.width = '360px';  // no window is so narrow
-      await tick();
       const width = document.body.clientWidth;
       for (const part of document.body.querySelectorAll('header, main, footer, .stage, aside'))
         if (part.scrollWidth > part.clientWidth || part.getBoundingClientRect().right > width) faults.push(`too wide: ${part.className || part.tagName}`);
@@ -345,10 +374,10 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
   for (const char* tab : {"plots", "pins", "serial", "events", "wiring"}) {
-    for (const auto& [theme, width] : {std::pair{"light", 1400}, std::pair{"dark", 500}}) {
+    for (const auto& [theme, width] : {std::pair{"light", 1400}, std::pair{"dark", 390}}) {
       const auto picture = pictures / (std::string(tab) + "-" + theme + "-" + std::to_string(width) + ".png");
-      open_in_chromium("--screenshot=" + picture.string(),
-                       file().string() + "#t=2.6&tab=" + tab + "&theme=" + theme, width, 900);
+      in_page(file().string() + "#t=2.6&tab=" + tab + "&theme=" + theme, "await drawn();", width, 900);
+      browser().picture(picture);
       EXPECT_GT(std::filesystem::file_size(picture), 20'000u);
     }
   }
@@ -360,7 +389,10 @@ TEST_F(Page, IsInTheDocs) {
     ASSERT_EQ(robosim_command(std::move(words), folder->path()).status, 0);
   };
   const auto picture = [&](const char* page, const char* name, int height) {
-    open_in_chromium("--screenshot=" + (pictures / name).string(), (*folder / page).string(), 1200, height);
+    browser().open("file://" + (*folder / page).string(), 1200, height);
+    browser().run(
+        "await until(() => document.documentElement.dataset.ready || !$('recording')); await drawn();");
+    browser().picture(pictures / name);
     EXPECT_GT(std::filesystem::file_size(pictures / name), 20'000u);
     if (std::getenv("ROBOSIM_WRITE_DOCS"))
       std::filesystem::copy_file(pictures / name, std::filesystem::path(ROBOSIM_DOCS_PICTURES) / name,

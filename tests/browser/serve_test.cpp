@@ -15,33 +15,26 @@ using Json = nlohmann::json;
 // Until a run is shown, and nothing is under way.
 constexpr const char* kShown =
     "const shown = () => $('replay').contentWindow?.robosim;"
-    "const ready = () => until(() => !$('replay').hidden && shown() && $('stop').hidden && "
+    "const ready = () => until(() => !$('replay').hidden && shown()?.touchable && $('stop').hidden && "
     "!$('state').textContent);";
 
 class Serve : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists("/usr/bin/chromedriver")) {
-      const char* required = std::getenv("ROBOSIM_REQUIRE");
-      const std::string missing = "chromedriver is missing: sudo apt install chromium-driver";
-      if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
-      GTEST_SKIP() << missing;
-    }
+    ROBOSIM_NEEDS_BROWSER();
     folder_.write("Echo/Echo.ino",
                   "void setup() { Serial.begin(115200); Serial.println(\"ready\"); }\n"
                   "void loop() { if (Serial.available()) Serial.write(Serial.read()); }\n");
     folder_.write("Broken/Broken.ino", "void setup() { oops }\nvoid loop() {}\n");
     server_.emplace(std::vector<std::string>{ROBOSIM_COMMAND, "serve", folder_.path().string()}, "Open ");
-    driver_.emplace();
   }
   Json in_page(const std::string& where, const std::string& body) {
-    driver_->open(server_->where() + "#" + where);
-    return driver_->run(kShown + body);
+    browser().open(server_->where() + "#" + where);
+    return browser().run(kShown + body);
   }
 
   Folder folder_;
   std::optional<Started> server_;
-  std::optional<Driver> driver_;
 };
 
 TEST_F(Serve, RunsASketchAndActsAtTheMomentThatIsShown) {
@@ -66,7 +59,7 @@ TEST_F(Serve, RunsASketchAndActsAtTheMomentThatIsShown) {
   EXPECT_EQ(seen["put"], Json::parse("[[1250, 1450, 33, 2001]]")) << "drawn where it stands";
   EXPECT_EQ(seen["same"], true) << "all before that moment is as it was";
   EXPECT_GE(seen["at"], 2.0);
-  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve.png");
+  browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve.png");
 }
 
 TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
@@ -89,8 +82,12 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
     await until(() => shown()?.run.live && shown().player.playing);
     const { run, player } = shown(), now = () => run.duration;
     player.pause();
-    let stood = -1;
-    while (now() !== stood) { stood = now(); await new Promise((r) => setTimeout(r, 100)); }
+    let stood = now();
+    for (let exact = 0; exact < 2; stood = now()) {  // it stands still where a step is a step
+      player.step(1);
+      await until(() => now() > stood);
+      exact = Math.round(1000 * (now() - stood)) === 1 ? exact + 1 : 0;
+    }
     player.step(250);
     await until(() => now() > stood);
     const stepped = Math.round(1000 * (now() - stood));
@@ -160,7 +157,7 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
   const Json checked = Json::parse(robosim_command({"map", "check", "my.map", "--json"}, folder_.path()).out);
   EXPECT_EQ(checked["paths"][0]["closed"], true) << checked.dump();
   EXPECT_NEAR(checked["paths"][0]["smallest_radius_m"].get<double>(), 0.2, 0.001);
-  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "editor.png");
+  browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "editor.png");
 }
 
 TEST_F(Serve, ShowsWhatTheCompilerSays) {
@@ -174,9 +171,9 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  EXPECT_THAT(driver_
-                  ->run("$('run').click(); await until(() => $('state').textContent.includes('gone')); "
-                        "return $('state').textContent;")
+  EXPECT_THAT(browser()
+                  .run("$('run').click(); await until(() => $('state').textContent.includes('gone')); "
+                       "return $('state').textContent;")
                   .get<std::string>(),
               HasSubstr("start robosim serve again"));
 }

@@ -35,30 +35,21 @@ constexpr const char* kTab = R"(
 class Tab : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string missing;
-    if (!std::filesystem::exists("/usr/bin/chromedriver"))
-      missing = "chromedriver is missing: sudo apt install chromium-driver";
-    else if (!std::filesystem::exists(ROBOSIM_TAB "/sw.js"))
-      missing = "the tab is not built: cmake --preset tab && cmake --build --preset tab";
-    if (!missing.empty()) {
-      const char* required = std::getenv("ROBOSIM_REQUIRE");
-      if (required && std::string(required).find("browser") != std::string::npos) FAIL() << missing;
-      GTEST_SKIP() << missing;
-    }
+    ROBOSIM_NEEDS_BROWSER();
+    if (!std::filesystem::exists(ROBOSIM_TAB "/sw.js"))
+      GTEST_SKIP() << "the tab is not built: cmake --preset tab && cmake --build --preset tab";
     server_.emplace(
         std::vector<std::string>{"/usr/bin/python3", "-u", "-m", "http.server", "0", "--bind", "127.0.0.1",
                                  "--directory", std::filesystem::path(ROBOSIM_TAB).parent_path().string()},
         "port ");
-    driver_.emplace();
     open();
   }
   void open(const std::string& where = "") {
-    driver_->open("http://127.0.0.1:" + server_->where() + "/tab/" + where);
+    browser().open("http://127.0.0.1:" + server_->where() + "/tab/" + where);
   }
-  Json in_page(const std::string& body) { return driver_->run(kTab + body); }
+  Json in_page(const std::string& body) { return browser().run(kTab + body); }
 
   std::optional<Started> server_;
-  std::optional<Driver> driver_;
 };
 
 TEST_F(Tab, RunsAnImageAsTheCommandDoesAndWithoutANetworkToo) {
@@ -72,7 +63,7 @@ TEST_F(Tab, RunsAnImageAsTheCommandDoesAndWithoutANetworkToo) {
                             "); $('map').value = 'tight'; return await run();";
 
   EXPECT_EQ(in_page(steps)["hash"], native["trace_hash"]);
-  driver_->picture(std::filesystem::path(ROBOSIM_PICTURES) / "tab.png");
+  browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "tab.png");
 
   in_page("await navigator.serviceWorker.ready; return 0;");
   server_->end();
@@ -103,7 +94,7 @@ TEST_F(Tab, PassesARunOnInALink) {
     await until(() => location.hash);
     return { hash, link: location.hash };)");
   ASSERT_LE(sent["link"].get<std::string>().size(), 8192u);
-  driver_->open("about:blank");
+  browser().open("about:blank");
   open(sent["link"].get<std::string>());
   const Json got = in_page(R"(
     await until(() => $('equal').textContent);
