@@ -19,6 +19,9 @@ export function areaOf(runs) {
   return { x, y, width: most(xs) + 150 - x, height: most(ys) + 150 - y };
 }
 
+// Of a run with more samples than LONG the trail is drawn from the last LATELY on, and the rest as a thin line.
+const LONG = 30_000, LATELY = 12_000;
+
 export class FloorPicture {
   /** `whenLoaded` is called when there is more to be drawn: the picture of a floor that is one. */
   constructor(canvas, run, whenLoaded) {
@@ -138,12 +141,12 @@ export class FloorPicture {
     }
   }
 
-  /** Calls visit for each sample that is drawn until t: those a pixel or more apart. */
-  walk(run, t, visit) {
+  /** Calls visit for each sample that is drawn until t, from number `first` on: those a pixel or more apart. */
+  walk(run, t, visit, first = 0) {
     const { x_mm: x, y_mm: y } = run.columns;
     const last = indexAt(run.t, t);
-    let at = 0;
-    for (let i = 1; i <= last; i++) {
+    let at = first;
+    for (let i = first + 1; i <= last; i++) {
       const carried = run.carried(i - 1);
       if (!carried && i < last && Math.abs(x[i] - x[at]) + Math.abs(y[i] - y[at]) < this.px) continue;
       visit(carried ? i : at, i);
@@ -153,22 +156,44 @@ export class FloorPicture {
     return [x[at], y[at], now.x, now.y];
   }
 
+  /** From which sample on the trail is drawn: all of it, or lately. */
+  trailBegins(run, t) { return run.t.length > LONG ? Math.max(indexAt(run.t, t) - LATELY, 0) : 0; }
+
+  /** All that a long run has driven, but each place once: an hour's laps would take seconds to paint. */
+  wholeTrail() {
+    const { run, px } = this;
+    const { x_mm: x, y_mm: y } = run.columns;
+    const key = `${px} ${run.t.length >> 12}`;
+    if (this.whole?.key === key) return this.whole.path;
+    const path = new Path2D(), seen = new Set(), cell = 2 * px;
+    this.walk(run, run.duration, (a, b) => {
+      const place = Math.floor(x[b] / cell) * 1e6 + Math.floor(y[b] / cell);
+      if (seen.has(place)) return;
+      seen.add(place);
+      path.moveTo(x[a], y[a]);
+      path.lineTo(x[b], y[b]);
+    });
+    this.whole = { key, path };
+    return path;
+  }
+
   drawTrail(t) {
     const { ctx, run, px } = this;
     const { x_mm: x, y_mm: y } = run.columns;
     const values = run.columns[this.colourBy], most = this.most;
     const bins = Array.from({ length: 24 }, () => new Path2D());
     const all = new Path2D();
-    const ahead = new Path2D();
-    this.walk(run, run.duration, (a, b) => {
-      if (run.t[b] < t) return;
-      ahead.moveTo(x[a], y[a]);
-      ahead.lineTo(x[b], y[b]);
-    });
+    const ahead = run.t.length > LONG ? this.wholeTrail() : new Path2D();
+    if (run.t.length <= LONG)
+      this.walk(run, run.duration, (a, b) => {
+        if (run.t[b] < t) return;
+        ahead.moveTo(x[a], y[a]);
+        ahead.lineTo(x[b], y[b]);
+      });
     const bin = (i) => bins[values ? Math.min(Math.floor(Math.abs(values[i]) / most * 24), 23) : 0];
     const [fromX, fromY, toX, toY] = this.walk(run, t, (a, b) => {
       for (const path of [all, bin(b)]) { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); }
-    });
+    }, this.trailBegins(run, t));
     for (const path of [all, bin(indexAt(run.t, t))]) { path.moveTo(fromX, fromY); path.lineTo(toX, toY); }
     const width = Math.max(Math.min(run.floor ? 0.4 * run.floor.line : 6, 6 * px), 2.5 * px);
     ctx.lineCap = ctx.lineJoin = 'round';
@@ -189,7 +214,7 @@ export class FloorPicture {
     const { ctx, px } = this;
     const { x_mm: x, y_mm: y } = other.columns;
     const path = new Path2D();
-    this.walk(other, t, (a, b) => { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); });
+    this.walk(other, t, (a, b) => { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); }, this.trailBegins(other, t));
     ctx.lineCap = 'round';
     ctx.lineWidth = 5 * px;
     ctx.strokeStyle = style('casing');

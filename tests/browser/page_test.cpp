@@ -329,6 +329,26 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
   EXPECT_EQ(shown["after"], Json::parse("[true,true,true,true,true,true]"));
 }
 
+// An hour's laps over each other would take a browser many seconds to paint, at each moment anew.
+TEST_F(Page, PaintsALongRunWithFewStrokes) {
+  const Ended ended = robosim_command(
+      {"run", "PidFollower", "--map", "oval", "--goal", "none", "--for", "400s", "--record", "long.html"},
+      folder->path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json strokes = in_page(*folder / "long.html", R"(
+    let count = 0;
+    const lineTo = Path2D.prototype.lineTo;
+    Path2D.prototype.lineTo = function (...to) { count++; lineTo.apply(this, to); };
+    page.view.zoom(1.5);
+    const zoomed = count;
+    page.player.seek(390);
+    return { samples: page.run.t.length, zoomed, moved: count - zoomed };)");
+  EXPECT_GT(strokes["samples"], 40'000);
+  EXPECT_GT(strokes["moved"], 2'000) << "the last two minutes are there";
+  EXPECT_LT(strokes["moved"], 26'000);
+  EXPECT_LT(strokes["zoomed"], 40'000);
+}
+
 TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   const std::string good = read_file(file());
   const std::size_t at = good.find("octet-stream\">") + 14;

@@ -5,7 +5,6 @@
 //   a timer or handler of the core  switches the pin by itself: no line has
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "sim/exec/avr/stack.h"
