@@ -9,6 +9,7 @@
 #include "sim/robot/parts/buzzer.h"
 #include "sim/robot/parts/current_sensor.h"
 #include "sim/robot/parts/encoder.h"
+#include "sim/robot/parts/fan.h"
 #include "sim/robot/parts/indicator.h"
 #include "sim/robot/parts/ir_distance.h"
 #include "sim/robot/parts/ir_receiver.h"
@@ -99,6 +100,7 @@ const std::vector<PartType>& part_types() {
       {"tcs34725", read_tcs34725},
       {"pca9685", read_pca9685},
       {"stepper", read_stepper},
+      {"fan", read_fan},
   };
   return types;
 }

@@ -13,6 +13,7 @@
 namespace robosim::robot {
 
 class ButtonPart;
+class FanPart;
 class Sensor;
 class ServoPart;
 class WheelMotor;
@@ -79,6 +80,7 @@ struct Roster {
   std::vector<Receiver*> receivers;
   std::vector<Teller*> tellers;
   std::vector<ServoPart*> servos;
+  std::vector<const FanPart*> fans;
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
 };

@@ -10,6 +10,7 @@
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
 #include "sim/robot/parts/button.h"
+#include "sim/robot/parts/fan.h"
 #include "sim/robot/parts/reflectance.h"
 #include "sim/robot/parts/wheel_motor.h"
 #include "sim/world/world.h"
@@ -78,6 +79,13 @@ struct Robot::Inside {
     body.supply(load.volts);
     find_supply();
   }
+  // What fans add to the weight in the tick that begins.
+  void press() {
+    if (roster.fans.empty()) return;
+    double newtons = own_downforce;
+    for (const FanPart* fan : roster.fans) newtons += fan->newtons();
+    body.press(newtons);
+  }
   bool feeds() const { return cells.kind && !state.is_forced; }
   void find_supply() {
     if (description.electronics.fed_by_battery)
@@ -102,6 +110,7 @@ struct Robot::Inside {
 
   const Description& description;
   world::Body& body;
+  const double own_downforce = body.params().downforce_n;  // N, without fans
   const Individual individual;
   Cells cells;  // none without [battery]; as it was drawn
   Kept kept;
@@ -216,6 +225,7 @@ void Robot::end_tick(SimTime t) {
     last = command;
     in_->body.command(side, command);
   }
+  in_->press();
   if (in_->feeds()) in_->feed();
 }
 

@@ -86,7 +86,7 @@ struct BodyParams {
   double caster_radius_m = 0.008;  ///< m, of the caster, a ball
   double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
   double wheelbase_m = 0.0;        ///< m, of two wheels a side that turn by skidding; 0 = it has a caster
-  double downforce_n = 0.0;        ///< N, of a fan that never stops; half on each wheel
+  double downforce_n = 0.0;        ///< N, of fans, until press() says otherwise; half on each wheel
 };
 
 /// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
@@ -154,6 +154,8 @@ class Body {
   // What goes wrong with it, until the next call.
   /// The driver's supply, V; of the constructor on it is params().supply_volts.
   void supply(double supply_volts);
+  /// What presses it down besides its weight, N.
+  void press(double downforce_n);
   /// What its motors take of a supply of that many volts, with their commands and at their speeds now.
   struct Draw {
     double amps = 0.0, amps_per_volt = 0.0;
@@ -224,6 +226,7 @@ class Body {
   void share_load(Ground*, const Vec2* at);
   void tip(int which, double push, double arm);
   void rub(Side);
+  void set_grip();
   void spin();
   void advance(double dt);
   void accelerate();

@@ -96,6 +96,25 @@ BodyParams default_body_params() {
   return p;
 }
 
+// On a plane floor.
+void Body::set_grip() {
+  for (const Side side : {left, right}) {
+    rolling_[side] = params_.rolling_resistance * params_.mass_kg * kGravity * 0.5;
+    grip_limit_[side] = params_.grip * params_.load_share * params_.mass_kg * kGravity * 0.5 * kDt;
+    if (params_.downforce_n > 0.0) {
+      rolling_[side] += params_.rolling_resistance * params_.downforce_n * 0.5;
+      grip_limit_[side] += params_.grip * params_.downforce_n * 0.5 * kDt;
+    }
+    rub(side);
+  }
+}
+
+void Body::press(double downforce_n) {
+  if (downforce_n == params_.downforce_n) return;
+  params_.downforce_n = downforce_n;
+  set_grip();
+}
+
 Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(params) {
   check(params_);
   const double m = params_.mass_kg;
@@ -106,14 +125,8 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     unit.per_radius = 1.0 / w.radius_m;
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
     unit.inertia = inertia * unit.per_radius * unit.per_radius;
-    rolling_[side] = params_.rolling_resistance * m * kGravity * 0.5;
-    grip_limit_[side] = params_.grip * params_.load_share * m * kGravity * 0.5 * kDt;
-    if (params_.downforce_n > 0.0) {
-      rolling_[side] += params_.rolling_resistance * params_.downforce_n * 0.5;
-      grip_limit_[side] += params_.grip * params_.downforce_n * 0.5 * kDt;
-    }
-    rub(static_cast<Side>(side));
   }
+  set_grip();
   supply(params_.supply_volts);
   half_track_ = params_.track_m * 0.5;
   per_track_ = 1.0 / params_.track_m;
