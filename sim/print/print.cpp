@@ -147,6 +147,17 @@ class Printer {
       any = true;
     }
     if (any) pdf_.stroke();
+    for (const grid::Hill& hill : map_.course.hills) {
+      const Vec2 along = hill.middle.heading * (hill.half_length * 1e3);
+      const Vec2 across = left_of(hill.middle.heading) * (hill.half_width * 1e3);
+      const Vec2 middle = hill.middle.position * 1e3;
+      if (!Box{middle.x, middle.y, middle.x, middle.y}.wider(hill.reach() * 1e3).meets(box)) continue;
+      pdf_.move_to(view(middle - along - across));
+      for (const Vec2 corner : {middle + along - across, middle + along + across, middle - along + across,
+                                middle - along - across})
+        pdf_.line_to(view(corner));
+      pdf_.stroke();
+    }
   }
 
   // On dark and on light floors.

@@ -1,5 +1,8 @@
 #include "sim/record/floor_shapes.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/base64.h"
@@ -38,6 +41,53 @@ std::vector<std::array<double, 2>> corners_of(const T& shape) {
     corners.push_back(
         millimetres(shape.middle.to_world({corner.x * shape.half_length, corner.y * shape.half_width})));
   return corners;
+}
+
+// A tint between two, as HTML has it.
+std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, double share) {
+  const auto mixed = [&](std::size_t i) {
+    return static_cast<int>(std::lround(from[i] + share * (to[i] - from[i])));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
+}
+
+// A hill in strips, the darker (on a dark floor the lighter) the higher.
+void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Area>& areas) {
+  constexpr std::array<int, 3> kLow = {0xf6, 0xf0, 0xe2}, kHigh = {0xcf, 0xb3, 0x7e};
+  constexpr std::array<int, 3> kLowOnDark = {0x2c, 0x29, 0x22}, kHighOnDark = {0x7d, 0x6a, 0x45};
+  constexpr std::size_t kStrips = 12;
+  const std::vector<double> heights =
+      hill.pivot > 0.0 ? std::vector<double>{0.0, 2.0 * hill.pivot} : hill.heights;
+  const double most = std::max(*std::max_element(heights.begin(), heights.end()), 1e-6);
+  const std::size_t pieces = heights.size() - 1;
+  const std::size_t strips = std::max<std::size_t>(pieces, kStrips);
+  grid::Hill strip = hill;
+  strip.half_length = hill.half_length / static_cast<double>(strips);
+  for (std::size_t i = 0; i < strips; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(strips);
+    const double place = share * static_cast<double>(pieces);
+    const auto before = std::min(static_cast<std::size_t>(place), pieces - 1);
+    const double height =
+        heights[before] + (place - static_cast<double>(before)) * (heights[before + 1] - heights[before]);
+    strip.middle.position = hill.middle.to_world({(2.0 * share - 1.0) * hill.half_length, 0.0});
+    areas.push_back(
+        {on_dark ? tint(kLowOnDark, kHighOnDark, height / most) : tint(kLow, kHigh, height / most),
+         {},
+         corners_of(strip),
+         false});
+  }
+}
+
+FloorShapes::Area surface_of(const grid::Surface& surface, bool on_dark) {
+  const bool slippery = surface.grip < 1.0;
+  FloorShapes::Area drawn{
+      slippery ? (on_dark ? "#24343f" : "#d9e8f3") : (on_dark ? "#372f3b" : "#e6dcea"), {}, {}, false};
+  const auto [x, y] = millimetres(surface.middle.position);
+  if (surface.radius > 0.0)
+    drawn.disc = {x, y, millimetres(surface.radius)};
+  else
+    drawn.corners = corners_of(surface);
+  return drawn;
 }
 
 FloorShapes::Area area_of(const grid::Area& area) {
@@ -88,6 +138,9 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     shapes.picture = {base64(map.image->png()), millimetres(map.image->wide_m()),
                       millimetres(map.image->high_m())};
   shapes.light_line = map.light_line;
+  for (const grid::Hill& hill : map.course.hills) add_hill(hill, map.light_line, shapes.areas);
+  for (const grid::Surface& surface : map.course.surfaces)
+    shapes.areas.push_back(surface_of(surface, map.light_line));
   for (const grid::Mark& mark : map.course.marks) {
     const grid::Colour colour = *paints[static_cast<std::size_t>(mark.paint)].colour;
     if (colour != *paints[0].colour) {

@@ -170,6 +170,15 @@ TEST(Print, WallsAreThinOutlinesAndTakeNoSheetOfTheirOwn) {
   EXPECT_THAT(pages_of(one.pdf)[1], HasSubstr(" re"));
 }
 
+TEST(Print, HillsAreThinOutlines) {
+  const auto lines = [](const std::string& hill) {
+    const auto all = operations_of(pages_of(printed(path_map("{ length = \"100 mm\" }", hill)).pdf)[0]);
+    return std::count_if(all.begin(), all.end(), [](const Operation& o) { return o.name == "l"; });
+  };
+  EXPECT_EQ(lines("[[hill]]\nalong = \"50 mm\"\nsize = [\"50 mm\", \"40 mm\"]\nslope = \"5 deg\"\n"),
+            lines("") + 4);
+}
+
 TEST(Print, SaysThatWornLinesAreWhole) {
   const auto overview = [](const std::string& keys) {
     return pages_of(printed(path_map("{ length = \"100 mm\"" + keys + " }", "")).pdf)[0];

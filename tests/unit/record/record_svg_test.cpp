@@ -73,6 +73,20 @@ TEST_F(Picture, ShowsMarksInTheirOwnColour) {
   EXPECT_THAT(svg, HasSubstr("400.0 350.0")) << "the other one";
 }
 
+TEST_F(Picture, ShowsHillsDarkerWhereTheyAreHigher) {
+  write_file(
+      map,
+      "+++\nsize = [\"1 m\", \"500 mm\"]\n[[path]]\nfrom = [\"100 mm\", \"100 mm\"]\nsegments = [{ length "
+      "= \"800 mm\" }]\n[[hill]]\nalong = \"400 mm\"\nsize = [\"240 mm\", \"100 mm\"]\nslope = \"10 deg\"\n"
+      "[[surface]]\nalong = \"100 mm\"\nradius = \"50 mm\"\nkind = \"wet\"\n+++\n");
+  recorder.begin(run);
+  recorder.add(wire::Started{});
+  const std::string svg = drawn();
+  EXPECT_THAT(svg, HasSubstr(R"(d="M400.0 350.0L380.0 350.0L380.0 450.0L400.0 450.0Z" fill="#f4edde")"));
+  EXPECT_THAT(svg, HasSubstr(R"(d="M620.0 350.0L600.0 350.0L600.0 450.0L620.0 450.0Z" fill="#d1b682")"));
+  EXPECT_THAT(svg, HasSubstr(R"(fill="#d9e8f3")"));
+}
+
 TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
   recorder.begin(run);
   recorder.add(wire::Started{});
