@@ -153,7 +153,7 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     image.items.add(new File([':00000001FF\n'], 'Image.hex'));
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: image, bubbles: true }));
     await until(() => $('sketch').value === './Image.hex');
-    const own = $('target').disabled;
+    const own = $('target').disabled && $('target').selectedOptions[0].text === 'its own chip';
     image.items.clear();
     image.items.add(new File(['no program'], 'Wrong.elf'));
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: image, bubbles: true }));

@@ -76,7 +76,7 @@ function act(what) {
 }
 
 const wanted = () => ({
-  sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').value,
+  sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').disabled ? 'avr' : $('target').value,
   seed: Number($('seed').value), for_s: Number($('seconds').value), script: $('script').value,
 });
 
@@ -186,8 +186,11 @@ function choose(place) {
 /** An image is for its chip. */
 function targets() {
   const image = /\.(hex|elf)$/.test($('sketch').value);
-  $('target').disabled = image;
-  $('target').title = image ? 'this image is for its own chip' : '';
+  const target = $('target');
+  target.disabled = image;
+  $('own-chip').hidden = !image;
+  if (image) target.value = 'own';
+  else if (target.value === 'own') target.value = 'host';
 }
 
 const dropped = {
