@@ -231,6 +231,37 @@ PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen
   return all;
 }
 
+wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request) {
+  if (result.others.empty()) return result;
+  std::vector<const wire::RunResult*> all = {&result};
+  for (const wire::RunResult& other : result.others) all.push_back(&other);
+  const auto failed =
+      std::find_if(all.begin(), all.end(), [](const wire::RunResult* one) { return one->status != 0; });
+  const auto number = static_cast<std::size_t>(failed - all.begin());
+  wire::RunResult whole = failed == all.end() ? result : **failed;
+  whole.others.clear();
+  whole.why = failed == all.end()
+                  ? fmt::format("All {} robots reached their goals.", all.size())
+                  : fmt::format("robot {}: {}", number == 0 ? request.name : request.agents[number - 1].name,
+                                whole.why);
+  whole.image_sha256 = result.image_sha256;
+  whole.robot_sha256 = result.robot_sha256;
+  whole.serial.clear();
+  whole.shown.clear();
+  wire::Metrics& sum = whole.metrics;
+  sum.distance_m = sum.energy_j = 0.0;
+  sum.collisions = 0;
+  for (const wire::RunResult* one : all) {
+    whole.time_s = std::max(whole.time_s, one->time_s);
+    whole.serial += one->serial;
+    whole.shown += one->shown;
+    sum.distance_m += one->metrics.distance_m;
+    sum.energy_j += one->metrics.energy_j;
+    sum.collisions += one->metrics.collisions;
+  }
+  return whole;
+}
+
 InputError with_place(const Fleet& fleet, const InputError& error) {
   if (!error.place().file.empty()) return error;
   for (const Member& member : fleet.members)

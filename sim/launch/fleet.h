@@ -60,6 +60,12 @@ struct PreparedFleet {
 PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
                       const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner);
 
+/// What the robots of a run came to, as one result: reached if all have; else the verdict of the first that
+/// has not, whose `why` begins with its name. Time is that of the last, distance, energy and collisions are
+/// sums, what was sent and shown is that of all, one after the other; the rest is of the robot that `why` is
+/// about, or the first. A run of one robot stays as it is.
+wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request);
+
 /// What a runner says of one of its robots, "robot B: …", with the place where the fleet's file has it.
 InputError with_place(const Fleet& fleet, const InputError& error);
 

@@ -29,10 +29,41 @@ int put_bar(Frame& frame, int column, int row, double share, Ink ink, Look look)
 
 }  // namespace
 
-LiveScene::LiveScene(std::string title, const grid::Map& map, const wire::RobotInfo& robot)
-    : title_(std::move(title)), map_(map), robot_(robot), floor_(map) {}
+LiveScene::LiveScene(std::string title, const grid::Map& map, const wire::RobotInfo& robot,
+                     std::vector<std::string> names)
+    : title_(std::move(title)), names_(std::move(names)), map_(map), robot_(robot), floor_(map) {}
+
+void LiveScene::add_other(const wire::Event& event, int agent) {
+  Other& other = others_[agent];
+  if (const auto* sample = std::get_if<wire::Sample>(&event)) {
+    const bool first = other.trail.empty();
+    other.trail.add(*sample);
+    if (first) other.drawn_to = other.trail.last();
+    if (!other.trail.was_carried()) floor_.add_trail(other.drawn_to, other.trail.last());
+    other.drawn_to = other.trail.last();
+  } else if (const auto* note = std::get_if<wire::Note>(&event)) {
+    other.trail.add(*note);
+    const auto number = static_cast<std::size_t>(agent);
+    note_ = fmt::format("{:.2f} s  {}: {}", static_cast<double>(note->t_ns) * 1e-9,
+                        number < names_.size() ? names_[number] : std::to_string(agent), note->text);
+  }
+}
+
+void LiveScene::draw_trails() {
+  trail_.draw(floor_);
+  for (const auto& [number, other] : others_) other.trail.draw(floor_);
+}
 
 void LiveScene::add(const wire::Event& event) {
+  const int agent = std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.agent; })
+          return one.agent;
+        else
+          return 0;
+      },
+      event);
+  if (agent != 0) return add_other(event, agent);
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
     trail_.add(*sample);
     if (!sample_) drawn_to_ = trail_.last();
@@ -44,7 +75,8 @@ void LiveScene::add(const wire::Event& event) {
     if (serial_.size() > 2 * kSerialKept) serial_.erase(0, serial_.size() - kSerialKept);
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
     trail_.add(*note);
-    note_ = fmt::format("{:.2f} s  {}", static_cast<double>(note->t_ns) * 1e-9, note->text);
+    note_ = fmt::format("{:.2f} s  {}{}", static_cast<double>(note->t_ns) * 1e-9,
+                        names_.empty() ? "" : names_.front() + ": ", note->text);
     if (const auto* told = note->is<wire::PartTold>()) told_[told->part] = told->text;
     if (const auto* visit = note->is<wire::StationVisited>()) visited_.push_back(visit->station);
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
@@ -76,7 +108,7 @@ void LiveScene::move_window(Vec2 top_left) {
       std::clamp(snap(top_left.y, 4 * window.dot_m), std::min(size.y, all.most.y), all.most.y);
   if (window == floor_.window()) return;
   floor_.look_at(window);
-  trail_.draw(floor_);
+  draw_trails();
 }
 
 void LiveScene::choose_window(int columns, int rows) {
@@ -114,6 +146,9 @@ Vec2 LiveScene::to_world(double forward_m, double left_m) const {
 
 std::vector<Mark> LiveScene::marks() const {
   auto marks = floor_marks(map_, started_, trail_, visited_);
+  for (const auto& [number, other] : others_)
+    if (!other.trail.empty())
+      marks.push_back({other.trail.last(), {arrow(other.trail.yaw_rad()), Ink::robot}});
   if (sample_) marks.push_back({trail_.last(), {arrow(sample_->yaw_rad), Ink::robot}});
   return marks;
 }

@@ -16,8 +16,10 @@ namespace robosim::tui {
 
 class LiveScene {
  public:
-  /// `title` names sketch, robot and map. The map must outlive the scene.
-  LiveScene(std::string title, const grid::Map& map, const wire::RobotInfo& robot);
+  /// `title` names sketch, robot and map. `names`: of several robots; the first one's parts are shown. The
+  /// map must outlive the scene.
+  LiveScene(std::string title, const grid::Map& map, const wire::RobotInfo& robot,
+            std::vector<std::string> names = {});
 
   void add(const wire::Event& event);
   void finish(const wire::RunResult& result);
@@ -32,6 +34,13 @@ class LiveScene {
   Frame draw(int columns, int rows, const std::string& speed, Look look);
 
  private:
+  /// A robot that is not the first.
+  struct Other {
+    Trail trail;
+    Vec2 drawn_to;
+  };
+  void add_other(const wire::Event& event, int agent);
+  void draw_trails();
   void choose_window(int columns, int rows);
   void keep_robot_in_sight();
   void move_window(Vec2 top_left);
@@ -46,6 +55,8 @@ class LiveScene {
   int draw_readings(Frame& frame, int row, Look look) const;
 
   std::string title_;
+  std::vector<std::string> names_;
+  std::map<int, Other> others_;  ///< by their numbers
   const grid::Map& map_;
   wire::RobotInfo robot_;
   FloorPicture floor_;

@@ -7,6 +7,7 @@
 
 #include "tests/support/require_target.h"
 #include "tests/system/json_of.h"
+#include "tests/system/on_terminal.h"
 
 namespace robosim::test {
 namespace {
@@ -172,6 +173,41 @@ TEST(CliFleet, TwoNavigatorsWaitForEachOtherAndDoNotCollide) {
     EXPECT_EQ(robot["metrics"]["collisions"], 0);
   }
   EXPECT_THAT(robots[0]["serial"].get<std::string>(), HasSubstr("waiting"));
+}
+
+TEST(CliFleet, TheViewEndsWithWhatAllHaveReached) {
+  OnTerminal run(two_with({"--view", "--speed", "0"}), 100, 30);
+  ASSERT_TRUE(run.wait_for("press any key")) << run.seen();
+  EXPECT_NE(run.seen().find("reached: "), std::string::npos);
+  run.type("x");
+  EXPECT_TRUE(run.wait_for("2 of 2 reached their goals")) << run.seen();
+  EXPECT_EQ(run.finish(), 0);
+}
+
+TEST(CliFleet, SweepsAndChecksCountARunInWhichAllReachTheirGoals) {
+  const Folder folder;
+  write_file(folder / "robots.toml",
+             "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\n"
+             "[[agent]]\nname = \"B\"\nsketch = \"PidFollower\"\nstart = \"20,2,W\"\ngoal = \"laps:1\"\n");
+  const Ended sweep = robosim_command(
+      {"sweep", "robots.toml", "--seeds", "1..2", "--goal", "laps:1", "--for", "12s"}, folder.path());
+  EXPECT_EQ(sweep.status, 0) << sweep.err;
+  EXPECT_THAT(sweep.out, AllOf(HasSubstr("robots.toml"), HasSubstr("2 robots"), HasSubstr("1.0000")));
+  const Ended late = robosim_command(
+      {"sweep", "robots.toml", "--seeds", "1..1", "--goal", "laps:9", "--for", "12s"}, folder.path());
+  EXPECT_THAT(late.out, HasSubstr("robot A: "));
+
+  write_file(folder / "Mine.ino", "void setup() {}\nvoid loop() {}\n");
+  write_file(folder / "checks.toml",
+             "[[check]]\nname = \"both\"\nfleet = \"robots.toml\"\ngoal = \"laps:1\"\nfor = \"12s\"\n"
+             "collisions = { max = 0 }\n");
+  const Ended checks = robosim_command({"test", "Mine.ino"}, folder.path());
+  EXPECT_EQ(checks.status, 0) << checks.out << checks.err;
+  write_file(folder / "checks.toml", "[[check]]\nname = \"both\"\nfleet = \"robots.txt\"\n");
+  const Ended bad = robosim_command({"test", "Mine.ino"}, folder.path());
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.out + bad.err,
+              HasSubstr("checks.toml:3:9: fleet is “robots.txt”; it must be a .toml file"));
 }
 
 TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {

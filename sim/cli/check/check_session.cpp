@@ -10,6 +10,7 @@
 #include "sim/base/robot_name.h"
 #include "sim/build/project.h"
 #include "sim/build/sketch.h"
+#include "sim/launch/fleet.h"
 #include "sim/launch/names.h"
 #include "sim/launch/trust.h"
 #include "sim/wire/protocol.h"
@@ -130,7 +131,10 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
                        "one for all sketches");
     }
     for (Check check : read_checks(result.checks)) {
-      if (!sketch.empty()) check.sweep.sketches = {sketch};
+      if (!check.fleet.empty())
+        check.sweep.sketches = {check.fleet};
+      else if (!sketch.empty())
+        check.sweep.sketches = {sketch};
       if (untrusted_) confine(check, file.empty() ? choice.folder : "");
       CheckResult& planned = result.results.emplace_back();
       planned.name = check.name;
@@ -195,7 +199,9 @@ void CheckSession::answered(const Run& run, const client::Answer& answer) {
     result.why = failure->message;
     return;
   }
-  judge(planned, run.number, std::get<wire::RunResult>(answer));
+  judge(planned, run.number,
+        launch::whole_of(std::get<wire::RunResult>(answer),
+                         planned.plan.combination_of(run.number).task.request));
 }
 
 void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResult& run_result) {

@@ -12,6 +12,7 @@
 #include "sim/base/file.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
+#include "sim/launch/fleet.h"
 #include "sim/launch/names.h"
 
 namespace robosim::cli {
@@ -95,6 +96,7 @@ class CheckReader {
     check.name = as_string(reader_.require("name"), "name");
     if (check.name.empty()) throw InputError(check.place, "name is empty; say what is checked");
     check.sweep = sweep();
+    check.fleet = fleet();
     check.expect = words_at(reader_, "expect");
     for (const std::string& verdict : check.expect) {
       if (std::find(kVerdicts.begin(), kVerdicts.end(), verdict) == kVerdicts.end()) {
@@ -118,6 +120,16 @@ class CheckReader {
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
     if (folder_.empty() || fs::path(word).is_absolute()) return word;
     return (folder_ / word).lexically_normal().string();
+  }
+
+  std::string fleet() {
+    const ConfigValue* value = reader_.find("fleet");
+    if (!value) return "";
+    const std::string word = word_of(*value, "fleet");
+    if (!launch::is_fleet_file(word))
+      throw InputError(value->place,
+                       fmt::format("fleet is “{}”; it must be a .toml file with [[agent]]", word));
+    return flag_word(word, Text::path);
   }
 
   SweepArguments sweep() {

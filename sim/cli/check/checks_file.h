@@ -25,6 +25,7 @@ struct Check {
   std::string name;
   Place place;
   SweepArguments sweep;             ///< its runs; sketches are still to be filled in
+  std::string fleet;                ///< a file of several robots, run in place of the sketch; empty = none
   std::vector<std::string> expect;  ///< verdicts of which a run must end with one
   std::vector<FigureLimit> limits;
   std::vector<std::string> serial;    ///< texts that the sketch must send, one after the other

@@ -116,20 +116,25 @@ void FleetOptions::take_scripts() {
   }
 }
 
-/// What a robot has none of is that of all.
-void FleetOptions::fill_up() {
-  for (launch::Member& member : run_.fleet.members) {
+void fill_up(launch::Fleet& fleet, const RunArguments& all) {
+  const auto unless = [](std::string& own, const std::string& other) {
+    if (own.empty()) own = other;
+  };
+  for (launch::Member& member : fleet.members) {
     launch::Launch& launch = member.launch;
-    for (const Given& given : given_)
-      if (given.of(launch).empty()) given.of(launch) = given.of(run_);
-    if (launch.request.script.empty() && (!run_.script.empty() || !run_.send.empty())) {
-      launch.request.script = scenario_text(run_);
-      launch.request.script_file = run_.script.empty() ? "--send" : run_.script;
+    unless(launch.sketch, all.sketch);
+    unless(launch.robot, all.robot);
+    unless(launch.target, all.target);
+    unless(launch.environment, all.environment);
+    unless(launch.request.start, all.request.start);
+    unless(launch.request.goal, all.request.goal);
+    if (launch.request.script.empty() && (!all.script.empty() || !all.send.empty())) {
+      launch.request.script = scenario_text(all);
+      launch.request.script_file = all.script.empty() ? "--send" : all.script;
     }
-    if (launch.environment.empty()) launch.environment = run_.environment;
-    launch.libraries.insert(launch.libraries.begin(), run_.libraries.begin(), run_.libraries.end());
-    launch.sanitize |= run_.sanitize;
-    launch.untrusted |= run_.untrusted;
+    launch.libraries.insert(launch.libraries.begin(), all.libraries.begin(), all.libraries.end());
+    launch.sanitize |= all.sanitize;
+    launch.untrusted |= all.untrusted;
   }
 }
 
@@ -139,7 +144,7 @@ void FleetOptions::finish() {
   take_scripts();
   if (run_.fleet.members.empty()) return;
   if (!run_.map.empty()) run_.fleet.map = run_.map;
-  fill_up();
+  fill_up(run_.fleet, run_);
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) throw InputError(fmt::format("{} {}", option, why));
   };
@@ -147,7 +152,6 @@ void FleetOptions::finish() {
          "halts one robot's chip, not the others'; debug it in a run of its own");
   refuse(!run_.coverage.empty(), "--coverage",
          "counts the lines of one robot's sketch; run it alone for that");
-  refuse(run_.view, "--view", "is for runs of one robot");
   refuse(run_.live, "--live", "is for runs of one robot");
   refuse(run_.serial, "--serial", "prints what one sketch sends; run it alone, or see it in --json");
   refuse(run_.request.clock_ns > 0, "--clock",

@@ -11,6 +11,9 @@
 
 namespace robosim::cli {
 
+/// What a robot of the fleet has none of is that of all.
+void fill_up(launch::Fleet& fleet, const RunArguments& all);
+
 class FleetOptions {
  public:
   FleetOptions(Options& options, RunArguments& run);
@@ -28,7 +31,6 @@ class FleetOptions {
   void take(const Given& given);
   void take_scripts();
   launch::Member& member(const char* option, const std::string& name);
-  void fill_up();
 
   RunArguments& run_;
   std::vector<std::string> scripts_;

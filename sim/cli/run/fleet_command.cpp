@@ -21,6 +21,7 @@
 #include "sim/launch/fleet.h"
 #include "sim/record/recorder.h"
 #include "sim/tui/fleet_report.h"
+#include "sim/tui/live_view.h"
 #include "sim/tui/progress.h"
 
 namespace robosim::cli {
@@ -60,6 +61,26 @@ record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedF
   return all;
 }
 
+/// Runs in the live view.
+wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
+                      const RunArguments& arguments, const wire::OnEvent& on_event) {
+  runner.keep_close();
+  const launch::Prepared& first = run.members.front();
+  const grid::Map floor = grid::read_map(first.map.path);
+  std::vector<std::string> names;
+  for (const launch::Member& member : fleet.members) names.push_back(member.name);
+  tui::LiveScene scene(fmt::format("{} robots on {}; below: {}", names.size(), first.map.name, names.front()),
+                       floor, first.robot_info, names);
+  tui::LiveView live(scene, {arguments.speed, tui::look_from_environment(true),
+                             [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
+  const wire::RunResult result = runner.run(run.request, [&](const wire::Event& event) {
+    on_event(event);
+    live.on_event(event);
+  });
+  live.finish(launch::whole_of(result, run.request));
+  return result;
+}
+
 }  // namespace
 
 int fleet_command(const RunArguments& arguments) {
@@ -68,11 +89,14 @@ int fleet_command(const RunArguments& arguments) {
   const std::vector<WriteClaim> claims = claims_of(arguments);
   launch::Fleet fleet = arguments.fleet;
   launch::ChosenFleet chosen = choose(fleet);
-  tui::Progress progress(true);
+  check_view(arguments);
+  tui::Progress progress(!arguments.view);
   wire::RunRequest common = arguments.request;
   common.script.clear();
   const bool draws = !arguments.json;
   common.samples_every_ns = draws || progress.active() ? tui::trail_every_ns(common.for_ns) : 0;
+  if (arguments.view) common.samples_every_ns = tui::kViewEvery_ns;
+  common.serial = arguments.view;
   common.notes = true;
   recorders.ask(common);
 
@@ -107,7 +131,8 @@ int fleet_command(const RunArguments& arguments) {
   wire::RunResult result;
   try {
     const client::Interrupts interrupts(runner);
-    result = runner.run(run.request, on_event);
+    result =
+        arguments.view ? watch(runner, run, fleet, arguments, on_event) : runner.run(run.request, on_event);
   } catch (const InputError& error) {
     throw launch::with_place(fleet, error);
   }

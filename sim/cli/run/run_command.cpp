@@ -1,7 +1,6 @@
 #include "sim/cli/run/run_command.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -153,10 +152,7 @@ int run_command(const RunArguments& arguments) {
   if (!arguments.fleet.members.empty()) return fleet_command(arguments);
   record::Recorders recorders = recorders_of(arguments);
   const std::vector<WriteClaim> claims = claims_of(arguments);
-  if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
-    throw InputError(
-        "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
-  }
+  check_view(arguments);
   launch::Launch launch = launch_of(arguments);
   launch::Chosen chosen = choose(launch);
   check_debugger(launch.request.gdb_port, chosen.target);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "sim/base/error.h"
 #include "sim/tui/terminal.h"
 
 namespace robosim::cli {
@@ -20,6 +21,13 @@ ScreenSize screen_size() {
   const auto size = tui::terminal_size(STDOUT_FILENO);
   return {std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns),
           tui::look_from_environment(size.has_value())};
+}
+
+void check_view(const RunArguments& arguments) {
+  if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
+    throw InputError(
+        "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
+  }
 }
 
 std::unique_ptr<grid::Map> map_to_draw(const std::filesystem::path& path) {

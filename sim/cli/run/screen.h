@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "sim/cli/arguments.h"
 #include "sim/grid/map.h"
 #include "sim/tui/frame.h"
 
@@ -15,6 +16,9 @@ struct ScreenSize {
   tui::Look look;
 };
 ScreenSize screen_size();
+
+/// Throws InputError where --view has no terminal.
+void check_view(const RunArguments& arguments);
 
 /// The map for pictures; null if it is too large for one.
 std::unique_ptr<grid::Map> map_to_draw(const std::filesystem::path& path);

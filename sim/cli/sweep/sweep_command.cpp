@@ -15,6 +15,7 @@
 #include "sim/cli/sweep/sweep_table.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/pool.h"
+#include "sim/launch/fleet.h"
 #include "sim/tui/progress.h"
 
 namespace robosim::cli {
@@ -102,7 +103,8 @@ class Sweep {
       failed_itself_ = true;
       answer = error_result(combination, plan_.task_of(run).request, failure->message);
     }
-    const auto& result = std::get<wire::RunResult>(answer);
+    const wire::RunResult result =
+        launch::whole_of(std::get<wire::RunResult>(answer), combination.task.request);
     check_unchanged(combination, result);
     if (table_) table_->add(run, sweep_row(combination, result, table_->columns()));
     if (arguments_.json) print(run_json_line(combination.inputs, result));

@@ -10,7 +10,9 @@
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
+#include "sim/cli/run/fleet_arguments.h"
 #include "sim/grid/map.h"
+#include "sim/launch/fleet.h"
 #include "sim/launch/trust.h"
 
 namespace robosim::cli {
@@ -61,6 +63,11 @@ class SweepSupplies {
     return launcher_.prepare(launch, std::move(chosen), describe_, describer().hello());
   }
 
+  launch::PreparedFleet prepare(const launch::Fleet& fleet, launch::ChosenFleet chosen,
+                                const wire::RunRequest& common) {
+    return launch::prepare(launcher_, fleet, std::move(chosen), common, describe_, describer().hello());
+  }
+
   /// Of a launch that asks for a chip and names none.
   std::string chip_target(const launch::Launch& launch) { return launch::chip_target(launch, describe_); }
 
@@ -105,6 +112,7 @@ class Combiner {
       : arguments_(arguments), supplies_(supplies), each_(launch_of(arguments.each)) {}
 
   void add_sketch(const std::string& name, std::vector<Combination>& combinations) {
+    if (launch::is_fleet_file(name)) return add_fleet(name, combinations);
     std::vector<launch::Launch> launches;
     for (const std::string& map : or_default(arguments_.maps)) {
       for (const std::string& robot : or_default(arguments_.robots)) {
@@ -125,6 +133,59 @@ class Combiner {
   }
 
  private:
+  /// Of several robots. What they have none of is that of the combination.
+  void add_fleet(const std::string& file, std::vector<Combination>& combinations) {
+    if (arguments_.each.chip_only) throw InputError({file}, "several robots are not run with --untrusted");
+    for (const std::string& map : or_default(arguments_.maps)) {
+      for (const std::string& robot : or_default(arguments_.robots)) {
+        for (const std::string& target : or_default(arguments_.targets)) {
+          RunArguments all = arguments_.each;
+          all.robot = robot;
+          all.target = target;
+          launch::Fleet fleet = launch::read_fleet(file);
+          if (!map.empty()) fleet.map = map;
+          fill_up(fleet, all);
+          combinations.push_back(combine(file, fleet, all));
+        }
+      }
+    }
+  }
+
+  Combination combine(const std::string& file, launch::Fleet& fleet, const RunArguments& all) {
+    launch::ChosenFleet chosen = choose(fleet);
+    wire::RunRequest common = all.request;
+    common.script.clear();
+    const std::string runner = chosen.runner;
+    const launch::PreparedFleet run = supplies_.prepare(fleet, std::move(chosen), common);
+    Combination c;
+    c.task = {runner, run.request};
+    c.inputs = inputs_of(run.members.front(), supplies_.version());
+    c.inputs.sketch = file;
+    c.inputs.robot = fmt::format("{} robots", run.members.size());
+    c.map_sha256 = supplies_.hash_of_map(run.request.map);
+    std::string images, robots, targets, conditions = conditions_of(run.request, c.inputs.robosim);
+    for (std::size_t i = 0; i < run.members.size(); ++i) {
+      const launch::Prepared& member = run.members[i];
+      images += supplies_.hash_of_file(member.request.image);
+      robots += member.robot_info.sha256;
+      if (targets.find(member.target) == targets.npos)
+        targets += (targets.empty() ? "" : "+") + member.target;
+      const wire::RunRequest& own = fleet.members[i].launch.request;
+      conditions += fmt::format("\n{}\n{}\n{}\n{}\n{}\n{}", fleet.members[i].name, member.target, own.start,
+                                own.goal, own.clock_ns, own.script);
+    }
+    c.inputs.target = targets;
+    c.image_sha256 = supplies_.hash_of_file(run.request.image);
+    c.robot_sha256 = run.members.front().robot_info.sha256;
+    c.fingerprint.parts = {sha256(images).substr(0, kDigits), c.map_sha256.substr(0, kDigits),
+                           sha256(robots).substr(0, kDigits), sha256(conditions).substr(0, kDigits)};
+    c.replay = "robosim run " + shell_word(file) + " --map " + shell_word(run.members.front().map.name);
+    if (!all.robot.empty()) c.replay += " --robot " + shell_word(all.robot);
+    if (!all.target.empty()) c.replay += " --target " + all.target;
+    c.replay += options_of(arguments_.each);
+    return c;
+  }
+
   static std::vector<std::string> or_default(const std::vector<std::string>& names) {
     return names.empty() ? std::vector<std::string>{""} : names;
   }

@@ -78,6 +78,37 @@ target = "stm32"
                   "robots.toml:4:1: robot B is for the target stm32 and robot A for the host: one run")));
 }
 
+TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {
+  wire::RunRequest request;
+  request.name = "A";
+  request.agents.resize(2);
+  request.agents[0].name = "B";
+  request.agents[1].name = "C";
+  wire::RunResult result;
+  result.verdict = "reached";
+  result.time_s = 3.0;
+  result.serial = "a";
+  result.metrics.collisions = 1;
+  EXPECT_EQ(whole_of(result, request).time_s, 3.0) << "one robot stays as it is";
+  result.others.assign(2, result);
+  result.others[0].time_s = 5.0;
+  result.others[0].serial = "b";
+  wire::RunResult whole = whole_of(result, request);
+  EXPECT_EQ(whole.verdict, "reached");
+  EXPECT_EQ(whole.why, "All 3 robots reached their goals.");
+  EXPECT_EQ(whole.time_s, 5.0);
+  EXPECT_EQ(whole.metrics.collisions, 3);
+  EXPECT_EQ(whole.serial, "aba");
+  EXPECT_TRUE(whole.others.empty());
+  result.others[1].verdict = "lost";
+  result.others[1].status = 1;
+  result.others[1].why = "The robot lost the line.";
+  whole = whole_of(result, request);
+  EXPECT_EQ(whole.verdict, "lost");
+  EXPECT_EQ(whole.status, 1);
+  EXPECT_EQ(whole.why, "robot C: The robot lost the line.");
+}
+
 struct Bad {
   const char* name;
   const char* text;

@@ -50,6 +50,26 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   EXPECT_THAT(text, HasSubstr("q end the run\n"));
 }
 
+TEST(LiveScene, ShowsAllOfSeveralRobotsAndWhomANoteIsAbout) {
+  const auto map = grid::parse_map(line_of(10), "t.map");
+  LiveScene scene("2 robots", map, robot(), {"A", "B"});
+  scene.add(started());
+  scene.add(sample(250, 50));
+  wire::Sample other = sample(750, 50, 3.14159);
+  other.agent = 1;
+  scene.add(other);
+  wire::Note note = wire::note_of({2'500'000'000, 1, wire::StationVisited{"dock"}});
+  scene.add(note);
+  wire::SerialText text{1, "of B\n"};
+  text.agent = 1;
+  scene.add(text);
+  const std::string shown = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
+  EXPECT_THAT(shown, HasSubstr("→"));
+  EXPECT_THAT(shown, HasSubstr("←"));
+  EXPECT_THAT(shown, HasSubstr("2.50 s  B: station dock visited\n"));
+  EXPECT_THAT(shown, Not(HasSubstr("of B")));
+}
+
 TEST(LiveScene, ShowsGaugesAsNumbersWithTheirUnits) {
   const auto map = grid::parse_map(line_of(10), "t.map");
   wire::RobotInfo info = robot();
