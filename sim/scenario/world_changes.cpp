@@ -59,7 +59,7 @@ void WorldChanges::clear_obstacle(const std::string& text) {
   });
 }
 
-void WorldChanges::act(SimTime t) {
+void WorldChanges::move_obstacles(SimTime t) {
   for (Obstacle& one : state_.obstacles) {
     if (one.period == 0) continue;
     const double share = std::min(static_cast<double>(t - one.began) / static_cast<double>(one.period), 1.0);

@@ -27,7 +27,9 @@ class WorldChanges {
   /// The same undone.
   wire::ScriptActed undo(const Action& action);
   /// Obstacles that move are then where they are at `t`.
-  void act(SimTime t);
+  void act(SimTime t) {
+    if (!state_.obstacles.empty()) move_obstacles(t);
+  }
 
   struct Obstacle {
     grid::CellAt cell;              ///< where it was put
@@ -45,6 +47,7 @@ class WorldChanges {
   void restore(const State& saved) { state_ = saved; }
 
  private:
+  void move_obstacles(SimTime t);
   void bring_about(const Action& action);
   Vec2 place_of(grid::CellAt cell) const;
   std::vector<std::size_t> lights_of(const std::string& text) const;
