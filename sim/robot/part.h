@@ -80,7 +80,7 @@ struct Roster {
   std::vector<Receiver*> receivers;
   std::vector<Teller*> tellers;
   std::vector<ServoPart*> servos;
-  std::vector<const FanPart*> fans;
+  std::vector<FanPart*> fans;
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
 };

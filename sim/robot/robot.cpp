@@ -79,13 +79,6 @@ struct Robot::Inside {
     body.supply(load.volts);
     find_supply();
   }
-  // What fans add to the weight in the tick that begins.
-  void press() {
-    if (roster.fans.empty()) return;
-    double newtons = own_downforce;
-    for (const FanPart* fan : roster.fans) newtons += fan->newtons();
-    body.press(newtons);
-  }
   bool feeds() const { return cells.kind && !state.is_forced; }
   void find_supply() {
     if (description.electronics.fed_by_battery)
@@ -110,7 +103,6 @@ struct Robot::Inside {
 
   const Description& description;
   world::Body& body;
-  const double own_downforce = body.params().downforce_n;  // N, without fans
   const Individual individual;
   Cells cells;  // none without [battery]; as it was drawn
   Kept kept;
@@ -199,6 +191,7 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->context));
   for (const auto& part : in_->parts) part->join(in_->roster);
   for (const auto& part : in_->parts) part->meet(in_->roster);
+  for (FanPart* fan : in_->roster.fans) fan->press_on(in_->body);
 }
 
 Robot::~Robot() = default;
@@ -225,7 +218,6 @@ void Robot::end_tick(SimTime t) {
     last = command;
     in_->body.command(side, command);
   }
-  in_->press();
   if (in_->feeds()) in_->feed();
 }
 

@@ -35,7 +35,7 @@ Floor::Floor(const grid::Map& map)
       lines_(map),
       gloss_(map.gloss),
       alike_(areas_.empty() && lines_.empty() && !image_ && gloss_ == 0.0),
-      lines_only_(alike_ && marks_.empty()),
+      plain_(alike_ && marks_.empty()),
       paints_only_(!lines_.empty() && areas_.empty()),
       kinds_{} {
   double widest = map.line_m;
@@ -102,6 +102,11 @@ void Floor::read_raster(const grid::Map& map) {
       low[stride + 1] |= 1;
     }
   }
+}
+
+double Floor::painted_darkness(double x, double y, double footprint_m) const {
+  const Vec2 p{x, y};
+  return patched(drawn_darkness(p, footprint_m), p, footprint_m);
 }
 
 double Floor::darkness_of_paint(Vec2 p, double footprint) const {

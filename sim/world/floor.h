@@ -65,8 +65,11 @@ class Floor {
   /// Marks are painted as the line is; areas lie under lines and marks, or over them, in their order
   /// (grid::Area). Lines of other widths and colours, worn ones and gloss: PaintedLines.
   double darkness(Vec2 p, double footprint_m) const {
-    const double drawn = drawn_darkness(p, footprint_m);
-    return patches_.empty() ? drawn : patched(drawn, p, footprint_m);
+    if (plain_) {
+      const double painted = drawn_coverage(p, footprint_m);
+      return light_line_ ? 1.0 - painted : painted;
+    }
+    return painted_darkness(p.x, p.y, footprint_m);
   }
   /// The same by the light of a band.
   double darkness(Vec2 p, double footprint_m, Band band) const {
@@ -85,7 +88,14 @@ class Floor {
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 
   /// What is painted or taken off during the run. The map's centre lines, and what is measured by them, stay.
-  Patches& patches() { return patches_; }
+  Patches& patches() {
+    plain_ = false;
+    return patches_;
+  }
+  void restore(const Patches::State& patches) {
+    patches_.restore(patches);
+    plain_ = alike_ && marks_.empty() && patches_.empty();
+  }
   const Patches& patches() const { return patches_; }
   double line_width() const { return 2.0 * half_line_; }
 
@@ -141,11 +151,13 @@ class Floor {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
+  // Where there is more than lines. Not for each sensor anew: that costs where there are lines only.
+  double painted_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
   // Without what was painted during the run.
   double drawn_darkness(Vec2 p, double footprint_m) const {
-    if (lines_only_ || alike_) {
-      const double painted = lines_only_ ? drawn_coverage(p, footprint_m) : painted_share(p, footprint_m);
+    if (alike_) {
+      const double painted = painted_share(p, footprint_m);
       return light_line_ ? 1.0 - painted : painted;
     }
     return paints_only_ ? 1.0 - lines_.over((light_line_ ? 0.0 : 1.0) + gloss_, Band::infrared, p,
@@ -178,8 +190,8 @@ class Floor {
   PaintedLines lines_;
   Patches patches_;
   const double gloss_;
-  const bool alike_;  // nothing but lines and marks, all of them whole and matt
-  const bool lines_only_;
+  const bool alike_;        // nothing but lines and marks, all of them whole and matt
+  bool plain_;              // lines alone, as the map has them: only quicker
   const bool paints_only_;  // lines, not all of them alike, and marks
   NoiseStream noise_;
   double variation_ = 0.0;

@@ -37,7 +37,7 @@ void World::restore(const State& saved) {
   walls_.restore(saved.walls);
   ground_.restore(saved.ground);
   air_.restore(saved.air);
-  floor_.patches().restore(saved.patches);
+  floor_.restore(saved.patches);
   lighting_.restore(saved.lights);
 }
 

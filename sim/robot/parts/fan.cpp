@@ -44,6 +44,9 @@ void FanPart::begin_tick(SimTime) {
   const PinDrive& drive = context_.netlist.drive(spec_.pin);
   const bool runs = state_.powered && drive.mode == PinMode::output;
   state_.speed += ((runs ? high_share(drive) : 0.0) - state_.speed) * share_;
+  const double newtons = most_ * state_.speed * state_.speed;
+  body_->press(body_->params().downforce_n + (newtons - state_.newtons));
+  state_.newtons = newtons;
 }
 
 void FanPart::read(std::vector<Reading>& readings) const { readings.push_back({spec_.name, state_.speed}); }

@@ -36,11 +36,13 @@ class FanPart final : public Part {
   void begin_tick(SimTime) override;
   void power(bool on, SimTime) override { state_.powered = on; }
   void read(std::vector<Reading>&) const override;
-  double newtons() const { return most_ * state_.speed * state_.speed; }
+  /// Called once: what it presses down.
+  void press_on(world::Body& body) { body_ = &body; }
 
  private:
   struct State {
     double speed = 0.0;
+    double newtons = 0.0;  // with which it presses
     bool powered = true;
   };
 
@@ -48,6 +50,7 @@ class FanPart final : public Part {
   PartContext& context_;
   const double most_;   // N
   const double share_;  // of the way to its speed in a tick
+  world::Body* body_ = nullptr;
   State state_;
 };
 
