@@ -49,7 +49,8 @@ export class Player {
     let before = performance.now();
     const frame = (now) => {
       if (!this.playing) return;
-      const t = this.t + Math.min((now - before) / 1000, 0.1) * this.speed;
+      // A frame may have begun before play() was called.
+      const t = this.t + Math.min(Math.max(now - before, 0) / 1000, 0.1) * this.speed;
       before = now;
       if (t >= this.run.duration) this.playing = false;
       this.seek(t);
