@@ -73,11 +73,14 @@ void check_machine(const std::string& tool, const std::string& output) {
 }
 
 std::string missing_header(const std::string& whole, Place* place) {
-  const std::string output = cut(whole);
-  static const std::regex pattern(
-      R"(([^\n]*):(\d+):(\d+): fatal error: ([^\n]*): No such file or directory)");
+  // Only the line that says so: a search through all of them would take time by the square of their lengths.
+  const std::size_t says = whole.find(": fatal error: ");
+  if (says == std::string::npos) return {};
+  const std::size_t begin = whole.rfind('\n', says) + 1;
+  const std::string line = cut(whole.substr(begin, whole.find('\n', says) - begin));
+  static const std::regex pattern(R"((.*):(\d+):(\d+): fatal error: (.*): No such file or directory.*)");
   std::smatch match;
-  if (!std::regex_search(output, match, pattern)) return {};
+  if (!std::regex_match(line, match, pattern)) return {};
   *place = {match[1], std::stoi(match[2]), std::stoi(match[3])};
   return match[4];
 }
