@@ -91,7 +91,8 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("stripes", f.stripes, "centre lines");
   v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
     {.presence = wire::when(!f.marks.empty())});
-  v("areas", f.areas, "painted rectangles and discs, and in tints hills and surfaces", {.presence = wire::when(!f.areas.empty())});
+  v("areas", f.areas, "painted rectangles and discs, and in tints hills and surfaces",
+    {.presence = wire::when(!f.areas.empty())});
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
   v("obstacles", f.obstacles, "centres");
