@@ -191,8 +191,8 @@ std::string sentence(const Evidence& e) {
       return fmt::format(
           "The robot {}is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
           "degree{} ({}).",
-          left.empty() ? "" : left + ", and ",
-          e.in_contact ? "; it pushes against a wall or the map's edge" : "", done);
+          left.empty() ? "" : left + ", and ", e.in_contact ? "; it pushes against " + e.stopped_by : "",
+          done);
     }
     case Verdict::toppled:
       return fmt::format("The robot {} near {} ({}).",

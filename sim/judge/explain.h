@@ -37,8 +37,9 @@ struct Evidence {
   std::vector<bool>
       was_pulled_up;        ///< per pin: its pull-up was on, as by digitalWrite(pin, HIGH) of an input
   bool pin_level = false;   ///< what the pin that the sketch looks at reads now
-  bool in_contact = false;  ///< the body touches a wall
-  double left_command = 0.0, right_command = 0.0;  ///< of the motors, -1..1, at the end
+  bool in_contact = false;  ///< the body touches what stops it
+  std::string stopped_by = "a wall or the map's edge";  ///< what it touches then
+  double left_command = 0.0, right_command = 0.0;       ///< of the motors, -1..1, at the end
   SimTime sensors_read = kNever;  ///< when the sketch last looked at a floor sensor; kNever = it never did
   double line_side = 0.0;  ///< where the line was when it was last seen to a side: left of the middle, m
   double steered = 0.0;    ///< then: the mean difference of the commands, towards the line; below 0: away

@@ -288,6 +288,10 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.was_output = state_.was_output;
   e.was_pulled_up = state_.was_pulled_up;
   e.in_contact = body_.in_contact();
+  if (body_.collided_with_body())
+    e.stopped_by = "another robot";
+  else if (world_.walls().near_disc(body_.circle_centre(), body_.bound_radius()))
+    e.stopped_by = "an obstacle";
   e.toppled = body_.toppled();
   e.at = body_.pose().position;
   e.left_command = robot_.left_command();

@@ -50,6 +50,8 @@ class World {
   Patches& patches() { return floor_.patches(); }
   Lighting& lighting() { return lighting_; }
 
+  const Walls& walls() const { return walls_; }
+
   /// For radios.
   Air& air() { return air_; }
 

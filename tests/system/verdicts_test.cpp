@@ -27,6 +27,15 @@ TEST(Verdicts, AnEmptyEndlessLoopHangsWithMotorsOnAndEndsWithMotorsOff) {
   EXPECT_THAT(ended.why, HasSubstr("EndsParked.ino:6"));
 }
 
+TEST(Verdicts, ARobotThatIsStuckIsToldWhatStopsIt) {
+  const std::string is_stuck = "it neither moved 1 mm nor turned 1 degree; it pushes against ";
+  EXPECT_THAT(run({.sketch = "PidFollower", .script = "at 2s obstacle 12,2\n", .for_s = 60.0}).why,
+              HasSubstr(is_stuck + "an obstacle ("));
+  const wire::RunResult wall =
+      run({.sketch = "PidFollower", .script = "at 1ms place 60mm,200mm,W\n", .for_s = 60.0});
+  EXPECT_THAT(wall.why, HasSubstr(is_stuck + "a wall or the map's edge ("));
+}
+
 TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
   struct Case {
     const char* sketch;
