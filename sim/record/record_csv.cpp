@@ -24,6 +24,7 @@ std::size_t CsvRecorder::column_of(const std::string& reading) {
 void CsvRecorder::add(const wire::Event& event) {
   if (const auto* started = std::get_if<wire::Started>(&event)) {
     const auto agent = static_cast<std::size_t>(started->agent);
+    if (agent >= wire::kMostAgents) return;
     columns_.resize(std::max(columns_.size(), agent + 1));
     for (const std::string& name : started->readings)
       columns_[agent].push_back(robots_.empty() ? (readings_.push_back(name), readings_.size() - 1)
@@ -36,11 +37,14 @@ void CsvRecorder::add(const wire::Event& event) {
 void CsvRecorder::add_row(const wire::Sample& s) {
   std::string row = fmt::format("{},", s.t_us);
   const auto agent = static_cast<std::size_t>(s.agent);
-  if (!robots_.empty()) row += robots_.at(agent) + ",";
+  // A robot that nobody has asked for is none.
+  if (agent >= wire::kMostAgents || (!robots_.empty() && agent >= robots_.size())) return;
+  columns_.resize(std::max(columns_.size(), agent + 1));  // one that has not begun has no readings
+  if (!robots_.empty()) row += robots_[agent] + ",";
   fmt::format_to(std::back_inserter(row), "{},{},{},{},{},{},{}", s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s,
                  s.cross_track_mm, s.left, s.right);
   std::vector<std::string> cells(readings_.size());
-  for (std::size_t i = 0; i < std::min(s.readings.size(), columns_.at(agent).size()); ++i)
+  for (std::size_t i = 0; i < std::min(s.readings.size(), columns_[agent].size()); ++i)
     cells[columns_[agent][i]] = fmt::format("{}", s.readings[i]);
   for (const std::string& cell : cells) row += "," + cell;
   rows_.push_back(std::move(row));

@@ -46,6 +46,18 @@ TEST(CsvRecorder, IsOnTheDiskOnlyOnceItIsSaved) {
   std::filesystem::remove(path);
 }
 
+// No runner does so; one that is broken must not take the command down.
+TEST(CsvRecorder, ARobotThatHasNotBegunHasNoReadingsAndOneThatCannotBeNoRow) {
+  CsvRecorder record("unwritten.csv");
+  wire::Sample sample;
+  sample.agent = 3;
+  sample.readings = {0.5};
+  record.add(sample);
+  sample.agent = 1'000'000'000;
+  record.add(sample);
+  EXPECT_EQ(record.text(), "t_us,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right\n0,0,0,0,0,0,0,0\n");
+}
+
 TEST(CsvRecorder, OtherEndingsAreRefusedNamingTheOnesThatExist) {
   EXPECT_NO_THROW(make_recorder("a/b.csv"));
   try {
