@@ -151,6 +151,17 @@ TEST_F(Wrapper, BuildsTheChipsRunnerOnceItIsWantedAndKeepsItUpToDate) {
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
 }
 
+TEST_F(Wrapper, BuildsTheChipsRunnerThatOneOfSeveralRobotsWants) {
+  run("../checkout/robosim run A=X B=X --target B=avr");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
+TEST_F(Wrapper, BuildsTheChipsRunnerThatAFileOfRobotsWants) {
+  write_file(checkout() / "robots.toml", "[[agent]]\ntarget = \"avr\"\n");
+  run("../checkout/robosim run " + (checkout() / "robots.toml").string());
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
 TEST_F(Wrapper, BuildsTheServerOnceItIsWantedAndKeepsItUpToDate) {
   run("../checkout/robosim");
   EXPECT_THAT(calls(), Not(HasSubstr("robosim-serve")));
