@@ -21,7 +21,8 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   const WorkFolder work(cache);
   const std::string name = entry.result.stem().string() + product.ending;
   const auto since = fs::file_time_type::clock::now();
-  const Walls walls({entry.result}, work.path());
+  // Not the image alone: another process that builds the same puts its equal one in this one's place.
+  const Walls walls({cache.folder()}, work.path());
   Command command = product_command(target, product, entry.result, work.path() / name);
   command.walls = &walls;
   const CommandResult result = run(command);

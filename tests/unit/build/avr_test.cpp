@@ -1,7 +1,9 @@
 // Sketches compiled for the chip. Where its tools are missing these are skipped; see require_target.h.
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <cstdlib>
+#include <thread>
 
 #include "sim/elf/elf_file.h"
 #include "tests/support/require_target.h"
@@ -266,6 +268,26 @@ TEST_F(AvrTest, ABoardWithoutAnAvrChipIsRefused) {
         build({folder_ / "Any", other, "avr"});
       },
       testing::ThrowsMessage<InputError>(HasSubstr("the board bluepill has no chip of the target avr")));
+}
+
+TEST_F(AvrTest, AnotherProcessMayPutTheSameImageInItsPlaceMeanwhile) {
+  write("Any/Any.ino", kEmptySketch);
+  ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
+  const Image first = build_avr_here("Any");
+  std::atomic<bool> done{false};
+  std::thread other([&] {
+    while (!done) {
+      const fs::path copy = folder_ / "cache/robosim/copy";
+      fs::copy_file(first.image, copy, fs::copy_options::overwrite_existing);
+      fs::rename(copy, first.image);
+    }
+  });
+  for (int i = 0; i < 5; ++i) {
+    fs::remove(first.products.at(0));
+    EXPECT_NO_THROW(EXPECT_EQ(build_avr_here("Any").products, first.products));
+  }
+  done = true;
+  other.join();
 }
 
 TEST_F(SketchTest, AMissingCrossCompilerIsNamedWithItsPackage) {
