@@ -26,6 +26,12 @@ struct Mutation {
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
+/// For people: "sketch.ino:20", "`11` for `10`", and all in one line, "sketch.ino:20  constant: `11` for
+/// `10`".
+std::string where(const Mutation& mutation);
+std::string what(const Mutation& mutation);
+std::string described(const Mutation& mutation);
+
 /// `text` with all edits made.
 std::string changed(std::string text, const std::vector<Edit>& edits);
 

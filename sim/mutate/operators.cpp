@@ -268,12 +268,6 @@ void find_names(const Tree& tree, const json& node, std::vector<const json*>& de
 
 }  // namespace
 
-std::string changed(std::string text, const std::vector<Edit>& edits) {
-  for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
-    text.replace(edit->from, edit->to - edit->from, edit->now);
-  return text;
-}
-
 std::vector<Mutation> mutations(const Tree& tree) {
   Finder finder(tree);
   for (const json& declaration : tree.declarations) finder.look(declaration);

@@ -123,7 +123,7 @@ json read_tree(const std::string& dump, const std::function<int(const std::strin
       dump, [&](int depth, json::parse_event_t event, json& parsed) { return places(depth, event, parsed); });
 }
 
-Tree parse(const build::Reading& reading) {
+Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_libraries) {
   const fs::path clang = find_clang();
   const build::WorkFolder work((build::Cache(build::cache_folder())));
   const build::Sketch& sketch = reading.sketch;
@@ -136,6 +136,7 @@ Tree parse(const build::Reading& reading) {
   };
   for (const auto* names : {&sketch.headers, &sketch.sources})
     for (const std::string& name : *names) add(name, fs::weakly_canonical(sketch.folder / name), 0);
+  for (const fs::path& file : of_libraries) add(file.string(), fs::weakly_canonical(file), 0);
   const auto number_of = [&](const std::string& path) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(path, error);
@@ -145,6 +146,8 @@ Tree parse(const build::Reading& reading) {
   };
   for (const std::string& name : sketch.sources)
     add_declarations(dump(clang, reading, sketch.folder / name, number_of));
+  for (const fs::path& file : of_libraries)
+    if (file.extension() == ".cpp") add_declarations(dump(clang, reading, file, number_of));
   if (sketch.inos.empty()) return tree;
 
   const fs::path source = fs::weakly_canonical(work.path()) / "joined.cpp";

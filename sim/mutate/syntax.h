@@ -20,7 +20,7 @@ struct Range {
 };
 
 struct File {
-  std::string name;  ///< relative to the sketch's folder
+  std::string name;  ///< relative to the sketch's folder; one of a library by its whole path
   std::string text;
   std::filesystem::path path;  ///< as it was parsed: .ino files are joined
   std::size_t offset = 0;      ///< where its text begins there
@@ -34,8 +34,9 @@ struct Tree {
   std::size_t added_at = 0, added = 0;  ///< prototypes, in what the .ino files were joined to
 };
 
-/// Parses all sources of the sketch. Throws ToolMissing if there is no clang.
-Tree parse(const build::Reading& reading);
+/// Parses all sources of the sketch, and those files of its libraries that are named, too: each by its whole
+/// path. Of a header that no source includes nothing is found. Throws ToolMissing if there is no clang.
+Tree parse(const build::Reading& reading, const std::vector<std::filesystem::path>& of_libraries = {});
 
 /// What a node covers: nothing if it is not in one of the files, or begins or ends in a macro.
 std::optional<Range> range_of(const Tree& tree, const nlohmann::json& node);

@@ -305,6 +305,7 @@ Simulation::~Simulation() {
     if (in_->stage.counted)
       keep_coverage(coverage_folder(trial_.target), in_->stage.request.counters, in_->stage.counted->request,
                     in_->stage.counted->image, replay_command() + "\n" + in_->run->script());
+    record_trace(result.trace_hash);
     if (!is_rehearsal()) record_figures(log, result);
     if (::testing::Test::HasFailure() && !log.artifacts.empty()) {
       const std::string problem = keep(log, in_->stage, in_->run->script(), *in_->runner);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -17,6 +16,7 @@ namespace {
 constexpr const char* kChanged[] = {"firmware", "tests/firmware/sketches"};
 constexpr const char* kLinked[] = {"hal", "maps", "sim"};
 constexpr const char* kMostSeconds = "600";
+constexpr int kTimeIsUp = 124;  // timeout's
 
 std::string program(const std::string& name, const std::string& package) {
   const fs::path found = build::find_program(name);
@@ -61,6 +61,8 @@ TestRun read_report(const std::string& report) {
         run.message = test.at("failures").at(0).at("failure");
       } else if (test.at("result") == "COMPLETED") {
         ++run.passed;
+        run.traces[suite.at("name").get<std::string>() + "." + test.at("name").get<std::string>()] =
+            test.value("robosim_traces", "");
       } else if (test.at("result") == "SKIPPED") {
         ++run.skipped;
       }
@@ -98,6 +100,11 @@ void Stage::spoil(const Bug& bug) {
   if (result.status != 0) throw InputError({bug.patch.string()}, "no longer applies:\n" + result.output);
 }
 
+void Stage::spoil(const std::vector<mutate::Edit>& edits) {
+  const fs::path file = data() / edits.at(0).file;
+  write_file(file, mutate::changed(read_file(file), edits));
+}
+
 TestRun Stage::test(const Choice& choice) const {
   const fs::path report = folder_ / "report.json";
   fs::remove(report);
@@ -107,13 +114,13 @@ TestRun Stage::test(const Choice& choice) const {
       folder_,
       {}});
   if (result.status > 1 || !fs::exists(report))
-    throw std::runtime_error(fmt::format("the tests on {} ended with status {}:\n{}", choice.target,
-                                         result.status, result.output));
+    throw SuiteBroke(
+        fmt::format("the tests on {} ended with status {}:\n{}", choice.target, result.status, result.output),
+        result.status == kTimeIsUp);
   const TestRun run = read_report(read_file(report));
   // Not what the robot did: the sketch does not compile, or the test asks for what does not exist.
   if (run.message.find("C++ exception with description") != std::string::npos)
-    throw std::runtime_error(
-        fmt::format("{} on {} could not be run:\n{}", run.failed, choice.target, run.message));
+    throw CouldNotRun(fmt::format("{} on {} could not be run:\n{}", run.failed, choice.target, run.message));
   return run;
 }
 

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <map>
+#include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "sim/mutate/mutation.h"
 
 #include "tests/museum/bug.h"
 
@@ -14,6 +18,18 @@ struct TestRun {
   int passed = 0, skipped = 0;
   std::string failed;   ///< the first test that failed, "PidFollower.StartsAtOnce"; empty = none
   std::string message;  ///< the first lines of what it said
+  std::map<std::string, std::string> traces;  ///< by test: what all its runs did, as one number
+};
+
+/// A test had no run: the sketch does not compile, or what the test asks for does not exist.
+struct CouldNotRun : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The suite itself failed; it took ten minutes where `late`.
+struct SuiteBroke : std::runtime_error {
+  SuiteBroke(const std::string& what, bool took_long) : std::runtime_error(what), late(took_long) {}
+  bool late;
 };
 
 /// Which tests of a target are run.
@@ -38,9 +54,10 @@ class Stage {
   std::string complaint(const Bug& bug) const;
   /// Changes the firmware. Throws InputError if the patch does not apply.
   void spoil(const Bug& bug);
+  /// Likewise, by edits of files that are named relative to the source tree.
+  void spoil(const std::vector<mutate::Edit>& edits);
 
-  /// Runs tests until one fails. Throws std::runtime_error if the suite itself does: it crashed, took ten
-  /// minutes, or a sketch did not compile.
+  /// Runs tests until one fails. Throws CouldNotRun or SuiteBroke if none did, but something else.
   TestRun test(const Choice& choice) const;
 
  private:

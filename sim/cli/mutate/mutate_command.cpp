@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sim/base/noise.h"
 #include "sim/build/reading.h"
 #include "sim/cli/check/checks_file.h"
 #include "sim/cli/launching.h"
@@ -13,6 +12,7 @@
 #include "sim/cli/output.h"
 #include "sim/client/runner.h"
 #include "sim/launch/launch.h"
+#include "sim/mutate/draw.h"
 #include "sim/mutate/operators.h"
 #include "sim/tui/progress.h"
 
@@ -22,15 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kControls = 6;
-
-/// In an order drawn by the seed: the first n of it are n drawn at random.
-template <typename T>
-std::vector<T> shuffled(std::vector<T> all, std::uint64_t seed, const char* purpose) {
-  const NoiseStream draw(seed, 0, "mutate", purpose);
-  for (std::size_t i = all.size(); i > 1; --i)
-    std::swap(all[i - 1], all[static_cast<std::size_t>(draw.bits(i) % i)]);
-  return all;
-}
 
 /// The sketch's source, as the first check builds it.
 build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
@@ -76,7 +67,7 @@ int mutate_command(const MutateArguments& arguments) {
                                          unchanged.why));
 
   MutationResult result{launch::title_of(choice), file, arguments.seed};
-  const std::vector<mutate::Mutation> all = shuffled(mutate::mutations(tree), arguments.seed, "bugs");
+  const std::vector<mutate::Mutation> all = mutate::shuffled(mutate::mutations(tree), arguments.seed, "bugs");
   result.places = all.size();
   const auto try_one = [&](const mutate::Mutation& mutation, std::vector<Mutant>& mutants) {
     Mutant mutant{mutation, bench.try_with(mutation)};
@@ -95,7 +86,8 @@ int mutate_command(const MutateArguments& arguments) {
         fmt::format("bug {} of {}, {} found", result.mutants.size() + 1, arguments.count, result.found()));
     try_one(mutation, result.mutants);
   }
-  std::vector<mutate::Mutation> harmless = shuffled(mutate::controls(tree), arguments.seed, "controls");
+  std::vector<mutate::Mutation> harmless =
+      mutate::shuffled(mutate::controls(tree), arguments.seed, "controls");
   harmless.resize(std::min(harmless.size(), kControls));
   const std::size_t left_out = result.not_compiled;
   for (const mutate::Mutation& mutation : harmless)

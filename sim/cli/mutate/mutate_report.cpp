@@ -8,22 +8,6 @@
 namespace robosim::cli {
 namespace {
 
-std::string shown(const std::string& text) {
-  std::string line = text.substr(0, text.find('\n'));
-  if (line.size() > 60) line = line.substr(0, 57) + "…";
-  return line.size() < text.size() && line.find("…") == std::string::npos ? line + " …" : line;
-}
-
-std::string where(const mutate::Mutation& mutation) {
-  return fmt::format("{}:{}", mutation.edits.front().file, mutation.line);
-}
-
-std::string what(const mutate::Mutation& mutation) {
-  const bool lost = mutation.now.find_first_not_of(' ') == std::string::npos;
-  return lost ? fmt::format("`{}` left out", shown(mutation.was))
-              : fmt::format("`{}` for `{}`", shown(mutation.now), shown(mutation.was));
-}
-
 const char* word(const Mutant& mutant) {
   switch (mutant.trial.ending) {
     case Trial::Ending::failed:
@@ -43,9 +27,7 @@ const char* word(const Mutant& mutant) {
 std::string list(const std::vector<Mutant>& mutants, const std::string& which, const char* heading) {
   std::string text;
   for (const Mutant& mutant : mutants)
-    if (word(mutant) == which)
-      text +=
-          fmt::format("  {}  {}: {}\n", where(mutant.mutation), mutant.mutation.kind, what(mutant.mutation));
+    if (word(mutant) == which) text += "  " + mutate::described(mutant.mutation) + "\n";
   return text.empty() ? "" : fmt::format("\n{}\n{}", heading, text);
 }
 
@@ -96,8 +78,8 @@ std::string mutation_text(const MutationResult& result) {
   for (const Mutant& control : result.controls)
     if (control.trial.ending != Trial::Ending::passed)
       text += fmt::format("\nbrittle: the check \"{}\" fails where it should not, with {} at {}: {}\n",
-                          control.trial.check, what(control.mutation), where(control.mutation),
-                          control.trial.why);
+                          control.trial.check, mutate::what(control.mutation),
+                          mutate::where(control.mutation), control.trial.why);
   if (!result.controls.empty() && result.brittle() == 0)
     text += fmt::format("\n{} harmless changes: all checks pass, as they should\n", result.controls.size());
   if (!result.complete) text += "interrupted: this is how far it came\n";

@@ -113,6 +113,22 @@ TEST_F(Sketch, IsLeftAloneInMacrosAndInHeadersOfOthers) {
   for (const Mutation& one : mutations(tree())) EXPECT_EQ(one.edits[0].file, "S.ino");
 }
 
+TEST_F(Sketch, HasThoseOfItsLibrariesThatAreAskedFor) {
+  file("S.ino", "#include <Scale.h>\nvoid setup() { doubled(4); halved(4); }\nvoid loop() {}\n");
+  std::filesystem::create_directories(folder_ / "S/libraries/Scale");
+  file("libraries/Scale/Scale.h",
+       "#pragma once\ninline int doubled(int v) { return v + v; }\nint halved(int v);\n");
+  file("libraries/Scale/Scale.cpp", "#include \"Scale.h\"\nint halved(int v) { return v / 2; }\n");
+  EXPECT_EQ(first_of(mutations(tree()), "constant").edits[0].file, "S.ino");
+  const std::filesystem::path library = std::filesystem::canonical(folder_ / "S/libraries/Scale");
+  std::multiset<std::string> places;
+  for (const Mutation& one : mutations(parse(build::reading_of({folder_ / "S", *find_board("uno")}),
+                                             {library / "Scale.h", library / "Scale.cpp"})))
+    if (one.kind == "arithmetic") places.insert(where(one) + ' ' + one.now);
+  EXPECT_THAT(places, ElementsAre((library / "Scale.cpp").string() + ":2 *",
+                                  (library / "Scale.h").string() + ":2 -"));
+}
+
 TEST_F(Sketch, HasHarmlessChanges) {
   file("S.ino",
        "void setup() {\n  pinMode(3, OUTPUT);\n  pinMode(4, OUTPUT);\n}\n"

@@ -1,0 +1,42 @@
+// Small bugs drawn at random over the firmware, and what the suite of tests/firmware makes of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/mutate/mutation.h"
+#include "tests/museum/stage.h"
+
+namespace robosim::museum {
+
+/// All that robosim mutate could draw in firmware/: our sketches and their library, as their compiled sources
+/// and all headers that they include have it. Files are named relative to the source tree; in the order of
+/// their places.
+std::vector<mutate::Mutation> bugs_of_firmware();
+
+struct Attempt {
+  enum class Ending {
+    found,
+    late,        ///< the suite took ten minutes, or its program was ended
+    survived,    ///< a run on the host was different, and no test minded
+    unobserved,  ///< all runs on the host were the same, bit for bit, and no test on a chip minded
+    not_compiled,
+  };
+  mutate::Mutation bug;
+  Ending ending = Ending::survived;
+  std::string by;  ///< "host: PidFollower.StartsAtOnce"
+};
+
+const char* word(Attempt::Ending ending);
+
+/// Puts one bug in, and asks the targets until one finds it. `unchanged`: what the suite did without it, on
+/// the host.
+Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std::string>& targets,
+                const TestRun& unchanged);
+
+/// The sums, and each that survived.
+std::string summary_of(const std::vector<Attempt>& attempts, std::uint64_t seed, std::size_t places,
+                       const std::string& targets);
+
+}  // namespace robosim::museum

@@ -1,0 +1,144 @@
+// robosim_random_bugs: what share of small bugs, drawn at random over firmware/, does the suite of
+// tests/firmware find? docs/museum.md has what it says.
+//
+//   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
+//
+// N bugs that compile and change a run are tried (20): each is put into a copy of the firmware, and the suite
+// runs against it on the host, and where it finds nothing on each of the chips. One line for each as it
+// comes, to standard error; the sums to standard output. The same seed draws the same bugs.
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "sim/base/error.h"
+#include "sim/mutate/draw.h"
+#include "tests/museum/random_bugs.h"
+
+namespace {
+
+using namespace robosim;
+using namespace robosim::museum;
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::size_t count = 20;
+  std::uint64_t seed = 1;
+  std::string targets = "host,avr";
+  std::size_t jobs = std::max(1u, std::thread::hardware_concurrency());
+};
+
+Arguments read_arguments(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string word = argv[i], value = i + 1 < argc ? argv[i + 1] : "";
+    const unsigned long long number = std::strtoull(value.c_str(), nullptr, 10);
+    if (value.empty() || (word != "--targets" && number == 0))
+      throw InputError(word + " needs a value, a number from 1 or targets");
+    if (word == "--count")
+      arguments.count = number;
+    else if (word == "--seed")
+      arguments.seed = number;
+    else if (word == "--jobs")
+      arguments.jobs = number;
+    else if (word == "--targets")
+      arguments.targets = value;
+    else
+      throw InputError(word + " is unknown; there are --count, --seed, --targets and --jobs");
+  }
+  return arguments;
+}
+
+/// Several threads draw from one list until enough have been tried; what is drawn does not depend on them.
+class Campaign {
+ public:
+  explicit Campaign(const Arguments& arguments)
+      : arguments_(arguments), bugs_(mutate::shuffled(bugs_of_firmware(), arguments.seed, "bugs")) {
+    std::istringstream words(arguments.targets);
+    for (std::string word; std::getline(words, word, ',');) targets_.push_back(word);
+  }
+
+  void run() {
+    Stage first(folder(0));
+    unchanged_ = first.test({"host", {}});
+    if (!unchanged_.failed.empty())
+      throw InputError("without any bug " + unchanged_.failed + " fails:\n" + unchanged_.message);
+    std::vector<std::thread> workers;
+    for (std::size_t i = 1; i < arguments_.jobs; ++i)
+      workers.emplace_back([this, i] {
+        Stage stage(folder(i));
+        work(stage);
+      });
+    work(first);
+    for (std::thread& worker : workers) worker.join();
+  }
+
+  std::string summary() const {
+    std::vector<Attempt> attempts;
+    for (const auto& [number, one] : attempts_) {
+      if (observed(attempts) == arguments_.count) break;
+      attempts.push_back(one);
+    }
+    return summary_of(attempts, arguments_.seed, bugs_.size(), arguments_.targets);
+  }
+
+ private:
+  static fs::path folder(std::size_t i) { return fs::path(ROBOSIM_MUSEUM_WORK) / fmt::format("random{}", i); }
+
+  static std::size_t observed(const std::vector<Attempt>& attempts) {
+    std::size_t count = 0;
+    for (const Attempt& one : attempts) count += counts(one);
+    return count;
+  }
+  static bool counts(const Attempt& one) {
+    return one.ending != Attempt::Ending::unobserved && one.ending != Attempt::Ending::not_compiled;
+  }
+
+  void work(Stage& stage) {
+    for (;;) {
+      std::size_t number = 0;
+      {
+        const std::lock_guard lock(mutex_);
+        if (counted_ >= arguments_.count || next_ == bugs_.size()) return;
+        number = next_++;
+      }
+      Attempt result = attempt(stage, bugs_[number], targets_, unchanged_);
+      const std::lock_guard lock(mutex_);
+      counted_ += counts(result);
+      std::cerr << fmt::format("{} {}: {} {}", number + 1, mutate::described(result.bug), word(result.ending),
+                               result.by)
+                << std::endl;
+      attempts_.emplace(number, std::move(result));
+    }
+  }
+
+  Arguments arguments_;
+  std::vector<std::string> targets_;
+  std::vector<mutate::Mutation> bugs_;
+  TestRun unchanged_;
+  std::mutex mutex_;
+  std::size_t next_ = 0, counted_ = 0;
+  std::map<std::size_t, Attempt> attempts_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const Arguments arguments = read_arguments(argc, argv);
+  // The suite's own switches are ours here.
+  for (const char* name : {"ROBOSIM_REQUIRE", "ROBOSIM_TARGETS", "ROBOSIM_TEST_SEEDS", "GITHUB_ACTIONS"})
+    ::unsetenv(name);
+  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
+  ::setenv("XDG_CACHE_HOME", ROBOSIM_MUSEUM_WORK "/cache", 1);
+  Campaign campaign(arguments);
+  campaign.run();
+  std::cout << campaign.summary();
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "robosim_random_bugs: " << error.what() << '\n';
+  return 2;
+}
