@@ -32,10 +32,11 @@ Floor::Floor(const grid::Map& map)
       image_(map.image.get()),
       marks_(map),
       areas_(map),
-      lines_(map),
+      lines_(map, marks_),
       gloss_(map.gloss),
       alike_(areas_.empty() && lines_.empty() && !image_ && gloss_ == 0.0),
       plain_(alike_ && marks_.empty()),
+      marked_(false),
       paints_only_(!lines_.empty() && areas_.empty()),
       kinds_{} {
   double widest = map.line_m;
@@ -46,10 +47,17 @@ Floor::Floor(const grid::Map& map)
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = 0.5 * widest + 0.5 * kUsualFootprint;
     stripes_ = std::make_unique<grid::Stripes>(map, stripes_reach_);
+    if (alike_ && !marks_.empty() && !map.raster) index_with_marks(map);
   } else {
     read_stripes(map);
   }
   if (map.raster) read_raster(map);
+}
+
+void Floor::index_with_marks(const grid::Map& map) {
+  with_marks_ = std::make_unique<grid::StripeIndex>(map, marks_.after(stripes_->all()),
+                                                    std::max(stripes_reach_, marks_.reach()));
+  marked_ = true;
 }
 
 // As grid::Stripes has it, cell by cell: a gap takes line/2 from the painted stripes beside it.
@@ -105,6 +113,28 @@ void Floor::read_raster(const grid::Map& map) {
 }
 
 double Floor::painted_darkness(double x, double y, double footprint_m) const {
+  if (!marked_ || footprint_m > kUsualFootprint) return other_darkness(x, y, footprint_m);
+  const Vec2 p{x, y};
+  const double bare = light_line_ ? 1.0 : 0.0;
+  int column, row;
+  double east, north;
+  if (!locate(p, column, row, east, north)) return bare;
+  const auto near = with_marks_->near({column, height_ - 1 - row});
+  if (near.empty()) return bare;
+  const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
+  const std::span<const grid::Stripe> lines = stripes_->all();
+  double nearest = reach, on_mark = 0.0;
+  for (const std::uint32_t i : near) {
+    if (i >= lines.size())
+      on_mark = std::max(on_mark, marks_.share(i - lines.size(), p, footprint));
+    else if (lines[i].painted)
+      nearest = std::min(nearest, grid::distance(lines[i], p));
+  }
+  const double painted = std::max(ramp(nearest, reach, footprint), on_mark);
+  return light_line_ ? 1.0 - painted : painted;
+}
+
+[[gnu::noinline]] double Floor::other_darkness(double x, double y, double footprint_m) const {
   const Vec2 p{x, y};
   return patched(drawn_darkness(p, footprint_m), p, footprint_m);
 }
@@ -190,9 +220,11 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   int column, row;
   double x, y;
   if (!locate(p, column, row, x, y)) return 0.0;
+  const auto near = stripes_->near({column, height_ - 1 - row});
+  if (near.empty()) return 0.0;
   const double reach = half_line_ + 0.5 * footprint;
   double nearest = reach;
-  for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
+  for (const std::uint32_t i : near) {
     const grid::Stripe& stripe = stripes_->all()[i];
     if (stripe.painted) nearest = std::min(nearest, grid::distance(stripe, p));
   }

@@ -89,12 +89,13 @@ class Floor {
 
   /// What is painted or taken off during the run. The map's centre lines, and what is measured by them, stay.
   Patches& patches() {
-    plain_ = false;
+    plain_ = marked_ = false;
     return patches_;
   }
   void restore(const Patches::State& patches) {
     patches_.restore(patches);
     plain_ = alike_ && marks_.empty() && patches_.empty();
+    marked_ = with_marks_ && patches_.empty();
   }
   const Patches& patches() const { return patches_; }
   double line_width() const { return 2.0 * half_line_; }
@@ -151,8 +152,10 @@ class Floor {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
-  // Where there is more than lines. Not for each sensor anew: that costs where there are lines only.
+  // Where there is more than lines. Not for each sensor anew: that costs where there are lines only. A Vec2
+  // here would be put together in memory, and waited for, before each reading.
   double painted_darkness(double x, double y, double footprint_m) const;
+  double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
   // Without what was painted during the run.
   double drawn_darkness(Vec2 p, double footprint_m) const {
@@ -173,6 +176,7 @@ class Floor {
 
   void read_stripes(const grid::Map& map);
   void read_raster(const grid::Map& map);
+  void index_with_marks(const grid::Map& map);
   double search(Vec2 p, bool painted_only) const;
   double square_in(int column, int row, Vec2 p, bool painted_only) const;
   double coverage_round(Vec2 p, double footprint) const;
@@ -192,13 +196,15 @@ class Floor {
   const double gloss_;
   const bool alike_;        // nothing but lines and marks, all of them whole and matt
   bool plain_;              // lines alone, as the map has them: only quicker
+  bool marked_;             // lines and marks, as the map has them: looked up together
   const bool paints_only_;  // lines, not all of them alike, and marks
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
-  std::unique_ptr<grid::Stripes> stripes_;  // round corners
+  std::unique_ptr<grid::Stripes> stripes_;         // round corners
+  std::unique_ptr<grid::StripeIndex> with_marks_;  // of stripes_, then marks_; null if there is more, or less
   std::vector<double> widths_;       // m, of each paint, at least the map's line; empty if none is more
   std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; a row and a column more than the map
 };

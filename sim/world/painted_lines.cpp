@@ -14,7 +14,7 @@ static_assert(grid::Paint::kMost + 1 < 64);  // paints are bits of a word
 
 }  // namespace
 
-PaintedLines::PaintedLines(const grid::Map& map)
+PaintedLines::PaintedLines(const grid::Map& map, const PaintedMarks& marks)
     : columns_(map.width), rows_(map.height), per_cell_(1.0 / map.cell_m), last_row_(map.height - 1) {
   if ((map.course.paints.empty() && map.worn == 0.0) || map.image || map.raster) return;
   for (const grid::Paint& paint : grid::paints_of(map)) {
@@ -24,18 +24,23 @@ PaintedLines::PaintedLines(const grid::Map& map)
       own.back[static_cast<std::size_t>(band)] = sent_back(*paint.colour, band) + paint.gloss;
   }
   stripes_ = std::make_unique<grid::Stripes>(map, reach_);
-  all_.resize(stripes_->all().size());
+  const std::vector<grid::Stripe> lines_and_marks = marks.after(stripes_->all());
+  index_ = grid::StripeIndex(map, lines_and_marks, std::max(reach_, marks.reach()));
+  all_.resize(lines_and_marks.size());
   std::iota(all_.begin(), all_.end(), 0u);
 }
 
-double PaintedLines::over_these(std::span<const std::uint32_t> stripes, double below, Band band, Vec2 p,
+double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
                                 double footprint, const PaintedMarks& marks) const {
   std::array<double, grid::Paint::kMost + 1> shares;  // of the paints in `met`; distances at first
   std::uint64_t met = 0;
-  for (const std::uint32_t i : stripes) {
-    const grid::Stripe& stripe = stripes_->all()[i];
+  const std::span<const grid::Stripe> lines = stripes_->all();
+  auto at = near.begin();
+  for (; at != near.end() && *at < lines.size(); ++at) {
+    const grid::Stripe& stripe = lines[*at];
     if (!stripe.painted) continue;
     const double away = grid::distance(stripe, p);
+    if (away >= 0.5 * (paints_[stripe.paint].width + footprint)) continue;
     const std::uint64_t bit = std::uint64_t{1} << stripe.paint;
     shares[stripe.paint] = met & bit ? std::min(shares[stripe.paint], away) : away;
     met |= bit;
@@ -46,8 +51,7 @@ double PaintedLines::over_these(std::span<const std::uint32_t> stripes, double b
   };
   const auto share_of_line = [&](std::size_t i) {
     const double width = paints_[i].width;
-    return std::clamp((0.5 * (width + footprint) - shares[i]) / footprint, 0.0,
-                      std::min(1.0, width / footprint));
+    return std::min((0.5 * (width + footprint) - shares[i]) / footprint, std::min(1.0, width / footprint));
   };
   const auto lay = [&](std::size_t i, double share) {
     if (share <= 0.0) return;
@@ -55,11 +59,16 @@ double PaintedLines::over_these(std::span<const std::uint32_t> stripes, double b
     const double there = paint.worn > 0.0 ? share * left(p, paint.worn) : share;
     below += there * (paint.back[static_cast<std::size_t>(band)] - below);
   };
-  if (marks.empty()) {
+  if (at == near.end()) {
     each_met([&](std::size_t i) { lay(i, share_of_line(i)); });
   } else {
     each_met([&](std::size_t i) { shares[i] = share_of_line(i); });
-    marks.raise(p, footprint, shares.data(), met);
+    for (; at != near.end(); ++at) {
+      const std::size_t mark = *at - lines.size(), paint = marks.paint(mark);
+      const std::uint64_t bit = std::uint64_t{1} << paint;
+      shares[paint] = std::max(met & bit ? shares[paint] : 0.0, marks.share(mark, p, footprint));
+      met |= bit;
+    }
     each_met([&](std::size_t i) { lay(i, shares[i]); });
   }
   return below;

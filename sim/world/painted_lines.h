@@ -17,8 +17,9 @@ namespace robosim::world {
 
 class PaintedLines {
  public:
-  /// Holds nothing for a map whose lines are alike and whole. The map must outlive this.
-  explicit PaintedLines(const grid::Map& map);
+  /// Holds nothing for a map whose lines are alike and whole. The map must outlive this; `marks` are those of
+  /// over().
+  PaintedLines(const grid::Map& map, const PaintedMarks& marks);
 
   bool empty() const { return !stripes_; }
 
@@ -34,8 +35,8 @@ class PaintedLines {
     if (footprint > kLookedUpFootprint) return over_these(all_, below, band, p, footprint, marks);
     const double u = p.x * per_cell_, v = p.y * per_cell_;
     if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) return below;
-    const auto near = stripes_->near({static_cast<int>(u), last_row_ - static_cast<int>(v)});
-    if (near.empty() && !marks.any_near(p, footprint)) return below;
+    const auto near = index_.near({static_cast<int>(u), last_row_ - static_cast<int>(v)});
+    if (near.empty()) return below;
     return over_these(near, below, band, p, footprint, marks);
   }
 
@@ -50,9 +51,9 @@ class PaintedLines {
     double back[4];  // what comes back of each band
   };
 
-  static constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all stripes
+  static constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all
 
-  double over_these(std::span<const std::uint32_t> stripes, double below, Band, Vec2 p, double footprint,
+  double over_these(std::span<const std::uint32_t> near, double below, Band, Vec2 p, double footprint,
                     const PaintedMarks&) const;
 
   double columns_, rows_, per_cell_;
@@ -60,7 +61,8 @@ class PaintedLines {
   std::vector<Paint> paints_;
   double reach_ = 0.0;  // m
   std::unique_ptr<grid::Stripes> stripes_;
-  std::vector<std::uint32_t> all_;  // their numbers
+  grid::StripeIndex index_;         // of them, then of the marks
+  std::vector<std::uint32_t> all_;  // all numbers
   NoiseStream noise_;
 };
 

@@ -1,10 +1,13 @@
 // Bars painted on the floor: [[mark]] of a map.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/grid/map.h"
+#include "sim/grid/stripes.h"
 #include "sim/world/tiles.h"
 
 namespace robosim::world {
@@ -14,27 +17,37 @@ class PaintedMarks {
   explicit PaintedMarks(const grid::Map& map);
 
   bool empty() const { return marks_.empty(); }
+  std::size_t paint(std::size_t mark) const { return static_cast<std::size_t>(marks_[mark].paint); }
+  /// The share of a square of side `footprint` about p that lies on one of them: exact where it is parallel
+  /// to the mark.
+  double share(std::size_t mark, Vec2 p, double footprint) const {
+    const Vec2 own = marks_[mark].middle.to_body(p);
+    return within(own.x, marks_[mark].half_length, footprint) *
+           within(own.y, marks_[mark].half_width, footprint);
+  }
+  /// Stripes, and after them the marks' middle lines: what is looked up together.
+  std::vector<grid::Stripe> after(std::span<const grid::Stripe> lines) const;
+  /// How far from their middle lines a footprint that is looked up can see any of them, m.
+  double reach() const { return reach_; }
   /// Whether a square of side `footprint` about p may see one.
   bool any_near(Vec2 p, double footprint) const {
     return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
   }
-  /// The share of a square of side `footprint` about p that lies on marks, 0..1: exact where it is parallel
-  /// to the mark.
+  /// The largest share.
   double coverage(Vec2 p, double footprint) const;
-  /// The same for those of each paint that is met: its number's value in `most` is raised to it, from 0 where
-  /// its bit in `met` is not set, and its bit is set.
-  void raise(Vec2 p, double footprint, double* most, std::uint64_t& met) const;
 
  private:
-  /// Calls visit(mark, share) for those near.
-  template <class Visit>
-  void visit_near(Vec2 p, double footprint, Visit visit) const;
-
+  static double within(double away, double half, double footprint) {
+    const double from = std::max(away - 0.5 * footprint, -half);
+    const double to = std::min(away + 0.5 * footprint, half);
+    return std::max(to - from, 0.0) / footprint;
+  }
   static constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all marks
 
   const double wide_, high_;  // m, the floor
   std::vector<grid::Mark> marks_;
   std::vector<double> reaches_;  // m, from a mark's middle to its corners
+  double reach_ = 0.0;
   Tiles near_;
 };
 

@@ -112,6 +112,10 @@ void floor_paints(benchmark::State& state) {
   read_path(state, ", width = \"12 mm\", colour = \"grey 60 %\"");
 }
 BENCHMARK(floor_paints);
+void floor_paints_and_marks(benchmark::State& state) {
+  read_path(state, ", width = \"12 mm\", colour = \"grey 60 %\"", 40);
+}
+BENCHMARK(floor_paints_and_marks);
 void floor_worn(benchmark::State& state) { read_path(state, ", worn = \"30 %\""); }
 BENCHMARK(floor_worn);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }

@@ -212,6 +212,49 @@ TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   EXPECT_GT(counted, 100);
 }
 
+// Every mark is asked, where the floor asks those that its index knows to be near.
+TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
+  const auto course = [](const std::string& of_one_bend) {
+    std::string text =
+        "+++\ncell = \"20 mm\"\nsize = [\"3 m\", \"3 m\"]\n[[path]]\nfrom = [\"600 mm\", \"600 "
+        "mm\"]\nheading = \"20 deg\"\n"
+        "segments = [";
+    for (int i = 0; i < 4; ++i)
+      text += "{ length = \"1.1 m\" }, { radius = \"150 mm\", angle = \"90 deg\"" +
+              (i == 0 ? of_one_bend : std::string()) + " }, ";
+    text += "]\n";
+    for (int i = 0; i < 48; ++i)
+      text += "[[mark]]\nalong = \"" + std::to_string(5 + 110 * i) + " mm\"\nside = \"" +
+              (i % 2 ? "left" : "right") + "\"\nlength = \"" + std::to_string(20 + 3 * i) +
+              " mm\"\nwidth = \"" + std::to_string(4 + 2 * i) + " mm\"\n";
+    return grid::parse_map(text + "+++\n", "m.map");
+  };
+  const grid::Map alike = course(""), several = course(", colour = \"grey 99 %\"");
+  ASSERT_EQ(alike.course.marks.size(), 48u);
+  const Floor floor(alike), with_grey(several);
+  const auto share = [](double away, double half, double f) {
+    return std::max(std::min(away + f / 2, half) - std::max(away - f / 2, -half), 0.0) / f;
+  };
+  Random random;
+  int marked = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const Vec2 p{3.0 * random(), 3.0 * random()};
+    const double f = i % 10 == 0 ? 0.03 : 0.016 * random() + 1e-6;
+    double on_mark = 0.0;
+    for (const grid::Mark& mark : alike.course.marks) {
+      const Vec2 own = mark.middle.to_body(p);
+      on_mark = std::max(on_mark, share(own.x, mark.half_length, f) * share(own.y, mark.half_width, f));
+    }
+    const double line = floor.coverage(p, f);
+    ASSERT_EQ(floor.darkness(p, f), std::max(line, on_mark)) << p.x << ", " << p.y << " f " << f;
+    if (line == 0.0) {
+      ASSERT_NEAR(with_grey.darkness(p, f), on_mark, 1e-12) << p.x << ", " << p.y << " f " << f;
+    }
+    marked += on_mark > line;
+  }
+  EXPECT_GT(marked, 2'000);
+}
+
 TEST(Floor, OfALightLineIsDarkBesideIt) {
   const std::string course =
       "size = [\"1 m\", \"1 m\"]\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\nsegments = [{ length = \"800 "
