@@ -205,7 +205,8 @@ struct TestArguments {
 /// `robosim mutate`
 struct MutateArguments {
   std::string sketch;
-  std::string checks;  ///< a file; empty = the checks.toml beside the sketch
+  std::string checks;              ///< a file; empty = the checks.toml beside the sketch
+  std::vector<std::string> tests;  ///< programs of GoogleTest tests, in place of checks
   std::uint64_t seed = 1;
   std::size_t count = 20;  ///< bugs
   std::size_t jobs = 1;    ///< runs at a time

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,9 +45,22 @@ std::string name_of(const std::string& name_or_text, const std::string& file, St
   return is_text(name_or_text) ? write_scratch(stage, file, name_or_text).string() : name_or_text;
 }
 
+/// ROBOSIM_MUTANT="/sketch=/copy", which robosim mutate sets: what lies in the first folder is taken from the
+/// second.
+std::string in_place_of(const std::string& sketch) {
+  const char* words = std::getenv("ROBOSIM_MUTANT");
+  const std::string_view mutant = words ? words : "";
+  const std::size_t middle = mutant.find('=');
+  if (middle == std::string_view::npos) return sketch;
+  const fs::path within =
+      fs::weakly_canonical(launch::choose_sketch(sketch).path).lexically_relative(mutant.substr(0, middle));
+  if (within.empty() || *within.begin() == "..") return sketch;
+  return (fs::path(mutant.substr(middle + 1)) / within).lexically_normal().string();
+}
+
 launch::SketchChoice choose_sketch(const Trial& trial) {
   if (trial.sketch.empty()) throw InputError("a Trial needs a sketch");
-  return launch::choose_sketch(trial.sketch);
+  return launch::choose_sketch(in_place_of(trial.sketch));
 }
 
 /// What the robosim command calls what was chosen.
@@ -89,7 +104,7 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   stage.robot_is_text = is_text(trial.robot);
 
   launch::Launch launch;
-  launch.sketch = trial.sketch;
+  launch.sketch = in_place_of(trial.sketch);
   launch.map = name_of(trial.map, "map.map", stage);
   launch.robot = name_of(trial.robot, "robot.toml", stage);
   launch.target = trial.target;

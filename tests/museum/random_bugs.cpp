@@ -87,9 +87,9 @@ Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std
       }
       if (target == "host" && run.traces != unchanged.traces) result.ending = Attempt::Ending::survived;
     }
-  } catch (const CouldNotRun&) {
+  } catch (const mutate::CouldNotRun&) {
     result.ending = Attempt::Ending::not_compiled;
-  } catch (const SuiteBroke& broken) {
+  } catch (const mutate::ProgramBroke& broken) {
     result.ending = Attempt::Ending::late;
     result.by = broken.what();
   }

@@ -1,9 +1,5 @@
 #include "tests/museum/stage.h"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/process.h"
@@ -15,8 +11,6 @@ namespace {
 
 constexpr const char* kChanged[] = {"firmware", "tests/firmware/sketches"};
 constexpr const char* kLinked[] = {"hal", "maps", "sim"};
-constexpr const char* kMostSeconds = "600";
-constexpr int kTimeIsUp = 124;  // timeout's
 
 std::string program(const std::string& name, const std::string& package) {
   const fs::path found = build::find_program(name);
@@ -42,33 +36,6 @@ std::string filter(const Choice& choice) {
   }
   if (yes.empty()) yes = "*" + ending;
   return yes + (no.empty() ? "" : "-" + no);
-}
-
-/// "On/PidFollower" and "StartsAtOnce/host" are PidFollower.StartsAtOnce.
-std::string plain_name(const std::string& suite, const std::string& test) {
-  const std::size_t slash = suite.find('/');
-  return (slash == std::string::npos ? suite : suite.substr(slash + 1)) + "." +
-         test.substr(0, test.find('/'));
-}
-
-TestRun read_report(const std::string& report) {
-  TestRun run;
-  const nlohmann::json json = nlohmann::json::parse(report);
-  for (const auto& suite : json.at("testsuites")) {
-    for (const auto& test : suite.at("testsuite")) {
-      if (test.contains("failures") && run.failed.empty()) {
-        run.failed = plain_name(suite.at("name"), test.at("name"));
-        run.message = test.at("failures").at(0).at("failure");
-      } else if (test.at("result") == "COMPLETED") {
-        ++run.passed;
-        run.traces[suite.at("name").get<std::string>() + "." + test.at("name").get<std::string>()] =
-            test.value("robosim_traces", "");
-      } else if (test.at("result") == "SKIPPED") {
-        ++run.skipped;
-      }
-    }
-  }
-  return run;
 }
 
 }  // namespace
@@ -106,22 +73,7 @@ void Stage::spoil(const std::vector<mutate::Edit>& edits) {
 }
 
 TestRun Stage::test(const Choice& choice) const {
-  const fs::path report = folder_ / "report.json";
-  fs::remove(report);
-  const build::CommandResult result = build::run(build::Command{
-      {program("timeout", "coreutils"), kMostSeconds, (folder_ / "bin/tests").string(), "--gtest_fail_fast",
-       "--gtest_brief=1", "--gtest_filter=" + filter(choice), "--gtest_output=json:" + report.string()},
-      folder_,
-      {}});
-  if (result.status > 1 || !fs::exists(report))
-    throw SuiteBroke(
-        fmt::format("the tests on {} ended with status {}:\n{}", choice.target, result.status, result.output),
-        result.status == kTimeIsUp);
-  const TestRun run = read_report(read_file(report));
-  // Not what the robot did: the sketch does not compile, or the test asks for what does not exist.
-  if (run.message.find("C++ exception with description") != std::string::npos)
-    throw CouldNotRun(fmt::format("{} on {} could not be run:\n{}", run.failed, choice.target, run.message));
-  return run;
+  return mutate::run_tests(folder_ / "bin/tests", filter(choice), folder_);
 }
 
 }  // namespace robosim::museum

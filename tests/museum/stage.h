@@ -2,35 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sim/mutate/mutation.h"
+#include "sim/mutate/test_report.h"
 
 #include "tests/museum/bug.h"
 
 namespace robosim::museum {
 
-/// What a part of the suite came to.
-struct TestRun {
-  int passed = 0, skipped = 0;
-  std::string failed;   ///< the first test that failed, "PidFollower.StartsAtOnce"; empty = none
-  std::string message;  ///< the first lines of what it said
-  std::map<std::string, std::string> traces;  ///< by test: what all its runs did, as one number
-};
-
-/// A test had no run: the sketch does not compile, or what the test asks for does not exist.
-struct CouldNotRun : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The suite itself failed; it took ten minutes where `late`.
-struct SuiteBroke : std::runtime_error {
-  SuiteBroke(const std::string& what, bool took_long) : std::runtime_error(what), late(took_long) {}
-  bool late;
-};
+using mutate::TestRun;
 
 /// Which tests of a target are run.
 struct Choice {
@@ -57,7 +39,7 @@ class Stage {
   /// Likewise, by edits of files that are named relative to the source tree.
   void spoil(const std::vector<mutate::Edit>& edits);
 
-  /// Runs tests until one fails. Throws CouldNotRun or SuiteBroke if none did, but something else.
+  /// Runs tests until one fails. Throws as mutate::run_tests does.
   TestRun test(const Choice& choice) const;
 
  private:

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/require_target.h"
 #include "tests/system/command.h"
 #include "tests/system/json_of.h"
@@ -91,6 +93,33 @@ TEST_F(CliMutate, RefusesWhatItCannotTry) {
   std::filesystem::remove(folder_ / "Greets/checks.toml");
   EXPECT_THAT(mutate({}).err,
               HasSubstr("there is no such file: what is tried is how many bugs its checks find"));
+}
+
+TEST_F(CliMutate, TriesTestsInCPlusPlus) {
+  const std::string tests = ROBOSIM_FIRMWARE_TESTS;
+  ::setenv("GTEST_FILTER", "On/Shuttle.Drives*/host", 1);
+  const Ended ended = robosim_command({"mutate", "tests/firmware/sketches/Shuttle", "--tests", tests,
+                                       "--count", "2", "--seed", "1", "--json"},
+                                      data_folder());
+  ::unsetenv("GTEST_FILTER");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(json["tests"], tests);
+  const auto is_found = [](const auto& mutant) {
+    return mutant["result"] == "found" &&
+           mutant["check"] == "Shuttle.DrivesTwentyCentimetresForwardAndBackAgainAndAgain";
+  };
+  EXPECT_EQ(std::count_if(json["mutants"].begin(), json["mutants"].end(), is_found), json["found"]) << json;
+  EXPECT_GE(json["found"], 1);
+  for (const auto& control : json["controls"]) EXPECT_NE(control["result"], "found") << control;
+}
+
+TEST_F(CliMutate, RefusesWhatIsNoProgramOfTests) {
+  EXPECT_THAT(mutate({"--tests", "Greets.ino"}).err,
+              HasSubstr("Greets.ino: is no program; --tests takes built programs of GoogleTest tests"));
+  const Ended ended = mutate({"--tests", "/bin/true"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("true ended with status 0 and wrote no report as GoogleTest does"));
 }
 
 }  // namespace

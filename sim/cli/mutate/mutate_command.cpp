@@ -1,6 +1,7 @@
 #include "sim/cli/mutate/mutate_command.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,14 +24,7 @@ namespace {
 
 constexpr std::size_t kControls = 6;
 
-/// The sketch's source, as the first check builds it.
-build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
-  launch::Launch launch = launch_of(check.sweep.each);
-  launch.sketch = sketch;
-  if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
-  if (!check.sweep.robots.empty()) launch.robot = check.sweep.robots.front();
-  const auto& targets = check.sweep.targets;
-  launch.target = targets.empty() || targets.front() != "avr" ? "host" : "avr";
+build::Reading read(const launch::Launch& launch, tui::Progress& progress) {
   launch::Chosen chosen = choose(launch);
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress, {false, false}));
@@ -42,35 +36,88 @@ build::Reading read(const std::string& sketch, const Check& check, tui::Progress
                                .wanted);
 }
 
+/// The sketch's source, as the first check builds it.
+build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
+  launch::Launch launch = launch_of(check.sweep.each);
+  launch.sketch = sketch;
+  if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
+  if (!check.sweep.robots.empty()) launch.robot = check.sweep.robots.front();
+  const auto& targets = check.sweep.targets;
+  launch.target = targets.empty() || targets.front() != "avr" ? "host" : "avr";
+  return read(launch, progress);
+}
+
+/// As it is built where nothing else is said, or, if it is for an AVR alone, for that.
+build::Reading read(const std::string& sketch, tui::Progress& progress) {
+  launch::Launch launch;
+  launch.sketch = sketch;
+  launch.target = "host";
+  try {
+    return read(launch, progress);
+  } catch (const InputError&) {
+    launch.target = "avr";
+    try {
+      return read(launch, progress);
+    } catch (const std::exception&) {
+    }
+    throw;
+  }
+}
+
+std::vector<std::string> programs(const std::vector<std::string>& tests) {
+  std::vector<std::string> found;
+  for (const std::string& test : tests) {
+    const fs::path program = fs::absolute(test);
+    if (!fs::is_regular_file(program) || ::access(program.c_str(), X_OK) != 0)
+      throw InputError({test}, "is no program; --tests takes built programs of GoogleTest tests");
+    found.push_back(program.string());
+  }
+  return found;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 }  // namespace
 
 int mutate_command(const MutateArguments& arguments) {
   const launch::SketchChoice choice = launch::choose_sketch(arguments.sketch);
   if (!choice.elf_target.empty())
     throw InputError({choice.path.string()}, "is a finished image; bugs are put into a sketch's source");
-  const std::string file =
-      arguments.checks.empty() ? (choice.folder / "checks.toml").string() : arguments.checks;
+  const bool by_tests = !arguments.tests.empty();
+  const std::string file = by_tests                   ? joined(arguments.tests)
+                           : arguments.checks.empty() ? (choice.folder / "checks.toml").string()
+                                                      : arguments.checks;
   std::error_code error;
-  if (!fs::exists(file, error))
-    throw InputError({file}, "there is no such file: what is tried is how many bugs its checks find");
-  const std::vector<Check> checks = read_checks(file);
+  if (!by_tests && !fs::exists(file, error))
+    throw InputError(
+        {file},
+        "there is no such file: what is tried is how many bugs its checks find, or, with --tests, "
+        "programs of tests");
 
   tui::Progress progress(true);
   progress.say("reading the sketch");
-  const mutate::Tree tree = mutate::parse(read(arguments.sketch, checks.front(), progress));
-  Workbench bench(choice.folder, choice.path, fs::absolute(file).string(), arguments.jobs);
-  const Trial unchanged = bench.try_unchanged();
+  const mutate::Tree tree =
+      mutate::parse(by_tests ? read(arguments.sketch, progress)
+                             : read(arguments.sketch, read_checks(file).front(), progress));
+  Workbench bench(choice.folder, choice.path);
+  const Workbench::Ask ask = by_tests ? ask_tests(programs(arguments.tests), bench)
+                                      : ask_checks(fs::absolute(file).string(), arguments.jobs);
+  const Trial unchanged = bench.try_unchanged(ask);
   if (unchanged.ending == Trial::Ending::not_compiled)
     throw InputError({choice.path.string()}, "a copy of its folder alone does not build: " + unchanged.why);
+  if (unchanged.ending != Trial::Ending::passed && unchanged.check.empty())
+    throw InputError({file}, unchanged.why);
   if (unchanged.ending != Trial::Ending::passed)
-    throw InputError({file}, fmt::format("the check \"{}\" fails without any bug put in: {}", unchanged.check,
-                                         unchanged.why));
+    throw InputError({file}, fmt::format("the {} \"{}\" fails without any bug put in: {}",
+                                         by_tests ? "test" : "check", unchanged.check, unchanged.why));
 
-  MutationResult result{launch::title_of(choice), file, arguments.seed};
+  MutationResult result{launch::title_of(choice), file, by_tests ? "test" : "check", arguments.seed};
   const std::vector<mutate::Mutation> all = mutate::shuffled(mutate::mutations(tree), arguments.seed, "bugs");
   result.places = all.size();
   const auto try_one = [&](const mutate::Mutation& mutation, std::vector<Mutant>& mutants) {
-    Mutant mutant{mutation, bench.try_with(mutation)};
+    Mutant mutant{mutation, bench.try_with(mutation, ask)};
     if (mutant.trial.ending == Trial::Ending::interrupted) {
       result.complete = false;
     } else if (mutant.trial.ending == Trial::Ending::not_compiled) {

@@ -73,15 +73,16 @@ std::string mutation_text(const MutationResult& result) {
                       100.0 * result.score(), result.count(Trial::Ending::late));
   if (result.unobserved() > 0)
     text += fmt::format("{} more changed nothing in any run\n", result.unobserved());
-  text += list(result.mutants, "survived", "no check minds:");
+  text += list(result.mutants, "survived", fmt::format("no {} minds:", result.asked).c_str());
   text += list(result.mutants, "unobserved", "without a trace in these runs:");
   for (const Mutant& control : result.controls)
     if (control.trial.ending != Trial::Ending::passed)
-      text += fmt::format("\nbrittle: the check \"{}\" fails where it should not, with {} at {}: {}\n",
-                          control.trial.check, mutate::what(control.mutation),
+      text += fmt::format("\nbrittle: the {} \"{}\" fails where it should not, with {} at {}: {}\n",
+                          result.asked, control.trial.check, mutate::what(control.mutation),
                           mutate::where(control.mutation), control.trial.why);
   if (!result.controls.empty() && result.brittle() == 0)
-    text += fmt::format("\n{} harmless changes: all checks pass, as they should\n", result.controls.size());
+    text += fmt::format("\n{} harmless changes: all {}s pass, as they should\n", result.controls.size(),
+                        result.asked);
   if (!result.complete) text += "interrupted: this is how far it came\n";
   return text;
 }
@@ -89,7 +90,7 @@ std::string mutation_text(const MutationResult& result) {
 std::string mutation_json(const MutationResult& result) {
   nlohmann::ordered_json json = {{"schema", "robosim.mutate/1"},
                                  {"sketch", result.sketch},
-                                 {"checks", result.checks},
+                                 {result.asked == "test" ? "tests" : "checks", result.checks},
                                  {"seed", result.seed},
                                  {"places", result.places},
                                  {"not_compiled", result.not_compiled},

@@ -19,7 +19,8 @@ struct Mutant {
 
 struct MutationResult {
   std::string sketch;
-  std::string checks;
+  std::string checks;  ///< their file, or the programs of tests
+  std::string asked;   ///< "check" or "test"
   std::uint64_t seed = 1;
   std::size_t places = 0;        ///< mutations that there are
   std::size_t not_compiled = 0;  ///< drawn, and left out

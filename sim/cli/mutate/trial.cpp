@@ -1,12 +1,16 @@
 #include "sim/cli/mutate/trial.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/check/check_session.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/pool.h"
+#include "sim/mutate/test_report.h"
 #include "sim/tui/progress.h"
 
 namespace robosim::cli {
@@ -19,24 +23,13 @@ Trial::Ending ending_of(const CheckResult& failed) {
   return failed.only && failed.only->verdict == "hung" ? Trial::Ending::late : Trial::Ending::failed;
 }
 
-}  // namespace
-
-Workbench::Workbench(const fs::path& folder, const fs::path& path, std::string checks, std::size_t jobs)
-    : work_(build::Cache(build::cache_folder())), checks_(std::move(checks)), jobs_(jobs) {
-  const fs::path from = fs::canonical(folder);
-  copy_ = work_.path() / from.filename();
-  fs::copy(from, copy_, fs::copy_options::recursive);
-  const fs::path within = fs::canonical(path).lexically_relative(from);
-  sketch_ = within == "." ? copy_.string() : (copy_ / within).string();
-}
-
-Trial Workbench::make_runs() {
+Trial make_checks(const std::string& sketch, const std::string& file, std::size_t jobs) {
   tui::Progress silent(false);
   SweepPlanner planner(silent, {false, false});
   CheckSession session(planner);
-  session.add(sketch_, checks_);
+  session.add(sketch, file);
   if (session.runs() > 0) {
-    client::Pool pool(std::min(jobs_, session.runs()));
+    client::Pool pool(std::min(jobs, session.runs()));
     const client::Interrupts interrupts(pool);
     if (!pool.run(session.batch())) return {Trial::Ending::interrupted, {}, "", "interrupted"};
   }
@@ -53,13 +46,56 @@ Trial Workbench::make_runs() {
   return trial;
 }
 
-Trial Workbench::try_with(const mutate::Mutation& mutation) {
+Trial make_tests(const std::vector<std::string>& programs, const fs::path& scratch) {
+  Trial trial;
+  try {
+    for (const std::string& program : programs) {
+      const mutate::TestRun run = mutate::run_tests(program, "", scratch);
+      for (const auto& [test, trace] : run.traces) trial.traces.push_back(test + ' ' + trace);
+      if (run.failed.empty()) continue;
+      trial.ending = Trial::Ending::failed;
+      trial.check = run.failed;
+      trial.why = run.message.substr(0, run.message.find('\n'));
+      break;
+    }
+  } catch (const mutate::CouldNotRun& problem) {
+    trial = {Trial::Ending::not_compiled, {}, "", problem.what()};
+  } catch (const mutate::ProgramBroke& problem) {
+    trial = {problem.late ? Trial::Ending::late : Trial::Ending::failed, {}, "", problem.what()};
+  }
+  return trial;
+}
+
+}  // namespace
+
+Workbench::Workbench(const fs::path& folder, const fs::path& path)
+    : work_(build::Cache(build::cache_folder())), original_(fs::canonical(folder)) {
+  copy_ = work_.path() / original_.filename();
+  fs::copy(original_, copy_, fs::copy_options::recursive);
+  const fs::path within = fs::canonical(path).lexically_relative(original_);
+  sketch_ = within == "." ? copy_.string() : (copy_ / within).string();
+}
+
+Trial Workbench::try_with(const mutate::Mutation& mutation, const Ask& ask) const {
   const fs::path file = copy_ / mutation.edits.front().file;
   const std::string whole = read_file(file);
   write_file(file, mutate::changed(whole, mutation.edits));
-  Trial trial = make_runs();
+  Trial trial = ask(sketch_);
   write_file(file, whole);
   return trial;
+}
+
+Workbench::Ask ask_checks(std::string file, std::size_t jobs) {
+  return
+      [file = std::move(file), jobs](const std::string& sketch) { return make_checks(sketch, file, jobs); };
+}
+
+Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench) {
+  ::setenv("ROBOSIM_MUTANT", (bench.original().string() + "=" + bench.copy().string()).c_str(), 1);
+  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
+  return [programs = std::move(programs), &bench](const std::string&) {
+    return make_tests(programs, bench.scratch());
+  };
 }
 
 }  // namespace robosim::cli

@@ -1,7 +1,8 @@
-// The checks of a sketch, made on a changed copy of it.
+// What is asked of a sketch - its checks, or programs of tests - asked of a changed copy of it.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,36 +16,45 @@ namespace robosim::cli {
 struct Trial {
   enum class Ending {
     passed,
-    failed,        ///< a check found it
+    failed,        ///< a check or a test found it
     late,          ///< one did, since time was up or the sketch hung
     not_compiled,  ///< it is no bug, then
     interrupted,
   };
   Ending ending = Ending::passed;
   std::vector<std::string> traces;  ///< the trace hashes of all runs
-  std::string check;                ///< that found it
+  std::string check;                ///< or test, that found it
   std::string why;                  ///< in one sentence
 };
 
 /// A copy of the sketch's folder, in which one file at a time is changed.
 class Workbench {
  public:
-  /// `folder` holds the sketch, `path` is it or a file in it; `checks` is its file.
-  Workbench(const std::filesystem::path& folder, const std::filesystem::path& path, std::string checks,
-            std::size_t jobs);
+  /// `folder` holds the sketch, `path` is it or a file in it.
+  Workbench(const std::filesystem::path& folder, const std::filesystem::path& path);
 
-  /// Of the sketch as it is.
-  Trial try_unchanged() { return make_runs(); }
-  Trial try_with(const mutate::Mutation& mutation);
+  /// Asks the copy, which is at that path.
+  using Ask = std::function<Trial(const std::string& sketch)>;
+
+  Trial try_unchanged(const Ask& ask) const { return ask(sketch_); }
+  Trial try_with(const mutate::Mutation& mutation, const Ask& ask) const;
+
+  /// Where the original is, and where the copy: folders, without links.
+  const std::filesystem::path& original() const { return original_; }
+  const std::filesystem::path& copy() const { return copy_; }
+  /// For files that are needed to ask.
+  const std::filesystem::path& scratch() const { return work_.path(); }
 
  private:
-  Trial make_runs();
-
   build::WorkFolder work_;
-  std::filesystem::path copy_;
+  std::filesystem::path original_, copy_;
   std::string sketch_;
-  std::string checks_;
-  std::size_t jobs_;
 };
+
+/// Makes the checks of a file.
+Workbench::Ask ask_checks(std::string file, std::size_t jobs);
+
+/// Runs programs of GoogleTest tests, which find the copy where they ask for the original: ROBOSIM_MUTANT.
+Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench);
 
 }  // namespace robosim::cli
