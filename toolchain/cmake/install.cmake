@@ -18,7 +18,7 @@ install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHI
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
-set(libraries launch analysis record tui client wire build project elf cells grid trace board base)
+set(libraries worlds launch analysis record tui client wire build project elf cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -41,7 +41,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim C
 install(DIRECTORY sim/testing DESTINATION share/robosim/source/sim COMPONENT host
   FILES_MATCHING PATTERN *.h PATTERN *.cpp)
 foreach(folder
-    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/project sim/trace sim/tui hal/board)
+    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/project sim/trace sim/tui sim/worlds hal/board)
   install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
 endforeach()
 include(CMakePackageConfigHelpers)

@@ -12,13 +12,15 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/testing/stage.h"
-#include "sim/testing/worlds/fault_plan.h"
-#include "sim/testing/worlds/line_network.h"
-#include "sim/testing/worlds/robot_variant.h"
-#include "sim/testing/worlds/track.h"
+#include "sim/worlds/fault_plan.h"
+#include "sim/worlds/line_network.h"
+#include "sim/worlds/robot_variant.h"
+#include "sim/worlds/track.h"
 
 namespace robosim::testing {
 namespace {
+
+using namespace worlds;
 
 /// A generator of things that know by themselves what is smaller; `draw(die, size)` draws one.
 template <typename Thing, typename Draw>
@@ -39,6 +41,13 @@ int share(int most, int size) {
 void check_apart(int cells) {
   if (cells < 2)
     throw InputError(fmt::format("lines {} cell apart would touch; 2 are needed at least", cells));
+}
+
+FaultLimits limits_of(const Faults& faults) {
+  const auto ms = [](Duration time) { return static_cast<int>(time / std::chrono::milliseconds(1)); };
+  return {faults.at_most,        ms(faults.from),       ms(faults.until),
+          faults.sensor_offset,  faults.sensor_noise,   faults.covered.count() / 1000,
+          faults.motor_weakness, faults.clock_drift_ppm};
 }
 
 wire::RobotInfo described(const std::string& robot) { return Borrowed("host")->describe_robot(robot); }
@@ -78,7 +87,8 @@ rc::Gen<std::string> robots(const std::string& file, double mounting_mm) {
                       [figures, base](const RobotVariant& variant) { return variant.file(base, figures); });
 }
 
-rc::Gen<std::string> faults(const std::string& robot, Faults limits) {
+rc::Gen<std::string> faults(const std::string& robot, Faults wanted) {
+  const FaultLimits limits = limits_of(wanted);
   const wire::RobotInfo info = described(robot);
   Breakable parts;
   for (const auto& sensor : info.sensors) parts.sensors.push_back(sensor.name);

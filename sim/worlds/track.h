@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/testing/worlds/line_network.h"
+#include "sim/worlds/line_network.h"
 
-namespace robosim::testing {
+namespace robosim::worlds {
 
 struct Track {
   int apart = 4;                   ///< cells: the least width of a square
@@ -33,4 +33,4 @@ struct TrackLimits {
 };
 Track lay_out(const TrackLimits& limits, const Die& die);
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

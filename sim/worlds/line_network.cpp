@@ -1,10 +1,10 @@
-#include "sim/testing/worlds/line_network.h"
+#include "sim/worlds/line_network.h"
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 
-namespace robosim::testing {
+namespace robosim::worlds {
 namespace {
 
 Piece between(Knot a, Knot b) { return {std::min(a, b), a.x == b.x}; }
@@ -287,4 +287,4 @@ LineNetwork grow(const GrowthLimits& limits, const Die& die) {
   return network;
 }
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/testing/worlds/die.h"
+#include "sim/worlds/die.h"
 
-namespace robosim::testing {
+namespace robosim::worlds {
 
 /// A number that differs from robot to robot.
 struct Figure {
@@ -32,4 +32,4 @@ struct RobotVariant {
 };
 RobotVariant assemble(const std::vector<Figure>& figures, const Die& die);
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/testing/worlds/die.h"
+#include "sim/worlds/die.h"
 
-namespace robosim::testing {
+namespace robosim::worlds {
 
 /// A crossing of lattice lines, by column and row.
 struct Knot {
@@ -65,4 +65,4 @@ struct GrowthLimits {
 /// A random sound network, with at most so many pieces.
 LineNetwork grow(const GrowthLimits& limits, const Die& die);
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

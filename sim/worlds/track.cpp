@@ -1,9 +1,9 @@
-#include "sim/testing/worlds/track.h"
+#include "sim/worlds/track.h"
 
 #include <algorithm>
 #include <set>
 
-namespace robosim::testing {
+namespace robosim::worlds {
 namespace {
 
 /// Moves the squares to the lattice's corner, drops columns and rows without any, gaps that are not on the
@@ -152,4 +152,4 @@ Track lay_out(const TrackLimits& limits, const Die& die) {
   return track;
 }
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-namespace robosim::testing {
+namespace robosim::worlds {
 
 /// A number from 0 to below − 1.
 using Die = std::function<int(int below)>;
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

@@ -1,15 +1,15 @@
-#include "sim/testing/worlds/fault_plan.h"
+#include "sim/worlds/fault_plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace robosim::testing {
+namespace robosim::worlds {
 namespace {
 
 double badness(const Fault& fault) { return static_cast<double>(fault.level) / Fault::kLevels; }
 
-std::string deed(const Fault& fault, const Faults& limits) {
+std::string deed(const Fault& fault, const FaultLimits& limits) {
   const double sign = fault.negative ? -1.0 : 1.0;
   switch (fault.kind) {
     case Fault::Kind::offset:
@@ -17,8 +17,7 @@ std::string deed(const Fault& fault, const Faults& limits) {
     case Fault::Kind::noisy:
       return fmt::format("fault {} noisy {:.4g}", fault.part, badness(fault) * limits.sensor_noise);
     case Fault::Kind::cover:
-      return fmt::format("cover {} for {}us", fault.part,
-                         limits.covered.count() / 1000 * fault.level / Fault::kLevels);
+      return fmt::format("cover {} for {}us", fault.part, limits.covered_us * fault.level / Fault::kLevels);
     case Fault::Kind::weak:
       return fmt::format("fault {} weak {:.4g}", fault.part, 1.0 - badness(fault) * limits.motor_weakness);
     case Fault::Kind::drift:
@@ -50,13 +49,13 @@ std::vector<FaultPlan> FaultPlan::smaller() const {
   return found;
 }
 
-std::string FaultPlan::script(const Faults& limits) const {
+std::string FaultPlan::script(const FaultLimits& limits) const {
   std::string text;
   for (const Fault& fault : faults) text += fmt::format("at {}ms {}\n", fault.at_ms, deed(fault, limits));
   return text;
 }
 
-FaultPlan draw_up(const Faults& limits, int most, const Breakable& parts, const Die& die) {
+FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const Die& die) {
   std::vector<Fault> kinds;
   const auto add = [&](bool may, Fault::Kind kind, const std::vector<std::string>& names) {
     if (!may) return;
@@ -64,16 +63,15 @@ FaultPlan draw_up(const Faults& limits, int most, const Breakable& parts, const 
   };
   add(limits.sensor_offset > 0.0, Fault::Kind::offset, parts.sensors);
   add(limits.sensor_noise > 0.0, Fault::Kind::noisy, parts.sensors);
-  add(limits.covered.count() > 0, Fault::Kind::cover, parts.sensors);
+  add(limits.covered_us > 0, Fault::Kind::cover, parts.sensors);
   add(limits.motor_weakness > 0.0, Fault::Kind::weak, parts.motors);
   add(limits.clock_drift_ppm > 0.0, Fault::Kind::drift, {""});
   FaultPlan plan;
   if (kinds.empty()) return plan;
-  const auto span_ms = static_cast<int>((limits.until - limits.from) / std::chrono::milliseconds(1));
-  const auto from_ms = static_cast<int>(limits.from / std::chrono::milliseconds(1));
+  const int span_ms = limits.until_ms - limits.from_ms;
   for (int left = die(most + 1); left > 0; --left) {
     Fault fault = kinds[static_cast<std::size_t>(die(static_cast<int>(kinds.size())))];
-    fault.at_ms = from_ms + die(std::max(1, span_ms));
+    fault.at_ms = limits.from_ms + die(std::max(1, span_ms));
     fault.level = 1 + die(Fault::kLevels);
     fault.negative = die(2) == 1;
     plan.faults.push_back(fault);
@@ -83,4 +81,4 @@ FaultPlan draw_up(const Faults& limits, int most, const Breakable& parts, const 
   return plan;
 }
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds

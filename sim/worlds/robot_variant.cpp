@@ -1,4 +1,4 @@
-#include "sim/testing/worlds/robot_variant.h"
+#include "sim/worlds/robot_variant.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "sim/base/config.h"
 
-namespace robosim::testing {
+namespace robosim::worlds {
 namespace {
 
 struct Amount {
@@ -138,4 +138,4 @@ RobotVariant assemble(const std::vector<Figure>& figures, const Die& die) {
   return variant;
 }
 
-}  // namespace robosim::testing
+}  // namespace robosim::worlds
