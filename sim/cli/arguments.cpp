@@ -13,6 +13,7 @@
 #include "sim/cli/compare/compare_arguments.h"
 #include "sim/cli/files/print_arguments.h"
 #include "sim/cli/help_text.h"
+#include "sim/cli/hunt/hunt_arguments.h"
 #include "sim/cli/mutate/mutate_arguments.h"
 #include "sim/cli/options.h"
 #include "sim/cli/report/report_arguments.h"
@@ -27,7 +28,7 @@ namespace {
 
 const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "report", "compare", "play",
                                          "classic", "build",     "flash", "wire",   "map",     "robot",
-                                         "serve",   "calibrate", "test",  "mutate", "new"};
+                                         "serve",   "calibrate", "test",  "mutate", "hunt",    "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -364,6 +365,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "serve") return parse_serve(rest);
   if (first == "test") return parse_test(rest);
   if (first == "mutate") return parse_mutate(rest);
+  if (first == "hunt") return parse_hunt(rest);
   if (first == "new") return parse_new(rest);
   if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
   throw InputError(unknown_name("command", first, kCommands));

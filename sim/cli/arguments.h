@@ -214,6 +214,22 @@ struct MutateArguments {
   bool json = false;
 };
 
+/// `robosim hunt`
+struct HuntArguments {
+  std::string sketch;
+  std::vector<std::string> maps;  ///< empty = as `run` chooses, or one that suits
+  bool only_maps = false;         ///< no maps are drawn
+  std::string robot;
+  std::vector<std::string> targets;  ///< empty = the chip's, and the host
+  RunArguments each;                 ///< as of SweepArguments
+  std::uint64_t seed = 1;            ///< of what is drawn
+  std::uint64_t runs = 200;
+  double minutes = 0.0;  ///< wall time after which no further run begins; 0 = as many as there are runs
+  std::size_t jobs = 1;  ///< runs at a time
+  std::string out;       ///< a folder; empty = hunt-SKETCH
+  bool stop_early = false;
+};
+
 /// `robosim new`
 struct NewArguments {
   std::string name;
@@ -228,7 +244,7 @@ using Command =
     std::variant<RunArguments, ReplayArguments, SweepArguments, ReportArguments, CompareArguments,
                  PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
                  GenerateArguments, ImportArguments, PrintArguments, RobotArguments, CalibrateArguments,
-                 ServeArguments, TestArguments, MutateArguments, NewArguments, PrintText>;
+                 ServeArguments, TestArguments, MutateArguments, HuntArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

@@ -38,6 +38,7 @@ inline constexpr const char* kHelp = R"(robosim COMMAND …
   calibrate ROBOT LOG…        fit a robot file to logs of the real robot
   test [SKETCH…]              what the checks.toml beside a sketch asks for (in a checkout: Robosim's own tests)
   mutate [SKETCH]             small bugs, drawn at random: which of them do these checks not find?
+  hunt [SKETCH]               what goes wrong without anybody having written a test: drawn worlds, buttons, faults
   new NAME                    a project to begin with: sketch, robot, track, checks
 
   robosim COMMAND --help      the options of a command

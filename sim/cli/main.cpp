@@ -17,6 +17,7 @@
 #include "sim/cli/files/map_print.h"
 #include "sim/cli/files/new_command.h"
 #include "sim/cli/files/robot_command.h"
+#include "sim/cli/hunt/hunt_command.h"
 #include "sim/cli/mutate/mutate_command.h"
 #include "sim/cli/output.h"
 #include "sim/cli/report/report_command.h"
@@ -52,6 +53,7 @@ struct Perform {
   int operator()(const ServeArguments& arguments) const { return serve_command(arguments); }
   int operator()(const TestArguments& arguments) const { return test_command(arguments); }
   int operator()(const MutateArguments& arguments) const { return mutate_command(arguments); }
+  int operator()(const HuntArguments& arguments) const { return hunt_command(arguments); }
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }
   int operator()(const PrintText& text) const {
     print(text.text);

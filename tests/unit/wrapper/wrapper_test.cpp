@@ -218,6 +218,13 @@ TEST_F(Wrapper, BuildsTheRunnersThatACompareIsFor) {
   EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "where none are named it takes all";
 }
 
+TEST_F(Wrapper, BuildsTheRunnerOfAChipForAHunt) {
+  run("../checkout/robosim hunt X --target host");
+  EXPECT_THAT(calls(), Not(HasSubstr("robosim-avr")));
+  run("../checkout/robosim hunt X");
+  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "it is that of most boards";
+}
+
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
   run("../checkout/robosim");
   calls();

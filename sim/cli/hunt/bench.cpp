@@ -1,0 +1,236 @@
+#include "sim/cli/hunt/bench.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "sim/base/file.h"
+#include "sim/base/robot_name.h"
+#include "sim/build/source.h"
+#include "sim/cli/launching.h"
+#include "sim/grid/map.h"
+#include "sim/grid/network.h"
+#include "sim/launch/trust.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where no map is given: a loop, and for sketches that find their way, a tree.
+constexpr const char* kGuesses[] = {"oval", "a"};
+constexpr std::size_t kMostWords = 60, kLongestWord = 24;
+
+/// How many pieces of line more there are than a tree has.
+int cycles_of(const grid::Map& map) {
+  int nodes = 0, links = 0;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (!grid::is_line(map.cells[i])) continue;
+    ++nodes;
+    const unsigned around = grid::line_neighbours(map, map.cell_at(i));
+    links += static_cast<int>(grid::has(around, grid::Direction::east)) +
+             static_cast<int>(grid::has(around, grid::Direction::south));
+  }
+  return std::clamp(links - nodes + 1, 0, 3);
+}
+
+bool may_be_sent(const std::string& word) {
+  return !word.empty() && word.size() <= kLongestWord && std::all_of(word.begin(), word.end(), [](char c) {
+    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+  });
+}
+
+/// What stands between quotes.
+void add_literals(const std::string& source, std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const char quote = source[i];
+    if (quote != '"' && quote != '\'') continue;
+    const std::size_t end = source.find_first_of(std::string{quote, '\n'}, i + 1);
+    if (end == std::string::npos) return;
+    if (source[end] == quote) words.push_back(source.substr(i + 1, end - i - 1));
+    i = end;
+  }
+}
+
+bool listens(const std::string& source) {
+  for (const char* const call : {".available(", ".read(", ".parse", "readString", "readBytes", "serialEvent"})
+    if (source.find(call) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+HuntBench::HuntBench(const HuntArguments& arguments, tui::Progress& progress)
+    : work_(build::Cache(build::cache_folder())),
+      pool_(arguments.jobs),
+      script_(scenario_text(arguments.each)) {
+  space_.for_ms =
+      static_cast<int>(std::min<std::int64_t>(arguments.each.request.for_ns / 1'000'000, 3'600'000));
+  prepare(arguments, progress);
+  look_at_maps(arguments);
+  look_at_sketch();
+}
+
+void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress) {
+  client::Runner describer("host");
+  version_ = describer.hello().version;
+  const launch::Describe describe = [&](const std::string& name) { return describer.describe_robot(name); };
+  launch::Launcher launcher(listener_of(progress, {false, false}));
+  launch::Launch launch = launch_of(arguments.each);
+  launch.sketch = arguments.sketch;
+  launch.robot = arguments.robot;
+  if (!arguments.maps.empty()) launch.map = arguments.maps.front();
+  const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.each.environment);
+  std::vector<std::string> targets = arguments.targets;
+  if (targets.empty()) {
+    targets.push_back(launch::chip_target(launch, describe));
+    if (sketch.elf_target.empty() && targets.front() != "host") targets.push_back("host");
+  }
+  for (const std::string& target : targets) {
+    for (const bool checked : {false, true}) {
+      // On the host the checks alone are of use where a chip runs, too.
+      if (checked && (!sketch.elf_target.empty() || target == "stm32")) continue;
+      if (!checked && target == "host" && targets.size() > 1) continue;
+      launch.target = target;
+      launch.sanitize = checked;
+      try {
+        prepared_.push_back(launcher.prepare(launch, choose(launch), describe, describer.hello()));
+        space_.builds.push_back({target, checked});
+      } catch (const build::CompileError&) {
+        if (prepared_.empty()) throw;
+        left_out_.push_back(
+            fmt::format("{}{}: the sketch does not compile for it", target, checked ? ", with checks" : ""));
+      }
+    }
+  }
+  look_at_robot(arguments, describer);
+}
+
+void HuntBench::look_at_robot(const HuntArguments&, client::Runner& describer) {
+  const RobotName name = parse_robot_name(prepared_.front().request.robot);
+  board_ = name.board;
+  space_.robot = launch::is_path(name.robot) ? fs::absolute(name.robot).string() : name.robot;
+  robot_ = prepared_.front().robot_info;
+  space_.figures = worlds::figures_of(describer.describe_robot(name.robot, true).text, robot_.file, 1.0);
+  for (const auto& sensor : robot_.sensors) space_.parts.sensors.push_back(sensor.name);
+  for (const auto& part : robot_.parts) {
+    if (part.type == "motor") space_.parts.motors.push_back(part.name);
+    if (part.type == "button") space_.buttons.push_back(part.name);
+    if (part.type == "radio" || part.type == "ir-receiver" || part.type == "bluetooth")
+      space_.listeners.emplace_back(part.name, part.type);
+  }
+}
+
+void HuntBench::look_at_maps(const HuntArguments& arguments) {
+  const launch::Prepared& first = prepared_.front();
+  maps_are_given_ = !arguments.maps.empty() || first.map.name != kGuesses[0];
+  std::vector<std::string> names = arguments.maps;
+  if (names.empty()) names = {first.map.path.string()};
+  if (!maps_are_given_) names.assign(std::begin(kGuesses), std::end(kGuesses));
+  const std::string& goal = arguments.each.request.goal;
+  space_.draws_maps = !arguments.only_maps && arguments.each.request.start.empty();
+  for (const std::string& name : names) {
+    const launch::Choice choice = launch::choose_map(name, first.sketch.folder);
+    const grid::Map map = grid::read_map(choice.path);
+    HuntSpace::Map& known = space_.maps.emplace_back();
+    known.name = name;
+    known.goal = goal;
+    known.cell_mm = map.cell_m * 1000.0;
+    known.corner_mm = map.corner_m * 1000.0;
+    map_files_.push_back(choice.path.string());
+    const bool plain =
+        map.course.paths.empty() && !map.image && map.lights.empty() && !map.light_line && !map.raster;
+    if (!plain) continue;
+    const bool laps = grid::trace_network(map, grid::default_start(map)).has_laps();
+    const std::string& by_map = goal.empty() ? map.goal : goal;
+    known.tracks = laps && (by_map.empty() || by_map.starts_with("laps"));
+    known.networks = !laps && (by_map.empty() || by_map == "tour") && known.corner_mm == 0.0;
+    known.cycles = cycles_of(map);
+  }
+}
+
+void HuntBench::look_at_sketch() {
+  const launch::SketchChoice& choice = prepared_.front().sketch;
+  std::vector<std::string> words;
+  bool hears = false;
+  if (choice.elf_target.empty()) {
+    const build::Sketch sketch =
+        build::read_sketch(choice.path, {choice.project.sources, choice.project.includes, {}});
+    for (const auto* files : {&sketch.inos, &sketch.sources, &sketch.headers})
+      for (const std::string& file : *files) {
+        const std::string text = read_file(sketch.folder / file);
+        hears = hears || listens(text);
+        add_literals(text, words);
+      }
+  }
+  if (!hears && space_.listeners.empty()) return;
+  space_.words = {"0",  "1",  "2",   "3",     "7",
+                  "10", "99", "255", "65537", "99999",
+                  "-1", "x",  "?",   " ",     "the quick brown fox 12"};
+  std::set<std::string> known(space_.words.begin(), space_.words.end());
+  for (const std::string& word : words)
+    if (space_.words.size() < kMostWords && may_be_sent(word) && known.insert(word).second)
+      space_.words.push_back(word);
+}
+
+void HuntBench::keep_maps(const std::vector<std::size_t>& maps) {
+  std::vector<HuntSpace::Map> kept;
+  std::vector<std::string> files;
+  for (const std::size_t map : maps) {
+    kept.push_back(space_.maps[map]);
+    files.push_back(map_files_[map]);
+  }
+  space_.maps = std::move(kept);
+  map_files_ = std::move(files);
+}
+
+wire::RunRequest HuntBench::request_of(const HuntWorld& world, const std::string& folder) const {
+  wire::RunRequest request = prepared_[world.build].request;
+  request.seed = world.seed;
+  request.clock_ns = world.clock_ms * 1'000'000;
+  request.for_ns = static_cast<std::int64_t>(world.for_s * 1000.0) * 1'000'000;
+  request.script = script_of(world);
+  request.script_file = "the hunt's script";
+  request.map = map_files_[world.map];
+  request.goal = world.drawn() ? "" : space_.maps[world.map].goal;
+  if (!world.to_goal) request.goal = "none";
+  std::error_code none;
+  fs::create_directories(folder, none);
+  if (const std::string map = map_text(world, space_); !map.empty()) {
+    request.map = (fs::path(folder) / "world.map").string();
+    write_file(request.map, map);
+  }
+  if (const std::string robot = robot_text(world, space_); !robot.empty()) {
+    const std::string file = (fs::path(folder) / "robot.toml").string();
+    write_file(file, robot);
+    request.robot = board_.empty() ? file : robot_with_board(file, board_);
+  }
+  return request;
+}
+
+bool HuntBench::run(const std::vector<HuntWorld>& worlds,
+                    std::vector<std::optional<wire::RunResult>>& results) {
+  results.assign(worlds.size(), std::nullopt);
+  return pool_.run({worlds.size(),
+                    [&](std::size_t i) {
+                      const std::string folder = (work_.path() / std::to_string(i)).string();
+                      const std::string& target = space_.builds[worlds[i].build].target;
+                      return client::Task{target, request_of(worlds[i], folder)};
+                    },
+                    [&](std::size_t i, client::Answer&& answer) {
+                      if (auto* result = std::get_if<wire::RunResult>(&answer)) {
+                        results[i] = std::move(*result);
+                        return;
+                      }
+                      const auto& failure = std::get<client::Failure>(answer);
+                      if (failure.kind == client::Failure::Kind::tool) throw ToolMissing(failure.message);
+                      if (failure.kind == client::Failure::Kind::internal)
+                        throw wire::RunnerError(failure.message);
+                      if (refused_++ == 0) refusal_ = failure.message;
+                    },
+                    {}});
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,68 @@
+// Makes a hunt's runs: a sketch compiled for each of its builds, worlds written as files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/build/cache.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/hunt/world.h"
+#include "sim/client/pool.h"
+#include "sim/launch/launch.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+class HuntBench {
+ public:
+  /// Compiles. Throws InputError, ToolMissing and wire::RunnerError.
+  HuntBench(const HuntArguments& arguments, tui::Progress& progress);
+
+  HuntSpace& space() { return space_; }
+  const HuntSpace& space() const { return space_; }
+  const wire::RobotInfo& robot() const { return robot_; }
+  const launch::Prepared& of(const HuntWorld& world) const { return prepared_[world.build]; }
+  const std::string& version() const { return version_; }
+  /// In place of the robot's own; empty = that.
+  const std::string& board() const { return board_; }
+  /// Why a build that was to be run is left out; a sentence each.
+  const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Whether the user has said where to drive; else the first map is a guess, and others may do.
+  bool maps_are_given() const { return maps_are_given_; }
+  void keep_maps(const std::vector<std::size_t>& maps);
+
+  /// What happens meanwhile: the user's script, then the world's.
+  std::string script_of(const HuntWorld& world) const { return script_ + script_text(world, space_); }
+  /// `folder` gets the files of the world that are not there yet: world.map, robot.toml.
+  wire::RunRequest request_of(const HuntWorld& world, const std::string& folder) const;
+
+  /// The results, in the order of the worlds; none of a world that cannot be. False if it was interrupted.
+  bool run(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results);
+  client::Pool& pool() { return pool_; }
+  /// Worlds that could not be, and why the first could not.
+  std::size_t refused() const { return refused_; }
+  const std::string& refusal() const { return refusal_; }
+
+ private:
+  void prepare(const HuntArguments& arguments, tui::Progress& progress);
+  void look_at_maps(const HuntArguments& arguments);
+  void look_at_robot(const HuntArguments& arguments, client::Runner& describer);
+  void look_at_sketch();
+
+  build::WorkFolder work_;
+  client::Pool pool_;
+  HuntSpace space_;
+  wire::RobotInfo robot_;
+  std::string board_;                       ///< in place of the robot's own
+  std::string script_;                      ///< of the user
+  std::vector<launch::Prepared> prepared_;  ///< of each build
+  std::vector<std::string> map_files_;      ///< of each map
+  std::vector<std::string> left_out_;
+  std::string version_;
+  std::size_t refused_ = 0;
+  std::string refusal_;
+  bool maps_are_given_ = false;
+};
+
+}  // namespace robosim::cli

@@ -1,0 +1,231 @@
+#include "sim/cli/hunt/hunt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/wall_clock.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr std::size_t kRound = 12;      // runs
+constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried together
+constexpr std::size_t kMostTries = 80;  // of smaller worlds
+constexpr std::size_t kMostAlike = 5;   // findings of one kind
+constexpr double kLongest_s = 300.0, kBehind_s = 1.0;
+constexpr double kMoved_m = 0.1;
+constexpr double kSlower = 5.0;
+
+bool reached(const std::optional<wire::RunResult>& result) { return result && result->verdict == "reached"; }
+
+/// What may make a sketch go: nothing, a button, the same again.
+std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
+  std::vector<std::vector<Deed>> all{{}};
+  for (const std::string& button : space.buttons) {
+    const std::string press = "press " + button;
+    const Deed first{1000, press + " 100ms", press};
+    all.push_back({first});
+    all.push_back({first, {6000, press + " 100ms", press}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntListener listener)
+    : bench_(bench), arguments_(arguments), out_(std::move(out)), listener_(std::move(listener)) {
+  if (arguments.minutes > 0.0) until_us_ = wall_us() + static_cast<std::int64_t>(arguments.minutes * 60e6);
+}
+
+double Hunt::time_of(const HuntWorld& world) const {
+  const double usual = bench_.space().for_ms / 1000.0;
+  if (!world.to_goal || !plain_.reached()) return usual;
+  const double limit = std::ceil(patience_s(world, bench_.space(), plain_));
+  return limit > kLongest_s ? usual : std::max(limit, usual);
+}
+
+bool Hunt::find_plain() {
+  listener_.progress("looking how it goes without trouble …");
+  const std::vector<std::vector<Deed>> ways = openings(bench_.space());
+  std::vector<HuntWorld> worlds;
+  for (std::size_t map = 0; map < (bench_.maps_are_given() ? 1 : bench_.space().maps.size()); ++map)
+    for (const std::vector<Deed>& way : ways) {
+      HuntWorld& world = worlds.emplace_back();
+      world.map = map;
+      world.deeds = way;
+      world.for_s = bench_.space().for_ms / 1000.0;
+    }
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!bench_.run(worlds, results)) return false;
+  if (std::none_of(results.begin(), results.end(), reached)) {
+    // Those that are on their way may need longer.
+    std::vector<HuntWorld> slow;
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+      if (results[i] && results[i]->verdict == "timeout" && results[i]->metrics.distance_m > kMoved_m) {
+        slow.push_back(worlds[i]);
+        slow.back().for_s = kSlower * worlds[i].for_s;
+      }
+    std::vector<std::optional<wire::RunResult>> later;
+    if (!bench_.run(slow, later)) return false;
+    if (std::any_of(later.begin(), later.end(), reached)) worlds = slow, results = later;
+  }
+  const auto is_better = [](const wire::RunResult& a, const wire::RunResult& b) {
+    if ((a.verdict == "reached") != (b.verdict == "reached")) return a.verdict == "reached";
+    return b.metrics.distance_m < kMoved_m && a.metrics.distance_m > kMoved_m;
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (results[i] && (!best || is_better(*results[i], *results[*best]))) best = i;
+  if (!best) throw InputError(bench_.refusal());
+  plain_ = {*results[*best], bench_.robot()};
+  plain_world_ = worlds[*best];
+  if (!bench_.maps_are_given()) {
+    // A sketch that comes to its goal on several of those that were tried is meant for all of them.
+    std::vector<std::size_t> kept{plain_world_.map};
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+      if (reached(results[i]) && std::find(kept.begin(), kept.end(), worlds[i].map) == kept.end())
+        kept.push_back(worlds[i].map);
+    bench_.keep_maps(kept);
+  }
+  plain_world_.map = 0;
+  bench_.space().opening = plain_world_.deeds;
+  plain_world_.for_s = time_of(plain_world_);
+  return true;
+}
+
+bool Hunt::add(HuntFinding finding) {
+  for (HuntFinding& known : findings_)
+    if (known.explains(finding.symptom, finding.needs)) {
+      ++known.times;
+      return true;
+    }
+  const auto alike = std::count_if(findings_.begin(), findings_.end(), [&](const HuntFinding& known) {
+    return known.symptom.is_behaviour && known.symptom.kind == finding.symptom.kind;
+  });
+  if (finding.symptom.is_behaviour && alike >= static_cast<std::ptrdiff_t>(kMostAlike)) return true;
+  if (!shrink(finding)) return false;
+  // As small as it is now it may be one that is known.
+  for (HuntFinding& known : findings_)
+    if (known.explains(finding.symptom, finding.needs)) {
+      ++known.times;
+      return true;
+    }
+  keep_files(finding, findings_.size() + 1, bench_, arguments_, out_);
+  findings_.push_back(std::move(finding));
+  listener_.found(findings_.back(), findings_.size());
+  return true;
+}
+
+bool Hunt::shrink(HuntFinding& finding) {
+  const HuntSpace& space = bench_.space();
+  std::size_t tries = 0;
+  for (bool smaller_found = true; smaller_found && tries < kMostTries;) {
+    smaller_found = false;
+    std::vector<HuntWorld> candidates = smaller(finding.world, space);
+    for (HuntWorld& world : candidates) world.for_s = time_of(world);
+    for (std::size_t from = 0; from < candidates.size() && !smaller_found && tries < kMostTries;
+         from += kAtOnce) {
+      const std::size_t to = std::min(candidates.size(), from + kAtOnce);
+      const std::vector<HuntWorld> some(candidates.begin() + static_cast<std::ptrdiff_t>(from),
+                                        candidates.begin() + static_cast<std::ptrdiff_t>(to));
+      listener_.progress(
+          fmt::format("{}: looking for a smaller world, try {}", finding.symptom.group, tries + 1));
+      std::vector<std::optional<wire::RunResult>> results;
+      if (!bench_.run(some, results)) return false;
+      tries += some.size();
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (!results[i]) continue;
+        const auto symptom = symptom_of(*results[i], some[i], space, plain_);
+        if (!symptom || symptom->group != finding.symptom.group) continue;
+        finding.world = some[i];
+        finding.symptom = *symptom;
+        finding.time_s = results[i]->time_s;
+        smaller_found = true;
+        break;
+      }
+    }
+  }
+  finding.needs = needs_of(finding.world, space);
+  if (finding.symptom.kind != "late") {
+    finding.world.to_goal = false;
+    finding.world.for_s = std::ceil(finding.time_s) + kBehind_s;
+  }
+  return true;
+}
+
+void Hunt::note(const HuntWorld& world, const wire::RunResult& result) {
+  bool is_new = false;
+  for (const std::string& trait : traits_of(result)) is_new = traits_.insert(trait).second || is_new;
+  if (is_new) noted_.push_back(world);
+}
+
+bool Hunt::take(const HuntWorld& world, const wire::RunResult& result) {
+  ++runs_;
+  simulated_s_ += result.time_s;
+  if (result.verdict == "reached" && world.to_goal) ++reached_;
+  note(world, result);
+  const auto symptom = symptom_of(result, world, bench_.space(), plain_);
+  if (!symptom) return true;
+  return add({*symptom, world, needs_of(world, bench_.space()), result.time_s, runs_, 1, ""});
+}
+
+bool Hunt::make_round() {
+  std::vector<HuntWorld> worlds;
+  const std::uint64_t left = arguments_.runs - runs_;
+  if (runs_ == 0) {
+    for (std::size_t build = 0; build < bench_.space().builds.size(); ++build) {
+      worlds.push_back(plain_world_);
+      worlds.back().build = build;
+    }
+  } else {
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i) {
+      worlds.push_back(draw_world(bench_.space(), noted_, arguments_.seed, runs_ + i));
+      worlds.back().for_s = time_of(worlds.back());
+    }
+  }
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!bench_.run(worlds, results)) return false;
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    if (!results[i])
+      ++runs_;
+    else if (!take(worlds[i], *results[i]))
+      return false;
+  }
+  listener_.progress(fmt::format("{} of {} runs, {:.0f} s of simulated time, {} finding{}", runs_,
+                                 arguments_.runs, simulated_s_, findings_.size(),
+                                 findings_.size() == 1 ? "" : "s"));
+  return true;
+}
+
+bool Hunt::tell_if_no_goal() {
+  const wire::RunResult& result = plain_.result;
+  if (reached_ > 0 || !findings_.empty() || result.goal == "none" || result.metrics.distance_m < kMoved_m)
+    return true;
+  HuntFinding finding{
+      {"goal", "goal",
+       fmt::format("In none of {} runs the robot came to its goal, {}. {}", runs_, result.goal, result.why),
+       true},
+      plain_world_,
+      {},
+      result.time_s,
+      0,
+      1,
+      ""};
+  finding.world.for_s = std::ceil(result.time_s);
+  keep_files(finding, findings_.size() + 1, bench_, arguments_, out_);
+  findings_.push_back(finding);
+  listener_.found(findings_.back(), findings_.size());
+  return true;
+}
+
+bool Hunt::go() {
+  if (!find_plain()) return false;
+  while (runs_ < arguments_.runs && !(arguments_.stop_early && !findings_.empty()) &&
+         (until_us_ == 0 || wall_us() < until_us_))
+    if (!make_round()) return false;
+  return tell_if_no_goal();
+}
+
+}  // namespace robosim::cli

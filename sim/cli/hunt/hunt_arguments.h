@@ -1,0 +1,14 @@
+// The command line of `robosim hunt`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// `words` after "hunt". Throws InputError.
+Command parse_hunt(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli

@@ -1,0 +1,101 @@
+#include "sim/cli/hunt/symptom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+namespace robosim::cli {
+namespace {
+
+constexpr double kPatience = 4.0, kPause_s = 20.0;
+constexpr std::size_t kMostSent = 200;
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Each number is one #.
+std::string without_numbers(const std::string& text) {
+  std::string plain;
+  for (const char c : text)
+    if (!is_digit(c))
+      plain += c;
+    else if (plain.empty() || plain.back() != '#')
+      plain += '#';
+  return plain;
+}
+
+std::string place_of(const wire::Crash& crash) {
+  if (crash.where.file.empty()) return "";
+  return fmt::format("{}:{}", crash.where.file, crash.where.line);
+}
+
+Symptom crashed(const wire::RunResult& result) {
+  const wire::Crash& crash = *result.crash;
+  const std::string place = place_of(crash);
+  return {"crashed", fmt::format("{} {}", place.empty() ? without_numbers(crash.reason) : "crashed", place),
+          result.why, false};
+}
+
+bool is_undisturbed(const HuntWorld& world, const HuntSpace& space) {
+  return world.faults.faults.empty() && world.deeds == space.opening;
+}
+
+}  // namespace
+
+bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot) {
+  const auto& unused = result.usage.unused;
+  return std::any_of(robot.sensors.begin(), robot.sensors.end(), [&](const wire::RobotInfo::Sensor& sensor) {
+    return std::find(unused.begin(), unused.end(), sensor.name) == unused.end();
+  });
+}
+
+double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& plain) {
+  if (!world.drawn()) return world.map == 0 ? kPause_s + kPatience * plain.result.time_s : 0.0;
+  const double way_m = line_length_m(world, space) * (world.track ? 1.0 : 2.0);
+  return plain.speed_m_s() > 0.0 ? kPause_s + kPatience * way_m / plain.speed_m_s() : 0.0;
+}
+
+std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
+                                  const HuntSpace& space, const Plain& plain) {
+  const std::string& verdict = result.verdict;
+  if (verdict == "crashed" && result.crash) return crashed(result);
+  if (verdict == "hung" || verdict == "over_budget") return Symptom{verdict, verdict, result.why, false};
+  const bool behaves = verdict == "stuck" || verdict == "toppled" ||
+                       (verdict == "lost" && reads_the_floor(result, plain.robot));
+  if (behaves) return Symptom{verdict, verdict, result.why, true};
+  if (result.metrics.collisions > 0 && plain.result.metrics.collisions == 0)
+    return Symptom{
+        "collision", "collision",
+        fmt::format("The robot ran into something {} in {:.2f} s; it did not in the plain world.",
+                    result.metrics.collisions == 1 ? std::string("once")
+                                                   : fmt::format("{} times", result.metrics.collisions),
+                    result.time_s),
+        true};
+  if (verdict == "timeout" && world.to_goal && plain.reached() && is_undisturbed(world, space)) {
+    const double limit = patience_s(world, space, plain);
+    if (limit > 0.0 && result.time_s >= limit) return Symptom{"late", "late", result.why, true};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> traits_of(const wire::RunResult& result) {
+  std::vector<std::string> traits{
+      "verdict " + result.verdict, fmt::format("stations {}", result.metrics.stations.size()),
+      fmt::format("laps {}", result.metrics.laps_s.size()),
+      fmt::format("collisions {}", std::min(result.metrics.collisions, 3)),
+      fmt::format("writes {}",
+                  result.eeprom_writes == 0 ? 0 : static_cast<int>(std::log2(result.eeprom_writes)) + 1)};
+  for (const wire::RunResult::Entry& event : result.events)
+    traits.push_back("event " + without_numbers(event.text));
+  std::size_t lines = 0;
+  for (const auto& [name, text] : {std::pair{"serial ", &result.serial}, {"shown ", &result.shown}}) {
+    std::istringstream stream(*text);
+    for (std::string line; lines < kMostSent && std::getline(stream, line); ++lines)
+      traits.push_back(name + without_numbers(line).substr(0, 60));
+  }
+  return traits;
+}
+
+}  // namespace robosim::cli

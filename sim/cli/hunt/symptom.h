@@ -1,0 +1,43 @@
+// What of a run is a finding, without anybody having said what the sketch should do.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/cli/hunt/world.h"
+#include "sim/wire/messages.h"
+
+namespace robosim::cli {
+
+/// The run in the plain world, that others are held against.
+struct Plain {
+  wire::RunResult result;
+  wire::RobotInfo robot;
+  bool reached() const { return result.verdict == "reached"; }
+  /// On the way to the goal.
+  double speed_m_s() const { return result.time_s > 0.0 ? result.metrics.distance_m / result.time_s : 0.0; }
+};
+/// Whether the sketch looks at the line at all.
+bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot);
+
+struct Symptom {
+  std::string kind;      ///< "crashed", "lost", "late" …
+  std::string group;     ///< equal where the cause is taken to be one: the kind, and where in the sketch
+  std::string sentence;  ///< what happened
+  /// How the robot behaved, rather than a fault in the program that can be shown: where the plain world has
+  /// it, too, others tell nothing new.
+  bool is_behaviour = false;
+};
+
+/// In simulated seconds: a robot as fast as it is in the plain world would long be there. 0 = nobody knows.
+double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& plain);
+
+std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
+                                  const HuntSpace& space, const Plain& plain);
+
+/// What a run has come to, in words that come again in a run like it: places it came to, what was sent
+/// (without its numbers). A run with a new one is worth to be followed by others like it.
+std::vector<std::string> traits_of(const wire::RunResult& result);
+
+}  // namespace robosim::cli

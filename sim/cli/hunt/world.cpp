@@ -1,0 +1,240 @@
+#include "sim/cli/hunt/world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/noise.h"
+#include "sim/worlds/die.h"
+
+namespace robosim::cli {
+namespace {
+
+using worlds::Die;
+using worlds::Fault;
+
+constexpr int kMostSquares = 4, kMostPieces = 10, kMostFaults = 2, kMostDeeds = 4;
+constexpr int kMostSeeds = 1000;
+constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
+constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
+constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
+
+bool chance(const Die& die, int of_100) { return die(100) < of_100; }
+
+template <typename T>
+const T& pick(const Die& die, const std::vector<T>& from) {
+  return from[static_cast<std::size_t>(die(static_cast<int>(from.size())))];
+}
+
+/// Wide enough for the bends of the map that it is to be like.
+int apart(const HuntSpace::Map& map) {
+  return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
+}
+
+void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.track.reset();
+  world.network.reset();
+  world.map = static_cast<std::size_t>(die(static_cast<int>(space.maps.size())));
+  const HuntSpace::Map& like = space.maps[world.map];
+  if (!space.draws_maps || chance(die, 40)) return;
+  if (like.tracks) world.track = worlds::lay_out({1 + die(kMostSquares), apart(like), 0}, die);
+  if (like.networks) world.network = worlds::grow({1 + die(kMostPieces), 3, 4, like.cycles, 0}, die);
+}
+
+std::string some_words(const HuntSpace& space, const Die& die) {
+  std::string text = pick(die, space.words);
+  if (chance(die, 50)) text += (chance(die, 80) ? " " : "") + pick(die, space.words);
+  return text;
+}
+
+std::string message(const std::string& type, const HuntSpace& space, const Die& die) {
+  if (type == "radio" || type == "ir-receiver") return fmt::format("{}", die(chance(die, 50) ? 10 : 256));
+  return fmt::format("\"{}\\n\"", space.words.empty() ? "1" : some_words(space, die));
+}
+
+Deed draw_deed(const HuntSpace& space, const Die& die) {
+  std::vector<char> kinds(space.buttons.size() * 2, 'b');
+  if (!space.words.empty()) kinds.insert(kinds.end(), 3, 's');
+  kinds.insert(kinds.end(), space.listeners.size() * 2, 'l');
+  kinds.insert(kinds.end(), {'u', 'p'});
+  Deed deed;
+  deed.at_ms = (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : space.for_ms * 3 / 4);
+  switch (pick(die, kinds)) {
+    case 'b':
+      deed.kind = "press " + pick(die, space.buttons);
+      deed.what = fmt::format("{} {}ms", deed.kind, pick<int>(die, {30, 100, 100, 300, 1500}));
+      break;
+    case 's':
+      deed.kind = "send";
+      deed.what = fmt::format("send \"{}\\n\"", some_words(space, die));
+      break;
+    case 'l': {
+      const auto& [name, type] = pick(die, space.listeners);
+      deed.kind = "send " + name;
+      deed.what = fmt::format("{} {}", deed.kind, message(type, space, die));
+      break;
+    }
+    case 'u':
+      deed.kind = "lift";
+      deed.what = fmt::format("lift for {}ms", 200 + die(1'500));
+      break;
+    default:
+      deed.kind = "power off";
+      deed.what = fmt::format("power off for {}ms", 20 + die(500));
+  }
+  return deed;
+}
+
+void draw_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.deeds = space.opening;
+  for (int left = 1 + die(kMostDeeds); left > 0; --left) world.deeds.push_back(draw_deed(space, die));
+  std::stable_sort(world.deeds.begin(), world.deeds.end(),
+                   [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
+}
+
+/// A little before a number of milliseconds, or of microseconds, does not fit any more.
+void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  const std::int64_t wrap = pick<std::int64_t>(
+      die, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms, kInt_ms, 2 * kInt_ms});
+  world.clock_ms = wrap - 1 - die(std::min<int>(space.for_ms / 2, static_cast<int>(kInt_ms)));
+}
+
+HuntWorld fresh(const HuntSpace& space, const Die& die) {
+  HuntWorld world;
+  world.deeds = space.opening;
+  draw_map(world, space, die);
+  if (chance(die, 50)) world.robot = worlds::assemble(space.figures, die);
+  world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
+  if (chance(die, 35)) world.faults = worlds::draw_up(space.limits, kMostFaults, space.parts, die);
+  if (chance(die, 45)) draw_deeds(world, space, die);
+  if (chance(die, 12)) draw_clock(world, space, die);
+  world.to_goal = chance(die, 60);
+  return world;
+}
+
+HuntWorld like(HuntWorld world, const HuntSpace& space, const Die& die) {
+  switch (die(6)) {
+    case 0:
+      draw_map(world, space, die);
+      break;
+    case 1:
+      world.robot = worlds::assemble(space.figures, die);
+      break;
+    case 2:
+      world.faults = worlds::draw_up(space.limits, kMostFaults, space.parts, die);
+      break;
+    case 3:
+      draw_clock(world, space, die);
+      break;
+    default:
+      world.deeds.push_back(draw_deed(space, die));
+      std::stable_sort(world.deeds.begin(), world.deeds.end(),
+                       [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
+  }
+  world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
+  return world;
+}
+
+}  // namespace
+
+HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted, std::uint64_t seed,
+                     std::uint64_t run) {
+  const NoiseStream stream(seed, 0, "hunt", "world");
+  std::uint64_t n = run << 16;
+  const Die die = [&](int below) {
+    return static_cast<int>(stream.bits(n++) % static_cast<std::uint64_t>(std::max(1, below)));
+  };
+  HuntWorld world =
+      !noted.empty() && chance(die, 50) ? like(pick(die, noted), space, die) : fresh(space, die);
+  world.build = static_cast<std::size_t>(run % space.builds.size());
+  if (space.builds[world.build].target == "host") world.clock_ms = 0;
+  return world;
+}
+
+std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
+  std::vector<HuntWorld> found;
+  const auto with = [&](const auto& change) {
+    found.push_back(world);
+    change(found.back());
+  };
+  if (world.drawn() || world.map != 0)
+    with([](HuntWorld& w) { w.track.reset(), w.network.reset(), w.map = 0; });
+  if (!world.robot.levels.empty()) with([](HuntWorld& w) { w.robot.levels.clear(); });
+  if (!world.faults.faults.empty()) with([](HuntWorld& w) { w.faults.faults.clear(); });
+  if (world.deeds.size() > 1) with([](HuntWorld& w) { w.deeds.clear(); });
+  if (world.deeds != space.opening && world.deeds.size() > space.opening.size())
+    with([&](HuntWorld& w) { w.deeds = space.opening; });
+  if (world.clock_ms != 0) with([](HuntWorld& w) { w.clock_ms = 0; });
+  if (world.seed != 1) with([](HuntWorld& w) { w.seed = 1; });
+  for (std::size_t i = 0; i < world.deeds.size(); ++i)
+    with([&](HuntWorld& w) { w.deeds.erase(w.deeds.begin() + static_cast<std::ptrdiff_t>(i)); });
+  if (world.faults.faults.size() > 1 || !world.faults.faults.empty())
+    for (const worlds::FaultPlan& plan : world.faults.smaller()) with([&](HuntWorld& w) { w.faults = plan; });
+  if (world.track)
+    for (const worlds::Track& track : world.track->smaller()) with([&](HuntWorld& w) { w.track = track; });
+  if (world.network)
+    for (const worlds::LineNetwork& network : world.network->smaller())
+      with([&](HuntWorld& w) { w.network = network; });
+  if (!world.robot.levels.empty())
+    for (const worlds::RobotVariant& robot : world.robot.smaller())
+      with([&](HuntWorld& w) { w.robot = robot; });
+  for (std::size_t i = 0; i < world.deeds.size(); ++i)
+    if (const int rounded = world.deeds[i].at_ms / 1000 * 1000; rounded > 0 && rounded < world.deeds[i].at_ms)
+      with([&](HuntWorld& w) { w.deeds[i].at_ms = rounded; });
+  return found;
+}
+
+std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space) {
+  std::set<std::string> needs;
+  if (world.drawn()) needs.insert("a drawn map");
+  if (!world.drawn() && world.map != 0) needs.insert("the map " + space.maps[world.map].name);
+  for (std::size_t i = 0; i < world.robot.levels.size(); ++i)
+    if (world.robot.levels[i] != 0) {
+      const worlds::Figure& figure = space.figures[i];
+      needs.insert(fmt::format("another {} of {}", figure.key.substr(0, figure.key.find(' ')), figure.table));
+    }
+  if (world.seed != 1) needs.insert("another seed");
+  for (const Fault& fault : world.faults.faults) {
+    constexpr const char* kNames[] = {"offset", "noisy", "cover", "weak", "drift"};
+    needs.insert(fmt::format("fault {}", kNames[static_cast<std::size_t>(fault.kind)]));
+  }
+  for (const Deed& deed : world.deeds)
+    if (std::find(space.opening.begin(), space.opening.end(), deed) == space.opening.end())
+      needs.insert(deed.kind);
+  if (world.clock_ms != 0) needs.insert("another clock");
+  return needs;
+}
+
+std::string map_text(const HuntWorld& world, const HuntSpace& space) {
+  if (!world.drawn()) return "";
+  const HuntSpace::Map& like = space.maps[world.map];
+  const std::string front = fmt::format(
+      "+++\ncell = \"{:g} mm\"\ncorner = \"{:g} mm\"\ngoal = \"{}\"\n[legend]\n3 = \"gap\"\n+++\n",
+      like.cell_mm, like.corner_mm, world.track ? "laps:1" : "tour");
+  return front + (world.track ? world.track->grid() : world.network->map());
+}
+
+std::string robot_text(const HuntWorld& world, const HuntSpace& space) {
+  if (std::all_of(world.robot.levels.begin(), world.robot.levels.end(), [](int level) { return level == 0; }))
+    return "";
+  return world.robot.file(space.robot, space.figures);
+}
+
+std::string script_text(const HuntWorld& world, const HuntSpace& space) {
+  std::string text;
+  for (const Deed& deed : world.deeds) text += fmt::format("at {}ms {}\n", deed.at_ms, deed.what);
+  return text + world.faults.script(space.limits);
+}
+
+double line_length_m(const HuntWorld& world, const HuntSpace& space) {
+  const worlds::LineNetwork network =
+      world.track ? world.track->outline() : world.network.value_or(worlds::LineNetwork{});
+  int cells = 0;
+  for (const worlds::Piece& piece : network.pieces)
+    cells += piece.down ? network.row_of(piece.end().y) - network.row_of(piece.at.y)
+                        : network.column_of(piece.end().x) - network.column_of(piece.at.x);
+  return cells * space.maps[world.map].cell_mm / 1000.0;
+}
+
+}  // namespace robosim::cli

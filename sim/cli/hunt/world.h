@@ -1,0 +1,90 @@
+// The worlds of a hunt: how they are drawn, and which are smaller.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/worlds/fault_plan.h"
+#include "sim/worlds/line_network.h"
+#include "sim/worlds/robot_variant.h"
+#include "sim/worlds/track.h"
+
+namespace robosim::cli {
+
+/// Something that somebody does to the robot.
+struct Deed {
+  int at_ms = 0;
+  std::string what;  ///< as scripts have it: "press start 100ms"
+  std::string kind;  ///< for people: "press start", "send"
+  bool operator==(const Deed&) const = default;
+};
+
+struct HuntWorld {
+  std::size_t build = 0;  ///< of HuntSpace::builds
+  std::size_t map = 0;    ///< of HuntSpace::maps, if none is drawn
+  std::optional<worlds::Track> track;
+  std::optional<worlds::LineNetwork> network;
+  worlds::RobotVariant robot;  ///< without levels it is the robot as its file has it
+  std::uint64_t seed = 1;
+  worlds::FaultPlan faults;
+  std::vector<Deed> deeds;
+  std::int64_t clock_ms = 0;
+  bool to_goal = true;  ///< ends there; else it runs on until its time is up
+  double for_s = 60.0;
+
+  bool drawn() const { return track || network; }
+};
+
+/// What there is to choose from.
+struct HuntSpace {
+  /// What is run: for which target, and whether the sketch checks itself.
+  struct Build {
+    std::string target;
+    bool checked = false;
+  };
+  struct Map {
+    std::string name;
+    std::string goal;                       ///< empty = by the map
+    bool tracks = false, networks = false;  ///< which maps are drawn as this one is
+    int cycles = 0;                         ///< of its network, roughly
+    double cell_mm = 100.0, corner_mm = 0.0;
+  };
+  std::vector<Build> builds;
+  std::vector<Map> maps;
+  bool draws_maps = true;
+  std::string robot;  ///< the base of its variants: a name or a path
+  std::vector<worlds::Figure> figures;
+  worlds::Breakable parts;
+  worlds::FaultLimits limits;
+  std::vector<std::string> buttons;  ///< and keys
+  std::vector<std::pair<std::string, std::string>>
+      listeners;                   ///< parts that messages come by, and their types
+  std::vector<std::string> words;  ///< what may be sent; empty = nothing is
+  std::vector<Deed> opening;       ///< what makes it go
+  int for_ms = 60'000;
+};
+
+/// A number from 0 on that counts the runs decides, with the hunt's seed. `noted` are worlds in which
+/// something new was seen: half of the worlds are like one of them.
+HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted, std::uint64_t seed,
+                     std::uint64_t run);
+
+/// Simpler by a step; those that are simpler by far come first. Ends after finitely many steps.
+std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space);
+
+/// What of it is not plain: "another map", "chassis track", "fault noisy", "press start". Its opening is.
+std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space);
+
+/// As files have it. The map's is empty where none is drawn; the robot's where it is as in its file.
+std::string map_text(const HuntWorld& world, const HuntSpace& space);
+std::string robot_text(const HuntWorld& world, const HuntSpace& space);
+std::string script_text(const HuntWorld& world, const HuntSpace& space);
+/// Of the lines of a drawn map.
+double line_length_m(const HuntWorld& world, const HuntSpace& space);
+
+}  // namespace robosim::cli

@@ -1,0 +1,92 @@
+// `robosim hunt` as users run it, with sketches that go wrong in one way each, in runs of 2 s.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/require_target.h"
+#include "tests/system/command.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CliHunt : public ::testing::Test {
+ protected:
+  void sketch(const std::string& in_loop) {
+    folder_.write("Tries/Tries.ino",
+                  "void setup() { pinMode(4, INPUT_PULLUP); Serial.begin(9600); }\n"
+                  "void loop() {\n" +
+                      in_loop + "\n  delay(5);\n}\n");
+  }
+  Ended hunt(std::vector<std::string> words = {}, const char* runs = "24") {
+    words.insert(words.begin(), {"hunt", "./Tries", "--for", "2s", "--runs", runs, "--target", "host"});
+    return robosim_command(words, folder_.path());
+  }
+  Ended command(const std::vector<std::string>& words) { return robosim_command(words, folder_.path()); }
+
+  Folder folder_;
+};
+
+constexpr const char* kCrashesWhenPressed =
+    "  static bool was;\n  const bool is = digitalRead(4) == LOW;\n"
+    "  if (is && !was) { int* nothing = 0; *nothing = 1; }\n  was = is;";
+
+TEST_F(CliHunt, FindsWhatAButtonBringsAboutAndLeavesTheSmallestRunThatShowsIt) {
+  sketch(kCrashesWhenPressed);
+  const Ended ended = hunt();
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_THAT(
+      ended.out,
+      AllOf(
+          HasSubstr(
+              "finding 1: The sketch crashed: write of an int through a null pointer in loop, Tries.ino:5."),
+          HasSubstr("oval; it needs press start\n"), Not(HasSubstr("finding 2"))));
+  for (const char* file : {"hunt-Tries/1/run.html", "hunt-Tries/1/script.txt", "hunt-Tries/checks.toml"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
+
+  const std::size_t at = ended.out.find("replay  robosim ") + 16;
+  std::vector<std::string> words;
+  std::istringstream replay(ended.out.substr(at, ended.out.find('\n', at) - at));
+  for (std::string word; replay >> word;) words.push_back(word);
+  EXPECT_THAT(command(words).out, HasSubstr("crashed"));
+
+  const std::vector<std::string> test{"test", "./Tries", "--checks", "hunt-Tries/checks.toml"};
+  EXPECT_EQ(command(test).status, 1);
+  sketch("  if (digitalRead(4) == LOW) Serial.println(\"pressed\");");
+  EXPECT_EQ(command(test).status, 0);
+}
+
+TEST_F(CliHunt, FindsTheSameWhateverTheNumberOfJobs) {
+  sketch(kCrashesWhenPressed);
+  const Ended one = hunt({"--jobs", "1", "--out", "found"});
+  std::filesystem::remove_all(folder_ / "found");
+  EXPECT_EQ(hunt({"--jobs", "3", "--out", "found"}).out, one.out);
+}
+
+TEST_F(CliHunt, FindsWhatOnlyAMessageBringsAboutSinceItKnowsTheSketchsWords) {
+  sketch("  if (Serial.readStringUntil('\\n') == \"reset\") { int* nothing = 0; *nothing = 1; }");
+  const Ended ended = hunt({"--stop-early"}, "120");
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("it needs send\n"))) << ended.err;
+}
+
+TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {
+  sketch("  if (digitalRead(4) == LOW) Serial.println(Serial.read());");
+  const Ended ended = hunt();
+  EXPECT_EQ(ended.status, 0) << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("24 runs, 48 s of simulated time: nothing was found\n"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "hunt-Tries"));
+}
+
+TEST_F(CliHunt, RefusesWhatItCannotDo) {
+  sketch("");
+  EXPECT_THAT(hunt({"--minutes", "none"}).err, HasSubstr("--minutes: “none” is not possible"));
+  std::filesystem::create_directory(folder_ / "hunt-Tries");
+  const Ended there = hunt();
+  EXPECT_EQ(there.status, 2);
+  EXPECT_THAT(there.err, HasSubstr("hunt-Tries: is there already; --out DIR names another, or remove it"));
+}
+
+}  // namespace
+}  // namespace robosim::test
