@@ -207,6 +207,7 @@ void Agent::stand_still(SimTime t, int stop_met) {
 void Agent::act(SimTime t) {
   if (const auto volts = robot_.fed_volts()) player_.feed(*volts, t, state_.happened);
   if (!finished()) player_.act(t, progress_, state_.happened);
+  if (!state_.happened.empty()) tell_events(t);  // causes, before what comes of them in this tick
   robot_.begin_tick(t);
 }
 

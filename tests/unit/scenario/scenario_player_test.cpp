@@ -68,15 +68,15 @@ TEST_F(Scripts, BreakAPartForATimeAndSaySo) {
   EXPECT_EQ(s1(0.101), 1.0);
   EXPECT_EQ(s1(0.300), 1.0);
   EXPECT_LT(s1(0.301), 0.5);
-  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=S1 arguments=stuck,1023",
-                                           "301 fault_ended part=S1 arguments=stuck,1023"));
+  EXPECT_THAT(seen.happenings, ElementsAre("100 fault_began part=S1 arguments=stuck,1023",
+                                           "300 fault_ended part=S1 arguments=stuck,1023"));
 }
 
 TEST_F(Scripts, EndAFaultThatAnotherOneHasReplacedNoMore) {
   play("at 100ms fault S1 stuck 1023 for 200ms\nat 200ms fault S1 stuck 1000\n", 0.5);
   EXPECT_GT(s1(0.45), 0.9);
-  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=S1 arguments=stuck,1023",
-                                           "201 fault_began part=S1 arguments=stuck,1000"));
+  EXPECT_THAT(seen.happenings, ElementsAre("100 fault_began part=S1 arguments=stuck,1023",
+                                           "200 fault_began part=S1 arguments=stuck,1000"));
 }
 
 TEST_F(Scripts, LiftTheRobotSoThatItsWheelsTurnFreelyAndItsSensorsSeeNothing) {
@@ -86,7 +86,7 @@ TEST_F(Scripts, LiftTheRobotSoThatItsWheelsTurnFreelyAndItsSensorsSeeNothing) {
   EXPECT_EQ(lifted.speed, 0.0);
   EXPECT_THAT(std::vector<double>(lifted.readings.begin(), lifted.readings.begin() + 5), testing::Each(1.0));
   EXPECT_GT(after.speed, 0.1);
-  EXPECT_THAT(seen.happenings, ElementsAre("301 script_acted verb=lift", "1301 script_acted verb=lower"));
+  EXPECT_THAT(seen.happenings, ElementsAre("300 script_acted verb=lift", "1300 script_acted verb=lower"));
 }
 
 TEST_F(Scripts, HoldTheRobotInTheHandForLongWithoutAVerdict) {
@@ -99,7 +99,7 @@ TEST_F(Scripts, PutALiftedRobotDownWhereTheySay) {
   play("at 100ms lift for 1s\nat 200ms place 13,2,E\n", 1.5);
   EXPECT_GT(seen.at(1.0).speed, 0.1) << "placed, it drives, and is not put down once more";
   EXPECT_THAT(seen.happenings,
-              ElementsAre("101 script_acted verb=lift", "201 script_acted verb=place argument=13,2,E"));
+              ElementsAre("100 script_acted verb=lift", "200 script_acted verb=place argument=13,2,E"));
 }
 
 TEST_F(Scripts, MoveTheRobotToAndFroByHandOverTheLineAndPutItDownWhereItWas) {
@@ -154,8 +154,8 @@ TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
   EXPECT_LT(seen.at(1.9).speed, 0.02);
   EXPECT_GT(seen.at(2.5).speed, 0.1);
   EXPECT_THAT(seen.happenings,
-              Contains("1 script_acted verb=obstacle argument=" + cell + " disc=1350,250,33"));
-  EXPECT_THAT(seen.happenings, Contains("2001 script_acted verb=clear argument=" + cell));
+              Contains("0 script_acted verb=obstacle argument=" + cell + " disc=1350,250,33"));
+  EXPECT_THAT(seen.happenings, Contains("2000 script_acted verb=clear argument=" + cell));
   seen = {};
   play("at 0s obstacle " + cell + "\nat 1s clear " + cell + "\n", 2.0);
   EXPECT_GT(seen.at(1.5).speed, 0.1);
@@ -169,14 +169,14 @@ TEST_F(Scripts, BlockAWheel) {
 
 TEST_F(Scripts, SayWhatResetsTheChipAndWhenItStartedAgain) {
   play("at 100ms fault power brown-out for 50ms\nafter boot 2 wait 20ms fault S1 dead\n", 0.3);
-  EXPECT_THAT(seen.happenings, ElementsAre("101 fault_began part=power arguments=brown-out resets_chip=1",
-                                           "151 fault_ended part=power arguments=brown-out",
-                                           "171 fault_began part=S1 arguments=dead"));
+  EXPECT_THAT(seen.happenings, ElementsAre("100 fault_began part=power arguments=brown-out resets_chip=1",
+                                           "150 fault_ended part=power arguments=brown-out",
+                                           "170 fault_began part=S1 arguments=dead"));
 }
 
 TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
   play("at 100ms power off for 50ms\n", 0.3);
-  EXPECT_THAT(seen.happenings, ElementsAre("101 power_lost", "151 power_back"));
+  EXPECT_THAT(seen.happenings, ElementsAre("100 power_lost", "150 power_back"));
 }
 
 TEST_F(Scripts, WaitAfterAStation) {
@@ -204,16 +204,16 @@ TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
 TEST_F(Scripts, DoWhatIsDueAtOneTimeInTheirOwnOrderWhateverItWaitedFor) {
   play("after boot 1 cover S1\nat 5ms cover S2\nafter boot 1 wait 5ms cover S3\nat 4500us cover S4\n", 0.02);
   EXPECT_THAT(seen.happenings,
-              ElementsAre("1 script_acted verb=cover part=S1", "6 script_acted verb=cover part=S2",
-                          "6 script_acted verb=cover part=S3", "6 script_acted verb=cover part=S4"));
+              ElementsAre("0 script_acted verb=cover part=S1", "5 script_acted verb=cover part=S2",
+                          "5 script_acted verb=cover part=S3", "5 script_acted verb=cover part=S4"));
 }
 
 TEST_F(Scripts, EndWhatIsOverAtOneTimeInTheOrderInWhichItBegan) {
   play("at 1ms obstacle 1,0 for 8900us\nat 2ms obstacle 0,0 for 7500us\n", 0.02);
-  EXPECT_THAT(seen.happenings, ElementsAre("2 script_acted verb=obstacle argument=1,0 disc=150,1650,33",
-                                           "3 script_acted verb=obstacle argument=0,0 disc=50,1650,33",
-                                           "11 script_acted verb=clear argument=1,0",
-                                           "11 script_acted verb=clear argument=0,0"));
+  EXPECT_THAT(seen.happenings, ElementsAre("1 script_acted verb=obstacle argument=1,0 disc=150,1650,33",
+                                           "2 script_acted verb=obstacle argument=0,0 disc=50,1650,33",
+                                           "10 script_acted verb=clear argument=1,0",
+                                           "10 script_acted verb=clear argument=0,0"));
 }
 
 std::string repeated(const std::string& line, std::size_t times) {
