@@ -231,6 +231,11 @@ choose:
       r[i->a] = flags.pack();
       NEXT(1);
     }
+    if (IS_PLAIN(read)) {
+      NOTE_PLAIN;
+      r[i->a] = r[i->k];
+      NEXT(1);
+    }
     PUT_PLACE(1);
     r[i->a] = load_elsewhere(static_cast<Address>(i->k));
     RESUME_WITH_FLAGS;
@@ -250,6 +255,10 @@ choose:
         flags.unpack(value);
         NEXT(1);
       }
+    } else if (IS_PLAIN(write)) {
+      NOTE_PLAIN;
+      r[i->k] = r[i->a];
+      NEXT(1);
     }
     PUT_PLACE(1);
     store_elsewhere(static_cast<Address>(i->k), r[i->a]);
@@ -302,6 +311,7 @@ choose:
   }
   OPERATION(reti, 2 + pc_bytes) {
     note_jump(static_cast<std::uint32_t>(i - code));
+    RETURN_FROM_HANDLER;
     PUT_PLACE(1);
     const std::uint32_t to = pop_pc();
     state.pc = target_of(to);

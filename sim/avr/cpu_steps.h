@@ -53,6 +53,15 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
   state.sreg = flags.packed_into(state.sreg);                   \
   state.sp = sp
 #define RESUME_WITH_FLAGS goto resume_with_flags
+// Registers without a hook for this (`read`, `write`), where no event is due: memory, but that last_io knows.
+#define IS_PLAIN(way) \
+  (left > 0 && !hooks_[static_cast<std::size_t>(i->k)].way && i->k != reg::kSpL && i->k != reg::kSpH)
+#define NOTE_PLAIN                                      \
+  state.last_pc = static_cast<std::uint32_t>(i - code); \
+  if (state.open_handlers == 0) {                       \
+    state.last_io = end - static_cast<Cycle>(left);     \
+    state.last_io_pc = state.last_pc;                   \
+  }
 #define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
 
 #define LOAD(to, address, words)  \
@@ -102,6 +111,18 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
     push_pc(back);                                                                     \
     state.pc = target_of(to);                                                          \
     RESUME;                                                                            \
+  }
+// RETI, where no other handler waits to be entered.
+#define RETURN_FROM_HANDLER                                                                   \
+  if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting) [[likely]] { \
+    state.cycle = end - static_cast<Cycle>(left);                                             \
+    state.last_pc = static_cast<std::uint32_t>(i - code);                                     \
+    leave_handler();                                                                          \
+    if (!(flags.others & kI)) state.held_at = state.cycle;                                    \
+    flags.others |= kI;                                                                       \
+    const auto to = static_cast<std::uint32_t>(r[sp + 1] << 8 | r[sp + 2]);                   \
+    sp = static_cast<std::uint16_t>(sp + 2);                                                  \
+    JUMP(to);                                                                                 \
   }
 #define JUMP(target)                                             \
   {                                                              \

@@ -181,6 +181,7 @@ void Timer::request(unsigned flags) {
 
 // The processor sees a flag with the edge that sets it, registers are read as they were before.
 void Timer::due(Cycle at) {
+  if (state_.beat && !state_.requested) return request(state_.beat);
   count_to(at - 1);
   request((state_.flags | coming(at)) & enables() & ~state_.requested);
   if (state_.drives_stale) tell_drives();
@@ -188,6 +189,7 @@ void Timer::due(Cycle at) {
 }
 
 void Timer::entered(int vector) {
+  if (state_.beat && beat()) return;
   count_to(core_.now());
   state_.flags &= static_cast<std::uint8_t>(~flag_of(vector));
   settle();
@@ -217,20 +219,51 @@ std::uint8_t Timer::wanted() const {
   return static_cast<std::uint8_t>(wanted);
 }
 
+// Most timers only overflow, for millis(): what happens again and again is known ahead. All else is counted
+// as ever.
+void Timer::find_beat(std::uint8_t flag, Cycle at) {
+  const Counter& counter = state_.counter;
+  if (flag != enables() || !std::has_single_bit(flag) || at == kNoCycle || state_.requested ||
+      state_.watched || control_a() & kConnections || next_edge() != kNoCycle || !counter.is_regular())
+    return;
+  state_.beat = flag;
+  state_.beat_at = at;
+  state_.beat_period = (counter.top() + Cycle{1}) << state_.shift;
+}
+
+// The interrupt of the beat is entered. What else the timer has done since then must not matter.
+bool Timer::beat() {
+  const Cycle now = core_.now(), next = state_.beat_at + state_.beat_period;
+  const std::uint8_t all = flags_of_ticks() & flags_there_are();
+  if (next <= now || all & ~(state_.flags | state_.beat)) return false;
+  const Cycle began = prescalers_.began(prescaler_);
+  state_.counter.pass(((now - began) >> state_.shift) - ((state_.at - began) >> state_.shift));
+  state_.at = now;
+  state_.flags &= static_cast<std::uint8_t>(~state_.beat);
+  state_.requested = 0;
+  core_.request(vector_of(state_.beat), false);
+  state_.beat_at = next;
+  core_.schedule(due_, next);
+  return true;
+}
+
 Cycle Timer::tick_after(Cycle at, Cycle ticks) const {
   if (ticks == kNoCycle) return kNoCycle;
   const Cycle began = prescalers_.began(prescaler_);
   return began + ((((at - began) >> state_.shift) + ticks) << state_.shift);
 }
 
-Cycle Timer::when_due() const {
+Cycle Timer::when_due() {
+  state_.beat = 0;
   const unsigned unseen = enables() & ~state_.flags & ~state_.requested;
   Cycle at = next_edge();
   if (at != kNoCycle && !(coming_by_edge() & unseen)) ++at;
   if (!ticks_come()) return at;
   const Counter& counter = state_.counter;
-  if (const std::uint8_t flags = unseen & flags_of_ticks())
+  if (const std::uint8_t flags = unseen & flags_of_ticks()) {
     at = std::min(at, tick_after(state_.at, counter.ticks_to(flags)));
+    find_beat(flags, at);
+  }
   if (const std::uint8_t hits = wanted()) {
     const Cycle tick = tick_after(state_.at, counter.ticks_to(hits));
     if (tick != kNoCycle) at = std::min(at, tick + 1);

@@ -94,6 +94,10 @@ class Timer final : public Peripheral {
     bool wants_captures = false, captures_comparator = false;
     bool comparator = false;  ///< its output
     Cycle pll_locked_at = kNoCycle;
+    /// A flag that comes again and again, its interrupt enabled, and nobody wants to know anything else; 0 =
+    /// none.
+    std::uint8_t beat = 0;
+    Cycle beat_at = 0, beat_period = 0;
   };
   // registers
   void hook_registers();
@@ -150,7 +154,9 @@ class Timer final : public Peripheral {
   bool awaited(int vector, bool awaited);
   void clock_changed(std::int64_t hz_before);
   void schedule();
-  Cycle when_due() const;
+  Cycle when_due();
+  void find_beat(std::uint8_t flag, Cycle at);
+  bool beat();
   Cycle tick_after(Cycle at, Cycle ticks) const;
   Cycle next_edge() const { return std::min(state_.pulses.next(), state_.captures.next()); }
   std::uint8_t coming(Cycle at) const;

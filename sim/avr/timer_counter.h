@@ -69,6 +69,13 @@ class Counter {
 
   /// So many ticks. Returns what happened, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
+  // As most counters are most of the time: up to TOP and around, with nothing that was just written.
+  bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
+  /// As advance(), of a regular counter, where nobody wants to know what happened.
+  void pass(Cycle ticks) {
+    const Cycle period = top() + Cycle{1}, value = value_ + ticks;
+    value_ = static_cast<std::uint16_t>(value < period ? value : value % period);
+  }
   /// What the next tick will return.
   std::uint8_t next_hits() const;
   /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.
@@ -86,8 +93,6 @@ class Counter {
   /// Until something of `wanted` has happened, but at most so many ticks, and so many ticks that leave an
   /// end.
   Ran run(Cycle most, std::uint8_t wanted, int turns);
-  // As most counters are most of the time: up to TOP and around, with nothing that was just written.
-  bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
   /// Once around at most. The same as run() does in steps.
   std::uint8_t advance_regularly(unsigned ticks);
   std::uint8_t hits_at_end() const;
