@@ -59,9 +59,15 @@ Carrier fit_to_target(const Choice& own, const std::string& target, const Descri
   carrier.robot.path = fitted.robot;
   carrier.robot.name = parse_robot_name(fitted.robot).board.empty() ? parse_robot_name(robot.name).robot
                                                                     : robot_with_board(robot.name, board);
-  carrier.announcement = fmt::format(
-      "on {} the robot is {}: its {} has no such chip, and a {} takes its place, on the same pins", target,
-      carrier.robot.name, fitted.own_board, board);
+  // A file's name with a board behind it is no name that anybody has given.
+  const std::string alone = parse_robot_name(robot.name).robot;
+  carrier.announcement =
+      alone.find('.') == alone.npos
+          ? fmt::format(
+                "on {} the robot is {}: its {} has no such chip, and a {} takes its place, on the same pins",
+                target, carrier.robot.name, fitted.own_board, board)
+          : fmt::format("on {} a {} takes the place of the {} in {}, on the same pins: that has no such chip",
+                        target, board, fitted.own_board, alone);
   return carrier;
 }
 
