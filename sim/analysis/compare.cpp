@@ -132,7 +132,8 @@ class Comparer {
 
   /// False, and reported, if the time since the mark before differs too much.
   bool same_time(const std::array<std::int64_t, 2>& t, const std::array<std::int64_t, 2>& before,
-                 const std::string& what, std::array<std::optional<std::size_t>, 2> line) {
+                 const std::string& what, std::array<std::optional<std::size_t>, 2> line,
+                 std::array<std::optional<std::size_t>, 2> place = {}) {
     const std::int64_t a = t[0] - before[0], b = t[1] - before[1];
     if (std::abs(a - b) <= allowed(std::max(a, b))) return true;
     const std::string since = before[0] + before[1] > 0 ? " after the one before" : " after the start";
@@ -141,7 +142,8 @@ class Comparer {
                  t,
                  {"comes " + seconds(a) + since, "comes " + seconds(b) + since},
                  "",
-                 line};
+                 line,
+                 place};
     report(std::move(d));
     return false;
   }
@@ -155,8 +157,8 @@ class Comparer {
       const std::array<std::int64_t, 2> t{a[i].t_ns, b[i].t_ns};
       const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the beginning of the way";
       if (a[i].text != b[i].text)
-        return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}});
-      if (!same_time(t, before, a[i].text + ", " + from, {})) return;
+        return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}, {i, i}});
+      if (!same_time(t, before, a[i].text + ", " + from, {}, {i, i})) return;
       clocks_.add(t[0], t[1]);
       before = t;
     }
@@ -171,6 +173,7 @@ class Comparer {
                    {}};
       d.sides[first ? 0 : 1] = came_to(longer[at]);
       d.sides[first ? 1 : 0] = "comes to no other place";
+      d.place[first ? 0 : 1] = at;
       return d;
     });
   }

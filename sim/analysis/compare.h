@@ -36,11 +36,13 @@ struct Tolerance {
 struct Difference {
   enum class Kind { place, line, number, time, motors, speed, verdict };
   Kind kind = Kind::verdict;
-  std::string what;                                ///< "line 3", "the way after junction 2"
-  std::array<std::int64_t, 2> t_ns{};              ///< when, on either side
-  std::array<std::string, 2> sides;                ///< what each did: "\"sum 40000\""
-  std::string cause;                               ///< "integer width: …"; empty if it has no name
-  std::array<std::optional<std::size_t>, 2> line;  ///< which of History::lines it is about, if any
+  std::string what;                                     ///< "line 3", "the way after junction 2"
+  std::array<std::int64_t, 2> t_ns{};                   ///< when, on either side
+  std::array<std::string, 2> sides;                     ///< what each did: "\"sum 40000\""
+  std::string cause;                                    ///< "integer width: …"; empty if it has no name
+  std::array<std::optional<std::size_t>, 2> line;       ///< which of History::lines it is about, if any
+  std::array<std::optional<std::size_t>, 2> place{};    ///< the same of History::places …
+  std::array<std::optional<std::size_t>, 2> stretch{};  ///< … and of History::stretches
 
   /// When the first of the two did it: what comes of a difference may show earlier on the clock of the other.
   std::int64_t first_ns() const { return std::min(t_ns[0], t_ns[1]); }

@@ -39,6 +39,7 @@ std::optional<Difference> missing_manoeuvre(const std::array<const History*, 2>&
     }
     if (found >= kShort_ns) continue;
     Difference d{Difference::Kind::motors, "the motors", {}, {}, "", {}};
+    d.stretch[side] = static_cast<std::size_t>(&stretch - sides[side]->stretches.data());
     d.t_ns[side] = stretch.from_ns;
     d.t_ns[other] = from;
     d.sides[side] = std::string(name_of(stretch.manoeuvre)) + " for " + seconds(stretch.duration_ns());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,11 @@ constexpr std::int64_t kUntilItShows_ns = 5'000'000'000;
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by as much as this.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
+// Where both sides differ from themselves, but not in one way: how often do they go each?
+constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  1500, -1500,
+                                      2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
+// Where that is rare, these, and as many slow.
+constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
 // The robot's axle is so far from the square line, and the middle of its sensors from the line with its
 // bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
@@ -143,14 +149,81 @@ class CompareCommand {
     if (!analysis::is_of_driving(*compared.difference) || compared.sides[0].finding ||
         compared.sides[1].finding)
       return;
+    from_start_ = {};
     bool there = false;
-    for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t side = 0; side < 2 && compared.edges.size() == side; ++side) {
       std::optional<Edge> edge = find_edge(compared, side, lanes[side], histories);
-      if (!edge) return compared.edges.clear();
+      if (!edge) break;
       there |= edge->does_as_other;
       compared.edges.push_back(std::move(*edge));
     }
-    if (!there) compared.edges.clear();
+    if (there && compared.edges.size() == 2) return;
+    compared.edges = weigh(compared, lanes, histories);
+  }
+
+  /// Where chance has decided from the beginning on, each side differs from itself in many ways. Then both
+  /// must go both ways, and about as often, with one clock or another.
+  std::vector<Edge> weigh(const Compared& compared, const std::array<std::size_t, 2>& lanes,
+                          const std::array<const analysis::History*, 2>& histories) {
+    const auto choice = analysis::Choice::of(*compared.difference, *histories[0], *histories[1]);
+    if (!choice) return {};
+    std::array<analysis::Share, 2> shares{{{1, 1}, {1, 0}}};
+    std::array<std::optional<Edge>, 2> examples;
+    const auto look = [&](std::size_t side, int ppm, const analysis::History& run) {
+      const bool as_first = choice->is_as_first(run);
+      ++shares[side].runs;
+      shares[side].as_first += as_first ? 1 : 0;
+      const bool does = as_first != (side == 0);
+      if (examples[side] && (!does || examples[side]->does_as_other)) return;
+      if (auto itself = analysis::compare(*histories[side], run).first)
+        examples[side] = Edge{lanes_[lanes[side]].run.target, ppm, 0, std::move(*itself), does};
+    };
+    for (std::size_t side = 0; side < 2; ++side) {
+      say_weighing(lanes[side]);
+      for (const int ppm : kClocksOff_ppm) look(side, ppm, run_from_start(compared, side, lanes[side], ppm));
+      for (const int ppm : kMoreClocksOff_ppm)
+        look(side, ppm, run_from_start(compared, side, lanes[side], ppm));
+    }
+    analysis::Alikeness alikeness = analysis::alikeness(shares[0], shares[1]);
+    if (alikeness == analysis::Alikeness::rare) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        say_weighing(lanes[side]);
+        for (int ppm = kFirstOfMany_ppm; ppm < kLastOfMany_ppm; ppm += kStepOfMany_ppm)
+          for (const int off : {ppm, -ppm})
+            look(side, off,
+                 run_with_clock_off(lanes_[lanes[side]], compared.seed, {0, shows_by(compared), off}));
+      }
+      alikeness = analysis::alikeness(shares[0], shares[1]);
+    }
+    if (alikeness == analysis::Alikeness::apart || !examples[0] || !examples[1]) return {};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const analysis::Share& share = shares[side];
+      examples[side]->clocks = share.runs;
+      examples[side]->as_other = side == 0 ? share.runs - share.as_first : share.as_first;
+    }
+    return {std::move(*examples[0]), std::move(*examples[1])};
+  }
+
+  void say_weighing(std::size_t lane) {
+    progress_.say(fmt::format("how often does {} so, with other clocks? …", lanes_[lane].run.target));
+  }
+
+  /// A place to which the other has not come it may come to later.
+  static std::int64_t shows_by(const Compared& compared) {
+    const analysis::Difference& d = *compared.difference;
+    const std::int64_t later = std::max(d.t_ns[0], d.t_ns[1]);
+    const bool waits = d.place[0].has_value() != d.place[1].has_value();
+    const analysis::Tolerance tolerance;
+    return later + kUntilItShows_ns +
+           (waits ? static_cast<std::int64_t>(tolerance.time * static_cast<double>(later)) : 0);
+  }
+
+  const analysis::History& run_from_start(const Compared& compared, std::size_t side, std::size_t lane,
+                                          int ppm) {
+    auto& runs = from_start_[side];
+    if (const auto known = runs.find(ppm); known != runs.end()) return known->second;
+    return runs.emplace(ppm, run_with_clock_off(lanes_[lane], compared.seed, {0, shows_by(compared), ppm}))
+        .first->second;
   }
 
   /// Where this lane, with its clock a little off, does as the other lane did; or, if it never does,
@@ -159,8 +232,7 @@ class CompareCommand {
                                 const std::array<const analysis::History*, 2>& histories) {
     const Lane& lane = lanes_[number];
     progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.run.target));
-    const std::int64_t until =
-        std::max(compared.difference->t_ns[0], compared.difference->t_ns[1]) + kUntilItShows_ns;
+    const std::int64_t until = shows_by(compared);
     std::optional<Edge> found;
     std::vector<std::int64_t> starts{0};
     for (const std::int64_t before : kClockOff_ns)
@@ -169,7 +241,8 @@ class CompareCommand {
     for (const std::int64_t from : starts)
       for (const int ppm : kClocksOff_ppm) {
         const analysis::History history =
-            run_with_clock_off(lanes_[number], compared.seed, {from, until, ppm});
+            from == 0 ? run_from_start(compared, side, number, ppm)
+                      : run_with_clock_off(lanes_[number], compared.seed, {from, until, ppm});
         analysis::Comparison itself = analysis::compare(*histories[side], history);
         if (!itself.first || itself.first->first_ns() >= until || !analysis::is_of_driving(*itself.first))
           continue;
@@ -305,6 +378,7 @@ class CompareCommand {
   std::vector<Lane> lanes_;
   std::optional<grid::Map> map_;
   std::optional<grid::Places> places_;
+  std::array<std::map<int, analysis::History>, 2> from_start_;  ///< by clock: of both sides of a difference
 };
 
 }  // namespace

@@ -88,19 +88,22 @@ Json json_of(const ComparedSide& side) {
 
 std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
-      "on the edge: {} {}, too, where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
+      "on the edge: {} {}, too, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
       "  as above  {}\n  so        {}\n",
       edge.target, edge.does_as_other ? "does as " + other.target : "differs from itself",
+      edge.as_other ? fmt::format("with {} of {} clocks, as ", edge.as_other, edge.clocks) : "",
       std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow",
       edge.from_ns > 0 ? fmt::format(" from {:.2f} s on", seconds(edge.from_ns)) : "",
       seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
 }
 
 Json json_of(const Edge& edge) {
-  return {{"target", edge.target},           {"ppm", edge.ppm},
-          {"from_s", seconds(edge.from_ns)}, {"kind", analysis::name_of(edge.itself.kind)},
-          {"what", edge.itself.what},        {"t_s", seconds(edge.itself.t_ns[0])},
-          {"texts", edge.itself.sides}};
+  Json json{{"target", edge.target},           {"ppm", edge.ppm},
+            {"from_s", seconds(edge.from_ns)}, {"kind", analysis::name_of(edge.itself.kind)},
+            {"what", edge.itself.what},        {"t_s", seconds(edge.itself.t_ns[0])},
+            {"texts", edge.itself.sides}};
+  if (edge.clocks) json.update({{"clocks", edge.clocks}, {"as_other", edge.as_other}});
+  return json;
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ struct Edge {
   std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: as it is; sides[1]: with that clock
   bool does_as_other = true;    ///< there; else it differs from itself in a like way
+  /// Where both targets have been tried with many clocks: with so many it does as the other did.
+  int clocks = 0, as_other = 0;
 };
 
 /// A comparison of all targets with one seed.

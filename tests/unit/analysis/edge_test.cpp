@@ -101,6 +101,55 @@ TEST(Edge, OneOfTheSameTwoTimesAtAPlaceOfTheSameSortIsTheSameWay) {
                         found));
 }
 
+TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByWhatItsMotorsDoThere) {
+  const auto choice = Choice::of(found_, here_, there_);
+  ASSERT_TRUE(choice);
+  EXPECT_TRUE(choice->is_as_first(turning_at(10'800'000'000, Manoeuvre::turns_left)));
+  EXPECT_FALSE(choice->is_as_first(turning_at(10'800'000'000, Manoeuvre::turns_right)));
+  EXPECT_FALSE(choice->is_as_first(turning_at(20 * kSecond_ns, Manoeuvre::turns_left))) << "elsewhere";
+}
+
+TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByWhenItComesToAPlace) {
+  const auto lap_at = [](std::initializer_list<std::int64_t> laps_s) {
+    History h = turning_at(5 * kSecond_ns, Manoeuvre::turns_left, 90 * kSecond_ns);
+    for (const std::int64_t t_s : laps_s) h.places.push_back({t_s * kSecond_ns, "lap 1"});
+    return h;
+  };
+  const History soon = lap_at({20}), late = lap_at({48}), never = lap_at({});
+  const auto between = Choice::of(*compare(soon, late).first, soon, late);
+  ASSERT_TRUE(between);
+  EXPECT_TRUE(between->is_as_first(lap_at({33})));
+  EXPECT_FALSE(between->is_as_first(lap_at({35, 36})));
+  EXPECT_FALSE(between->is_as_first(never));
+  const auto ever = Choice::of(*compare(never, soon).first, never, soon);
+  ASSERT_TRUE(ever);
+  EXPECT_TRUE(ever->is_as_first(late));
+  EXPECT_FALSE(ever->is_as_first(lap_at({24})));
+}
+
+TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByHowItEnds) {
+  History crashed = here_;
+  crashed.verdict = "crashed";
+  const auto choice = Choice::of(*compare(crashed, here_).first, crashed, here_);
+  ASSERT_TRUE(choice);
+  EXPECT_TRUE(choice->is_as_first(crashed));
+  EXPECT_FALSE(choice->is_as_first(there_));
+}
+
+TEST(Edge, TargetsAreAlikeThatGoBothWaysAboutAsOften) {
+  EXPECT_EQ(alikeness({29, 14}, {29, 21}), Alikeness::alike);
+  EXPECT_EQ(alikeness({29, 14}, {29, 22}), Alikeness::alike);
+  EXPECT_EQ(alikeness({29, 14}, {29, 23}), Alikeness::apart) << "once in 35 pairs of targets that are alike";
+  EXPECT_EQ(alikeness({29, 29}, {29, 0}), Alikeness::apart) << "a fault of one target";
+}
+
+TEST(Edge, ATargetThatNeverGoesTheOthersWayIsApart) {
+  EXPECT_EQ(alikeness({29, 27}, {29, 29}), Alikeness::rare) << "more runs may tell";
+  EXPECT_EQ(alikeness({153, 148}, {153, 153}), Alikeness::apart) << "a race that comes and goes";
+  EXPECT_EQ(alikeness({153, 148}, {153, 152}), Alikeness::alike);
+  EXPECT_EQ(alikeness({153, 152}, {153, 153}), Alikeness::alike) << "with its own clock, and never again";
+}
+
 TEST(Edge, WhatHasACauseWithANameOrIsPrintedIsNoChance) {
   EXPECT_TRUE(is_of_driving({Kind::motors, "the motors", {}, {}, "", {}}));
   EXPECT_FALSE(is_of_driving({Kind::motors, "the motors", {}, {}, "integer width: …", {}}));
