@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "sim/base/angle.h"
@@ -112,6 +114,13 @@ Surface read_surface(const ConfigValue& item, const Course& course) {
 }
 
 }  // namespace
+
+double Hill::height_at(Vec2 p) const {
+  if (heights.empty()) return 0.0;
+  const double at = (middle.to_body(p).x / half_length + 1.0) * 0.5 * static_cast<double>(heights.size() - 1);
+  const auto before = static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(heights.size() - 2)));
+  return std::lerp(heights[before], heights[before + 1], at - static_cast<double>(before));
+}
 
 void read_hills(const ConfigValue& value, Course& course) {
   for (const ConfigValue& item : tables_of(value, "hill")) {

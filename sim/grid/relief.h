@@ -21,6 +21,9 @@ struct Hill : Patch {
   std::vector<double> heights;  ///< m, at even distances from its beginning to its end, straight in between
   double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
   double plank_kg = 0.0;        ///< of a seesaw
+
+  /// At a point of it, m; of a seesaw, which has none, 0.
+  double height_at(Vec2 p) const;
 };
 
 /// What the floor is made of, against the one that the robot file's figures are for.

@@ -21,7 +21,9 @@ constexpr double kMostOfAllPaths = 1000.0;  // m
 constexpr SimTime kRestAtEnd = 5 * kSecond;
 constexpr int kLacksToGoOn = 3;
 constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
-constexpr int kThingPoints = 10, kLineObstaclePoints = 20;
+constexpr int kThingPoints = 10, kLineObstaclePoints = 20, kSeesawPoints = 20;
+constexpr double kUneven = 0.003, kBump = 0.010;  // m, the highest there are
+constexpr double kRounding = 1e-6;                // m
 
 // Where paths are, in squares of kAlong.
 class PathPoints {
@@ -84,6 +86,7 @@ RescueRun::RescueRun(const grid::Map& map, Vec2 start) : path_({}), start_(start
   for (const double along : rescue.checkpoints) step_at(along)->checkpoint = true;
   steps_.front().checkpoint = steps_.back().checkpoint = false;
   mark(map);
+  mark_hills(map);
 }
 
 int RescueRun::column_of(Vec2 at) const { return static_cast<int>(std::floor((at.x - origin_.x) / tile_)); }
@@ -114,7 +117,7 @@ RescueRun::Step* RescueRun::step_at(double along) {
 void RescueRun::mark(const grid::Map& map) {
   double along = 0.0;
   for (const grid::PathPiece& piece : path_.pieces()) {
-    if (piece.is_gap) ++step_at(along + 0.5 * piece.length)->gaps;
+    if (piece.is_gap) step_at(along + 0.5 * piece.length)->gap = true;
     along += piece.length;
   }
   const PathPoints points(map);
@@ -135,6 +138,32 @@ void RescueRun::mark(const grid::Map& map) {
       obstacles_.push_back(map.centre({column, row}));
     }
     on_wall = wall;
+  }
+}
+
+void RescueRun::mark_hills(const grid::Map& map) {
+  for (const grid::Hill& hill : map.course.hills) {
+    const double highest =
+        hill.heights.empty() ? 0.0 : *std::max_element(hill.heights.begin(), hill.heights.end());
+    const bool is_bump = highest > kUneven + kRounding && highest <= kBump + kRounding;
+    bool met = false;
+    for (Step& step : steps_) {
+      double least = 0.0, most = 0.0;
+      bool here = false;
+      for (double along = step.from; along <= step.to; along += kAlong) {
+        const Vec2 at = path_.at(along, false).position;
+        if (!hill.contains(at)) continue;
+        const double height = hill.height_at(at);
+        least = here ? std::min(least, height) : height;
+        most = here ? std::max(most, height) : height;
+        here = true;
+      }
+      if (!here) continue;
+      if (hill.pivot > 0.0 && !met) ++step.seesaws;
+      step.bump |= is_bump;
+      step.ramp |= !is_bump && most - least > kBump;
+      met = true;
+    }
   }
 }
 
@@ -163,10 +192,13 @@ void RescueRun::arrive(std::size_t step, Events& events) {
     Step& passed = steps_[i];
     if (passed.done) continue;
     passed.done = true;
-    if (i == 0) count("start tile", kStartPoints, 1, events);
-    count("gap", kThingPoints, passed.gaps, events);
+    if (i == 0 && !is_entry_) count("start tile", kStartPoints, 1, events);
+    count("gap", kThingPoints, passed.gap, events);
     if (!is_entry_) count("intersection", kThingPoints, passed.intersections, events);
     count("obstacle", is_entry_ ? kThingPoints : kLineObstaclePoints, passed.obstacles, events);
+    count("speed bump", kThingPoints, passed.bump, events);
+    count("ramp", kThingPoints, passed.ramp, events);
+    if (!is_entry_) count("seesaw", kSeesawPoints, passed.seesaws, events);
   }
   at_ = step;
   const bool is_end = step + 1 == steps_.size();
@@ -240,7 +272,7 @@ void RescueRun::look(const Glance& now, Events& events) {
   if (!arrived || reached_) return;
   reached_ = true;
   ended_ = now.t;
-  if (!to_zone_) count("end tile", std::max(kEndPoints - kEndLess * lacks_, 0), 1, events);
+  if (!to_zone_ && !is_entry_) count("end tile", std::max(kEndPoints - kEndLess * lacks_, 0), 1, events);
 }
 
 std::string RescueRun::summary() const {

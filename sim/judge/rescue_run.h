@@ -1,19 +1,28 @@
 // RoboCupJunior Rescue Line, or Line Entry ([rescue] league): along the first path, tile by tile, from its
-// beginning to its end. Points are those of the organisers' scoring software for 2025 (rcj-rescue-cms,
-// scoreCalculatorRules/2025.js), where n is how many lacks of progress there were:
+// beginning to its end. Points are those of the organisers' scoring software for 2025 and 2026
+// (rcj-rescue-cms, scoreCalculatorRules), and for Entry those of its rules (rescue-line-entry-rules, May
+// 2026, 4.7), where n is how many lacks of progress there were:
 //
-//   start tile left              5
+//                                Line           Entry
+//   start tile left              5              -
 //   each tile up to a checkpoint, or up to the end, once that is reached
 //                                5 - 2 n, not below 0; n since the checkpoint before
-//   gap                          10 for each gap
-//   intersection                 10 each; Entry has none
-//   obstacle                     20, Entry 10
-//   end tile                     60 - 5 n, not below 0; the robot must rest there for 5 s (from memory).
-//                                Nothing, and no rest, where the path ends at the evacuation zone
+//   tile with one or more gaps   10             10
+//   tile with one or more speed bumps
+//                                10             10
+//   tile of a ramp               10             10
+//   intersection                 10             -
+//   obstacle                     20             10
+//   seesaw                       20             -
+//   end tile, at rest for 5 s (from memory)
+//                                60 - 5 n >= 0  -
 //
-// What stands on a tile counts when the robot is on the next one, its axle's middle there. A gap is a stretch
-// of the path that is not painted, an obstacle a wall that stands on the path, an intersection a place where
-// the path crosses itself or another path.
+// Where the path ends at the evacuation zone there is no end tile, and no rest. What stands on a tile counts
+// when the robot is on the next one, its axle's middle there. A gap is a stretch of the path that is not
+// painted, an obstacle a wall that stands on the path, an intersection a place where the path crosses itself
+// or another path. Of hills on the path a seesaw is one; what is up to 10 mm high, and higher than the 3 mm
+// that tiles may differ by, is a speed bump; and where a higher one rises or falls by 10 mm on a tile, there
+// is a ramp.
 //
 // A lack of progress is where the robot stands on a tile that is neither the last one it was on, nor the next
 // or the one before; where it would be lost or stuck (verdicts.md); or where a script picks it up. Around an
@@ -21,7 +30,7 @@
 // the start; after the third one in a row on the next checkpoint, and the tiles between count nothing.
 //
 // Time is up after 8 min, Entry 6 min, from the beginning of the run. Not modelled: evacuation zone and
-// victims, ramps, seesaws, speed bumps.
+// victims.
 #pragma once
 
 #include <optional>
@@ -53,7 +62,8 @@ class RescueRun {
   struct Step {
     int column = 0, row = 0;
     double from = 0.0, to = 0.0;  ///< m along the path
-    int gaps = 0, intersections = 0, obstacles = 0;
+    int intersections = 0, obstacles = 0, seesaws = 0;
+    bool gap = false, bump = false, ramp = false;
     bool checkpoint = false;
     bool done = false;  ///< what stands there has counted
   };
@@ -61,6 +71,7 @@ class RescueRun {
   int column_of(Vec2 at) const;
   int row_of(Vec2 at) const;
   void mark(const grid::Map& map);
+  void mark_hills(const grid::Map& map);
   Step* step_at(double along);
   void arrive(std::size_t step, Events& events);
   void count(const char* part, int points, int times, Events& events);

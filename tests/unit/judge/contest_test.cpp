@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <string>
+
 #include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
@@ -111,16 +114,56 @@ TEST(RescueLine, GivesThePointsOfItsRules) {
   EXPECT_THAT(run.summary(), HasSubstr("130 points, 6 of 6 tiles, 0 lacks of progress"));
 }
 
-TEST(RescueLine, EntryCountsNoIntersectionsAndLessForAnObstacle) {
+TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   Pushed run(rescue("entry"));
   run.follow(0.0, 1.1);
   run.push({1.2, 0.7});
   run.push({1.5, 0.7});
   run.push({1.55, 0.45});
   run.wait(5100 * kMillisecond);
-  EXPECT_EQ(run.score().score, 110.0);
+  EXPECT_TRUE(run.progress.reached());
+  EXPECT_EQ(run.score().score, 10.0 + 10.0 + 5 * 5.0);  // a gap, an obstacle, five tiles behind the start
   EXPECT_FALSE(run.progress.contest().over(359 * kSecond));
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
+}
+
+// From its second tile on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is 3 mm too high, and
+// one that holds two bumps and two gaps.
+std::string hills(const char* league) {
+  std::string text =
+      std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +
+      league + R"("
+checkpoints = ["2300 mm"]
+[[path]]
+from = ["150 mm", "150 mm"]
+segments = [{ length = "1960 mm" }, { length = "50 mm", gap = true }, { length = "100 mm" }, { length = "50 mm", gap = true }, { length = "540 mm" }]
+)";
+  const auto hill = [&](int middle, int length, const char* shape) {
+    text += "[[hill]]\nat = [\"" + std::to_string(middle) + " mm\", \"150 mm\"]\nsize = [\"" +
+            std::to_string(length) + " mm\", \"300 mm\"]\n" + shape + "\n";
+  };
+  hill(450, 60, "heights = [\"0 mm\", \"10 mm\", \"0 mm\"]");
+  hill(900, 600, "slope = \"20 deg\"");
+  hill(1350, 300, "heights = [\"205 mm\", \"205 mm\"]");
+  hill(1650, 300, "seesaw = \"30 mm\"");
+  hill(1950, 300, "heights = [\"3 mm\", \"3 mm\"]");
+  hill(2150, 20, "heights = [\"8 mm\", \"8 mm\"]");
+  hill(2350, 20, "heights = [\"8 mm\", \"8 mm\"]");
+  return text + "+++\n";
+}
+
+TEST(RescueLine, CountsTilesWithBumpsAndGapsEachTileOfARampAndSeesaws) {
+  const std::map<std::string, double> both = {
+      {"tile", 8 * 5.0}, {"speed bump", 20.0}, {"ramp", 20.0}, {"gap", 10.0}};
+  for (const char* league : {"entry", "line"}) {
+    Pushed run(hills(league));
+    run.follow(0.0, 2.4);
+    std::map<std::string, double> parts;
+    for (const wire::ScorePart& part : run.score().score_parts) parts[part.part] = part.value;
+    std::map<std::string, double> expected = both;
+    if (league == std::string("line")) expected.insert({{"start tile", 5.0}, {"seesaw", 20.0}});
+    EXPECT_EQ(parts, expected) << league;
+  }
 }
 
 TEST(RescueLine, WithoutAnEndTileEndsAtTheEvacuationZone) {
