@@ -6,8 +6,10 @@
 namespace robosim::client {
 
 DrivenRun::DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event)
-    : runner_(runner), on_event_(std::move(on_event)), script_(request.script) {
-  if (!script_.empty() && script_.back() != '\n') script_ += '\n';
+    : runner_(runner), on_event_(std::move(on_event)), scripts_{request.script} {
+  for (const wire::AgentRequest& agent : request.agents) scripts_.push_back(agent.script);
+  for (std::string& script : scripts_)
+    if (!script.empty() && script.back() != '\n') script += '\n';
   request.interactive = true;
   runner_.begin(request);
   id_ = runner_.last_id_;
@@ -41,19 +43,19 @@ bool DrivenRun::take(wire::Line line) {
   throw wire::RunnerError("the runner answered something that was not asked");
 }
 
-void DrivenRun::act(const std::string& lines) {
+void DrivenRun::act(const std::string& lines, std::size_t agent) {
   if (over()) throw InputError("the run is over: nothing more can be done");
-  wire::Line line = ask(wire::Act{lines});
+  wire::Line line = ask(wire::Act{lines, static_cast<int>(agent)});
   if (const auto* accepted = std::get_if<wire::Accepted>(&line.content)) {
-    script_ += accepted->lines;
+    scripts_.at(agent) += accepted->lines;
     return;
   }
   take(std::move(line));
 }
 
-std::vector<std::uint8_t> DrivenRun::eeprom() {
+std::vector<std::uint8_t> DrivenRun::eeprom(std::size_t agent) {
   if (over()) throw InputError("the run is over: its memory is gone");
-  wire::Line line = ask(wire::ReadEeprom{});
+  wire::Line line = ask(wire::ReadEeprom{static_cast<int>(agent)});
   if (auto* memory = std::get_if<wire::Eeprom>(&line.content)) return std::move(memory->bytes);
   take(std::move(line));
   return {};

@@ -32,13 +32,13 @@ class DrivenRun {
   const wire::Paused& state() const { return state_; }
   /// Carries out actions of the script language, one per line, without their times: `press start 100ms`. They
   /// happen as soon as the run goes on. Throws InputError, and does nothing, if one makes no sense.
-  void act(const std::string& lines);
+  void act(const std::string& lines, std::size_t agent = 0);
   /// The firmware's non-volatile memory.
-  std::vector<std::uint8_t> eeprom();
-  /// Runs until the simulated time `to_ns`, one of the stops or a verdict. False if that was a verdict: the
-  /// run is then over. Throws InputError, and stays where it is, if a stop makes no sense.
+  std::vector<std::uint8_t> eeprom(std::size_t agent = 0);
+  /// Runs until the simulated time `to_ns`, one of the stops or a robot's verdict. False if that was the last
+  /// one's: the run is then over. Throws InputError, and stays where it is, if a stop makes no sense.
   bool go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops = {});
-  /// Runs to the verdict.
+  /// Runs to the verdict, of several robots to the last one's.
   const wire::RunResult& finish();
   /// Ends it where it stands, with the verdict `interrupted`, unless it is over.
   const wire::RunResult& end();
@@ -47,7 +47,7 @@ class DrivenRun {
   /// Once it is over.
   const wire::RunResult& result() const { return *result_; }
   /// The request's script and all that was done since, with its times: a scenario.
-  const std::string& script() const { return script_; }
+  const std::string& script(std::size_t agent = 0) const { return scripts_[agent]; }
 
  private:
   wire::Line ask(const wire::DrivenRequest& request);
@@ -56,7 +56,7 @@ class DrivenRun {
   Runner& runner_;
   wire::OnEvent on_event_;
   long long id_ = 0;
-  std::string script_;
+  std::vector<std::string> scripts_;  ///< of each robot
   wire::Paused state_;
   std::optional<wire::RunResult> result_;
 };

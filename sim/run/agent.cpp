@@ -199,8 +199,8 @@ void Agent::stand_still(SimTime t, int stop_met) {
   shown.powered = player_.powered();
   shown.driven = robot_.driven();
   shown.serial_bytes = state_.serial.size();
-  shown.metrics = metrics();
-  shown.resources = executor_.resources();
+  shown.metrics = finished() ? state_.outcome->metrics : metrics();
+  shown.resources = finished() ? state_.outcome->resources : executor_.resources();
   state_.sample = sample_at(t);
 }
 

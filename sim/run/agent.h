@@ -54,6 +54,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Leaves a finished agent on the floor while others go on: the firmware is off, and nothing is told any
   /// more.
   void leave(SimTime t);
+  const judge::Outcome* outcome() const { return finished() ? &*state_.outcome : nullptr; }
   judge::Outcome take_outcome() { return std::move(*state_.outcome); }
 
   // --- driven step by step (step_controller.h) ---

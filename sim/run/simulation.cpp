@@ -17,9 +17,11 @@ struct Simulation::Inside final : Standstill {
   int agent_count() const override { return static_cast<int>(agents.size()); }
   const State& state(int number) const override { return agent(number).state(); }
   const Sample& sample(int number) const override { return agent(number).sample(); }
+  const judge::Outcome* outcome(int number) const override { return agent(number).outcome(); }
   std::vector<std::uint8_t> eeprom(int number) const override { return agent(number).eeprom(); }
   void add(std::vector<scenario::Step> steps, int number) override {
-    agent(number);
+    if (agent(number).finished())
+      throw InputError("the robot has its verdict: nothing more can be done to it");
     agents[static_cast<std::size_t>(number)]->add(std::move(steps));
   }
   void check(const Leg& leg) const override;
@@ -30,7 +32,7 @@ struct Simulation::Inside final : Standstill {
   }
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
-  void tick(SimTime t);
+  bool tick(SimTime t);
   void interrupt(SimTime t);
   void run_until(SimTime end);
   bool over() const {
@@ -112,7 +114,8 @@ inline bool Simulation::Inside::leg_ends(SimTime t) {
   return ends;
 }
 
-inline void Simulation::Inside::tick(SimTime t) {
+// Whether somebody left while others go on.
+inline bool Simulation::Inside::tick(SimTime t) {
   const SimTime end = t + kTick;
   for (const auto& agent : agents) agent->act(t);
   for (std::size_t i = 0; i < agents.size(); ++i) {
@@ -120,8 +123,13 @@ inline void Simulation::Inside::tick(SimTime t) {
     agents[i]->run_firmware(end);
   }
   world.step();
-  for (const auto& agent : agents)
-    if (!agent->finished() && agent->look(end) && !over()) agent->leave(end);
+  bool left = false;
+  for (const auto& agent : agents) {
+    if (agent->finished() || !agent->look(end) || over()) continue;
+    agent->leave(end);
+    left = true;
+  }
+  return left;
 }
 
 void Simulation::Inside::interrupt(SimTime t) {
@@ -134,9 +142,9 @@ void Simulation::Inside::run_until(SimTime end) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    tick(clock.t);
+    const bool left = tick(clock.t);
     if (setup.interrupted && setup.interrupted->load(std::memory_order_relaxed)) interrupt(clock.t + kTick);
-    clock.leg_over = setup.controller && leg_ends(clock.t + kTick);
+    clock.leg_over = setup.controller && (leg_ends(clock.t + kTick) || left);
   }
 }
 

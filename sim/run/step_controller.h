@@ -48,6 +48,8 @@ class Standstill {
   virtual int agent_count() const = 0;
   virtual const State& state(int agent = 0) const = 0;
   virtual const Sample& sample(int agent = 0) const = 0;
+  /// What it came to, if it has its verdict while others go on; else null.
+  virtual const judge::Outcome* outcome(int agent = 0) const = 0;
   /// The firmware's non-volatile memory, all of it.
   virtual std::vector<std::uint8_t> eeprom(int agent = 0) const = 0;
   /// Adds steps to an agent's script; what is due now happens as soon as the run goes on. Throws InputError,
@@ -63,7 +65,7 @@ class Standstill {
 class StepController {
  public:
   virtual ~StepController() = default;
-  /// Called at t = 0 and whenever a leg has ended without a verdict.
+  /// Called at t = 0 and whenever a leg has ended, also by the verdict of one robot while others go on.
   virtual Leg next(Standstill& standstill) = 0;
 };
 

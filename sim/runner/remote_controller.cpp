@@ -13,8 +13,29 @@ namespace robosim::runner {
 
 void RemoteController::answer(const wire::Answer& answer) const { write_line(wire::to_line(id_, answer)); }
 
+namespace {
+
+wire::Paused paused_of(const run::Standstill& standstill, int agent) {
+  wire::Paused paused = to_wire(standstill.state(agent), standstill.sample(agent));
+  if (const judge::Outcome* outcome = standstill.outcome(agent)) {
+    paused.verdict = judge::to_string(outcome->verdict);
+    paused.why = outcome->why;
+  }
+  return paused;
+}
+
+wire::Paused paused_of(const run::Standstill& standstill) {
+  wire::Paused first = paused_of(standstill, 0);
+  for (int agent = 1; agent < standstill.agent_count(); ++agent)
+    first.others.push_back(paused_of(standstill, agent));
+  return first;
+}
+
+}  // namespace
+
 // A line that says no time happens now.
-void RemoteController::add_lines(const std::string& lines, run::Standstill& standstill) const {
+void RemoteController::add_lines(const wire::Act& act, run::Standstill& standstill) const {
+  const std::string& lines = act.lines;
   std::string timed;
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', begin), lines.size());
@@ -23,16 +44,16 @@ void RemoteController::add_lines(const std::string& lines, run::Standstill& stan
       timed += fmt::format("at {}ms {}\n", standstill.state().t / kMillisecond, line);
     begin = end + 1;
   }
-  standstill.add(scenario::parse_scenario(timed, script_file_));
+  standstill.add(scenario::parse_scenario(timed, script_file_), act.agent);
   answer(wire::Accepted{timed});
 }
 
 std::optional<run::Leg> RemoteController::serve(const wire::DrivenRequest& request,
                                                 run::Standstill& standstill) const {
   if (const auto* act = std::get_if<wire::Act>(&request)) {
-    add_lines(act->lines, standstill);
-  } else if (std::holds_alternative<wire::ReadEeprom>(request)) {
-    answer(wire::Eeprom{standstill.eeprom()});
+    add_lines(*act, standstill);
+  } else if (const auto* read = std::get_if<wire::ReadEeprom>(&request)) {
+    answer(wire::Eeprom{standstill.eeprom(read->agent)});
   } else if (const auto* go_on = std::get_if<wire::GoOn>(&request)) {
     run::Leg leg{go_on->to_ns.value_or(kNever), go_on->until};
     standstill.check(leg);
@@ -45,7 +66,7 @@ std::optional<run::Leg> RemoteController::serve(const wire::DrivenRequest& reque
 
 run::Leg RemoteController::next(run::Standstill& standstill) {
   before_pause_(standstill.state().t);
-  answer(to_wire(standstill.state(), standstill.sample()));
+  answer(paused_of(standstill));
   for (;;) {
     const auto line = read_line(&interrupted_);
     if (!line && interrupted_.load(std::memory_order_relaxed)) return {.end = true};

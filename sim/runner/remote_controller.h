@@ -25,7 +25,7 @@ class RemoteController final : public run::StepController {
  private:
   /// Nothing, or how the run goes on.
   std::optional<run::Leg> serve(const wire::DrivenRequest& request, run::Standstill& standstill) const;
-  void add_lines(const std::string& lines, run::Standstill& standstill) const;
+  void add_lines(const wire::Act& act, run::Standstill& standstill) const;
   void answer(const wire::Answer& answer) const;
 
   wire::Id id_;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sim/base/error.h"
+#include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/base/profile.h"
 #include "sim/base/shell_word.h"
@@ -18,6 +19,8 @@ namespace robosim::testing {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* kFleetFile = "robots.toml";
 
 std::string as_word(const std::string& text) {
   std::string word;
@@ -67,16 +70,89 @@ void keep_inputs(const std::string& name, const Stage& stage, const std::string&
   if (!script.empty()) write_file(folder / "script.txt", script);
 }
 
+void keep_texts(const RunLog& log, const std::string& folder, const std::string& prefix) {
+  write_file(fs::path(folder) / (prefix + "serial.txt"), log.serial);
+  std::string events;
+  for (const RunLog::Entry& entry : log.events)
+    events += fmt::format("{:>10}  {}\n", seconds(entry.t_ns), entry.text);
+  write_file(fs::path(folder) / (prefix + "events.txt"), events);
+}
+
+std::string replay_command(const FleetTrial& trial, const std::string& folder) {
+  std::string text = "robosim run " + shell_word((fs::path(folder) / kFleetFile).string());
+  text += fmt::format(" --seed {}", trial.seed);
+  if (profile_of(trial.profile) != Profile::typical) text += " --profile " + trial.profile;
+  return text;
+}
+
+void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std::vector<Stage>& stages,
+                 const std::vector<std::string>& scripts) {
+  const fs::path folder = name;
+  fs::create_directories(folder);
+  write_file(folder / "map.map", read_file(stages.front().request.map));
+  std::string text = "map = \"./map.map\"\n";
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{} = \"{}\"\n", key, escaped(value));
+  };
+  const auto from_here = [](const std::string& word) {
+    return launch::is_path(word) ? fs::absolute(word).lexically_normal().string() : word;
+  };
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const launch::Member& member = fleet.members[i];
+    text += "\n[[agent]]\n";
+    add("name", member.name);
+    add("sketch", from_here(stages[i].sketch));
+    if (stages[i].robot_is_text) {
+      write_file(folder / (member.name + ".toml"), read_file(stages[i].robot.file));
+      add("robot", "./" + member.name + ".toml");
+    } else {
+      add("robot", from_here(stages[i].robot_name));
+    }
+    add("target", stages[i].target);
+    add("start", member.launch.request.start);
+    add("goal", member.launch.request.goal);
+    if (member.launch.request.clock_ns > 0) add("clock", fmt::format("{}ns", member.launch.request.clock_ns));
+    if (!scripts[i].empty()) {
+      write_file(folder / (member.name + ".txt"), scripts[i]);
+      add("script", "./" + member.name + ".txt");
+    }
+    std::string folders;
+    for (const std::string& library : stages[i].libraries)
+      folders += fmt::format("{}\"{}\"", folders.empty() ? "" : ", ", escaped(from_here(library)));
+    if (!folders.empty()) text += fmt::format("libraries = [{}]\n", folders);
+  }
+  write_file(folder / kFleetFile, text);
+}
+
+std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& stages,
+                         const std::vector<std::string>& scripts, const wire::RunResult* expected,
+                         std::int64_t until_ns, const std::string& name, client::Runner& runner) {
+  const fs::path folder = name;
+  const Stage& first = stages.front();
+  wire::RunRequest request = first.request;
+  request.script = scripts.front();
+  for (std::size_t i = 1; i < scripts.size(); ++i) request.agents[i - 1].script = scripts[i];
+  request.for_ns = until_ns;
+  record::Recorders recorders({folder / "run.csv", folder / "run.svg"});
+  recorders.ask(request);
+  const std::string map_name = first.map_is_text ? "the test's map" : fs::path(first.map).stem().string();
+  record::RecordedRun recorded{runner.hello().version, first.sketch_title, map_name, first.robot.name,
+                               first.target,           first.robot,        request};
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    recorded.robots.push_back({fleet.members[i].name, stages[i].sketch_title, stages[i].robot.name,
+                               stages[i].target, stages[i].robot});
+  recorders.begin(recorded);
+  const wire::RunResult again = runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
+  recorders.finish(again);
+  if (!expected || again.trace_hash == expected->trace_hash) return "";
+  return "the recordings in " + name + " are of another run than the test's: a fault of Robosim's own";
+}
+
 std::string keep(const RunLog& log, const Stage& stage, const std::string& script, client::Runner& runner) {
   try {
     const fs::path folder = log.artifacts;
     keep_inputs(log.artifacts, stage, script);
-    write_file(folder / "serial.txt", log.serial);
-    std::string events;
-    for (const RunLog::Entry& entry : log.events)
-      events += fmt::format("{:>10}  {}\n", seconds(entry.t_ns), entry.text);
-    write_file(folder / "events.txt", events);
-
+    keep_texts(log, folder, "");
     const std::int64_t until_ns = log.legs.empty() ? 0 : log.legs.back().end_ns;
     write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", log.replay, until_ns / 1'000'000));
     if (until_ns == 0) return "";

@@ -116,7 +116,8 @@ std::optional<Usage> Drive::usage() const {
 
 std::string Drive::title() const {
   const Trial& trial = log_->trial;
-  return fmt::format("{} on {} ({}, target {}, seed {}), {} to {}", log_->sketch_name, log_->map_name,
+  return fmt::format("{}{} on {} ({}, target {}, seed {}), {} to {}",
+                     log_->name.empty() ? "" : log_->name + ": ", log_->sketch_name, log_->map_name,
                      log_->robot_name, trial.target, trial.seed, seconds(begin_), seconds(end_));
 }
 

@@ -30,6 +30,7 @@ struct RunLog {
   };
 
   Trial trial;
+  std::string name;  ///< of one of several robots; else empty
   std::string sketch_name, map_name, robot_name;
   wire::Started started;
   std::vector<wire::Sample> samples;  ///< every 10 ms and at each stand, each moment once

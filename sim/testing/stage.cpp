@@ -30,19 +30,25 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-fs::path write_scratch(Stage& stage, const std::string& name, const std::string& text) {
-  if (stage.scratch.empty()) {
+/// A name as it is; the text itself as a file in the folder `scratch`, which is made for it.
+std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
+  if (!is_text(name_or_text)) return name_or_text;
+  if (scratch.empty()) {
     std::string folder = (fs::temp_directory_path() / "robosim-test-XXXXXX").string();
     if (!::mkdtemp(folder.data())) throw InputError({folder}, "no folder can be made there");
-    stage.scratch = folder;
+    scratch = folder;
   }
-  write_file(stage.scratch / name, text);
-  return stage.scratch / name;
+  write_file(scratch / file, name_or_text);
+  return (scratch / file).string();
 }
 
-/// A name as it is; the text itself as a file.
-std::string name_of(const std::string& name_or_text, const std::string& file, Stage& stage) {
-  return is_text(name_or_text) ? write_scratch(stage, file, name_or_text).string() : name_or_text;
+constexpr std::int64_t kSamplesEvery_ns = 10'000'000;
+
+/// "." has a name, too.
+std::string title_of(const std::string& sketch, const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return launch::is_path(sketch) ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()
+                                 : sketch;
 }
 
 /// ROBOSIM_MUTANT="/sketch=/copy", which robosim mutate sets: what lies in the first folder is taken from the
@@ -105,8 +111,8 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
 
   launch::Launch launch;
   launch.sketch = in_place_of(trial.sketch);
-  launch.map = name_of(trial.map, "map.map", stage);
-  launch.robot = name_of(trial.robot, "robot.toml", stage);
+  launch.map = name_of(trial.map, "map.map", stage.scratch);
+  launch.robot = name_of(trial.robot, "robot.toml", stage.scratch);
   launch.target = trial.target;
   launch.libraries = trial.libraries;
   launch::Chosen chosen = choose(launch);
@@ -121,22 +127,92 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   request.clock_ns = trial.clock_start.count();
   request.script = trial.script;
   request.script_file = "the Trial's script";
-  request.samples_every_ns = 10'000'000;
+  request.samples_every_ns = kSamplesEvery_ns;
   request.serial = request.notes = true;
 
   launch::Prepared run = launcher().prepare(
       launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
       runner.hello());
-  const fs::path whole = fs::absolute(run.sketch.path).lexically_normal();  // "." has a name, too
-  stage.sketch_title = launch::is_path(trial.sketch)
-                           ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()
-                           : trial.sketch;
+  stage.sketch_title = title_of(trial.sketch, run.sketch.path);
   stage.map = word_for(run.map);
   stage.robot_name = run.request.robot;
   stage.robot = std::move(run.robot_info);
   if (launch.count_lines) stage.counted.emplace(Built{std::move(run.wanted), std::move(run.image)});
   stage.request = std::move(run.request);
   return stage;
+}
+
+FleetStage choose_stage(const FleetTrial& trial) {
+  FleetStage all;
+  launch::Fleet& fleet = all.fleet;
+  if (!trial.file.empty() && !trial.robots.empty())
+    throw InputError("a FleetTrial names a file of robots, or the robots; not both");
+  if (!trial.file.empty()) fleet = launch::read_fleet(trial.file);
+  if (fleet.members.empty() && trial.robots.empty()) throw InputError("a FleetTrial needs robots");
+  for (const FleetMember& robot : trial.robots) {
+    launch::check_member_name(robot.name);
+    if (fleet.find(robot.name)) throw InputError("two robots are named " + robot.name);
+    if (robot.sketch.empty()) throw InputError("robot " + robot.name + " needs a sketch");
+    launch::Member& member = fleet.members.emplace_back();
+    member.name = robot.name;
+    launch::Launch& launch = member.launch;
+    launch.sketch = in_place_of(robot.sketch);
+    launch.robot = name_of(robot.robot, robot.name + ".toml", all.scratch);
+    launch.target = robot.target == "host" ? "" : robot.target;  // "host" is what one says that names none
+    launch.libraries = robot.libraries;
+    launch.request.start = robot.start;
+    launch.request.goal = robot.goal;
+    launch.request.clock_ns = robot.clock_start.count();
+    launch.request.script = robot.script;
+    launch.request.script_file = "the script of " + robot.name;
+  }
+  all.map_is_text = is_text(trial.map);
+  if (!trial.map.empty()) fleet.map = name_of(trial.map, "map.map", all.scratch);
+  all.chosen = launch::choose(fleet);
+  return all;
+}
+
+std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::Runner& runner) {
+  wire::RunRequest common;
+  common.for_ns = trial.limit.count();
+  common.seed = trial.seed;
+  common.profile = trial.profile;
+  common.samples_every_ns = kSamplesEvery_ns;
+  common.serial = common.notes = true;
+  launch::PreparedFleet run = launch::prepare(
+      launcher(), all.fleet, std::move(all.chosen), common,
+      [&](const std::string& name) { return runner.describe_robot(name); }, runner.hello());
+  std::vector<Stage> stages;
+  for (std::size_t i = 0; i < run.members.size(); ++i) {
+    launch::Prepared& one = run.members[i];
+    const launch::Launch& named = all.fleet.members[i].launch;
+    Stage& stage = stages.emplace_back();
+    stage.sketch = named.sketch;
+    stage.target = one.target;
+    stage.libraries = named.libraries;
+    stage.sketch_title = title_of(named.sketch, one.sketch.path);
+    stage.map = word_for(one.map);
+    stage.map_is_text = all.map_is_text;
+    stage.robot_is_text = !trial.robots.empty() && is_text(trial.robots[i].robot);
+    stage.robot_name = one.request.robot;
+    stage.robot = std::move(one.robot_info);
+    stage.request = run.request;
+    stage.request.start = named.request.start;  // of this robot: for its true_graph()
+    Trial& alone = all.trials.emplace_back();
+    alone.sketch = named.sketch;
+    alone.map = fs::path(run.request.map).string();
+    alone.robot = stage.robot_name;
+    alone.target = one.target;
+    alone.seed = trial.seed;
+    alone.profile = trial.profile;
+    alone.start = named.request.start;
+    alone.goal = named.request.goal;
+    alone.script = named.request.script;
+    alone.limit = trial.limit;
+    alone.clock_start = Duration(named.request.clock_ns);
+    alone.libraries = named.libraries;
+  }
+  return stages;
 }
 
 Graph graph_of_floor(const wire::RunRequest& request) {

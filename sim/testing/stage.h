@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "robosim/testing/fleet.h"
 #include "robosim/testing/simulation.h"
 #include "sim/build/sketch.h"
 #include "sim/client/runner.h"
+#include "sim/launch/fleet.h"
 
 namespace robosim::testing {
 
@@ -55,5 +57,18 @@ std::string target_of(const Trial& trial);
 Graph graph_of_floor(const wire::RunRequest& request);
 /// Throws as Simulation's constructor does.
 Stage set_stage(const Trial& trial, client::Runner& runner);
+
+/// What a FleetTrial means.
+struct FleetStage {
+  std::vector<Trial> trials;  ///< of each robot, as if it were alone
+  launch::Fleet fleet;
+  launch::ChosenFleet chosen;
+  bool map_is_text = false;
+  std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
+};
+/// Throws as Fleet's constructor does.
+FleetStage choose_stage(const FleetTrial& trial);
+/// Each robot's stage; the request of the first one's is that of the whole run.
+std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::Runner& runner);
 
 }  // namespace robosim::testing

@@ -71,19 +71,21 @@ void fields(V& v, Same<V, Stop>& s) {
   if (V::kDescribes || s.kind == Kind::reading || s.kind == Kind::pin)
     v("level", s.level, "with `reading` and `pin`; `false`: the reading is less, the pin is driven low",
       {.presence = kOptional});
-  v("agent", s.agent, "number of the robot that it is about", {.presence = when(s.agent != 0), .least = 0});
+  agent_field(v, s.agent);
 }
 
 /// Carries out lines of the scenario language, without their times, as soon as the run goes on.
 struct Act {
   static constexpr const char* kDo = "script";
   std::string lines;
+  int agent = 0;
 };
 
 template <class V>
 void fields(V& v, Same<V, Act>& a) {
   v("lines", a.lines, "of the scenario language, without their times: `press start 100ms`",
     {.not_empty = true});
+  agent_field(v, a.agent);
 }
 
 /// Sends the run on until the first of these, or to its verdict.
@@ -104,9 +106,12 @@ void fields(V& v, Same<V, GoOn>& g) {
 /// Asks for the non-volatile memory.
 struct ReadEeprom {
   static constexpr const char* kDo = "eeprom";
+  int agent = 0;
 };
 template <class V>
-void fields(V&, Same<V, ReadEeprom>&) {}
+void fields(V& v, Same<V, ReadEeprom>& r) {
+  agent_field(v, r.agent);
+}
 
 /// Ends the run where it stands, with the verdict `interrupted`.
 struct End {
@@ -146,6 +151,9 @@ struct Paused {
   std::size_t serial_bytes = 0;  ///< sent by the firmware so far
   Metrics metrics;
   std::optional<Resources> resources;  ///< on a chip
+  std::string verdict;                 ///< its own, while others go on; empty = it has none yet
+  std::string why;                     ///< of the verdict: one sentence
+  std::vector<Paused> others;          ///< the run's further robots
 };
 
 template <class V>
@@ -160,6 +168,11 @@ void fields(V& v, Same<V, Paused>& p) {
   v("serial_bytes", p.serial_bytes, "how many bytes the firmware has sent");
   v("metrics", p.metrics, "figures so far");
   v("resources", p.resources, "what the firmware took of its chip so far; absent on the host");
+  v("verdict", p.verdict, "of a robot that has its own while others go on; else absent",
+    {.presence = when(!p.verdict.empty())});
+  v("why", p.why, "of that verdict, one sentence", {.presence = when(!p.verdict.empty())});
+  v("others", p.others, "the further robots of the request, each with these keys; absent if there are none",
+    {.presence = when(!p.others.empty())});
 }
 
 /// Lines that a run that stands still will carry out, with their times.

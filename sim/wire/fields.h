@@ -79,11 +79,14 @@ concept Described = requires(V& v, Same<V, T>& t) {
   fields(v, t);
 };
 
+/// As many robots as there may be on one map.
+inline constexpr std::size_t kMostAgents = 256;
+
 /// The key of all that is about one of several robots.
 template <class V>
 void agent_field(V& v, Same<V, int>& agent) {
   v("agent", agent, "number of the robot that it is about, from 0; absent where 0",
-    {.presence = when(agent != 0), .least = 0});
+    {.presence = when(agent != 0), .least = 0, .most = kMostAgents - 1});
 }
 
 }  // namespace robosim::wire

@@ -58,9 +58,6 @@ void fields(V& v, Same<V, AgentRequest>& a) {
   v("script_file", a.script_file, "its name, for messages", {.presence = when(!a.script.empty())});
 }
 
-/// As many robots as there may be on one map.
-inline constexpr std::size_t kMostAgents = 256;
-
 /// One simulation.
 struct RunRequest {
   static constexpr const char* kDo = "run";

@@ -13,6 +13,7 @@
 
 #include "robosim/testing/drive.h"
 #include "robosim/testing/events.h"
+#include "robosim/testing/fleet.h"
 #include "robosim/testing/graph.h"
 #include "robosim/testing/matchers.h"
 #include "robosim/testing/parameters.h"

@@ -30,4 +30,13 @@ TEST(StopsAtTees, ToursEveryTree) {
                  runs(20), [](Simulation& robot) { EXPECT_THAT(robot.run_to_the_end(), Reaches("tour")); });
 }
 
+TEST(InTheWay, NobodyIsTouched) {
+  Fleet both({.robots = {{.name = "A", .sketch = "./TooFast"},
+                         {.name = "B", .sketch = "./TooFast", .target = "host", .start = "20,2,W"}},
+              .map = "oval",
+              .seed = 3});
+  both.robot("B").power_off(10_s);
+  EXPECT_THAT(both.robot("A").run_for(5_s), NeverCollides());
+}
+
 }  // namespace

@@ -116,12 +116,27 @@ TEST_F(FailedTests, InRandomWorldsAreReplayedInTheSmallestOne) {
               HasSubstr("timeout: The 60.00 s of simulated time are up before the goal tour"));
 }
 
+TEST_F(FailedTests, OfSeveralRobotsKeepAFileOfThemThatRunsAgain) {
+  const fs::path kept = path("kept/InTheWay.NobodyIsTouched");
+  for (const char* file : {"robots.toml", "B.txt", "map.map", "A-serial.txt", "B-events.txt", "run.csv"})
+    EXPECT_TRUE(fs::exists(kept / file)) << file;
+  EXPECT_EQ(read_file(kept / "B.txt"), "at 0ms power off 10000ms\n");
+  EXPECT_THAT(text("out.txt"), HasSubstr("A: TooFast on oval (uno5, target host, seed 3)"));
+  const std::string command = read_file(kept / "command.txt");
+  EXPECT_THAT(text("out.txt"), HasSubstr("replay: " + command));
+  run(ROBOSIM_COMMAND +
+          command.substr(std::string("robosim").size(), command.size() - std::string("robosim\n").size()) +
+          " --json",
+      "fleet.json");
+  EXPECT_THAT(text("fleet.json"), HasSubstr("\"collisions\": 1"));
+}
+
 TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
   EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
   EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
   EXPECT_THAT(
       text("summary.md"),
-      AllOf(HasSubstr("### Robosim: 0 passed, 4 failed, 0 skipped"), HasSubstr("| `WrongButton."),
+      AllOf(HasSubstr("### Robosim: 0 passed, 5 failed, 0 skipped"), HasSubstr("| `WrongButton."),
             HasSubstr("| `Forgetful.VisitsTheStations` | Forgetful on d (uno3, target host, seed 1), "),
             HasSubstr(": it did not come to 2 and 3 until "),
             HasSubstr(" s as crashed: The sketch crashed")));

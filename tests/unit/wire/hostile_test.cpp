@@ -199,6 +199,13 @@ TEST(Hostile, NoEventIsBeforeTheStartNorLaterThanATimeCanBe) {
   EXPECT_THAT(byte_at("9000000000000000000"), HasSubstr("t_ns"));
 }
 
+TEST(Hostile, NoEventIsOfARobotThatCannotBe) {
+  const std::string note = R"({"id":1,"event":"serial","t_ns":1,"text":"a","agent":)";
+  EXPECT_EQ(answer_fault(note + "255}"), "");
+  EXPECT_THAT(answer_fault(note + "256}"), HasSubstr("agent"));
+  EXPECT_THAT(answer_fault(note + "-1}"), HasSubstr("agent"));
+}
+
 TEST(Hostile, MemoryIsTwoHexadecimalDigitsAByte) {
   for (const char* digits : {"0", "abc", "zz", "0x", "-1", " 1"})
     EXPECT_THAT(answer_fault(std::string(R"({"id": 1, "eeprom": ")") + digits + "\"}"),

@@ -93,6 +93,11 @@ class Simulation {
 
  private:
   struct Inside;
+  friend class Fleet;
+  friend struct SharedRun;
+  /// One of a fleet.
+  Simulation(Trial trial, std::unique_ptr<Inside> inside);
+
   Trial trial_;
   std::unique_ptr<Inside> in_;
 };
