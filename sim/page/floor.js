@@ -1,7 +1,7 @@
 // The floor with what is on it: the map's own geometry, the trail, the robot with wheels and sensors.
 
 import { drawMark, more, seen, style } from './colours.js';
-import { indexAt } from './run.js';
+import { indexAt, isLit, placeOf } from './run.js';
 import { sized } from './view.js';
 
 const rectangles = (list) => {
@@ -72,9 +72,10 @@ export class FloorPicture {
     ctx.translate(view.width / 2, view.height / 2);
     ctx.scale(view.scale, -view.scale);
     ctx.translate(-view.x, -view.y);
-    if (this.run.floor) this.drawFloor(this.run.floor);
     this.px = 1 / view.scale;  // a pixel, mm
-    this.drawPut(t);
+    if (this.run.floor) this.drawFloor(this.run.floor);
+    this.drawChanges(t);
+    if (this.run.floor) this.drawLights(this.run.floor, t);
     if (other) this.drawOther(other, otherT);
     this.drawTrail(t);
     ctx.restore();
@@ -334,14 +335,37 @@ export class FloorPicture {
     }
   }
 
-  drawPut(t) {
-    this.ctx.fillStyle = '#8a4b08';
-    for (const { x, y, radius, from, to } of this.run.put ?? []) {
-      if (t < from || t >= to) continue;
-      this.ctx.beginPath();
-      this.ctx.arc(x, y, radius, 0, 2 * Math.PI);
-      this.ctx.fill();
-    }
+  /** What scripts have changed of the world. */
+  drawChanges(t) {
+    const { ctx, run } = this;
+    const now = (run.changes ?? []).filter(({ from, to }) => from <= t && t < to);
+    const [paper, paint] = run.floor?.light_line ? ['line', 'paper'] : ['paper', 'line'];
+    const colours = { paint: style(paint), erase: style(paper), door: '#8a4b08', obstacle: '#8a4b08' };
+    for (const verb of [['paint', 'erase'], ['door', 'obstacle']])
+      for (const change of now.filter((one) => verb.includes(one.verb))) {
+        const path = new Path2D();
+        if (change.disc) path.arc(...placeOf(change, t), change.disc[2], 0, 2 * Math.PI);
+        else path.rect(...change.box);
+        ctx.fillStyle = colours[change.verb];
+        ctx.fill(path);
+      }
+  }
+
+  /** The room's lights: a patch of sun, a lamp where it hangs, daylight in the corner; those that are off are hollow. */
+  drawLights(floor, t) {
+    const { ctx, px } = this;
+    let everywhere = 0;
+    (floor.lights ?? []).forEach(({ at, radius = 0, moves = [0, 0] }, i) => {
+      const lit = isLit(this.run.changes ?? [], i + 1, t);
+      const [x, y] = at ? [at[0] + moves[0] * t, at[1] + moves[1] * t] : [floor.width - 16 * px - 24 * px * everywhere++, floor.height - 16 * px];
+      const path = new Path2D();
+      path.arc(x, y, radius || 8 * px, 0, 2 * Math.PI);
+      ctx.fillStyle = radius ? 'rgb(240 200 0 / 35%)' : '#f0c800';
+      ctx.strokeStyle = '#8a7400';
+      ctx.lineWidth = 1.5 * px;
+      if (lit) ctx.fill(path);
+      ctx.stroke(path);
+    });
   }
 
   drawCollisions(t) {

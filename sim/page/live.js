@@ -3,7 +3,7 @@
 
 import { Player } from './player.js';
 import { bytesOfBase64, column } from './recording.js';
-import { KIND, putBy, Run, toldGraph } from './run.js';
+import { changesBy, KIND, Run, toldGraph } from './run.js';
 
 const LATELY_S = 10;  // of plots and pins
 
@@ -42,7 +42,7 @@ export class LiveRun extends Run {
   constructor(header, state) {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;
-    Object.assign(this, { live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, put: [] });
+    Object.assign(this, { live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, changes: [] });
     this.result = { ...result, verdict: 'live', status: 0, why: 'space stops the run and goes on, . is a millisecond of it' };
     this.units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
     this.readings = started.readings;
@@ -77,7 +77,7 @@ export class LiveRun extends Run {
     if (event === 'note') {
       this.header.notes.push(line);
       this.addEvent(line.t_ns / 1e9, KIND[line.kind] ?? 'script', line.text);
-      this.put = putBy(this.header.notes);
+      this.changes = changesBy(this.header.notes);
     }
     if (paused) {
       const { sample: s } = paused;

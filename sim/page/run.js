@@ -159,7 +159,7 @@ export function runOf({ header, streams }) {
 
   addSerial(run, streams.get('serial'));
   run.told = toldGraph(run);
-  run.put = putBy(header.notes);
+  run.changes = changesBy(header.notes);
   run.hand = handOf(run.t, header.notes);
   for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
   addLineEvents(run);
@@ -168,16 +168,38 @@ export function runOf({ header, streams }) {
   return run;
 }
 
-/** What a script has put in the way: { x, y, radius, from, to }. */
-export function putBy(notes) {
+/** What scripts have changed of the world, each { verb, argument, from, to } in seconds: an obstacle with its `disc`, and
+ *  `moves` if it does; a shut door, paint or bare floor with its `box`; a light that is switched `on` or off. */
+export function changesBy(notes) {
   const all = [];
-  for (const { verb, argument, disc, t_ns } of notes) {
-    if (verb !== 'obstacle' && verb !== 'clear') continue;
-    const t = t_ns / 1e9;
-    for (const one of all) if (one.cell === argument) one.to = Math.min(one.to, t);
-    if (verb === 'obstacle' && disc) all.push({ x: disc[0], y: disc[1], radius: disc[2], cell: argument, from: t, to: Infinity });
+  const end = (t, what) => { for (const one of all) if (one.to > t && what(one)) one.to = t; };
+  for (const { verb, part, argument, disc, moves, box, t_ns } of notes) {
+    const t = t_ns / 1e9, add = (more) => all.push({ verb, argument, from: t, to: Infinity, ...more });
+    if (verb === 'obstacle' || verb === 'clear') {
+      end(t, (one) => one.disc && one.argument === argument);
+      if (disc) add({ disc, moves });
+    } else if (box) {
+      const isDoor = part !== '';  // also where it is as before again: verb `restore`
+      end(t, (one) => one.box && one.argument === argument && (one.verb === 'door') === isDoor);
+      if (isDoor ? part === 'shut' : verb !== 'restore') add({ verb: isDoor ? 'door' : verb, box });
+    } else if (verb === 'light' || verb === 'restore') {
+      add({ verb: 'light', on: part === 'on' });
+    }
   }
   return all;
+}
+
+/** Where an obstacle is that a script has put: [x, y]. */
+export function placeOf({ disc: [x, y], moves, from }, t) {
+  if (!moves) return [x, y];
+  const share = Math.min((t - from) / moves[2], 1);
+  return [x + share * (moves[0] - x), y + share * (moves[1] - y)];
+}
+
+/** Whether the map's light of that number, from 1, is on. */
+export function isLit(changes, number, t) {
+  const last = changes.findLast((one) => one.verb === 'light' && one.from <= t && (one.argument === 'all' || Number(one.argument) === number));
+  return last?.on ?? true;
 }
 
 /** For each sample, whether a script's hand moved the robot to there. */

@@ -155,6 +155,12 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     if (map.cells[i] == grid::Cell::obstacle)
       shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));
+  for (const grid::Light& light : map.lights) {
+    FloorShapes::Light& drawn = shapes.lights.emplace_back();
+    if (light.at) drawn.at = millimetres(*light.at);
+    drawn.radius_mm = millimetres(light.radius);
+    drawn.moves_mm_s = millimetres(light.moves);
+  }
   const grid::Start start{{started.x, started.y}, direction(started.facing)};
   if (map.contains(start.cell) && grid::is_line(map.at(start.cell)))
     for (const grid::CellAt junction : grid::trace_network(map, start).junctions)

@@ -34,6 +34,11 @@ struct FloorShapes {
     std::vector<std::array<double, 2>> corners;
     bool over_lines = false;
   };
+  struct Light {
+    std::optional<std::array<double, 2>> at;  ///< what it shines on, or hangs over; none = everywhere
+    double radius_mm = 0.0;                   ///< of a patch of sun
+    std::array<double, 2> moves_mm_s{};       ///< the patch
+  };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
   double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
@@ -50,6 +55,7 @@ struct FloorShapes {
   std::vector<Rectangle> dark;               ///< of a raster floor: painted cells, joined along rows
   std::vector<Rectangle> walls;              ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
+  std::vector<Light> lights;                     ///< in the order of their numbers
   std::vector<std::array<double, 2>> junctions;  ///< of three or four ways, that can be reached
 };
 
@@ -80,6 +86,14 @@ void fields(V& v, wire::Same<V, FloorShapes::Picture>& p) {
 }
 
 template <class V>
+void fields(V& v, wire::Same<V, FloorShapes::Light>& l) {
+  v("at", l.at, "absent: it is everywhere alike", {.presence = wire::when(l.at.has_value())});
+  v("radius", l.radius_mm, "of a patch of sun", {.presence = wire::when(l.radius_mm > 0.0)});
+  v("moves", l.moves_mm_s, "mm/s",
+    {.presence = wire::when(l.moves_mm_s[0] != 0.0 || l.moves_mm_s[1] != 0.0)});
+}
+
+template <class V>
 void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("width", f.width_mm, "of the map");
   v("height", f.height_mm, "of the map");
@@ -96,6 +110,7 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
   v("obstacles", f.obstacles, "centres");
+  v("lights", f.lights, "of the room", {.presence = wire::when(!f.lights.empty())});
   v("junctions", f.junctions, "centres");
 }
 

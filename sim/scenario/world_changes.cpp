@@ -19,6 +19,17 @@ constexpr double kDoorRadius = 0.01;  // a door is as thick as two of these, a r
 constexpr double kDoorStep = 0.015;   // from disc to disc
 constexpr double kLongestDoor = 5.0;  // m
 
+struct Box {
+  Vec2 least, most;
+};
+
+/// The stretch, and so much on each side of it.
+Box box_of(const Stretch& stretch, double half) {
+  const auto [a, b] = stretch;
+  return {{std::min(a.x, b.x) - half, std::min(a.y, b.y) - half},
+          {std::max(a.x, b.x) + half, std::max(a.y, b.y) + half}};
+}
+
 }  // namespace
 
 void WorldChanges::check(const Action& action) const {
@@ -47,7 +58,10 @@ wire::ScriptActed WorldChanges::put_obstacle(const Action& action, SimTime t) {
     put.began = t;
     put.period = action.period;
   }
-  return {"obstacle", action.part, action.text, {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius}};
+  wire::ScriptActed acted{"obstacle", action.part, action.text, {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius},
+                          {},         {}};
+  if (put.period > 0) acted.moves = {1e3 * put.to.x, 1e3 * put.to.y, 1e-9 * static_cast<double>(put.period)};
+  return acted;
 }
 
 void WorldChanges::clear_obstacle(const std::string& text) {
@@ -81,6 +95,21 @@ std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const 
   return lights;
 }
 
+/// Of what an action lays over the floor, to each side of its stretch.
+double WorldChanges::half_width(const Action& action) const {
+  if (action.verb == door) return kDoorRadius;
+  return 0.5 * world_.floor().line_width() + (action.verb == erase ? kErased_m : 0.0);
+}
+
+wire::ScriptActed WorldChanges::told(const char* verb, const Action& action) const {
+  wire::ScriptActed acted{verb, action.part, action.text, {}, {}, {}};
+  if (action.verb == light) return acted;
+  const auto [least, most] = box_of(parse_stretch(map_, action.text), half_width(action));
+  const Vec2 size = most - least;
+  acted.box_mm = {1e3 * least.x, 1e3 * least.y, 1e3 * size.x, 1e3 * size.y};
+  return acted;
+}
+
 void WorldChanges::remove_patch(const std::string& text) {
   const auto known = state_.patches.find(text);
   if (known == state_.patches.end()) return;
@@ -89,13 +118,9 @@ void WorldChanges::remove_patch(const std::string& text) {
 }
 
 void WorldChanges::add_patch(const Action& action) {
-  const auto [a, b] = parse_stretch(map_, action.text);
-  const bool line = action.verb == paint;
-  const double half = 0.5 * world_.floor().line_width() + (line ? 0.0 : kErased_m);
-  const Vec2 least = {std::min(a.x, b.x) - half, std::min(a.y, b.y) - half};
-  const Vec2 most = {std::max(a.x, b.x) + half, std::max(a.y, b.y) + half};
+  const auto [least, most] = box_of(parse_stretch(map_, action.text), half_width(action));
   remove_patch(action.text);
-  state_.patches[action.text] = world_.patches().add(least, most, line);
+  state_.patches[action.text] = world_.patches().add(least, most, action.verb == paint);
 }
 
 void WorldChanges::open_door(const std::string& text) {
@@ -127,7 +152,7 @@ wire::ScriptActed WorldChanges::perform(const Action& action) {
                            : action.verb == erase ? "erase"
                            : action.verb == door  ? "door"
                                                   : "light";
-  return {verb, action.part, action.text};
+  return told(verb, action);
 }
 
 wire::ScriptActed WorldChanges::undo(const Action& action) {
@@ -140,7 +165,7 @@ wire::ScriptActed WorldChanges::undo(const Action& action) {
     back.part = opposites.at(action.part);
     bring_about(back);
   }
-  return {"restore", back.part, back.text};
+  return told("restore", back);
 }
 
 }  // namespace robosim::scenario

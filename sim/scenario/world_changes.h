@@ -50,6 +50,8 @@ class WorldChanges {
   void move_obstacles(SimTime t);
   void bring_about(const Action& action);
   Vec2 place_of(grid::CellAt cell) const;
+  double half_width(const Action& action) const;
+  wire::ScriptActed told(const char* verb, const Action& action) const;
   std::vector<std::size_t> lights_of(const std::string& text) const;
   void remove_patch(const std::string& text);
   void add_patch(const Action& action);

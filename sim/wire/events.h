@@ -58,6 +58,9 @@ struct ScriptActed {
   std::string part;  ///< press, release, cover, and send to a part; else empty
   std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
   std::array<double, 3> disc_mm{};  ///< obstacle: its centre, and its radius
+  std::array<double, 3>
+      moves{};  ///< obstacle: to which x and y, mm, within how many seconds; 0 s = it stands
+  std::array<double, 4> box_mm{};  ///< paint, erase, door: left, bottom, width, height of what is covered
 };
 
 template <class V>
@@ -70,6 +73,14 @@ void fields(V& v, Same<V, ScriptActed>& e) {
     "`script_acted`: of send, place, obstacle, clear, paint, erase, door and light; else empty");
   v("disc", e.disc_mm, "`script_acted`: of obstacle: x and y of its centre, and its radius",
     {.unit = "mm", .presence = when(e.disc_mm[2] > 0.0)});
+  v("moves", e.moves,
+    "`script_acted`: of an obstacle that moves: to which x and y (mm), and how many seconds it takes",
+    {.presence = when(e.moves[2] > 0.0)});
+  v("box", e.box_mm,
+    "`script_acted`: of paint, erase and door: the rectangle of the floor that it covers: left, bottom, "
+    "width "
+    "and height",
+    {.unit = "mm", .presence = when(e.box_mm[2] > 0.0)});
 }
 
 /// The script broke something.

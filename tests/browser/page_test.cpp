@@ -430,5 +430,47 @@ TEST_F(Page, IsInTheDocs) {
   picture("report.html", "report.png", 860);
 }
 
+// A door, paint, bare floor, an obstacle that moves, a lamp: each where it is at the moment that is shown.
+TEST_F(Page, DrawsAWorldThatChanges) {
+  write_file(*folder / "changes.script",
+             "at 1s door 5,8 5,10 shut for 1s\nat 1s obstacle 4,3 radius 40mm to 10,3 in 2s for 3s\n"
+             "at 1s paint 4,6 9,6 for 1s\nat 2s light 1 off\n");
+  std::string map = read_file(std::filesystem::path(ROBOSIM_MAPS) / "oval.map");
+  map.insert(map.rfind("+++"),
+             "[[light]]\nlevel = \"1 %\"\nat = [\"450 mm\", \"850 mm\"]\nheight = \"500 mm\"\n");
+  write_file(*folder / "lit.map", map);
+  const Ended ended = robosim_command({"run", "PidFollower", "--map", "lit.map", "--script", "changes.script",
+                                       "--goal", "none", "--for", "5s", "--record", "changes.html"},
+                                      folder->path());
+  ASSERT_LE(ended.status, 1) << ended.err;
+  const Json shown = in_page(*folder / "changes.html", R"(
+    page.view.fit();
+    const { cell, height } = page.run.floor;
+    const colour = (t, x, y) => {
+      page.player.seek(t);
+      page.drawFloor();
+      const [sx, sy] = page.view.toScreen(x, y), k = window.devicePixelRatio;
+      return [...$('floor').getContext('2d').getImageData(Math.round(sx * k), Math.round(sy * k), 1, 1).data].slice(0, 3);
+    };
+    const at = (column, row) => [(column + 0.5) * cell, height - (row + 0.5) * cell];
+    return { bare: colour(0.5, ...at(7, 6)), painted: colour(1.5, ...at(7, 6)), bareAgain: colour(2.5, ...at(7, 6)),
+      open: colour(0.5, ...at(5, 9)), shut: colour(1.5, ...at(5, 9)), openAgain: colour(2.5, ...at(5, 9)),
+      can: colour(1.001, ...at(4, 3)), left: colour(2, ...at(4, 3)), onItsWay: colour(2, ...at(7, 3)), there: colour(3.5, ...at(10, 3)), away: colour(4.5, ...at(10, 3)),
+      lit: colour(1.5, 450, 850), dark: colour(2.5, 450, 850) };)");
+  const Json floor = shown["bare"], brown = Json::array({0x8a, 0x4b, 0x08});
+  EXPECT_LT(shown["painted"][0], 60);
+  EXPECT_EQ(shown["bareAgain"], floor);
+  EXPECT_EQ(shown["open"], floor);
+  EXPECT_EQ(shown["shut"], brown);
+  EXPECT_EQ(shown["openAgain"], floor);
+  EXPECT_EQ(shown["can"], brown);
+  EXPECT_EQ(shown["left"], floor);
+  EXPECT_EQ(shown["onItsWay"], brown);
+  EXPECT_EQ(shown["there"], brown);
+  EXPECT_EQ(shown["away"], floor);
+  EXPECT_EQ(shown["lit"], Json::array({0xf0, 0xc8, 0}));
+  EXPECT_EQ(shown["dark"], floor);
+}
+
 }  // namespace
 }  // namespace robosim::test

@@ -33,10 +33,11 @@ class ValueWriter {
     return all;
   }
   /// In whole numbers; all 0 is empty.
-  static std::string shown_as(const std::array<double, 3>& values) {
+  template <std::size_t N>
+  static std::string shown_as(const std::array<double, N>& values) {
     std::string all;
     for (const double value : values) all += (all.empty() ? "" : ",") + std::to_string(std::lround(value));
-    return all == "0,0,0" ? "" : all;
+    return all.find_first_not_of("0,") == all.npos ? "" : all;
   }
   template <class T>
   static std::string shown_as(const std::optional<T>& value) {

@@ -31,6 +31,7 @@ class ChangingWorld : public testing::Test, public run::Listener {
     setup.profile = robot::Profile::ideal;
     samples.clear();
     happenings.clear();
+    values.clear();
     return simulate(setup).front();
   }
   std::string error_of(const std::string& script) {
@@ -42,7 +43,10 @@ class ChangingWorld : public testing::Test, public run::Listener {
     return "no error";
   }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
-  void happened(const wire::RunEvent& event) override { happenings.push_back(wire::text_of(event)); }
+  void happened(const wire::RunEvent& event) override {
+    happenings.push_back(wire::text_of(event));
+    values.push_back(test::values_of(event));
+  }
   const run::Sample& at(double seconds) const {
     return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
   }
@@ -50,8 +54,22 @@ class ChangingWorld : public testing::Test, public run::Listener {
 
   grid::Map map = grid::read_map(grid::find_map("oval"));
   std::vector<run::Sample> samples;  // one each millisecond
-  std::vector<std::string> happenings;
+  std::vector<std::string> happenings, values;
 };
+
+TEST_F(ChangingWorld, ItsChangesAreToldWithTheirPlaces) {
+  play(
+      "at 1ms door 2,3 2,5 shut for 2ms\nat 1ms obstacle 0,16 to 3,16 in 2s\n"
+      "at 2ms paint 1,1 4,1\nat 2ms erase 1,2 4,2 for 2ms\n",
+      0.01);
+  EXPECT_THAT(values, testing::IsSupersetOf(
+                          {"1 script_acted verb=door part=shut argument=2,3 2,5 box=240,1140,20,220",
+                           "3 script_acted verb=restore part=open argument=2,3 2,5 box=240,1140,20,220",
+                           "1 script_acted verb=obstacle argument=0,16 disc=50,50,33 moves=350,50,2",
+                           "2 script_acted verb=paint argument=1,1 4,1 box=140,1540,320,20",
+                           "2 script_acted verb=erase argument=1,2 4,2 box=135,1435,330,30",
+                           "4 script_acted verb=restore argument=1,2 4,2 box=135,1435,330,30"}));
+}
 
 TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {
   play("", 1.0);
