@@ -149,7 +149,7 @@ bool Bus::dma_store(Address address, unsigned bytes, std::uint32_t value) {
     return true;
   }
   if (!block_at(address)) return false;
-  store(address, value, bytes);
+  store_part(address, value, bytes);
   return true;
 }
 
@@ -340,6 +340,13 @@ std::uint32_t Bus::load(Address address, unsigned size) {
 }
 
 void Bus::store(Address address, std::uint32_t value, unsigned size) {
+  if (before_store_) before_store_(address);
+  storing_ = true;
+  store_part(address, value, size);
+  storing_ = false;
+}
+
+void Bus::store_part(Address address, std::uint32_t value, unsigned size) {
   last_address_ = address;
   if (flash_.programs(address, size)) return flash_.program(address, value);
   if (store_bit(address, value)) return;

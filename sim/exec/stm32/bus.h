@@ -5,8 +5,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/exec/stm32/adc.h"
@@ -44,6 +46,10 @@ class Bus : DmaBus {
   /// `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
+  /// Whether a store goes on: what happens now is its doing.
+  bool is_storing() const { return storing_; }
+  /// Whom to call before each store.
+  void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
   /// Of load(), as Peripheral::same_until() has it.
   Cycle same_until(Address address);
 
@@ -98,6 +104,7 @@ class Bus : DmaBus {
   void clocks_changed();
   void reset_held();
   std::uint32_t load_word(Address address);
+  void store_part(Address address, std::uint32_t value, unsigned size);
   void store_word(Address address, std::uint32_t value);
   bool load_private(Address address, std::uint32_t& value);
   bool store_private(Address address, std::uint32_t value);
@@ -130,7 +137,8 @@ class Bus : DmaBus {
   Cycle next_event_ = kNoCycle;           ///< the least of theirs
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;
-  bool serves_dma_ = false;
+  bool serves_dma_ = false, storing_ = false;
+  std::function<void(Address)> before_store_;  ///< empty = nobody
 };
 
 }  // namespace robosim::exec::stm32

@@ -351,9 +351,18 @@ Cycle Cpu::handler_cycles() const {
 
 std::vector<std::uint32_t> Cpu::last_jumps() const {
   std::vector<std::uint32_t> jumps;
-  const std::uint32_t kept = std::min<std::uint32_t>(jump_count_, static_cast<std::uint32_t>(jumps_.size()));
+  const std::uint32_t all = jump_count_ - (handlers_.empty() ? 0 : handlers_.back().jumps);
+  const std::uint32_t kept = std::min<std::uint32_t>(all, static_cast<std::uint32_t>(jumps_.size()));
   for (std::uint32_t i = 1; i <= kept; ++i) jumps.push_back(jumps_[(jump_count_ - i) % jumps_.size()]);
   return jumps;
+}
+
+void Cpu::forget_jumps(std::uint32_t count) {
+  // Each stands in the place of one that is older than all that are kept then.
+  const std::uint32_t more =
+      std::min<std::uint32_t>(jump_count_ - count, static_cast<std::uint32_t>(jumps_.size()));
+  for (std::uint32_t i = 0; i < more; ++i) jumps_[(count + i) % jumps_.size()] = 0;
+  jump_count_ = count;
 }
 
 void Cpu::run_to(Cycle cycle) {

@@ -87,7 +87,7 @@ class Cpu {
     watch_stack();
   }
   Address stack_limit() const { return stack_limit_; }
-  /// Addresses of the instructions that jumped last, the last first.
+  /// Addresses of the instructions that jumped last, the last first; in a handler only its own.
   std::vector<std::uint32_t> last_jumps() const;
 
   /// From now on libunicorn executes all that it can: a referee for tests.
@@ -151,6 +151,7 @@ class Cpu {
   struct Handler {
     Exception exception;
     std::uint32_t interrupted;
+    std::uint32_t jumps;  ///< how many there had been
   };
   struct EarlySet {
     std::uint32_t pc = 0;
@@ -193,6 +194,8 @@ class Cpu {
   void check_stack();
   void watch_stack();
   void note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
+  /// Those behind the first `count`.
+  void forget_jumps(std::uint32_t count);
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
   void enter(Exception exception);

@@ -42,7 +42,7 @@ void Cpu::enter(Exception exception) {
   set_reg(kSp, frame_at);
   set_reg(kLr, !handlers_.empty() ? 0xFFFFFFF1 : on_process_stack_ ? 0xFFFFFFFD : 0xFFFFFFF9);
   select_stack(false);
-  handlers_.push_back({exception, next_});
+  handlers_.push_back({exception, next_, jump_count_});
   nvic_.enter(exception);
   next_ = target & ~1u;
   clock_.now += kEntryCycles;
@@ -68,6 +68,7 @@ void Cpu::leave() {
   next_ = words[6];
   set_reg(kSp, sp + 32 + (words[7] & kAligned ? 4 : 0));
   set_status(words[7]);
+  forget_jumps(handlers_.back().jumps);
   nvic_.leave(handlers_.back().exception);
   handlers_.pop_back();
   clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;

@@ -20,6 +20,8 @@ class Machine {
   void set_clock(SimTime start);
   /// What the firmware prints is told to `bytes`, which outlives this.
   void trace_bytes(WrittenBytes& bytes);
+  /// Whom to call before each store to a register.
+  void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
   /// The calls that are open: words on the stack that are the address behind a BL or BLX, innermost first.
   std::vector<std::uint32_t> open_calls() const;

@@ -2,6 +2,7 @@
 
 #include "sim/exec/stm32/debug_port.h"
 #include "sim/exec/stm32/diagnosis.h"
+#include "sim/exec/stm32/driven_lines.h"
 #include "sim/exec/stm32/hang.h"
 #include "sim/exec/stm32/loop.h"
 
@@ -37,6 +38,8 @@ class Stm32Executor::Running final : public RunningChip {
   void run_waiting_loops() { machine_.cpu().idle().allow(false); }
   void count(LineCounts& lines) { machine_.cpu().count(lines); }
 
+  void trace_drives() { lines_.emplace(machine_, image_.debug); }
+
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.cpu().fault().has_value(); }
   Crash crash() const override { return diagnosis().crash(*machine_.cpu().fault()); }
@@ -52,6 +55,10 @@ class Stm32Executor::Running final : public RunningChip {
     if (line.file.empty()) line = before;
     return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;
   }
+  const SourceLine& driving(Pin pin, const PinDrive& drive) const override {
+    if (!lines_) return RunningChip::driving(pin, drive);
+    return lines_->line_of(machine_.bus().link().board.spec().pins[pin], drive.pwm);
+  }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
   std::any save() const override { throw InputError(kCannotBeSaved); }
@@ -62,8 +69,9 @@ class Stm32Executor::Running final : public RunningChip {
 
   const Image& image_;
   stm32::Machine machine_;
-  stm32::DebugPort* debugger_;   ///< null = nobody debugs
-  const stm32::Machine*& seen_;  ///< by whom else wants to know that there is one
+  std::optional<stm32::DrivenLines> lines_;  ///< nothing = nobody asks
+  stm32::DebugPort* debugger_;               ///< null = nobody debugs
+  const stm32::Machine*& seen_;              ///< by whom else wants to know that there is one
 };
 
 class Stm32Executor::Firmware final : public ChipFirmware {
@@ -87,14 +95,16 @@ class Stm32Executor::Firmware final : public ChipFirmware {
     auto running = std::make_unique<Running>(image_, board, flash_, t, debugger_.get(), machine);
     if (runs_waiting_loops) running->run_waiting_loops();
     if (lines) running->count(*lines);
+    if (traces_drives) running->trace_drives();
     return running;
   }
 
   void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
+  bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
 
   const stm32::Machine* machine = nullptr;  ///< null while the power is off
-  bool runs_waiting_loops = false;
+  bool runs_waiting_loops = false, traces_drives = false;
   std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 
  private:

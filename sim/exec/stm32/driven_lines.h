@@ -1,0 +1,36 @@
+// Which line of the sketch has driven a pin, asked while the chip tells that it is driven.
+//
+//   an instruction writes to a register   it has driven the pin: its line, or that of the jump which led out
+//   of
+//                                         the sketch
+//   a timer takes a new duty over         at its next update, so it is the line that has written TIMx_CCRy
+//   a timer, or a handler of the core     switches the pin by itself: no line has
+#pragma once
+
+#include <map>
+
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/stm32/machine.h"
+
+namespace robosim::exec::stm32 {
+
+class DrivenLines {
+ public:
+  /// Both outlive this, which outlives the chip's use.
+  DrivenLines(Machine& machine, const DebugInfo& debug);
+  DrivenLines(const DrivenLines&) = delete;
+  DrivenLines& operator=(const DrivenLines&) = delete;
+
+  /// `pwm`: it is driven by PWM from now on. Empty where no line is known.
+  const SourceLine& line_of(const PinSpec& pin, bool pwm) const;
+
+ private:
+  void will_store(Address address);
+  const SourceLine& line_now() const;
+
+  const Machine& machine_;
+  const DebugInfo& debug_;
+  std::map<Address, const SourceLine*> compared_by_;  ///< by address of TIMx_CCRy; null = not yet
+};
+
+}  // namespace robosim::exec::stm32

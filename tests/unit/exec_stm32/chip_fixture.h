@@ -1,0 +1,73 @@
+// A sketch given as text, built with our core, run by an executor tick by tick.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/stm32/stm32_executor.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::exec {
+
+class Stm32ChipTest : public testing::Test, protected SerialWatcher {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("stm32");
+    std::string pattern = testing::TempDir() + "robosim-stm32-XXXXXX";
+    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  void TearDown() override {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+  }
+
+  /// Builds `text` as Test.ino, and switches it on.
+  void start(const std::string& text) {
+    std::filesystem::create_directories(folder_ / "Test");
+    write_file(folder_ / "Test/Test.ino", text);
+    build::Request request{folder_ / "Test", *find_board(board_name_)};
+    request.target = "stm32";
+    chip_ = std::make_unique<Stm32Executor>(*find_board(board_name_), build::build(request).image);
+    chip_->board().watch_serial(*this);
+    before_power_on();
+    if (clock_start_ > 0) chip_->set_clock_start(clock_start_);
+    chip_->power_on(0);
+    now_ = 0;
+    serial_.clear();
+  }
+  virtual void before_power_on() {}
+  void run(SimTime duration) {
+    for (const SimTime end = now_ + duration; now_ < end;) chip_->run_until(now_ += kTick);
+  }
+  std::string output(const std::string& text, SimTime duration = 200 * kMillisecond) {
+    start(text);
+    run(duration);
+    EXPECT_FALSE(chip_->crash()) << chip_->crash()->reason;
+    return serial_;
+  }
+  /// Of `setup`, in a function of its own: line 2 of the sketch.
+  const std::optional<Crash>& crash_of(const std::string& statement, SimTime duration = kSecond) {
+    start("volatile int n;\nvoid __attribute__((noinline)) work() { " + statement +
+          " }\nvoid setup() { work(); }\nvoid loop() {}\n");
+    run(duration);
+    return chip_->crash();
+  }
+  void byte_sent(std::uint8_t byte, SimTime) override { serial_ += static_cast<char>(byte); }
+
+  const char* board_name_ = "bluepill";
+  SimTime clock_start_ = 0;
+  std::filesystem::path folder_;
+  std::unique_ptr<Stm32Executor> chip_;
+  SimTime now_ = 0;
+  std::string serial_;
+};
+
+}  // namespace robosim::exec
