@@ -36,8 +36,11 @@ class Tab : public ::testing::Test {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_BROWSER();
-    if (!std::filesystem::exists(ROBOSIM_TAB "/sw.js"))
-      GTEST_SKIP() << "the tab is not built: cmake --preset tab && cmake --build --preset tab";
+    if (!std::filesystem::exists(ROBOSIM_TAB "/sw.js")) {
+      const char* const missing = "the tab is not built: cmake --preset tab && cmake --build --preset tab";
+      if (is_required("tab")) FAIL() << missing;
+      GTEST_SKIP() << missing;
+    }
     server_.emplace(
         std::vector<std::string>{"/usr/bin/python3", "-u", "-m", "http.server", "0", "--bind", "127.0.0.1",
                                  "--directory", std::filesystem::path(ROBOSIM_TAB).parent_path().string()},
