@@ -227,6 +227,7 @@ struct HuntArguments {
   double minutes = 0.0;  ///< wall time after which no further run begins; 0 = as many as there are runs
   std::size_t jobs = 1;  ///< runs at a time
   std::string out;       ///< a folder; empty = hunt-SKETCH
+  bool resume = false;
   bool stop_early = false;
 };
 

@@ -76,7 +76,32 @@ TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {
   const Ended ended = hunt();
   EXPECT_EQ(ended.status, 0) << ended.out;
   EXPECT_THAT(ended.out, HasSubstr("24 runs, 48 s of simulated time: nothing was found\n"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "hunt-Tries"));
+}
+
+TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
+  sketch(kCrashesWhenPressed);
+  const Ended whole = hunt({"--out", "found"}, "40");
+  std::filesystem::remove_all(folder_ / "found");
+  hunt({"--out", "found"}, "15");
+  EXPECT_EQ(hunt({"--out", "found", "--resume"}, "40").out, whole.out);
+  const Ended other = hunt({"--out", "found", "--resume", "--seed", "2"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("found/runs.jsonl:1: is of another hunt"));
+  EXPECT_THAT(hunt({"--out", "none", "--resume"}).err, HasSubstr("none: holds no hunt"));
+}
+
+TEST_F(CliHunt, KeepsWhatMustNeverSometimesAndAlwaysBe) {
+  sketch("  if (digitalRead(4) == LOW) Serial.println(\"ouch\");");
+  folder_.write("Tries/checks.toml",
+                "never = \"serial: ouch\"\nsometimes = [\"serial: ou\", \"serial: hello\"]\n");
+  const Ended ended = hunt();
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("finding 1: The sketch sent “ouch”, and never must.\n"),
+                    HasSubstr("it needs press start\n"),
+                    HasSubstr("In none of 24 runs there was serial: hello, which there must be sometimes.")));
+  EXPECT_THAT(ended.out, Not(HasSubstr("finding 3")));
+  const Ended test = command({"test", "./Tries", "--checks", "hunt-Tries/checks.toml"});
+  EXPECT_THAT(test.out, HasSubstr("the sketch sent “ouch”, and never must"));
 }
 
 TEST_F(CliHunt, RefusesWhatItCannotDo) {
@@ -85,7 +110,7 @@ TEST_F(CliHunt, RefusesWhatItCannotDo) {
   std::filesystem::create_directory(folder_ / "hunt-Tries");
   const Ended there = hunt();
   EXPECT_EQ(there.status, 2);
-  EXPECT_THAT(there.err, HasSubstr("hunt-Tries: is there already; --out DIR names another, or remove it"));
+  EXPECT_THAT(there.err, HasSubstr("hunt-Tries: is there already; --resume goes on with it"));
 }
 
 }  // namespace

@@ -65,6 +65,8 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
   for (const FigureLimit& limit : check.limits) {
     if (const auto why = why_beyond(limit, result)) return why;
   }
+  for (const Promise& promise : check.promises)
+    if (const std::string why = why_broken(promise, result); !why.empty()) return why;
   return std::nullopt;
 }
 

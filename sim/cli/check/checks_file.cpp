@@ -221,11 +221,20 @@ class CheckReader {
 
 }  // namespace
 
+std::vector<Promise> promises_in(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  const ConfigValue root = parse_toml(read_file(file), file.string());
+  TableReader reader(root, file.filename().string());
+  return read_promises(reader);
+}
+
 std::vector<Check> read_checks(const fs::path& file) { return parse_checks(read_file(file), file); }
 
 std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   const ConfigValue root = parse_toml(text, file.string());
   TableReader reader(root, file.filename().string());
+  const std::vector<Promise> promises = read_promises(reader);
   const ConfigValue* tables = reader.find("check");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
@@ -234,6 +243,7 @@ std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   std::set<std::string> names;
   for (const ConfigValue& table : tables->items) {
     checks.push_back(CheckReader(table, file.parent_path()).check());
+    checks.back().promises = promises;
     if (!names.insert(checks.back().name).second)
       throw InputError(checks.back().place, fmt::format("there are two checks “{}”", checks.back().name));
   }

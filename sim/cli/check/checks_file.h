@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/cli/arguments.h"
+#include "sim/cli/check/promises.h"
 #include "sim/cli/sweep/figures.h"
 
 namespace robosim::cli {
@@ -31,7 +32,11 @@ struct Check {
   std::vector<std::string> serial;    ///< texts that the sketch must send, one after the other
   std::vector<std::string> shows;     ///< texts that parts must tell, one after the other
   std::vector<std::string> stations;  ///< that must be visited, in any order
+  std::vector<Promise> promises;      ///< of the file
 };
+
+/// What the file says of all runs, if it is there. Throws InputError.
+std::vector<Promise> promises_in(const std::filesystem::path& file);
 
 /// All checks of a file, in its order. Values of flags are judged by the command line's own parser, so that a
 /// flag means the same in both. Paths are relative to the file's folder. Throws InputError.

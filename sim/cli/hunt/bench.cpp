@@ -9,6 +9,7 @@
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "sim/build/source.h"
+#include "sim/cli/check/checks_file.h"
 #include "sim/cli/launching.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
@@ -68,9 +69,13 @@ HuntBench::HuntBench(const HuntArguments& arguments, tui::Progress& progress)
       script_(scenario_text(arguments.each)) {
   space_.for_ms =
       static_cast<int>(std::min<std::int64_t>(arguments.each.request.for_ns / 1'000'000, 3'600'000));
+  const wire::RunRequest& each = arguments.each.request;
+  options_ = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", arguments.seed, each.for_ns, each.goal, each.start,
+                         each.profile, arguments.only_maps);
   prepare(arguments, progress);
   look_at_maps(arguments);
   look_at_sketch();
+  space_.promises = promises_in(prepared_.front().sketch.folder / "checks.toml");
 }
 
 void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress) {
@@ -173,6 +178,15 @@ void HuntBench::look_at_sketch() {
   for (const std::string& word : words)
     if (space_.words.size() < kMostWords && may_be_sent(word) && known.insert(word).second)
       space_.words.push_back(word);
+}
+
+std::string HuntBench::fingerprint() const {
+  std::string all = version_ + "\n" + options_ + script_ + robot_.sha256;
+  for (const launch::Prepared& run : prepared_) all += "\n" + run.target + sha256_of_file(run.request.image);
+  for (const std::string& map : map_files_) all += "\n" + grid::sha256_of_map(map);
+  for (const Promise& promise : space_.promises)
+    all += fmt::format("\n{} {}", static_cast<int>(promise.when), promise.text());
+  return sha256(all);
 }
 
 void HuntBench::keep_maps(const std::vector<std::size_t>& maps) {

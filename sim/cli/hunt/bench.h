@@ -28,6 +28,8 @@ class HuntBench {
   const std::string& board() const { return board_; }
   /// Why a build that was to be run is left out; a sentence each.
   const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Of everything that the runs come from.
+  std::string fingerprint() const;
   /// Whether the user has said where to drive; else the first map is a guess, and others may do.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
@@ -60,6 +62,7 @@ class HuntBench {
   std::vector<std::string> map_files_;      ///< of each map
   std::vector<std::string> left_out_;
   std::string version_;
+  std::string options_;  ///< all that was asked for, one thing a line
   std::size_t refused_ = 0;
   std::string refusal_;
   bool maps_are_given_ = false;

@@ -58,39 +58,6 @@ Differences differences_of(const HuntFinding& finding, const HuntBench& bench, c
   return options;
 }
 
-}  // namespace
-
-bool HuntFinding::explains(const Symptom& other, const std::set<std::string>& needs_of_other) const {
-  if (!symptom.is_behaviour || !other.is_behaviour) return symptom.group == other.group;
-  if (needs.empty()) return true;
-  return symptom.group == other.group &&
-         std::includes(needs_of_other.begin(), needs_of_other.end(), needs.begin(), needs.end());
-}
-
-void keep_files(HuntFinding& finding, std::size_t number, const HuntBench& bench,
-                const HuntArguments& arguments, const fs::path& out) {
-  const fs::path folder = out / std::to_string(number);
-  std::error_code none;
-  fs::remove_all(folder, none);
-  wire::RunRequest request = bench.request_of(finding.world, folder.string());
-  if (!request.script.empty()) write_file(folder / "script.txt", request.script);
-  const launch::Prepared& run = bench.of(finding.world);
-  finding.replay = "robosim run " + shell_word(run.sketch.name);
-  for (const auto& [name, value] : differences_of(finding, bench, arguments, folder))
-    finding.replay += fmt::format(" --{} {}", name, shell_word(value));
-  for (const std::string& library : arguments.each.libraries)
-    finding.replay += " --libraries " + shell_word(library);
-  if (bench.space().builds[finding.world.build].checked) finding.replay += " --sanitize";
-
-  record::Recorders page({(folder / "run.html").string()});
-  page.ask(request);
-  client::Runner runner(run.target);
-  page.begin({bench.version(), launch::title_of(run.sketch),
-              finding.world.drawn() ? "world.map" : bench.space().maps[finding.world.map].name,
-              run.robot.name, run.target, run.robot_info, request});
-  page.finish(runner.run(request, [&](const wire::Event& event) { page.add(event); }));
-}
-
 std::string check_of(const HuntFinding& finding, std::size_t number, const HuntBench& bench,
                      const HuntArguments& arguments) {
   const Symptom& symptom = finding.symptom;
@@ -114,6 +81,41 @@ std::string hunt_text(const HuntFinding& finding, std::size_t number, const Hunt
                       finding.needs.empty() ? "; nothing else is needed" : "; it needs ",
                       fmt::format("{}", fmt::join(finding.needs, ", ")));
   return text + fmt::format("  replay  {}\n", finding.replay);
+}
+
+}  // namespace
+
+bool HuntFinding::explains(const Symptom& other, const std::set<std::string>& needs_of_other) const {
+  if (!symptom.is_behaviour || !other.is_behaviour) return symptom.group == other.group;
+  if (needs.empty()) return true;
+  return symptom.group == other.group &&
+         std::includes(needs_of_other.begin(), needs_of_other.end(), needs.begin(), needs.end());
+}
+
+void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, const HuntArguments& arguments,
+          const fs::path& out) {
+  const fs::path folder = out / std::to_string(number);
+  std::error_code none;
+  fs::remove_all(folder, none);
+  wire::RunRequest request = bench.request_of(finding.world, folder.string());
+  if (!request.script.empty()) write_file(folder / "script.txt", request.script);
+  const launch::Prepared& run = bench.of(finding.world);
+  finding.replay = "robosim run " + shell_word(run.sketch.name);
+  for (const auto& [name, value] : differences_of(finding, bench, arguments, folder))
+    finding.replay += fmt::format(" --{} {}", name, shell_word(value));
+  for (const std::string& library : arguments.each.libraries)
+    finding.replay += " --libraries " + shell_word(library);
+  if (bench.space().builds[finding.world.build].checked) finding.replay += " --sanitize";
+
+  record::Recorders page({(folder / "run.html").string()});
+  page.ask(request);
+  client::Runner runner(run.target);
+  page.begin({bench.version(), launch::title_of(run.sketch),
+              finding.world.drawn() ? "world.map" : bench.space().maps[finding.world.map].name,
+              run.robot.name, run.target, run.robot_info, request});
+  page.finish(runner.run(request, [&](const wire::Event& event) { page.add(event); }));
+  finding.text = hunt_text(finding, number, bench);
+  finding.check = check_of(finding, number, bench, arguments);
 }
 
 }  // namespace robosim::cli

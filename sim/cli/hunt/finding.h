@@ -20,22 +20,17 @@ struct HuntFinding {
   std::size_t run = 0;          ///< the first, counted from 1; 0 = the plain one
   std::size_t times = 1;        ///< runs that are taken to be the same
   std::string replay;           ///< the command
+  std::string text;             ///< for people
+  std::string check;            ///< a [[check]] that fails as long as the fault is there
 
   /// Whether such a run is taken to have the same cause: the same place in the sketch, or the same behaviour
   /// in a world that has all that this one needs.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 
-/// Writes `out`/NUMBER: the world's files, its script and a page that replays it; fills in the command.
-/// Throws InputError.
-void keep_files(HuntFinding& finding, std::size_t number, const HuntBench& bench,
-                const HuntArguments& arguments, const std::filesystem::path& out);
-
-/// A [[check]] that fails as long as the fault is there, with paths from the folder of the findings.
-std::string check_of(const HuntFinding& finding, std::size_t number, const HuntBench& bench,
-                     const HuntArguments& arguments);
-
-/// Lines for people.
-std::string hunt_text(const HuntFinding& finding, std::size_t number, const HuntBench& bench);
+/// Writes `out`/NUMBER: the world's files, its script and a page that replays it; fills in the texts, with
+/// paths in the check from the folder of the findings. Throws InputError.
+void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, const HuntArguments& arguments,
+          const std::filesystem::path& out);
 
 }  // namespace robosim::cli

@@ -34,8 +34,9 @@ std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
 
 }  // namespace
 
-Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntListener listener)
-    : bench_(bench), arguments_(arguments), out_(std::move(out)), listener_(std::move(listener)) {
+Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
+           HuntListener listener)
+    : bench_(bench), arguments_(arguments), out_(std::move(out)), log_(log), listener_(std::move(listener)) {
   if (arguments.minutes > 0.0) until_us_ = wall_us() + static_cast<std::int64_t>(arguments.minutes * 60e6);
 }
 
@@ -95,26 +96,34 @@ bool Hunt::find_plain() {
   return true;
 }
 
-bool Hunt::add(HuntFinding finding) {
-  for (HuntFinding& known : findings_)
-    if (known.explains(finding.symptom, finding.needs)) {
-      ++known.times;
-      return true;
-    }
+std::optional<Symptom> Hunt::symptom(const wire::RunResult& result, const HuntWorld& world) const {
+  if (auto broken = broken_promise(result, bench_.space().promises)) return broken;
+  auto found = symptom_of(result, world, bench_.space(), plain_);
+  if (found && found->is_behaviour && !tells_behaviour(world, bench_.space())) return std::nullopt;
+  return found;
+}
+
+bool Hunt::is_known(const HuntFinding& finding, HuntRow& row) const {
+  const auto known = std::find_if(findings_.begin(), findings_.end(), [&](const HuntFinding& other) {
+    return other.explains(finding.symptom, finding.needs);
+  });
+  if (known == findings_.end()) return false;
+  row.finding = static_cast<std::size_t>(known - findings_.begin()) + 1;
+  return true;
+}
+
+bool Hunt::add(HuntFinding finding, HuntRow& row) {
+  if (is_known(finding, row)) return true;
   const auto alike = std::count_if(findings_.begin(), findings_.end(), [&](const HuntFinding& known) {
     return known.symptom.is_behaviour && known.symptom.kind == finding.symptom.kind;
   });
   if (finding.symptom.is_behaviour && alike >= static_cast<std::ptrdiff_t>(kMostAlike)) return true;
   if (!shrink(finding)) return false;
   // As small as it is now it may be one that is known.
-  for (HuntFinding& known : findings_)
-    if (known.explains(finding.symptom, finding.needs)) {
-      ++known.times;
-      return true;
-    }
-  keep_files(finding, findings_.size() + 1, bench_, arguments_, out_);
-  findings_.push_back(std::move(finding));
-  listener_.found(findings_.back(), findings_.size());
+  if (is_known(finding, row)) return true;
+  row.finding = findings_.size() + 1;
+  keep(finding, row.finding, bench_, arguments_, out_);
+  row.fresh = std::move(finding);
   return true;
 }
 
@@ -137,10 +146,10 @@ bool Hunt::shrink(HuntFinding& finding) {
       tries += some.size();
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (!results[i]) continue;
-        const auto symptom = symptom_of(*results[i], some[i], space, plain_);
-        if (!symptom || symptom->group != finding.symptom.group) continue;
+        const auto same = symptom(*results[i], some[i]);
+        if (!same || same->group != finding.symptom.group) continue;
         finding.world = some[i];
-        finding.symptom = *symptom;
+        finding.symptom = *same;
         finding.time_s = results[i]->time_s;
         smaller_found = true;
         break;
@@ -155,43 +164,70 @@ bool Hunt::shrink(HuntFinding& finding) {
   return true;
 }
 
-void Hunt::note(const HuntWorld& world, const wire::RunResult& result) {
-  bool is_new = false;
-  for (const std::string& trait : traits_of(result)) is_new = traits_.insert(trait).second || is_new;
-  if (is_new) noted_.push_back(world);
+void Hunt::tell(const HuntFinding& finding) {
+  findings_.push_back(finding);
+  listener_.found(findings_.back(), findings_.size());
 }
 
-bool Hunt::take(const HuntWorld& world, const wire::RunResult& result) {
+/// What it is, and, if it is a finding, its smallest world. None if that was interrupted.
+std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result) {
+  HuntRow row;
+  row.run = runs_;
+  row.time_s = result.time_s;
+  row.reached = result.verdict == "reached" && world.to_goal;
+  for (const std::string& trait : traits_of(result))
+    if (!traits_.contains(trait)) row.traits.push_back(trait);
+  for (const std::string& heard : kept_promises(result, bench_.space().promises))
+    if (!heard_.contains(heard)) row.heard.push_back(heard);
+  const auto found = symptom(result, world);
+  if (found && !add({*found, world, needs_of(world, bench_.space()), result.time_s, runs_ + 1}, row))
+    return std::nullopt;
+  return row;
+}
+
+void Hunt::count(const HuntWorld& world, const HuntRow& row) {
   ++runs_;
-  simulated_s_ += result.time_s;
-  if (result.verdict == "reached" && world.to_goal) ++reached_;
-  note(world, result);
-  const auto symptom = symptom_of(result, world, bench_.space(), plain_);
-  if (!symptom) return true;
-  return add({*symptom, world, needs_of(world, bench_.space()), result.time_s, runs_, 1, ""});
+  simulated_s_ += row.time_s;
+  if (row.reached) ++reached_;
+  traits_.insert(row.traits.begin(), row.traits.end());
+  heard_.insert(row.heard.begin(), row.heard.end());
+  if (!row.traits.empty()) noted_.push_back(world);
+  if (row.fresh)
+    tell(*row.fresh);
+  else if (row.finding > 0 && row.finding <= findings_.size())
+    ++findings_[row.finding - 1].times;
 }
 
 bool Hunt::make_round() {
-  std::vector<HuntWorld> worlds;
-  const std::uint64_t left = arguments_.runs - runs_;
+  std::vector<HuntWorld> worlds, to_make;
   if (runs_ == 0) {
     for (std::size_t build = 0; build < bench_.space().builds.size(); ++build) {
       worlds.push_back(plain_world_);
       worlds.back().build = build;
     }
   } else {
+    const std::uint64_t left = arguments_.runs - runs_;
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i) {
       worlds.push_back(draw_world(bench_.space(), noted_, arguments_.seed, runs_ + i));
       worlds.back().for_s = time_of(worlds.back());
     }
   }
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (!log_.row(runs_ + i)) to_make.push_back(worlds[i]);
   std::vector<std::optional<wire::RunResult>> results;
-  if (!bench_.run(worlds, results)) return false;
-  for (std::size_t i = 0; i < worlds.size(); ++i) {
-    if (!results[i])
-      ++runs_;
-    else if (!take(worlds[i], *results[i]))
-      return false;
+  if (!bench_.run(to_make, results)) return false;
+  auto result = results.begin();
+  for (const HuntWorld& world : worlds) {
+    const HuntRow* const known = log_.row(runs_);
+    if (known) {
+      count(world, *known);
+      continue;
+    }
+    std::optional<HuntRow> row = *result ? take(world, **result) : HuntRow{runs_, 0.0, false, {}, {}, 0, {}};
+    ++result;
+    if (!row) return false;
+    log_.add(*row);
+    count(world, *row);
   }
   listener_.progress(fmt::format("{} of {} runs, {:.0f} s of simulated time, {} finding{}", runs_,
                                  arguments_.runs, simulated_s_, findings_.size(),
@@ -199,25 +235,27 @@ bool Hunt::make_round() {
   return true;
 }
 
-bool Hunt::tell_if_no_goal() {
+/// At what no single run shows.
+void Hunt::look_back() {
+  const auto add_plain = [&](Symptom symptom) {
+    HuntFinding finding{std::move(symptom), plain_world_, {}, plain_.result.time_s};
+    finding.world.for_s = std::ceil(plain_.result.time_s);
+    keep(finding, findings_.size() + 1, bench_, arguments_, out_);
+    tell(finding);
+  };
+  for (const Promise& promise : bench_.space().promises)
+    if (promise.when == Promise::When::sometimes && !heard_.contains(promise.text()))
+      add_plain({"sometimes", "sometimes " + promise.text(),
+                 fmt::format("In none of {} runs there was {}, which there must be sometimes.", runs_,
+                             promise.text()),
+                 false});
   const wire::RunResult& result = plain_.result;
   if (reached_ > 0 || !findings_.empty() || result.goal == "none" || result.metrics.distance_m < kMoved_m)
-    return true;
-  HuntFinding finding{
+    return;
+  add_plain(
       {"goal", "goal",
        fmt::format("In none of {} runs the robot came to its goal, {}. {}", runs_, result.goal, result.why),
-       true},
-      plain_world_,
-      {},
-      result.time_s,
-      0,
-      1,
-      ""};
-  finding.world.for_s = std::ceil(result.time_s);
-  keep_files(finding, findings_.size() + 1, bench_, arguments_, out_);
-  findings_.push_back(finding);
-  listener_.found(findings_.back(), findings_.size());
-  return true;
+       true});
 }
 
 bool Hunt::go() {
@@ -225,7 +263,8 @@ bool Hunt::go() {
   while (runs_ < arguments_.runs && !(arguments_.stop_early && !findings_.empty()) &&
          (until_us_ == 0 || wall_us() < until_us_))
     if (!make_round()) return false;
-  return tell_if_no_goal();
+  look_back();
+  return true;
 }
 
 }  // namespace robosim::cli

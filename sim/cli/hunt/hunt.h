@@ -11,6 +11,7 @@
 
 #include "sim/cli/hunt/bench.h"
 #include "sim/cli/hunt/finding.h"
+#include "sim/cli/hunt/log.h"
 
 namespace robosim::cli {
 
@@ -22,7 +23,8 @@ struct HuntListener {
 
 class Hunt {
  public:
-  Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntListener listener);
+  Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
+       HuntListener listener);
 
   /// Goes on until enough runs were made, or time is up. False if it was interrupted.
   bool go();
@@ -37,16 +39,20 @@ class Hunt {
  private:
   bool find_plain();
   bool make_round();
-  bool take(const HuntWorld& world, const wire::RunResult& result);
+  std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result);
+  void count(const HuntWorld& world, const HuntRow& row);
+  bool add(HuntFinding finding, HuntRow& row);
+  bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  bool add(HuntFinding finding);
-  void note(const HuntWorld& world, const wire::RunResult& result);
-  bool tell_if_no_goal();
+  std::optional<Symptom> symptom(const wire::RunResult& result, const HuntWorld& world) const;
+  void tell(const HuntFinding& finding);
+  void look_back();
   double time_of(const HuntWorld& world) const;
 
   HuntBench& bench_;
   const HuntArguments& arguments_;
   std::filesystem::path out_;
+  HuntLog& log_;
   HuntListener listener_;
   Plain plain_;
   HuntWorld plain_world_;
@@ -54,7 +60,8 @@ class Hunt {
   std::vector<HuntWorld> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
-  std::uint64_t reached_ = 0;  ///< of those that were to reach a goal
+  std::uint64_t reached_ = 0;    ///< of those that were to reach a goal
+  std::set<std::string> heard_;  ///< of what must come sometimes
   double simulated_s_ = 0.0;
   std::int64_t until_us_ = 0;  ///< wall time; 0 = for ever
 };

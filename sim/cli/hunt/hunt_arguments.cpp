@@ -41,6 +41,7 @@ Command parse_hunt(const std::vector<std::string>& words) {
   options.text("--seed", seed, "N", "of what is drawn; default 1");
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
   options.text("--out", hunt.out, "DIR", "a new folder for what is found; default: hunt-SKETCH");
+  options.flag("--resume", hunt.resume, "go on with the folder: its runs are not made again");
   options.flag("--stop-early", hunt.stop_early, "end with the first finding");
   options.text("--for", duration, "TIME",
                "simulated time of a run at most, longer on long ways; default: 60s");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/cli/hunt/hunt.h"
@@ -23,11 +24,32 @@ fs::path folder_for(const HuntArguments& arguments) {
     folder = "hunt-" + fs::path(launch::title_of(sketch)).lexically_normal().filename().stem().string();
   }
   std::error_code error;
+  if (arguments.resume) {
+    if (!fs::exists(folder / "runs.jsonl", error))
+      throw InputError({folder.string()}, "holds no hunt that --resume could go on with");
+    return folder;
+  }
   if (fs::exists(folder, error))
-    throw InputError({folder.string()}, "is there already; --out DIR names another, or remove it");
+    throw InputError({folder.string()},
+                     "is there already; --resume goes on with it, --out DIR names another, or remove it");
   if (!fs::create_directories(folder, error))
     throw InputError({folder.string()}, "cannot be made a folder: " + error.message());
   return folder;
+}
+
+/// With what must never and always be, which the checks keep, too.
+std::string checks_text(const Hunt& hunt, const HuntBench& bench) {
+  std::string text;
+  for (const auto& [key, when] :
+       {std::pair{"never", Promise::When::never}, {"always", Promise::When::always}}) {
+    std::string list;
+    for (const Promise& promise : bench.space().promises)
+      if (promise.when == when)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", escaped(promise.text()));
+    if (!list.empty()) text += fmt::format("{} = [{}]\n", key, list);
+  }
+  for (const HuntFinding& finding : hunt.findings()) text += (text.empty() ? "" : "\n") + finding.check;
+  return text;
 }
 
 std::string opening_text(const HuntBench& bench) {
@@ -62,14 +84,13 @@ int hunt_command(const HuntArguments& arguments) {
   const fs::path out = folder_for(arguments);
   for (const std::string& sentence : bench.left_out())
     complain(fmt::format("robosim: left out: {}\n", sentence));
-  std::string checks;
-  Hunt hunt(bench, arguments, out,
+  HuntLog log(out, bench.fingerprint(), arguments.resume);
+  Hunt hunt(bench, arguments, out, log,
             {[&](const std::string& sentence) { progress.update(sentence); },
-             [&](const HuntFinding& finding, std::size_t number) {
+             [&](const HuntFinding& finding, std::size_t) {
                progress.clear();
-               print(hunt_text(finding, number, bench) + "\n");
-               checks += check_of(finding, number, bench, arguments) + "\n";
-               write_file(out / "checks.toml", checks);
+               print(finding.text + "\n");
+               write_file(out / "checks.toml", checks_text(hunt, bench));
              }});
   const bool complete = hunt.go();
   progress.clear();
@@ -77,10 +98,7 @@ int hunt_command(const HuntArguments& arguments) {
                     bench.space().maps.front().name, opening_text(bench),
                     bench.of(hunt.plain_world()).robot.name) +
         hunt_summary(hunt, bench, out));
-  if (hunt.findings().empty()) {
-    std::error_code none;
-    fs::remove_all(out, none);
-  }
+  if (!complete) complain("robosim: interrupted; the same command with --resume goes on\n");
   if (!complete) return static_cast<int>(ExitStatus::interrupted);
   return static_cast<int>(hunt.findings().empty() ? ExitStatus::ok : ExitStatus::failed);
 }

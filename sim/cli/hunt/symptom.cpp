@@ -57,6 +57,12 @@ double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& p
   return plain.speed_m_s() > 0.0 ? kPause_s + kPatience * way_m / plain.speed_m_s() : 0.0;
 }
 
+bool tells_behaviour(const HuntWorld& world, const HuntSpace& space) {
+  return !space.builds[world.build].checked &&
+         std::none_of(world.deeds.begin(), world.deeds.end(),
+                      [](const Deed& deed) { return deed.kind == kPowerOff; });
+}
+
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
                                   const HuntSpace& space, const Plain& plain) {
   const std::string& verdict = result.verdict;
@@ -78,6 +84,27 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
     if (limit > 0.0 && result.time_s >= limit) return Symptom{"late", "late", result.why, true};
   }
   return std::nullopt;
+}
+
+std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises) {
+  // What ended too soon has broken none of the others.
+  const bool whole = result.verdict == "reached" || result.verdict == "timeout" || result.verdict == "ended";
+  for (const Promise& promise : promises) {
+    if (promise.when == Promise::When::always && !whole) continue;
+    std::string why = why_broken(promise, result);
+    if (why.empty()) continue;
+    why[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(why[0])));
+    const char* const kind = promise.when == Promise::When::never ? "never" : "always";
+    return Symptom{kind, fmt::format("{} {}", kind, promise.text()), why + ".", false};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> kept_promises(const wire::RunResult& result, const std::vector<Promise>& promises) {
+  std::vector<std::string> kept;
+  for (const Promise& promise : promises)
+    if (promise.when == Promise::When::sometimes && promise.is_in(result)) kept.push_back(promise.text());
+  return kept;
 }
 
 std::vector<std::string> traits_of(const wire::RunResult& result) {

@@ -33,8 +33,17 @@ struct Symptom {
 /// In simulated seconds: a robot as fast as it is in the plain world would long be there. 0 = nobody knows.
 double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& plain);
 
+/// Checks change a sketch's timing, and who is switched off begins anew wherever it is: how the robot behaves
+/// then says nothing of the sketch.
+bool tells_behaviour(const HuntWorld& world, const HuntSpace& space);
+
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
                                   const HuntSpace& space, const Plain& plain);
+
+/// What must never come, or must always, as checks.toml has it.
+std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises);
+/// What must come sometimes, and did.
+std::vector<std::string> kept_promises(const wire::RunResult& result, const std::vector<Promise>& promises);
 
 /// What a run has come to, in words that come again in a run like it: places it came to, what was sent
 /// (without its numbers). A run with a new one is worth to be followed by others like it.

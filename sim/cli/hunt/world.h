@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/cli/check/promises.h"
 #include "sim/worlds/fault_plan.h"
 #include "sim/worlds/line_network.h"
 #include "sim/worlds/robot_variant.h"
@@ -23,6 +24,8 @@ struct Deed {
   std::string kind;  ///< for people: "press start", "send"
   bool operator==(const Deed&) const = default;
 };
+
+inline constexpr const char* kPowerOff = "power off";
 
 struct HuntWorld {
   std::size_t build = 0;  ///< of HuntSpace::builds
@@ -66,6 +69,7 @@ struct HuntSpace {
       listeners;                   ///< parts that messages come by, and their types
   std::vector<std::string> words;  ///< what may be sent; empty = nothing is
   std::vector<Deed> opening;       ///< what makes it go
+  std::vector<Promise> promises;
   int for_ms = 60'000;
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/file.h"
+#include "sim/cli/check/check_result.h"
 #include "tests/support/readable.h"
 #include "tests/support/temporary_folder.h"
 
@@ -148,6 +149,23 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedChecks{"[[check]]\nname = 'x'\ncpu_load = { max = 1 }\n",
                       "3:12: cpu_load is known on a chip only"}),
     test::numbered(&RefusedChecks::says));
+
+TEST_F(ChecksFile, SaysOfAllRunsWhatMustNeverAndAlwaysBe) {
+  const auto checks = parse_checks(
+      "never = [\"serial: ERROR\", \"shows: E\"]\nalways = \"serial: ready\"\n[[check]]\nname = \"a\"\n",
+      "checks.toml");
+  ASSERT_EQ(checks.at(0).promises.size(), 3u);
+  wire::RunResult result;
+  result.verdict = "reached";
+  result.serial = "ready\n";
+  EXPECT_EQ(why_failed(checks[0], result), std::nullopt);
+  result.shown = "lcd: E 5";
+  EXPECT_EQ(why_failed(checks[0], result), "the sketch showed “E”, and never must");
+  result.shown = result.serial = "";
+  EXPECT_EQ(why_failed(checks[0], result), "the sketch has not sent “ready”, and always must");
+  EXPECT_THAT([] { parse_checks("never = \"ERROR\"\n[[check]]\nname = \"a\"\n", "checks.toml"); },
+              Throws<InputError>(Property(&InputError::message, HasSubstr("never is “ERROR”; it must be"))));
+}
 
 }  // namespace
 }  // namespace robosim::cli

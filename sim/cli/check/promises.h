@@ -1,0 +1,31 @@
+// What a sketch must never, sometimes and always send or show: the keys never, sometimes and always of
+// checks.toml.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/base/config.h"
+#include "sim/wire/run_result.h"
+
+namespace robosim::cli {
+
+struct Promise {
+  enum class When { never, sometimes, always };
+  When when = When::never;
+  bool shown = false;  ///< by a display or a Bluetooth module; else sent by the serial port
+  std::string words;
+
+  bool is_in(const wire::RunResult& result) const;
+  /// As it was written: "serial: arrived".
+  std::string text() const;
+};
+
+/// The promises of a file of checks; takes its keys. Throws InputError.
+std::vector<Promise> read_promises(TableReader& file);
+
+/// Of never and always, in one sentence; empty if it is kept. What must always come has to by the end of a
+/// run.
+std::string why_broken(const Promise& promise, const wire::RunResult& result);
+
+}  // namespace robosim::cli

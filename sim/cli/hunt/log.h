@@ -1,0 +1,52 @@
+// What a hunt has done so far, a line for each run, so that it can be gone on with: DIR/runs.jsonl.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/write_claim.h"
+#include "sim/cli/hunt/finding.h"
+
+namespace robosim::cli {
+
+/// What is kept of a run. Its world is drawn again.
+struct HuntRow {
+  std::uint64_t run = 0;  ///< from 0
+  double time_s = 0.0;
+  bool reached = false;
+  std::vector<std::string> traits;   ///< that no run before it had
+  std::vector<std::string> heard;    ///< that must come sometimes, likewise
+  std::size_t finding = 0;           ///< whose number it is, from 1; 0 = none
+  std::optional<HuntFinding> fresh;  ///< that it is the first of
+};
+
+class HuntLog {
+ public:
+  /// In a folder that is there. `from` is what the runs come from; with `resume` the rows of a hunt that came
+  /// from the same are read, a last line that was cut off is left out. Throws InputError.
+  HuntLog(const std::filesystem::path& folder, const std::string& from, bool resume);
+
+  /// null = it was not made.
+  const HuntRow* row(std::uint64_t run) const;
+  /// Throws InputError if it cannot be written.
+  void add(const HuntRow& row);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void put(const std::string& line);
+
+  std::filesystem::path path_;
+  WriteClaim claim_;
+  std::map<std::uint64_t, HuntRow> rows_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace robosim::cli
