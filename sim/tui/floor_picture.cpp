@@ -57,7 +57,7 @@ FloorPicture::FloorPicture(const grid::Map& map)
 void FloorPicture::look_at(const Window& window) {
   window_ = window;
   const auto characters = static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows);
-  for (Layer* layer : {&wall_, &line_, &thin_line_, &trail_, &robot_}) layer->assign(characters, 0);
+  for (Layer* layer : {&wall_, &relief_, &line_, &thin_line_, &trail_, &robot_}) layer->assign(characters, 0);
   const double line_reach = std::min(kLeastLine_dots * window.dot_m / 2.0, reach(map_));
   for (int y = 0; y < window.rows * 4; ++y) {
     for (int x = 0; x < window.columns * 2; ++x) {
@@ -71,10 +71,28 @@ void FloorPicture::look_at(const Window& window) {
       const Vec2 middle =
           window.top_left + Vec2{(column * 2 + 1) * window.dot_m, -(row * 4 + 2) * window.dot_m};
       const grid::CellAt cell = cell_of(map_, middle);
-      wall_[static_cast<std::size_t>(row * window.columns + column)] =
-          map_.contains(cell) && map_.at(cell) == grid::Cell::wall;
+      const auto i = static_cast<std::size_t>(row * window.columns + column);
+      wall_[i] = map_.contains(cell) && map_.at(cell) == grid::Cell::wall;
+      // Every second one is enough, and the line stays what is seen first.
+      if ((row + column) % 2 == 0) relief_[i] = static_cast<std::uint8_t>(relief_at(middle));
     }
   }
+}
+
+char FloorPicture::relief_at(Vec2 p) const {
+  constexpr double kLevel_m = 1e-5;  // a climb from dot to dot
+  const grid::Hill* highest = nullptr;
+  for (const grid::Hill& hill : map_.course.hills)
+    if (hill.contains(p) && (!highest || hill.height_at(p) >= highest->height_at(p))) highest = &hill;
+  if (!highest) return 0;
+  if (highest->pivot > 0.0) return '=';
+  const auto climb = [&](Vec2 way) {
+    return highest->height_at(p + way * window_.dot_m) - highest->height_at(p - way * window_.dot_m);
+  };
+  const double east = climb({1.0, 0.0}), north = climb({0.0, 1.0});
+  if (std::max(std::fabs(east), std::fabs(north)) < kLevel_m) return ':';
+  if (std::fabs(east) >= std::fabs(north)) return east > 0.0 ? '>' : '<';
+  return north > 0.0 ? '^' : 'v';
 }
 
 bool FloorPicture::is_painted(Vec2 p, double reach_m, bool whole) const {
@@ -143,6 +161,8 @@ void FloorPicture::draw(Frame& frame, int column, int row, const std::vector<Mar
         glyph = {look.colour ? 0x2800 + char32_t{line_[i]} : U'·', Ink::line};
       } else if (wall_[i]) {
         glyph = {U'░', Ink::wall};
+      } else if (relief_[i]) {
+        glyph = {relief_[i], Ink::faint};
       }
       frame.set(column + x, row + y, glyph);
     }

@@ -49,7 +49,7 @@ class FloorPicture {
   explicit FloorPicture(const grid::Map& map);
 
   const Window& window() const { return window_; }
-  /// Draws walls and line anew; the trail is forgotten.
+  /// Draws walls, hills and line anew; the trail is forgotten.
   void look_at(const Window& window);
 
   void add_trail(Vec2 from, Vec2 to);
@@ -68,6 +68,8 @@ class FloorPicture {
   Dot dot_of(Vec2 p) const;
   /// Within `reach_m` of a centre line, or where the line is wider half its width, if `whole`.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
+  /// Of a hill at p, in a character's middle: ^ > v < is uphill, : is level, = a seesaw; 0 = there is none.
+  char relief_at(Vec2 p) const;
   void set(Layer& layer, Dot dot) const;
   void draw_line(Layer& layer, Vec2 from, Vec2 to) const;
 
@@ -75,7 +77,8 @@ class FloorPicture {
   std::vector<grid::Paint> paints_;
   grid::Stripes stripes_;
   Window window_;
-  Layer wall_;  // 1 = the character's middle is wall
+  Layer wall_;    // 1 = the character's middle is wall
+  Layer relief_;  // a character's sign of a hill, or 0
   Layer line_, thin_line_, trail_, robot_;
 };
 

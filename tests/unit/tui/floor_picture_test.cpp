@@ -69,6 +69,21 @@ TEST_F(FloorPictureTest, WhatIsOutsideTheWindowIsNotDrawn) {
   EXPECT_EQ(drawn(floor_, {{{5.0, 5.0}, {U'X', Ink::mark}}}, kAscii).find_first_of("*X"), std::string::npos);
 }
 
+TEST(FloorPicture, AHillSaysWhereItIsUpAndTheLineLiesOnIt) {
+  const grid::Map map = grid::parse_map(
+      "+++\n[[hill]]\nat = [\"100 mm\", \"100 mm\"]\nsize = [\"200 mm\", \"200 mm\"]\nslope = \"10 deg\"\n"
+      "[[hill]]\nat = [\"250 mm\", \"100 mm\"]\nsize = [\"100 mm\", \"200 mm\"]\n"
+      "heights = [\"34 mm\", \"34 mm\"]\n+++\n____\n1111\n",
+      "t.map");
+  FloorPicture floor(map);
+  floor.look_at(fit(map, area_of(map), 16, 100));
+  EXPECT_EQ(drawn(floor, {}, kAscii),
+            "> > > > : :\n"
+            " > > > > : :\n"
+            "> > > > : :\n"
+            " >............\n");
+}
+
 TEST(FloorPicture, AGapIsNotPainted) {
   const auto map = grid::parse_map("+++\n[legend]\n3 = \"gap\"\n+++\n11311\n", "t.map");
   FloorPicture floor(map);

@@ -162,6 +162,14 @@ TEST_F(Wrapper, BuildsTheChipsRunnerThatAFileOfRobotsWants) {
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
 }
 
+TEST_F(Wrapper, BuildsTheChipsRunnerThatTheRobotsOfACheckWant) {
+  fs::create_directories(folder_ / "elsewhere/my/two");
+  write_file(folder_ / "elsewhere/my/checks.toml", "[[check]]\nname = 'x'\nfleet = \"two/robots.toml\"\n");
+  write_file(folder_ / "elsewhere/my/two/robots.toml", "[[agent]]\ntarget = \"avr\"\n");
+  run("../checkout/robosim test ./my");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
 TEST_F(Wrapper, BuildsTheServerOnceItIsWantedAndKeepsItUpToDate) {
   run("../checkout/robosim");
   EXPECT_THAT(calls(), Not(HasSubstr("robosim-serve")));
