@@ -170,6 +170,48 @@ TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {
   EXPECT_EQ(read(kIcr1l), 5);
 }
 
+// The same interrupt, again and again: the counter is then not counted in between.
+TEST_F(TimerTest, InterruptsToTheCycleForEver) {
+  struct Way {
+    std::uint8_t mode, enables;
+    int vector, period;
+  };
+  for (const Way way : {Way{0, 1, 16, 64 * 256}, Way{3, 1, 16, 64 * 256}, Way{2, 2, 14, 64 * 100}}) {
+    SCOPED_TRACE(static_cast<int>(way.mode));
+    IdleChip chip;
+    chip.write(kOcr0a, 99);
+    chip.write(kTccr0a, way.mode);
+    chip.write(kTccr0b, 3);
+    chip.write(kTimsk0, way.enables);
+    const auto serve = [&](Cycle until) {
+      chip.bench.chip.cpu().set_pc(0);
+      chip.bench.chip.cpu().set_sp(0x8FF);
+      chip.let_interrupts();
+      chip.run_to(until);
+    };
+    const Cycle period = static_cast<Cycle>(way.period);
+    Cycle due = period;
+    for (int time = 0; time < 12; ++time, due += period) {
+      serve(due - 3);
+      EXPECT_EQ(chip.vector(), 0) << "not sooner";
+      chip.run_to(due + 8);
+      EXPECT_EQ(chip.vector(), way.vector) << time;
+      EXPECT_EQ(chip.read(kTcnt0), 0);
+      chip.run_to(due + way.period / 2 + 1);
+      EXPECT_EQ(chip.read(kTcnt0), way.period / 128);
+      EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, 0);
+      if (time == 8) {  // interrupts are off, and some are missed
+        chip.run_to(due + 5 * period + period / 2);
+        EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, way.enables);
+        serve(chip.now() + 8);
+        EXPECT_EQ(chip.vector(), way.vector) << "the flag has waited";
+        EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, 0);
+        due += 5 * period;
+      }
+    }
+  }
+}
+
 TEST_F(TimerTest, StartsConversionsByAFlag) {
   write(kOcr0a, 99);
   write(kTccr0a, 2);
