@@ -162,6 +162,9 @@ void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, co
   append(words, definitions(toolchain));
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
+  if (toolchain.sanitize)
+    for (const fs::path& folder : toolchain.core.includes_with_checks)
+      append(words, {"-isystem", folder.string()});
   for (const fs::path& folder : toolchain.core.system_includes) append(words, {"-isystem", folder.string()});
   if (toolchain.target.hal) append(words, {"-isystem", toolchain.facts.include_folder.string()});
 }
@@ -323,6 +326,8 @@ std::string recipe(const Toolchain& toolchain) {
   };
   const Sanitizer& checks = target.sanitizer;
   if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
+  if (toolchain.sanitize)
+    for (const fs::path& folder : toolchain.core.includes_with_checks) text += folder.string() + "\n";
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
   text += fmt::format("assembly 4 {}{}", target.own_level, target.core_level);

@@ -126,11 +126,12 @@ const Target kAvr = {
     .as_avr = {},
     // Link-time optimisation of avr-gcc 5.4 does not survive code with checks. That is larger than the chip
     // by far: the executor gives an image whose handlers are there (hal/avr/undefined.c) a chip with 64 KB of
-    // flash and RAM up to where its stack begins.
+    // flash and RAM up to where its stack begins, which is RAMEND, too (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
-                  .addresses = {},
+                  // The core's, too: or its weak functions, such as initVariant(), outdo a library's.
+                  .addresses = {"-fno-lto"},
                   .definitions = {},
                   .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
                            "-Wl,--defsym=__DATA_REGION_LENGTH__=0xF000",

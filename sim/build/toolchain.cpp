@@ -110,6 +110,7 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
   core.sources = {genuine.sources, data_folder() / "hal/avr"};
   core.includes = {genuine.sources, variant};
   core.libraries = {genuine.libraries};
+  core.includes_with_checks = {data_folder() / "hal/avr/with_checks"};
   core.linked = {archives / "libc.a", archives / "libm.a",
                  archives / fmt::format("crt{}.o", chip.compiler_name)};
   core.machine = {fmt::format("-mmcu={}", chip.compiler_name)};

@@ -49,6 +49,8 @@ struct Core {
   std::filesystem::path serving;                ///< the one of them that checks call, and do not check
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
+  std::vector<std::filesystem::path>
+      includes_with_checks;                      ///< before those of the system, of an image with checks
   std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it
   std::filesystem::path stand_ins;               ///< folder of libraries that replace others, or empty
   std::vector<std::filesystem::path> linked;     ///< files that the linker adds by itself

@@ -44,6 +44,26 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
 
+// As FreeRTOS does, which takes the core's place, and whose tasks have their stacks in all the RAM that there
+// is.
+TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const Folder folder;
+  folder.write("Early/early.cpp",
+               "#include <avr/io.h>\nint left;\nextern \"C\" void initVariant() { left = RAMEND - SP; }\n");
+  folder.write(
+      "Early/Early.ino",
+      "extern int left;\n"
+      "void setup() { Serial.begin(9600); Serial.println(left > 0 && left < 64 ? \"found\" : \"not\"); }\n"
+      "void loop() {}\n");
+  for (const char* checks : {"--profile=ideal", "--sanitize"}) {
+    const Ended run = robosim_command(
+        {"run", "Early/", "--target", "avr", "--goal", "none", "--for", "100ms", "--json", checks},
+        folder.path());
+    EXPECT_EQ(json_of(run)["serial"], "found\r\n") << checks << run.err;
+  }
+}
+
 TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const std::string sum = sketch_folder("ChipSum").string() + "/";
