@@ -64,11 +64,13 @@ void World::collide_bodies() {
     a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
     const double away = std::sqrt(square);
     const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-    const double share = a.per_mass_ / (a.per_mass_ + b.per_mass_);
+    // Each by a quotient of its own, so that it is the same to the last bit whoever is named first.
+    const double both = a.per_mass_ + b.per_mass_;
+    const double share_a = a.per_mass_ / both, share_b = b.per_mass_ / both;
     const double approach = dot(a.velocity() - b.velocity(), n);
     const double depth = radii - away;
-    a.meet(n * -1.0, depth * share, approach * share);
-    b.meet(n, depth * (1.0 - share), approach * (1.0 - share));
+    a.meet(n * -1.0, depth * share_a, approach * share_a);
+    b.meet(n, depth * share_b, approach * share_b);
   }
 }
 

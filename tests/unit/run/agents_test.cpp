@@ -112,6 +112,27 @@ TEST_F(AgentsTest, AreDifferentIndividualsWithTheirOwnNoise) {
   EXPECT_NE(both[1].trace_hash, first.trace_hash) << "robot 1 of a seed is not robot 0";
 }
 
+TEST_F(AgentsTest, MeetInTheSameWayWhoeverIsNamedFirst) {
+  const robot::Description heavier = robot::load_description("uno3");
+  const auto hashes = [&](bool swapped) {
+    test::BuiltInDriver driver;
+    Parked parked;
+    std::vector<AgentSetup> agents = {agent(driver, "none"), agent(parked, "none", "20,2,E")};
+    agents[1].robot = &heavier;
+    if (swapped) std::swap(agents[0], agents[1]);
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = agents;
+    setup.limit = 10 * kSecond;
+    setup.profile = Profile::ideal;
+    std::vector<judge::Outcome> outcomes = simulate(setup);
+    if (swapped) std::swap(outcomes[0], outcomes[1]);
+    EXPECT_GT(outcomes[1].metrics.collisions, 0);
+    return outcomes[0].trace_hash + " " + outcomes[1].trace_hash;
+  };
+  EXPECT_EQ(hashes(false), hashes(true)) << "without noise, which is drawn by number";
+}
+
 TEST_F(AgentsTest, HaveScriptsThatBreakTheirOwnPartsOnly) {
   Witness broken, whole;
   AgentSetup first = agent(driver_, "none", "", "at 100ms fault S1 stuck 1023\n");
