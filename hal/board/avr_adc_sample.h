@@ -11,7 +11,7 @@ namespace avr {
 /// Samples the channel that ADMUX selects.
 inline uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, SimTime t) {
   const BoardSpec& spec = board.spec();
-  return adc_sample(adc, multiplexer, 0, spec.supply_volts, [&](int channel) {
+  return adc_sample(adc, multiplexer, 0, spec.supply_volts, board.supply_share(), [&](int channel) {
     const int pin = spec.analog_pin_0 + channel;
     return pin < spec.pin_count ? board.read_volts(first_number(spec, static_cast<Pin>(pin)), t) : 0.0;
   });

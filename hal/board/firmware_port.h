@@ -18,6 +18,9 @@ class FirmwarePort {
   virtual bool read_along(Pin pin, SimTime t) = 0;
   /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
   virtual double read_volts(Pin pin, SimTime t) = 0;
+  /// What is left of the board's supply, as a share of spec().supply_volts. Volts on pins are told as if it
+  /// had not sunk: as many times more as a reference that is the supply has become less.
+  virtual double supply_share() { return 1.0; }
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
   /// On the two-wire bus (I2C), at the end of each byte. After a START: seven bits of address, and 1 at the
   /// bottom if the device is to send. Gives whether one answers.

@@ -85,6 +85,8 @@ class RobotPort {
   virtual void connect(Pin pin, PinSource& source) = 0;
   /// Where several have the same address, the first answers.
   virtual void connect(TwoWireDevice& device) = 0;
+  /// From now on the board's supply is this share of the nominal one; it must outlive the board's use of it.
+  virtual void feed(const double& /*share*/) {}
   /// Several watchers a pin are told in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;

@@ -24,7 +24,9 @@ uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
 uint16_t Adc::sample() const { return avr::adc_sample(*board, kChip.adc, multiplexer_, state.now); }
 
 uint16_t Adc::code_of(double volts) const {
-  return avr::adc_code(volts, avr::adc_reference_volts(kChip.adc, multiplexer_, board->spec().supply_volts));
+  const double reference = avr::adc_reference_volts(kChip.adc, multiplexer_, board->spec().supply_volts);
+  const bool by_supply = kChip.adc.references[avr::adc_reference(kChip.adc, multiplexer_)] == 0.0;
+  return avr::adc_code(by_supply ? volts : volts * board->supply_share(), reference);
 }
 
 uint8_t Adc::control() const {

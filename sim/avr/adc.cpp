@@ -144,6 +144,7 @@ void Adc::start(Cycle edge) {
 
 void Adc::sample(Cycle at) {
   state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
+                              core_.outside.supply_share(),
                               [&](int channel) { return pins_.volts(pins_.analog(channel), at); });
 }
 

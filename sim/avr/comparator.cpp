@@ -39,7 +39,7 @@ bool Comparator::is_on() const { return !(core_.cpu.data[control_] & kAcd) && st
 double Comparator::negative_volts(Cycle at) {
   const std::uint8_t control_b = core_.at(core_.chip.at.adc_control_b);
   if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAdcEnabled)
-    return negative_ >= 0 ? pins_.volts(negative_, at) : core_.chip.adc.bandgap_volts;
+    return negative_ >= 0 ? pins_.volts(negative_, at) : bandgap();
   const int chosen = (core_.at(core_.chip.at.adc_multiplexer) & kMuxMask) +
                      (control_b & core_.chip.adc.high_channels ? kHighChannels : 0);
   return pins_.volts(pins_.analog(chosen & (core_.chip.comparator.channels - 1)), at);
@@ -48,7 +48,7 @@ double Comparator::negative_volts(Cycle at) {
 void Comparator::look(Cycle at) {
   if (!is_on()) return;
   std::uint8_t& control = core_.at(control_);
-  const double positive = control & kAcbg ? core_.chip.adc.bandgap_volts : pins_.volts(positive_, at);
+  const double positive = control & kAcbg ? bandgap() : pins_.volts(positive_, at);
   const bool output = positive > negative_volts(at);
   if (output == state_.output) return;
   state_.output = output;

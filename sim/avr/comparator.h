@@ -52,6 +52,8 @@ class Comparator final : public Peripheral {
   void request();
   bool is_on() const;
   double negative_volts(Cycle at);
+  /// As pins' volts are told: Surroundings::supply_share().
+  double bandgap() const { return core_.chip.adc.bandgap_volts / core_.outside.supply_share(); }
 
   Core& core_;
   Pins& pins_;

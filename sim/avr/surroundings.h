@@ -24,6 +24,8 @@ class Surroundings {
   /// Volts at a pin, when the converter samples it or the comparator looks. `high`: what the chip itself
   /// gives it, by its output or its pull-up.
   virtual double volts(int pin, bool high, Cycle at) = 0;
+  /// FirmwarePort::supply_share().
+  virtual double supply_share() { return 1.0; }
   /// The chip drives a pin in another way than before.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
   /// From now on changes of the pin's level are wanted as Chip::edge(), or no longer: changes of the level

@@ -9,7 +9,9 @@
 // reads the same, but emitters get darker, by the current through their resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)                   1.2 V: an infra-red LED's, as their data sheets
 //   have it
-// Not modelled: references other than the supply (INTERNAL), which do not sink; a chip that is reset.
+// References other than the supply (INTERNAL), and the bandgap, which do not sink, are an AVR's own matter:
+// it is told the share (RobotPort::feed), and measures by them as it should. Not modelled: a chip that is
+// reset; an STM32's VREFINT.
 #pragma once
 
 #include <memory>

@@ -56,6 +56,7 @@ struct Robot::Inside {
                              ? 0.0
                              : individual.draw(description.electronics.adc_noise, "electronics", "adc_noise");
     if (steps == 0.0 && !description.electronics.fed_by_battery) return nullptr;
+    board.feed(view.supply.share);
     return std::make_unique<AnalogInputs>(board, view.supply,
                                           steps * board.spec().supply_volts / board.spec().adc_steps,
                                           individual.noise("electronics", "adc"), kept);

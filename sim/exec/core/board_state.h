@@ -33,6 +33,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool read_level(Pin pin, SimTime t) override;
   bool read_along(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
+  double supply_share() override { return supply_share_ ? *supply_share_ : 1.0; }
   void send_byte(std::uint8_t byte, SimTime t) override;
   bool two_wire_address(std::uint8_t address, SimTime t) override;
   bool two_wire_write(std::uint8_t byte, SimTime t) override;
@@ -45,6 +46,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   const PinDrive& drive(Pin pin) const override { return state_of(pin).drive; }
   void connect(Pin pin, PinSource& source) override;
   void connect(TwoWireDevice& device) override { two_wire_.push_back(&device); }
+  void feed(const double& share) override { supply_share_ = &share; }
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
@@ -130,6 +132,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   std::vector<Wire> wires_;  ///< by pin
   std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;
+  const double* supply_share_ = nullptr;  ///< null: 1
   State state_;
 };
 

@@ -181,7 +181,10 @@ class Volts final : public FirmwarePort {
   uint8_t* eeprom() override { return nullptr; }
   void write_eeprom(uint16_t, uint8_t, SimTime) override {}
 
+  double supply_share() override { return share; }
+
   std::optional<Pin> asked;
+  double share = 1.0;
 };
 
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
@@ -193,6 +196,17 @@ TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 15, 0), 0) << "ground";
   EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 7, 0), 0) << "an Uno's chip has no channel 7";
   EXPECT_FALSE(board.asked);
+}
+
+// Volts on pins are told as if the supply had stayed (FirmwarePort::supply_share).
+TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
+  Volts board;
+  board.share = 0.8;
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 14, 0), adc_code(1.1, 4.0));
+  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 3, 0), adc_code(1.7, 5.0));
+  EXPECT_EQ(adc_sample(board, kAdc, 0xC0 | 14, 0), 1023);
+  board.share = 0.4;
+  EXPECT_EQ(adc_sample(board, kAdc, 0xC0 | 0, 0), adc_code(0.4 * 1.4, 1.1));
 }
 
 }  // namespace
