@@ -250,7 +250,10 @@ void Hunt::look_back() {
                              promise.text()),
                  false});
   const wire::RunResult& result = plain_.result;
-  if (reached_ > 0 || !findings_.empty() || result.goal == "none" || result.metrics.distance_m < kMoved_m)
+  // Who neither looks at the line nor was told of a goal has another.
+  const bool has_goal = reads_the_floor(result, plain_.robot) || !arguments_.each.request.goal.empty();
+  if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
+      result.metrics.distance_m < kMoved_m)
     return;
   add_plain(
       {"goal", "goal",
