@@ -9,6 +9,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr std::uint8_t kErased = 0xFF;
+constexpr std::uint16_t kErasedWord = 0xFFFF;
 // Above this the vectors are two words apart, room for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 bool counts_down(const Instruction& first, const Instruction& second) {
@@ -82,16 +83,23 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       ram_begin_(static_cast<Address>(chip.ram_address)),
       last_ram_(last_ram),
       hooks_(chip.ram_address) {
-  flash_.resize(std::bit_ceil(flash_.size()), kErased);
-  original_ = decode(flash_);
+  flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
+  // Most of a flash is erased, and alike: it is not looked at word by word.
+  const std::size_t words = flash_.size() / 2;
+  std::size_t used = words;
+  while (used > 0 && flash_[2 * used - 1] == kErased && flash_[2 * used - 2] == kErased) --used;
+  used = std::min(used + 1, words);  // the second word of an instruction may look erased
+  original_ = decode(std::span<const std::uint8_t>(flash_).first(2 * used));
+  original_.resize(words, decode(kErasedWord, kErasedWord));
   if (chip.small_core)
     for (Instruction& instruction : original_)
       if (needs_large_core(instruction.op)) instruction = {};
   original_.insert(original_.end(), 2, {Op::outside});
   code_ = original_;
   marks_.resize(code_.size());
-  unmarked_.resize(code_.size());
-  for (std::size_t pc = 0; pc < code_.size(); ++pc) prepare(static_cast<std::uint32_t>(pc));
+  unmarked_.resize(code_.size(), original_[words - 1].op);
+  for (std::uint32_t pc = 0; pc < used; ++pc) prepare(pc);
+  for (const std::size_t pc : {words - 1, words, words + 1}) prepare(static_cast<std::uint32_t>(pc));
   state.sp = state.sp_watch = last_ram;
 }
 
