@@ -1,8 +1,9 @@
 // Recordings as .vcd: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
-// 1364-2005, chapter 18). The signals are listed in docs/recordings.md.
+// 1364-2005, chapter 18). The signals are listed in docs/recordings.md. Of several robots each has a scope.
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "hal/board/board_spec.h"
 #include "sim/record/recorder.h"
@@ -14,6 +15,7 @@ class VcdRecorder final : public Recorder {
  public:
   explicit VcdRecorder(std::filesystem::path path) : path_(std::move(path)) {}
   void ask(wire::RunRequest& request) const override;
+  bool knows_several() const override { return true; }
   void begin(const RecordedRun& run) override;
   /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
   void add(const wire::Event& event) override;
@@ -38,17 +40,24 @@ class VcdRecorder final : public Recorder {
     std::uint32_t level, duty, tone, volts;
   };
 
+  /// A robot's board.
+  struct Board {
+    std::string scope;
+    std::map<std::string, PinSignals> pins;
+    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that flips with each
+    bool flipped[2] = {false, false};
+    std::size_t end = 0;  ///< its signals are those before, from the end of the board before it
+  };
+
+  void begin_board(const std::string& scope, const BoardSpec& spec);
   std::uint32_t declare(std::string name, Signal::Kind kind);
   void change(std::int64_t t_ns, std::uint32_t signal, double value);
-  void add_byte(const wire::SerialByte& byte);
+  void add_byte(Board& board, const wire::SerialByte& byte);
   static void write(std::string& out, const Signal& signal, double value);
 
   std::filesystem::path path_;
-  std::string board_;
   std::vector<Signal> signals_;
-  std::map<std::string, PinSignals> pins_;
-  std::uint32_t sent_[2], received_[2];  ///< the byte, and a wire that flips with each
-  bool flipped_[2] = {false, false};
+  std::vector<Board> boards_;  ///< by the robots' numbers
   std::vector<Change> changes_;
   std::int64_t last_ns_ = 0;
 };

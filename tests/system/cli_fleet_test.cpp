@@ -135,7 +135,7 @@ TEST(CliFleet, ARecordingHasRowsOfAllAndAPictureShowsAll) {
   const Ended page = robosim_command(two_with({"--record", "r.html"}), folder.path());
   EXPECT_EQ(page.status, 2);
   EXPECT_THAT(page.err,
-              HasSubstr("r.html: this format is of one robot; of several there is .csv, .svg or .png"));
+              HasSubstr("r.html: this format is of one robot; of several there is .csv, .vcd, .svg or .png"));
 }
 
 TEST(CliFleet, RobotsTalkByRadioFromHostToAvr) {

@@ -59,6 +59,31 @@ TEST_F(Vcd, WritesAPinThatGoesUpAndDown) {
   EXPECT_THAT(vcd, HasSubstr("#2500\n0" + id + "\n"));
 }
 
+TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
+  RecordedRun run;
+  run.robot_info.board.name = "uno";
+  for (const char* name : {"A", "B"}) {
+    run.robots.push_back({name, "", "", "", {}});
+    run.robots.back().info.board.name = "uno";
+  }
+  VcdRecorder record{"x.vcd"};
+  record.begin(run);
+  wire::PinChange up{1000, "D8", "output", true, false, 1.0, 0};
+  up.agent = 1;
+  record.add(up);
+  up.agent = 2;
+  up.t_ns = 2000;
+  record.add(up);  // a robot that nobody has asked for
+  const std::string vcd = record.text();
+  const std::size_t second = vcd.find("$scope module B $end\n");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(vcd.find("$scope module A $end\n"), second);
+  const std::string other = id_of(vcd, "D8"), own = id_of(vcd.substr(second), "D8");
+  EXPECT_NE(own, other);
+  EXPECT_THAT(vcd, HasSubstr("#1000\n1" + own + "\n"));
+  EXPECT_THAT(vcd, Not(HasSubstr("#2000\n")));
+}
+
 TEST_F(Vcd, WritesPwmAsItsDuty) {
   record.add(wire::PinChange{7, "D5", "output", false, true, 0.25, 0});
   const std::string vcd = record.text();
