@@ -4,23 +4,38 @@
 
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
+#include "hal/host/polling.h"
 #include "hal/host/register_memory.h"
 
 namespace robosim {
 namespace host {
 
-/// Inlined, so that the return address is that of the API function: a place in the sketch.
-__attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
-                                                     int32_t first = 0, int32_t second = 0) {
-  if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
-  state.place = __builtin_return_address(0);
-  if (in_handler()) return;
+__attribute__((always_inline)) inline void note_arguments(const char* name, Pin pin, int8_t arguments,
+                                                          int32_t first, int32_t second) {
   state.last_call = state.now;
   state.call.name = name;
   state.call.argument[0] = first;
   state.call.argument[1] = second;
   state.call.arguments = arguments;
   state.call.pin = pin;
+}
+
+/// Inlined, so that the return address is that of the API function: a place in the sketch.
+__attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
+                                                     int32_t first = 0, int32_t second = 0) {
+  if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
+  state.place = __builtin_return_address(0);
+  if (!in_handler()) note_arguments(name, pin, arguments, first, second);
+}
+
+/// The same of one that changes nothing but the time, and whose answer depends on the sketch's own doing, on
+/// `polling.clock` and on what note_level() is told. It spends its time by spend_asking().
+__attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
+                                                         int32_t first = 0) {
+  if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();
+  polling.calls = true;
+  state.place = __builtin_return_address(0);
+  if (!in_handler()) note_arguments(name, pin, arguments, first, 0);
 }
 
 /// Remembers which input the sketch looks at, also where it does something else between two looks.

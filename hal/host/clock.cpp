@@ -1,6 +1,9 @@
 #include "hal/host/clock.h"
 
+#include <string.h>
+
 #include "hal/host/interrupts.h"
+#include "hal/host/polling.h"
 #include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
 #include "hal/host/tone.h"
@@ -9,15 +12,15 @@
 namespace robosim {
 namespace host {
 
-FirmwareState state;
+ROBOSIM_CLOCKWORK FirmwareState state;
 FirmwarePort* board;
 Host* executor;
-SimTime deadline, watched_deadline;
+ROBOSIM_CLOCKWORK SimTime deadline, watched_deadline;
 void (*unsettled)();
 
 namespace {
 
-constexpr size_t kFrames = 1024;  // bytes that block_begins() and those between may use
+constexpr size_t kFrames = 256;  // bytes that hand_registers(), hand_stack() and those between may use
 
 void yield_to_executor(SimTime wake) {
   state.wake = wake;
@@ -29,12 +32,17 @@ SimTime next_event() { return watchdog.due() < tone_end() ? watchdog.due() : ton
 
 }  // namespace
 
+SimTime next_due() {
+  const SimTime event = next_event();
+  if (!interrupts_enabled()) return event;
+  const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
+  return next < event ? next : event;
+}
+
 void refresh_deadline() {
   settle_registers();
-  deadline = state.limit < next_event() ? state.limit : next_event();
-  if (!interrupts_enabled()) return;
-  const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
-  if (next < deadline) deadline = next;
+  const SimTime due = next_due();
+  deadline = state.limit < due ? state.limit : due;
 }
 
 void reach_deadline() {
@@ -49,6 +57,8 @@ void reach_deadline() {
     sync_peripherals();
     if (!serve_interrupt()) break;
     ++served;
+    refresh_deadline();
+    if (state.now < deadline) return;
   }
   while (state.now >= state.limit) yield_to_executor(state.now);
   refresh_deadline();
@@ -58,12 +68,20 @@ namespace {
 
 // What calls leave behind on the stack must not look like something that firmware keeps there.
 __attribute__((noinline)) void wipe_stack() {
-  volatile uint8_t frame[kFrames];
-  for (volatile uint8_t& byte : frame) byte = 0;
+  uint8_t frame[kFrames];
+  memset(frame, 0, sizeof frame);
+  __asm__ volatile("" : : "r"(frame) : "memory");
 }
 
 __attribute__((noinline)) void hand_stack() {
-  executor->block_begins(static_cast<const uint8_t*>(__builtin_frame_address(0)));
+  const auto* const stack = static_cast<const uint8_t*>(__builtin_frame_address(0));
+  if (!polling.on) {
+    executor->block_begins(stack);
+  } else if (polling.take) {
+    executor->take_state(stack);
+  } else {
+    polling.same = executor->has_state(stack);
+  }
   __asm__ volatile("" ::: "memory");  // no tail call: the frame stays
 }
 
@@ -74,9 +92,7 @@ __attribute__((noinline)) void hand_registers() {
   __asm__ volatile("" ::: "memory");
 }
 
-}  // namespace
-
-void block_at_deadline() {
+__attribute__((noinline)) void block_is_due() {
   if (unsettled) {
     unsettled();
     watched_deadline = deadline;
@@ -91,6 +107,25 @@ void block_at_deadline() {
   reach_deadline();
   watched_deadline = deadline;
   if (state.watched && !in_handler()) deadline = state.now;
+  begin_look();
+}
+
+// What it keeps itself would be looked at, too: that is nothing, in a frame without gaps.
+__attribute__((noinline)) void block_in_look() {
+  uint64_t gap[3] = {};
+  __asm__ volatile("" : "+m"(gap));
+  if (look_wants_state()) {
+    wipe_stack();
+    hand_registers();
+  }
+  if (!look_at_block()) block_is_due();
+}
+
+}  // namespace
+
+void block_at_deadline() {
+  if (polling.on) return block_in_look();
+  block_is_due();
 }
 
 void work(SimTime duration) {
@@ -135,6 +170,7 @@ void wait_until(SimTime time) {
 }
 
 void wait_for_interrupt(bool timer0_counts) {
+  settle_registers();
   const bool outer = state.waiting;
   state.waiting = !in_handler();
   const uint32_t before = handlers_run;

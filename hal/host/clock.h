@@ -6,6 +6,9 @@
 #include "hal/host/costs.h"
 #include "hal/host/image.h"
 
+/// Of variables that image.h calls the clockwork: they lie together.
+#define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
+
 namespace robosim {
 namespace host {
 
@@ -19,13 +22,18 @@ extern SimTime watched_deadline;
 
 /// Serves what is due, yields at the limit, and sets the next deadline.
 void reach_deadline();
+/// When the next thing happens by itself: an interrupt that will be served, a reset, the end of a tone.
+SimTime next_due();
 /// To be called after anything that changes when an interrupt is due.
 void refresh_deadline();
+
+/// The same where a look may begin (polling.h).
+void spend_late();
 
 /// A short stretch of work. Interrupts that fall into it are served at its end.
 inline void spend(int count) {
   state.now += cycles(count);
-  if (__builtin_expect(state.now >= deadline, 0)) reach_deadline();
+  if (__builtin_expect(state.now >= deadline, 0)) spend_late();
 }
 
 void block_at_deadline();

@@ -94,10 +94,13 @@ void digitalWrite(uint8_t pin, uint8_t value) {
 }
 
 int digitalRead(uint8_t pin) {
-  host::note_call("digitalRead", pin, 1, pin);
+  host::note_question("digitalRead", pin, 1, pin);
   host::note_read(pin);
-  host::spend(cost::kDigitalRead + timer_cost(pin));
-  return host::is_digital(pin) && get_level(pin) ? HIGH : LOW;
+  host::spend_asking(cost::kDigitalRead + timer_cost(pin));
+  if (!host::is_digital(pin)) return LOW;
+  const bool high = get_level(pin);
+  host::note_level(pin, high);
+  return high ? HIGH : LOW;
 }
 
 void analogReference(uint8_t mode) {

@@ -7,6 +7,7 @@
 #include "hal/host/clock.h"
 #include "hal/host/coverage.h"
 #include "hal/host/interrupts.h"
+#include "hal/host/polling.h"
 #include "hal/host/ports.h"
 #include "hal/host/timers.h"
 #include "hal/host/uart.h"
@@ -19,6 +20,9 @@ extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibi
 // The bounds of the image in memory.
 extern const char __ehdr_start[] __attribute__((visibility("hidden")));
 extern const char _end[] __attribute__((visibility("hidden")));
+// Those of its clockwork.
+extern const char __start_robosim_clockwork[] __attribute__((visibility("hidden")));
+extern const char __stop_robosim_clockwork[] __attribute__((visibility("hidden")));
 }
 
 /// The core's main() unless the sketch has its own.
@@ -34,13 +38,6 @@ constexpr int adc_prescaler() {
   for (int64_t hz = 16000000; kClockHz < hz && bits > 1; hz /= 2) --bits;
   return bits;
 }
-
-const Clockwork kClockworks[] = {{&state, sizeof state},
-                                 {&deadline, sizeof deadline},
-                                 {&watched_deadline, sizeof watched_deadline},
-                                 {&timer0, sizeof timer0},
-                                 {&timer0_count, sizeof timer0_count},
-                                 {&handlers_run, sizeof handlers_run}};
 
 void run(FirmwarePort& its_board, Host& its_executor, SimTime now) {
   board = &its_board;
@@ -82,11 +79,16 @@ void init() {
 
 __attribute__((weak)) void initVariant() {}
 
-const host::Image robosim_image = {host::kImageVersion, &host::state,
-                                   host::run,           host::kShadow,
-                                   __ehdr_start,        _end,
-                                   host::kClockworks,   sizeof host::kClockworks / sizeof *host::kClockworks,
-                                   host::may_interrupt, host::kCounters};
+const host::Image robosim_image = {host::kImageVersion,
+                                   &host::state,
+                                   host::run,
+                                   host::kShadow,
+                                   __ehdr_start,
+                                   _end,
+                                   __start_robosim_clockwork,
+                                   __stop_robosim_clockwork,
+                                   host::may_interrupt,
+                                   host::kCounters};
 
 }  // extern "C"
 
@@ -96,7 +98,7 @@ int firmware_main() {
   setup();
   for (;;) {
     loop();
-    host::spend_in_block(host::cost::kLoop);
+    host::spend_between_loops(host::cost::kLoop);
     if (serialEventRun) serialEventRun();
   }
 }

@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 11;
+constexpr uint32_t kImageVersion = 12;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -62,6 +62,11 @@ class Host {
   /// While FirmwareState::watched: a basic block begins. All that its function and its callers keep lies on
   /// the stack from `stack` on, and in the image's variables.
   virtual void block_begins(const uint8_t* stack) = 0;
+  /// Keeps variables, heap, and the stack as in block_begins(); and whether they are as they were then.
+  virtual void take_state(const uint8_t* stack) = 0;
+  virtual bool has_state(const uint8_t* stack) = 0;
+  /// Until when, exclusive, reads of `pin` surely give what they give now; `now` = nobody knows.
+  virtual SimTime same_until(Pin pin, SimTime now) = 0;
   /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
   /// Edges on `pin` shall arrive as input from `now` on; or no longer.
@@ -104,7 +109,9 @@ struct FirmwareState {
   size_t heap_bytes = 0;
   uint8_t* stack = nullptr;  ///< the fiber's
   size_t stack_bytes = 0;
-  bool watched = false;  ///< Host::block_begins() is wanted
+  bool watched = false;    ///< Host::block_begins() is wanted
+  bool may_skip = true;    ///< rounds in which it only waits may be left out (polling.h)
+  bool called_up = false;  ///< it shall come to `limit`, though it only waits
   // The firmware's:
   SimTime now = 0;                   ///< its clock
   SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself
@@ -114,6 +121,9 @@ struct FirmwareState {
   Pin read_pin = kNoPin;             ///< of the last digital read outside interrupt handlers
   SimTime read_at = 0;               ///< when that was
   bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
+  bool polls = false;                ///< at a yield: it goes rounds that change nothing until `wake`,
+  bool polls_by_calls = false;       ///< in which it calls the API
+  size_t heap_used = 0;              ///< bytes of the arena that malloc has ever given, with all before them
   bool endless = false;              ///< in a loop without any block
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };
@@ -129,12 +139,6 @@ class CounterSink {
   ~CounterSink() = default;
 };
 
-/// Variables of the core that go on by themselves, and that sketches see through calls alone.
-struct Clockwork {
-  const void* begin;
-  size_t bytes;
-};
-
 struct Image {
   uint32_t version;  ///< kImageVersion
   FirmwareState* state;
@@ -145,8 +149,10 @@ struct Image {
   uintptr_t shadow;
   const void* begin;
   const void* end;
-  const Clockwork* clockworks;
-  size_t clockwork_count;
+  /// Variables of the core that go on by themselves, and that sketches see through calls alone; or that never
+  /// change.
+  const char* clockwork_begin;
+  const char* clockwork_end;
   /// Whether an interrupt is enabled, other than those of the core's clock and its Serial, that may come
   /// though firmware calls nothing; or would be, were the I flag set, with `held_back`. It is clear in
   /// handlers and where firmware reads what handlers write. To be called outside the fiber, as is the next.

@@ -3,6 +3,7 @@
 #include "hal/host/adc.h"
 #include "hal/host/clock.h"
 #include "hal/host/external.h"
+#include "hal/host/polling.h"
 #include "hal/host/register_memory.h"
 #include "hal/host/spi.h"
 #include "hal/host/timers.h"
@@ -42,7 +43,7 @@ namespace robosim {
 namespace host {
 
 uint8_t status_register;
-uint32_t handlers_run;
+ROBOSIM_CLOCKWORK uint32_t handlers_run;
 
 namespace {
 
@@ -231,6 +232,7 @@ bool serve_interrupt() {
   status_register &= 0x7F;
   ++depth;
   ++handlers_run;
+  if (vector != kTimer0Overflow) leave_round();
   if (vector != kTimer0Overflow) state.now += cycles(cost::kInterrupt);
   refresh_deadline();
   handler();

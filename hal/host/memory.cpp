@@ -63,6 +63,8 @@ uint8_t* block_of(void* memory) {
 
 /// Makes `size` bytes of the block the sketch's.
 void give(uint8_t* block, size_t size) {
+  const auto end = static_cast<size_t>(next(block) - arena());
+  if (end > host::state.heap_used) host::state.heap_used = end;
   header(block)->use = kUsed;
   header(block)->asked = static_cast<uint32_t>(size);
   host::forbid(payload(block), header(block)->bytes, host::kHeapGap);

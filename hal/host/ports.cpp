@@ -7,7 +7,7 @@ namespace robosim {
 namespace host {
 
 PortRegisters ports[kPorts];
-Place places[kNumbers];
+ROBOSIM_CLOCKWORK Place places[kNumbers];  // they never change
 
 namespace {
 

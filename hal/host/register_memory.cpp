@@ -46,6 +46,7 @@ void settle() {
 
 void will_write(robosim_register address, int bytes, const void* place) {
   begin_access(address, bytes, place);
+  settle_registers();  // ends a look that has begun in there (polling.h)
   unsettled = settle;
   written = address;
   written_bytes = bytes;

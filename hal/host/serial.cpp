@@ -107,8 +107,8 @@ void HardwareSerial::end() {
 }
 
 int HardwareSerial::available() {
-  host::note_call("Serial.available", kNoPin, 0);
-  host::spend(cost::kSerialAvailable);
+  host::note_question("Serial.available", kNoPin, 0);
+  host::spend_asking(cost::kSerialAvailable);
   if (!connected_) return 0;
   return (SERIAL_RX_BUFFER_SIZE + received.head - received.tail) % SERIAL_RX_BUFFER_SIZE;
 }

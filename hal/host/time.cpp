@@ -43,8 +43,9 @@ extern "C" {
 __attribute__((weak)) void yield() { own_yield = false; }
 
 unsigned long millis() {
-  host::note_call("millis", kNoPin, 0);
-  host::spend(cost::kMillis);
+  host::note_question("millis", kNoPin, 0);
+  host::note_clock();
+  host::spend_asking(cost::kMillis);
   return static_cast<unsigned long>(host::timer0_count.millis);
 }
 

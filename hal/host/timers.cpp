@@ -7,8 +7,9 @@
 namespace robosim {
 namespace host {
 
-Timer timer0(0), timer1(1), timer2(2);
-Timer0Count timer0_count;
+ROBOSIM_CLOCKWORK Timer timer0(0);
+Timer timer1(1), timer2(2);
+ROBOSIM_CLOCKWORK Timer0Count timer0_count;
 
 namespace {
 // As in the core's wiring.c: what an overflow takes, in whole milliseconds and 125ths of one. At 16 MHz that

@@ -71,6 +71,7 @@ workload() {  # the table's first column
     'host: reads and drives') simulated robosim-host ReadsAndDrives ;;
     'host: polls `millis()`') simulated robosim-host PollsMillis ;;
     'host: polls a pin') simulated robosim-host PollsPin ;;
+    'host: polls a flag') simulated robosim-host PollsFlag ;;
     'avr: PidFollower') simulated robosim-avr PidFollower --target avr ;;
     'avr: computes') simulated robosim-avr Computes --target avr ;;
     'avr: sleeps idle') simulated robosim-avr SleepsIdle --target avr ;;

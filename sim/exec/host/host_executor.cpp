@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "sim/base/file.h"
+#include "sim/exec/host/api_call.h"
 #include "sim/exec/host/bad_access.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/exec/host/counters.h"
@@ -27,11 +29,10 @@
 namespace robosim::exec {
 namespace {
 
-constexpr std::size_t kStackBytes = 256 * 1024;
-constexpr std::size_t kHeapBytes = 64 * 1024;
-constexpr std::size_t kNullPage = 4096;
+constexpr std::size_t kStackBytes = 256 * 1024, kHeapBytes = 64 * 1024;
 constexpr SimTime kWatch = 10 * kMillisecond;
 constexpr std::array kFaults = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGSYS};
+std::array<struct sigaction, kFaults.size()> previous_handlers;
 
 }  // namespace
 
@@ -46,11 +47,13 @@ class HostExecutor::Instance final : public host::Host {
         stack_(kStackBytes),
         fiber_(stack_, &Instance::start, this),
         shadow_(image_.entry().shadow, checked_memory()),
-        round_finder_(image_, {heap_.begin(), heap_.end()}) {
+        round_finder_(image_, {heap_.begin(), heap_.end()}),
+        kept_(image_) {
     state_.heap = reinterpret_cast<std::uint8_t*>(heap_.begin());
     state_.heap_bytes = heap_.size();
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
+    state_.may_skip = owner.skips_waiting_;
     state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
     owner_.divisions_.forget_addresses();
     catch_faults();
@@ -67,7 +70,10 @@ class HostExecutor::Instance final : public host::Host {
   /// Whether it shall be found out in the next tick if firmware goes round.
   void watch(bool wanted) {
     const bool watched = wanted && !image_.entry().may_interrupt(false);
-    if (watched && !state_.watched) round_finder_.begin();
+    if (watched && !state_.watched) {
+      come_up();
+      round_finder_.begin();
+    }
     state_.watched = watched;
     // What counts how often blocks have run never comes round.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
@@ -83,14 +89,16 @@ class HostExecutor::Instance final : public host::Host {
     state_.limit = owner_.clocked_.begin_tick(t);
     state_.next_input = owner_.clocked_.next_input();
     if (std::min(state_.wake, state_.next_input) >= state_.limit) return true;
-    running_ = this;
-    if (sigsetjmp(escape_, 0) == 0) {
-      fiber_.resume();
-    } else {
-      report_fault();
-    }
-    running_ = nullptr;
+    resume();
     return !owner_.crash_;
+  }
+
+  /// Where it only waits it may be asleep since before the limit: runs it to there, as if it had not slept.
+  void come_up() {
+    if (!state_.polls || owner_.crash_) return;
+    state_.called_up = true;
+    resume();
+    state_.called_up = false;
   }
 
   /// Whether its watchdog has reset it; it runs no further then.
@@ -117,22 +125,23 @@ class HostExecutor::Instance final : public host::Host {
   void yield() override { suspend(); }
 
   void block_begins(const std::uint8_t* stack) override {
-    const auto* const begin = reinterpret_cast<const std::byte*>(stack);
     // Where it was looked at, a handler ran, or the I flag was clear for a moment, to read what one writes.
     const bool alive = image_.entry().may_interrupt(false);
-    goes_round_ = !alive && round_finder_.sees(state_.place, {begin, stack_.end()});
+    goes_round_ = !alive && round_finder_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
   }
+
+  void take_state(const std::uint8_t* stack) override { kept_.take(used_heap(state_), from(stack)); }
+  bool has_state(const std::uint8_t* stack) override { return kept_.is_like(used_heap(state_), from(stack)); }
+  SimTime same_until(Pin pin, SimTime now) override { return owner_.clocked_.same_until(pin, now); }
 
   bool take_input(SimTime until, host::Input& input) override {
     BoardInput taken;
     const bool found = owner_.clocked_.take_input(until, taken);
     state_.next_input = owner_.clocked_.next_input();
     if (!found) return false;
-    input.kind = taken.kind == BoardInput::Kind::edge ? host::Input::Kind::edge : host::Input::Kind::byte;
-    input.pin = taken.pin;
-    input.value = taken.value;
-    input.at = taken.at;
+    const bool edge = taken.kind == BoardInput::Kind::edge;
+    input = {edge ? host::Input::Kind::edge : host::Input::Kind::byte, taken.pin, taken.value, taken.at};
     return true;
   }
 
@@ -182,6 +191,20 @@ class HostExecutor::Instance final : public host::Host {
   }
 
  private:
+  void resume() {
+    running_ = this;
+    if (sigsetjmp(escape_, 0) == 0) {
+      fiber_.resume();
+    } else {
+      report_fault();
+    }
+    running_ = nullptr;
+  }
+
+  KeptState::Memory from(const std::uint8_t* stack) const {
+    return {reinterpret_cast<const std::byte*>(stack), stack_.end()};
+  }
+
   static void start(void* argument) {
     auto& self = *static_cast<Instance*>(argument);
     self.image_.entry().run(self.owner_.clocked_, self, self.state_.now);
@@ -195,9 +218,8 @@ class HostExecutor::Instance final : public host::Host {
 
   /// A fault that the firmware has noticed itself, on the fiber.
   void report(const Undefined& fault, const void* where) {
-    Crash crash{fault.reason, place_of(fault, where)};
-    crash.check = fault.check;
-    owner_.crash_ = crash;
+    owner_.crash_ = Crash{fault.reason, place_of(fault, where)};
+    owner_.crash_->check = fault.check;
     suspend();
   }
 
@@ -226,28 +248,8 @@ class HostExecutor::Instance final : public host::Host {
     if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
     calls_.add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
     addresses.push_back({state_.place, true});
-    owner_.crash_ = Crash{reason(fault), image_.locate(addresses)};
+    owner_.crash_ = Crash{reason_of(fault, heap_, stack_), image_.locate(addresses)};
     if (fault.signal == SIGSYS) owner_.crash_->check = kSandboxCheck;
-  }
-
-  std::string reason(const HostFault& fault) const {
-    const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
-    if (fault.signal == SIGSYS) return refusal(fault.call);
-    if (fault.signal == SIGILL)
-      return "an instruction that does not exist (a damaged stack or pointer to a function?)";
-    if (fault.signal == SIGFPE) return "a division by zero, or one whose result does not fit";
-    if (stack_.in_guard_before(fault.address)) return "stack overflow (deep recursion?)";
-    const char* const hint = address < kNullPage ? " (null pointer)" : "";
-    if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);
-    // A processor that gets an impossible address does not say which.
-    if (fault.signal == SIGSEGV && fault.code == SI_KERNEL) return "access through a wild pointer";
-    if (heap_.in_guard_before(fault.address) || is_behind_heap(fault.address))
-      return fmt::format("{} outside the heap", fault.access());
-    return fmt::format("{} of address {:#x}{}", fault.access(), address, hint);
-  }
-
-  bool is_behind_heap(const std::byte* address) const {
-    return address >= heap_.end() && address < heap_.end() + kNullPage;
   }
 
   static thread_local Instance* running_;
@@ -262,6 +264,7 @@ class HostExecutor::Instance final : public host::Host {
   std::vector<host::GlobalRecord> globals_;
   OpenCalls calls_{image_, stack_};
   RoundFinder round_finder_;
+  KeptState kept_;
   bool goes_round_ = false, bitten_ = false;
   const void* suspended_at_ = nullptr;
   std::map<std::vector<const void*>, SourceLine> sources_;
@@ -270,10 +273,6 @@ class HostExecutor::Instance final : public host::Host {
 };
 
 thread_local HostExecutor::Instance* HostExecutor::Instance::running_ = nullptr;
-
-namespace {
-std::array<struct sigaction, kFaults.size()> previous_handlers;
-}  // namespace
 
 void HostExecutor::Instance::catch_faults() {
   ensure_signal_stack();
@@ -311,6 +310,8 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
 }
 
 HostExecutor::HostExecutor(const BoardSpec& spec, std::filesystem::path image) : board_(spec) {
+  const char* const wish = std::getenv("ROBOSIM_SKIP_WAITING");
+  skips_waiting_ = !wish || std::string_view(wish) != "off";
   image_.name = std::move(image);
 }
 
@@ -375,22 +376,21 @@ std::vector<BundledFile> HostExecutor::counters() {
 SimTime HostExecutor::last_call() const {
   if (!instance_) return reached_;
   const host::FirmwareState& state = instance_->state();
-  return state.waiting && !crash_ ? reached_ : clocked_.to_world(state.last_call);
+  return (state.waiting || (state.polls && state.polls_by_calls)) && !crash_
+             ? reached_
+             : clocked_.to_world(state.last_call);
 }
 
 SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
 
 Activity HostExecutor::activity() {
+  if (instance_) instance_->come_up();
   Activity activity;
   activity.last_call = last_call();
   if (!instance_) return activity;
   const host::FirmwareState& state = instance_->state();
-  const host::ApiCall& call = state.call;
-  activity.call = call.name;
-  if (call.arguments == 0) activity.call += "()";
-  if (call.arguments == 1) activity.call += fmt::format("({})", call.argument[0]);
-  if (call.arguments == 2) activity.call += fmt::format("({}, {})", call.argument[0], call.argument[1]);
-  activity.pin = call.pin;
+  activity.call = text_of(state.call);
+  activity.pin = state.call.pin;
   if (reached_ - clocked_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
   activity.where = crash_ ? crash_->where : instance_->place();
   if (state.stopped_by) activity.stopped_by = state.stopped_by;

@@ -42,6 +42,9 @@ class HostExecutor final : public Executor {
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
   std::vector<BundledFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
+  /// Whether firmware that only waits may be left asleep, which changes nothing but the time that it takes
+  /// here (hal/host/polling.h); from the next power_on() on.
+  void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
@@ -53,6 +56,7 @@ class HostExecutor final : public Executor {
   BoardState board_;
   ClockedBoard clocked_{board_};
   ImageFile image_;
+  bool skips_waiting_ = true;
   bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;

@@ -1,8 +1,9 @@
 #include "sim/exec/host/host_fault.h"
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
-#include "sim/exec/host/fiber.h"
+#include "sim/exec/host/confinement.h"
 
 namespace robosim::exec {
 
@@ -28,6 +29,24 @@ HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context)
   fault.link = reinterpret_cast<const void*>(context.uc_mcontext.arm_lr);
 #endif
   return fault;
+}
+
+std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const GuardedMemory& stack) {
+  constexpr std::size_t kNullPage = 4096;
+  const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
+  if (fault.signal == SIGSYS) return refusal(fault.call);
+  if (fault.signal == SIGILL)
+    return "an instruction that does not exist (a damaged stack or pointer to a function?)";
+  if (fault.signal == SIGFPE) return "a division by zero, or one whose result does not fit";
+  if (stack.in_guard_before(fault.address)) return "stack overflow (deep recursion?)";
+  const char* const hint = address < kNullPage ? " (null pointer)" : "";
+  if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);
+  // A processor that gets an impossible address does not say which.
+  if (fault.signal == SIGSEGV && fault.code == SI_KERNEL) return "access through a wild pointer";
+  const bool behind_heap = fault.address >= heap.end() && fault.address < heap.end() + kNullPage;
+  if (heap.in_guard_before(fault.address) || behind_heap)
+    return fmt::format("{} outside the heap", fault.access());
+  return fmt::format("{} of address {:#x}{}", fault.access(), address, hint);
 }
 
 bool in_same_object(const void* a, const void* b) {

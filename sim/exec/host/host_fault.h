@@ -5,6 +5,9 @@
 #include <ucontext.h>
 
 #include <cstddef>
+#include <string>
+
+#include "sim/exec/host/fiber.h"
 
 namespace robosim::exec {
 
@@ -23,6 +26,9 @@ struct HostFault {
 };
 
 HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context);
+
+/// What the user is told of it, whose firmware has this heap and this stack.
+std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const GuardedMemory& stack);
 
 /// Whether both addresses are in one executable or shared object.
 bool in_same_object(const void* a, const void* b);

@@ -34,6 +34,7 @@ struct Segments {
   std::uintptr_t begin = UINTPTR_MAX;  ///< of the code
   std::uintptr_t end = 0;
   std::vector<MemoryRange> variables = {};
+  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< what the loader protects from writes
 };
 
 int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
@@ -41,8 +42,9 @@ int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
   if (info->dlpi_addr != found.base) return 0;
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     const auto& segment = info->dlpi_phdr[i];
-    if (segment.p_type != PT_LOAD) continue;
     const std::uintptr_t begin = found.base + segment.p_vaddr, end = begin + segment.p_memsz;
+    if (segment.p_type == PT_GNU_RELRO) found.constants = {begin, end};
+    if (segment.p_type != PT_LOAD) continue;
     if (segment.p_flags & PF_W)
       found.variables.push_back(
           {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)});
@@ -119,6 +121,10 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   code_begin_ = found.begin;
   code_end_ = found.end;
   variables_ = std::move(found.variables);
+  const auto* const end_of_constants = reinterpret_cast<const std::byte*>(found.constants.second);
+  for (MemoryRange& variables : variables_)
+    if (reinterpret_cast<std::uintptr_t>(variables.begin) == found.constants.first)
+      variables.begin = std::min(end_of_constants, variables.end);
 }
 
 LoadedImage::~LoadedImage() { dlclose(handle_); }

@@ -3,20 +3,16 @@
 // (hal/host/clock.cpp).
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
-#include "sim/exec/host/image_file.h"
+#include "sim/exec/host/kept_state.h"
 
 namespace robosim::exec {
 
 class RoundFinder {
  public:
-  using Memory = std::span<const std::byte>;
+  using Memory = KeptState::Memory;
 
   /// Variables and `heap` are what firmware keeps, but for its stack.
-  RoundFinder(const LoadedImage& image, Memory heap);
+  RoundFinder(const LoadedImage& image, Memory heap) : state_(image), heap_(heap) {}
 
   /// Forgets what it has seen: something else than firmware has run.
   void begin();
@@ -24,15 +20,11 @@ class RoundFinder {
   bool sees(const void* place, Memory stack);
 
  private:
-  void take(const void* place, Memory stack);
-  bool is_taken(const void* place, Memory stack) const;
-
-  std::vector<Memory> kept_;
+  KeptState state_;
+  Memory heap_;
   // One state is remembered, and given up for a later one after 1, 2, 4 … blocks (Brent, 1980: An improved
   // Monte Carlo factorization algorithm, section 2).
   const void* place_ = nullptr;
-  std::vector<std::byte> stack_;
-  std::vector<std::vector<std::byte>> copies_;
   int power_ = 1, since_ = 0;
 };
 

@@ -1,0 +1,181 @@
+#include "hal/host/polling.h"
+
+#include "hal/host/interrupts.h"
+#include "hal/host/register_memory.h"
+#include "hal/host/timers.h"
+
+namespace robosim {
+namespace host {
+
+ROBOSIM_CLOCKWORK Polling polling;
+
+namespace {
+
+constexpr int kPatience = 6;
+constexpr int kMostBlocks = 300, kMostVisits = 70;  // of a look, and of its place
+constexpr int kFarAway = 32;                        // blocks after which it must be another loop
+constexpr int kLongestWait = 64;                    // deadlines, of which there are some two in a millisecond
+
+SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
+
+void leave() {
+  polling.on = false;
+  unsettled = nullptr;
+  deadline = polling.until;
+}
+
+void find_nothing() {
+  leave();
+  polling.known = polling.sure = false;
+  polling.wait = polling.wait == 0 ? 1 : 2 * polling.wait < kLongestWait ? 2 * polling.wait : kLongestWait;
+  polling.left = polling.wait;
+}
+
+/// Something is due, or something is called that does more than to ask.
+void break_off() {
+  if (polling.patience == 0) return find_nothing();
+  --polling.patience;
+  leave();
+  if (state.now >= deadline) return;
+  polling.known = polling.sure = false;
+  deadline = state.now;  // the next block looks again
+}
+
+void begin_round() {
+  polling.going = polling.once = true;
+  polling.since = state.now;
+  polling.clock = polling.pins = polling.calls = polling.sure = false;
+  polling.high = polling.low = PinSet();
+  polling.promised = kNever;
+}
+
+/// Leaves out rounds; false if there is no time for one.
+bool skip() {
+  leave();
+  const SimTime began = state.now, due = next_due();
+  for (;;) {
+    SimTime end = earlier(earlier(due, state.next_input), polling.promised);
+    // The world may change with each tick.
+    if (polling.pins || state.called_up) end = earlier(end, state.limit);
+    SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
+    // The board knows when it was last looked at.
+    if (polling.pins && rounds > 0) --rounds;
+    const SimTime last = state.now + rounds * polling.length;
+    if (last < state.limit) {
+      state.now = last;
+      break;
+    }
+    state.polls = true;
+    state.polls_by_calls = polling.calls;
+    state.wake = last;
+    executor->yield();
+    state.polls = false;
+  }
+  deadline = earlier(due, state.limit);
+  if (interrupts_enabled()) deadline = earlier(deadline, state.next_input);
+  if (state.now == began) return false;
+  if (polling.calls) state.last_call = state.now - polling.call_ago;
+  if (polling.read_ago < polling.length) state.read_at = state.now - polling.read_ago;
+  return true;
+}
+
+/// It is at `place` in the same state again.
+bool come_round() {
+  if (polling.clock && timer0_count.millis != polling.millis) {
+    begin_round();
+    return true;
+  }
+  if (polling.pins && !polling.going) {  // which may have changed with the tick
+    polling.going = true;
+    polling.promised = kNever;
+    return true;
+  }
+  if (skip()) {
+    polling.wait = polling.left = 0;
+    polling.patience = kPatience;
+  } else {
+    polling.until = deadline;
+    find_nothing();
+  }
+  return state.now < deadline;
+}
+
+}  // namespace
+
+void begin_look() {
+  if (!state.may_skip || polling.on || state.watched || unsettled || in_handler()) return;
+  if (state.now >= deadline) return;
+  if (polling.left > 0 && --polling.left > 0) return;
+  polling.on = true;
+  polling.until = deadline;
+  polling.going = false;
+  polling.blocks = polling.visits = 0;
+  polling.next_place = polling.next_take = 1;
+  if (!polling.known) polling.place = nullptr;
+  deadline = -1;
+  unsettled = break_off;
+}
+
+bool look_wants_state() {
+  if (polling.sure || state.now >= polling.until || state.place != polling.place) return false;
+  polling.take = !polling.known;
+  return true;
+}
+
+bool look_at_block() {
+  if (state.now >= polling.until) {
+    break_off();
+    return false;
+  }
+  if (++polling.blocks > kMostBlocks || polling.visits > kMostVisits) {
+    find_nothing();
+    return true;
+  }
+  if (state.place != polling.place) {
+    if (polling.blocks == kFarAway) polling.known = polling.sure = false;
+    // Until a place has been met again, a later one is tried after 1, 2, 4, … blocks.
+    if (!polling.known && polling.blocks >= polling.next_place) {
+      polling.place = state.place;
+      polling.next_place *= 2;
+    }
+    return true;
+  }
+  if (polling.sure) return come_round();
+  if (polling.take) {
+    polling.known = true;
+    begin_round();
+    return true;
+  }
+  if (!polling.same) {
+    polling.once = false;
+    // A state is given up for a later one after 1, 2, 4, … visits.
+    if (++polling.visits < polling.next_take) return true;
+    polling.next_take *= 2;
+    polling.known = false;
+    return true;
+  }
+  if (!polling.going) {
+    begin_round();
+    return true;
+  }
+  polling.length = state.now - polling.since;
+  polling.millis = timer0_count.millis;
+  polling.call_ago = state.now - state.last_call;
+  polling.read_ago = state.now - state.read_at;
+  polling.sure = polling.once;
+  return come_round();
+}
+
+void look_at_level(Pin pin, bool high) {
+  (high ? polling.high : polling.low).add(pin);
+  polling.pins = true;
+  polling.promised = earlier(polling.promised, executor->same_until(pin, state.now));
+}
+
+void spend_late() {
+  reach_deadline();
+  begin_look();
+}
+
+}  // namespace host
+}  // namespace robosim

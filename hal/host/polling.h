@@ -1,0 +1,84 @@
+// Firmware that only waits, by asking again and again: it finds its variables, heap, stack and registers as
+// they were when it was at the same place before, and all that it has asked meanwhile is sure to be answered
+// in the same way for some time. Then it goes the same round, of the same length, until that time is over,
+// and as many rounds as surely fit into it are left out but for the last: what follows is as if they had been
+// gone through.
+//
+// At a deadline a look begins: each basic block comes to look_at_block() from then on. It ends when a
+// round has been left out, when it takes too long, or with a call that does more than those marked by
+// note_question(). Looks that find nothing are repeated ever more rarely.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/board.h"
+#include "hal/host/clock.h"
+#include "hal/host/external.h"
+#include "hal/host/timers.h"
+
+namespace robosim {
+namespace host {
+
+struct Polling {
+  bool on = false;     ///< a look goes on; `deadline` is always over then, and the true one is `until`
+  bool known = false;  ///< the executor has the state at `place`
+  bool going = false;  ///< a round has begun at `since`
+  bool take = false;   ///< the state shall be taken, not compared
+  bool same = false;   ///< what comparing gave
+  bool clock = false;  ///< the round reads what Timer 0's interrupt counts,
+  bool pins = false;   ///< or pins,
+  bool once = false;   ///< the round comes to `place` once
+  bool calls = false;  ///< or calls something at all
+  bool sure = false;   ///< the state is on the round of `length`: since it was there it got the same answers
+  int patience = 0;    ///< calls that may still break a look off before looks become rarer
+  int wait = 0,
+      left = 0;  ///< deadlines from a look that has found nothing to the next, and those that are left
+  int blocks = 0, visits = 0, next_place = 0, next_take = 0;
+  const void* place = nullptr;
+  SimTime until = 0;
+  SimTime since = 0, length = 0;
+  SimTime call_ago = 0, read_ago = 0;  ///< at `place`: since the last call and the last read
+  SimTime promised = kNever;           ///< until when pins are sure to give what they have given
+  uint64_t millis = 0;                 ///< of the round of `length`,
+  PinSet high, low;                    ///< and its pins
+};
+extern Polling polling;
+
+/// Where a look may begin: after a deadline, in a block or a call.
+void begin_look();
+/// A block begins during a look. Whether the executor is to compare the state or, as `polling.take` says, to
+/// take it; what follows from that: false if the look is over, and what is due has to be done.
+bool look_wants_state();
+bool look_at_block();
+void look_at_level(Pin pin, bool high);
+/// It has got another answer than in the round of `length`, or a handler has run.
+inline void leave_round() {
+  if (!polling.sure) return;
+  polling.sure = polling.going = false;
+}
+/// The sketch has asked for the level of a pin, and got it.
+inline void note_level(Pin pin, bool high) {
+  if (!(high ? polling.high : polling.low).has(pin)) leave_round();
+  if (__builtin_expect(polling.on, 0)) look_at_level(pin, high);
+}
+/// It has asked for what Timer 0's interrupt counts.
+inline void note_clock() {
+  polling.clock = true;
+  if (timer0_count.millis != polling.millis) leave_round();
+}
+void spend_late();
+/// Work in a call that changes nothing.
+inline void spend_asking(int count) {
+  state.now += cycles(count);
+  if (__builtin_expect(state.now >= deadline, 0) && !(polling.on && state.now < polling.until)) spend_late();
+}
+
+/// Between two calls of loop(), which is no place to look at: it has none of its own in the sketch.
+inline void spend_between_loops(int count) {
+  state.now += cycles(count);
+  if (__builtin_expect(state.now >= deadline, 0) && !(polling.on && state.now < polling.until))
+    block_at_deadline();
+}
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,19 @@
+// A call of the Arduino API, as the sketch would write it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "hal/host/image.h"
+
+namespace robosim::exec {
+
+inline std::string text_of(const host::ApiCall& call) {
+  if (call.arguments == 0) return fmt::format("{}()", call.name);
+  if (call.arguments == 1) return fmt::format("{}({})", call.name, call.argument[0]);
+  if (call.arguments == 2) return fmt::format("{}({}, {})", call.name, call.argument[0], call.argument[1]);
+  return call.name;
+}
+
+}  // namespace robosim::exec
