@@ -21,8 +21,6 @@ export const KIND = {
   fault_began: 'fault', fault_ended: 'fault', power_lost: 'fault', power_back: 'fault', part_told: 'told',
 };
 
-// The line counts as left when no sensor has seen it for so long: a gap that is just crossed does not.
-const LEFT_S = 0.02;
 // Nothing drives so far, so fast: it was lifted and put there.
 const CARRIED_MM = 150, CARRIED_MM_S = 10000;
 
@@ -162,7 +160,8 @@ export function runOf({ header, streams }) {
   run.changes = changesBy(header.notes);
   run.hand = handOf(run.t, header.notes);
   for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
-  addLineEvents(run);
+  for (const { t_us, sensor, left } of header.line ?? [])
+    run.addEvent(t_us / 1e6, 'line', left ? `the line is left: ${sensor} saw it last` : `back on the line, under ${sensor}`);
   run.addEvent(result.time_s, 'end', `${result.verdict}: ${result.why}`);
   run.sortEvents();
   return run;
@@ -225,31 +224,6 @@ function addSerial(run, serial) {
     at += serial.bytes[i];
     run.lines.push({ t: serial.t_ns[i] / 1e9, text });
     run.addEvent(serial.t_ns[i] / 1e9, 'serial', text);
-  }
-}
-
-/** When the line was left, and which sensor saw it last: what everybody asks first. */
-function addLineEvents(run) {
-  // Each sensor has its own idea of the floor, so the line begins a tenth above the least that it ever read. A sensor that
-  // always reads the same was over the line throughout, or never.
-  const sensors = run.sensors.map(({ name }) => {
-    const values = run.floor?.light_line ? run.columns[name].map((v) => 1 - v) : run.columns[name];
-    const least = values.reduce((a, b) => Math.min(a, b), 1), most = values.reduce((a, b) => Math.max(a, b), 0);
-    return { name, values, from: most - least > 0.2 ? least + 0.1 * (most - least) : least > 0.5 ? 0.5 : Infinity };
-  });
-  let last = -1, by, left = false;
-  for (let i = 0; i < run.t.length; i++) {
-    let best;
-    for (const sensor of sensors)
-      if (sensor.values[i] > sensor.from && !(best?.values[i] >= sensor.values[i])) best = sensor;
-    if (best) {
-      if (left) run.addEvent(run.t[i], 'line', `back on the line, under ${best.name}`);
-      left = false;
-      [last, by] = [i, best.name];
-    } else if (!left && last >= 0 && run.t[i] - run.t[last] > LEFT_S) {
-      left = true;
-      run.addEvent(run.t[last], 'line', `the line is left: ${by} saw it last`);
-    }
   }
 }
 

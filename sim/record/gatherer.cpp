@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/file.h"
@@ -81,9 +82,21 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
   serial_text_ += serial.text;
 }
 
+std::vector<LineEvent> Gatherer::line_events() const {
+  const auto samples = streams_.find(kSamples);
+  if (samples == streams_.end()) return {};
+  std::vector<SensorReadings> sensors;
+  for (const auto& sensor : header_.robot_info.sensors)
+    if (auto values = samples->second.column(sensor.name); !values.empty())
+      sensors.push_back({sensor.name, std::move(values)});
+  return record::line_events(samples->second.column("t_us"), std::move(sensors),
+                             header_.floor && header_.floor->light_line);
+}
+
 std::string Gatherer::content(const wire::RunResult& result) {
   header_.result = result;
   header_.result.serial.clear();  // it is in the stream, with its times
+  header_.line = line_events();
   header_.thinned_ns = thinned_ ? kThinned_ns : 0;
   std::string body;
   for (auto& [name, stream] : streams_) header_.streams.push_back(stream.write(name, body));

@@ -51,6 +51,17 @@ std::size_t KeptStream::bytes() const {
   return bytes;
 }
 
+std::vector<double> KeptStream::column(const std::string& name) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < specs_.size() && !thinned_; ++i) {
+    if (specs_[i].name != name) continue;
+    const auto steps = wire::ColumnReader(specs_[i].order).read(bytes_[i], static_cast<std::size_t>(count_));
+    if (!steps) return {};
+    for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / specs_[i].scale);
+  }
+  return values;
+}
+
 StreamInfo KeptStream::write(const std::string& name, std::string& body) {
   if (thinned_ && !thinned_->pending.empty()) {
     thinned_->few.add(thinned_->pending.data());

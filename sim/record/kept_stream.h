@@ -19,6 +19,8 @@ class KeptStream {
   /// From now on, and of what is there, only the last row in each span is kept. The first column is t_ns.
   void thin(std::int64_t span_ns);
   std::size_t bytes() const;
+  /// A column in its unit; empty if there is none of that name, or its bytes are damaged.
+  std::vector<double> column(const std::string& name) const;
   /// Adds its bytes to `body`.
   StreamInfo write(const std::string& name, std::string& body);
 

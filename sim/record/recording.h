@@ -36,6 +36,7 @@ class Gatherer {
 
  private:
   void add_columns(const wire::Columns& columns);
+  std::vector<LineEvent> line_events() const;
   void add_serial(const wire::SerialText& serial);
 
   std::size_t most_changes_bytes_;

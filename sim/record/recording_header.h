@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/record/floor_shapes.h"
+#include "sim/record/line_left.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::record {
@@ -44,6 +45,7 @@ struct RecordingHeader {
   wire::Started started;
   wire::RunResult result;
   std::vector<wire::Note> notes;
+  std::vector<LineEvent> line;            ///< when the line was left, and found again
   std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
   /// Of pins and voltages only the last change in each span so long is kept; 0 = every change.
   std::int64_t thinned_ns = 0;
@@ -80,6 +82,7 @@ void fields(V& v, wire::Same<V, RecordingHeader>& h) {
   v("started", h.started, "the event");
   v("result", h.result, "of the run");
   v("notes", h.notes, "the events");
+  v("line", h.line, "when it was left, and found again", {.presence = wire::when(!h.line.empty())});
   v("sources", h.sources, "lines that drove pins", {.presence = wire::when(!h.sources.empty())});
   v("thinned_ns", h.thinned_ns, "0 = not", {.presence = wire::kOptional});
   v("streams", h.streams, "what follows");

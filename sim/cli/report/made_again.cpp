@@ -1,58 +1,22 @@
 #include "sim/cli/report/made_again.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "sim/cli/launching.h"
 #include "sim/record/record_page.h"
 
 namespace robosim::cli {
-namespace {
-
-// As sim/page/run.js has them.
-constexpr double kLeft_s = 0.02;
-constexpr double kSpread = 0.2, kBegins = 0.1;  // of what a sensor reads
-constexpr double kAlways = 0.5;  // less than that a sensor that is always over the line never reads
-
-struct Seen {
-  std::vector<double> values;
-  double from;  ///< more is line
-};
-
-}  // namespace
-
 std::vector<std::array<double, 2>> places_left(const std::string& bytes) {
   const record::Recording recording = record::Recording::decode(bytes, "the recording");
   const auto samples = recording.stream("samples");
-  const record::RecordingHeader& header = recording.header();
   std::vector<std::array<double, 2>> places;
   if (samples.size() < 3) return places;
-  std::vector<Seen> sensors;
-  for (const auto& info : header.streams) {
-    if (info.name != "samples") continue;
-    for (std::size_t i = 0; i < info.columns.size(); ++i)
-      for (const auto& sensor : header.robot_info.sensors) {
-        if (sensor.name != info.columns[i].name || samples[i].empty()) continue;
-        std::vector<double> values = samples[i];
-        if (header.floor && header.floor->light_line)
-          for (double& value : values) value = 1.0 - value;
-        const double least = *std::min_element(values.begin(), values.end());
-        const double spread = *std::max_element(values.begin(), values.end()) - least;
-        const double steady = least > kAlways ? kAlways : std::numeric_limits<double>::infinity();
-        sensors.push_back({std::move(values), spread > kSpread ? least + kBegins * spread : steady});
-      }
-  }
-  bool left = false;
-  std::optional<std::size_t> last;
-  for (std::size_t i = 0; i < samples[0].size(); ++i) {
-    if (std::any_of(sensors.begin(), sensors.end(), [&](const Seen& s) { return s.values[i] > s.from; })) {
-      left = false;
-      last = i;
-    } else if (!left && last && (samples[0][i] - samples[0][*last]) * 1e-6 > kLeft_s) {
-      left = true;
-      places.push_back({samples[1][*last], samples[2][*last]});
-    }
+  for (const record::LineEvent& event : recording.header().line) {
+    if (!event.left) continue;
+    const auto at = std::lower_bound(samples[0].begin(), samples[0].end(), static_cast<double>(event.t_us));
+    const auto row = static_cast<std::size_t>(at - samples[0].begin());
+    if (row < samples[0].size()) places.push_back({samples[1][row], samples[2][row]});
   }
   return places;
 }
