@@ -357,7 +357,7 @@ export class FloorPicture {
     let everywhere = 0;
     (floor.lights ?? []).forEach(({ at, radius = 0, moves = [0, 0] }, i) => {
       const lit = isLit(this.run.changes ?? [], i + 1, t);
-      const [x, y] = at ? [at[0] + moves[0] * t, at[1] + moves[1] * t] : [floor.width - 16 * px - 24 * px * everywhere++, floor.height - 16 * px];
+      const [x, y] = at ? [at[0] + moves[0] * t, at[1] + moves[1] * t] : [(16 + 24 * everywhere++) * px, floor.height - 16 * px];
       const path = new Path2D();
       path.arc(x, y, radius || 8 * px, 0, 2 * Math.PI);
       ctx.fillStyle = radius ? 'rgb(240 200 0 / 35%)' : '#f0c800';
