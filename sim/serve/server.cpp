@@ -45,10 +45,15 @@ std::string token_of(const Request& request) {
   return cookies.substr(begin, cookies.find(';', begin) - begin);
 }
 
+// Of two names neither is meant.
+std::string host_of(const Request& request) {
+  return request.get_header_value_count("Host") == 1 ? request.get_header_value("Host") : "";
+}
+
 Asked asked_of(const Request& request) {
   return {request.method,
           request.target.substr(0, request.target.find('?')),
-          request.get_header_value("Host"),
+          host_of(request),
           request.get_header_value("Origin"),
           request.get_header_value("Sec-Fetch-Site"),
           request.get_header_value("X-Robosim"),

@@ -142,6 +142,11 @@ TEST_F(Serving, RefusesOtherSites) {
   EXPECT_EQ(http_->Get("/api/folder")->status, 403);
   http_->set_default_headers({{"Host", "evil.example"}});
   EXPECT_EQ(http_->Get("/")->status, 421);
+  const std::string url = server_->url(),
+                    ours = url.substr(7, url.size() - 8);  // without http:// and the last /
+  http_->set_default_headers({});
+  EXPECT_EQ(http_->Get("/", {{"Host", ours}})->status, 200);
+  EXPECT_EQ(http_->Get("/", {{"Host", ours}, {"Host", "evil.example"}})->status, 421);
 }
 
 // A smallest map, whatever is above it.
