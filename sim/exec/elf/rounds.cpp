@@ -31,54 +31,70 @@ Addresses reachable(const Steps& function, std::uint32_t from) {
 /// The cycles among `nodes`: sets whose members can each reach all others (Tarjan's algorithm, with a stack
 /// of its own since functions are long).
 std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
-  struct Visit {
+  struct Node {
     std::uint32_t address;
+    const std::vector<std::uint32_t>* next;
+    std::size_t index = 0, low = 0;  // from 1; 0 = not visited
+    bool on_path = false;
+  };
+  struct Visit {
+    std::size_t node;
     std::size_t child = 0;
   };
-  std::map<std::uint32_t, std::size_t> index, low;
-  std::vector<std::uint32_t> path;
-  Addresses on_path;
-  std::vector<Addresses> found;
-  const auto close = [&](std::uint32_t root) {
-    Addresses members;
-    for (bool last = false; !last;) {
-      const std::uint32_t member = path.back();
-      path.pop_back();
-      on_path.erase(member);
-      members.insert(member);
-      last = member == root;
-    }
-    const auto& next = at(function, root).next;
-    if (members.size() > 1 || std::find(next.begin(), next.end(), root) != next.end())
-      found.push_back(std::move(members));
+  std::vector<Node> all;  // by address
+  all.reserve(nodes.size());
+  for (const std::uint32_t address : nodes) all.push_back({address, &at(function, address).next});
+  const auto place_of = [&](std::uint32_t address) {
+    const auto place =
+        std::lower_bound(all.begin(), all.end(), address,
+                         [](const Node& node, std::uint32_t wanted) { return node.address < wanted; });
+    return place != all.end() && place->address == address ? static_cast<std::size_t>(place - all.begin())
+                                                           : all.size();
   };
-  for (const std::uint32_t start : nodes) {
-    if (index.contains(start)) continue;
-    std::vector<Visit> visits{{start}};
+  std::size_t visited = 0;
+  std::vector<std::size_t> path;
+  std::vector<Visit> visits;
+  std::vector<Addresses> found;
+  const auto close = [&](const Node& root) {
+    const auto first =
+        std::find(path.rbegin(), path.rend(), static_cast<std::size_t>(&root - all.data())).base() - 1;
+    const bool is_cycle = path.end() - first > 1 ||
+                          std::find(root.next->begin(), root.next->end(), root.address) != root.next->end();
+    Addresses members;
+    for (auto member = first; member != path.end(); ++member) {
+      all[*member].on_path = false;
+      if (is_cycle) members.insert(all[*member].address);
+    }
+    path.erase(first, path.end());
+    if (is_cycle) found.push_back(std::move(members));
+  };
+  for (std::size_t start = 0; start < all.size(); ++start) {
+    if (all[start].index != 0) continue;
+    visits.push_back({start});
     while (!visits.empty()) {
       Visit& visit = visits.back();
-      const std::uint32_t address = visit.address;
-      if (visit.child == 0) {
-        index[address] = low[address] = index.size();
-        path.push_back(address);
-        on_path.insert(address);
+      Node& node = all[visit.node];
+      if (visit.child == 0 && node.index == 0) {
+        node.index = node.low = ++visited;
+        path.push_back(visit.node);
+        node.on_path = true;
       }
-      const auto& next = at(function, address).next;
-      if (visit.child < next.size()) {
-        const std::uint32_t to = next[visit.child++];
-        if (!nodes.contains(to)) continue;
-        if (!index.contains(to)) {
+      if (visit.child < node.next->size()) {
+        const std::size_t to = place_of((*node.next)[visit.child++]);
+        if (to == all.size()) continue;
+        if (all[to].index == 0) {
           visits.push_back({to});
-        } else if (on_path.contains(to)) {
-          low[address] = std::min(low[address], index[to]);
+        } else if (all[to].on_path) {
+          node.low = std::min(node.low, all[to].index);
         }
         continue;
       }
-      if (low[address] == index[address]) close(address);
+      if (node.low == node.index) close(node);
+      const std::size_t low = node.low;
       visits.pop_back();
       if (!visits.empty()) {
-        std::size_t& above = low[visits.back().address];
-        above = std::min(above, low[address]);
+        Node& before = all[visits.back().node];
+        before.low = std::min(before.low, low);
       }
     }
   }
