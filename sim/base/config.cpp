@@ -107,12 +107,9 @@ std::string out_of_bounds(const ConfigValue& value, const char* key, Dimension d
                           double most) {
   if (value.kind != ConfigValue::Kind::string)
     return fmt::format("{} is {:g}; it must be {}", key, value.number, bounds(least, most));
-  const std::size_t at = value.string.find_first_not_of("+-0123456789.eE \t");
-  if (at == std::string::npos)
-    return fmt::format("{} is {}; it must be {}", key, value.string, bounds(least, most));
-  const std::string unit = value.string.substr(at);
-  const double one = parse_quantity("1 " + unit, dimension).value();
-  return fmt::format("{} is {}; it must be {} {}", key, value.string, bounds(least / one, most / one), unit);
+  const WrittenUnit unit = unit_of(value, dimension);
+  return fmt::format("{} is {}; it must be {}{}{}", key, value.string,
+                     bounds(least / unit.si, most / unit.si), unit.name.empty() ? "" : " ", unit.name);
 }
 
 struct Fault {
@@ -234,6 +231,14 @@ std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t 
     throw InputError(value.place,
                      fmt::format("{} is {}; it must be from {} to {}", key, value.integer, least, most));
   return value.integer;
+}
+
+WrittenUnit unit_of(const ConfigValue& value, Dimension dimension) {
+  if (value.kind != ConfigValue::Kind::string) return {};
+  const std::size_t at = value.string.find_first_not_of("+-0123456789.eE \t");
+  if (at == std::string::npos) return {};
+  const std::string unit = value.string.substr(at);
+  return {parse_quantity("1 " + unit, dimension).value(), unit};
 }
 
 double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least,

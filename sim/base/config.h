@@ -77,6 +77,13 @@ class TableReader {
 const std::string& as_string(const ConfigValue& value, const char* key);
 /// The SI value of a quantity string (or a bare number for ratios), inside the inclusive bounds.
 double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
+
+/// In which unit a quantity is written; a bare number has none.
+struct WrittenUnit {
+  double si = 1.0;   ///< one of it
+  std::string name;  ///< "mm"; empty = none
+};
+WrittenUnit unit_of(const ConfigValue& value, Dimension dimension);
 std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t least, std::int64_t most);
 bool as_boolean(const ConfigValue& value, const char* key);
 

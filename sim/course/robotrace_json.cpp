@@ -44,7 +44,7 @@ class Reader {
           "“tiles”");
     const Json& circles = json["circles"];
     if (circles.size() < 2 || circles.size() > kMostCircles)
-      refuse(fmt::format("has {} circles; a course has 2 to {}", circles.size(), kMostCircles));
+      refuse(fmt::format("the number of circles is {}; a course has 2 to {}", circles.size(), kMostCircles));
     for (std::size_t i = 0; i < circles.size(); ++i) circles_.push_back(circle(circles[i], i + 1));
   }
 

@@ -92,11 +92,14 @@ Number as_figure(const ConfigValue& value, const char* key, Dimension dimension,
   number.value = as_quantity(reader.require("value"), key, dimension, least, most);
   if (const ConfigValue* spread = reader.find("spread")) {
     number.spread = as_spread(*spread, fmt::format("the spread of {}", key).c_str(), dimension, number.value);
-    if (number.value - number.spread < least || number.value + number.spread > most)
-      throw InputError(
-          spread->place,
-          fmt::format("the spread of {} reaches from {:g} to {:g} in SI units; allowed is {:g} to {:g}", key,
-                      number.value - number.spread, number.value + number.spread, least, most));
+    const double from = number.value - number.spread, to = number.value + number.spread;
+    if (from < least || to > most) {
+      const WrittenUnit unit = unit_of(reader.require("value"), dimension);
+      throw InputError(spread->place,
+                       fmt::format("the spread of {} reaches from {:g} to {:g}{}{}; allowed is {:g} to {:g}",
+                                   key, from / unit.si, to / unit.si, unit.name.empty() ? "" : " ", unit.name,
+                                   least / unit.si, most / unit.si));
+    }
   }
   reader.finish();
   return number;

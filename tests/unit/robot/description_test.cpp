@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{changed("outline = { radius = \"60 mm\" }", "outline = [[\"0 mm\", \"0 mm\"]]"),
              "3 to 32 corners"},
         Case{changed("mass = \"300 g\"", "mass = { value = \"300 g\", spread = \"99 %\" }"),
-             "the spread of mass"},
+             "the spread of mass reaches from 3 to 597 g; allowed is 20 to 5000"},
         Case{changed("mass = \"300 g\"", "mass = { value = \"300 g\", spraed = \"5 %\" }"),
              "unknown key spraed"},
         Case{changed("chip = \"tb6612\"", "chip = \"tb6613\""), "allowed are l298n"},
