@@ -52,11 +52,11 @@ TEST_F(Serve, RunsASketchAndActsAtTheMomentThatIsShown) {
     await ready();
     return { verdict: before.result.verdict, script: $('script').value, now: shown().run.result.verdict,
       same: before.columns.x_mm.slice(0, 200).every((value, i) => value === shown().run.columns.x_mm[i]),
-      at: shown().player.t, put: shown().run.put.map(({ x, y, radius, from }) => [x, y, radius, 1000 * from].map(Math.round)) };)");
+      at: shown().player.t, put: shown().run.changes.map(({ disc, from }) => [...disc, 1000 * from].map(Math.round)) };)");
   EXPECT_EQ(seen["verdict"], "reached");
   EXPECT_EQ(seen["script"], "at 2000ms obstacle 12,2\n");
   EXPECT_EQ(seen["now"], "stuck");
-  EXPECT_EQ(seen["put"], Json::parse("[[1250, 1450, 33, 2001]]")) << "drawn where it stands";
+  EXPECT_EQ(seen["put"], Json::parse("[[1250, 1450, 33, 2000]]")) << "drawn where it stands";
   EXPECT_EQ(seen["same"], true) << "all before that moment is as it was";
   EXPECT_GE(seen["at"], 2.0);
   browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve.png");
