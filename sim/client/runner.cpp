@@ -8,6 +8,7 @@
 #include "sim/base/machine_fault.h"
 #include "sim/base/utf8.h"
 #include "sim/client/process.h"
+#include "sim/wire/batch.h"
 
 namespace robosim::client {
 namespace fs = std::filesystem;
@@ -42,6 +43,11 @@ std::string program_of(const std::string& target) {
 // Messages are JSON, and JSON is UTF-8: another name would reach the runner as that of another file.
 void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
+}
+
+void tell(const wire::Event& event, const wire::OnEvent& on_event) {
+  const auto* batch = std::get_if<wire::Batch>(&event);
+  batch ? wire::unpack(*batch, on_event) : on_event(event);
 }
 
 }  // namespace
@@ -96,7 +102,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
                                 " instead of " + std::to_string(last_id_));
       }
       if (const auto* event = std::get_if<wire::Event>(&line.content)) {
-        if (on_event) on_event(*event);
+        if (on_event) tell(*event, on_event);
         continue;
       }
       answered = true;

@@ -64,6 +64,10 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
     : request_(request), map_(grid::read_map(request.map)) {
   check_several(request);
+  if (request.batches) {
+    bundler_ = std::make_unique<Bundler>(std::move(tell));
+    tell = [bundler = bundler_.get()](wire::Event event) { bundler->tell(std::move(event)); };
+  }
   for (wire::AgentRequest& asked : agents_of(request)) {
     try {
       add(make, std::move(asked), tell);
@@ -113,6 +117,7 @@ void RequestedRun::flush(SimTime t) {
     member.narrator->flush_serial(t);
     member.narrator->flush_columns();
   }
+  if (bundler_) bundler_->flush();
 }
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {

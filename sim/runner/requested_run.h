@@ -15,6 +15,7 @@
 #include "sim/judge/outcome.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
+#include "sim/runner/bundler.h"
 #include "sim/runner/narrator.h"
 #include "sim/wire/messages.h"
 
@@ -69,6 +70,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const grid::Map map_;
   std::map<std::string, robot::Description> robots_;
+  std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
   std::deque<Member> members_;
   run::Setup setup_;
 };

@@ -9,6 +9,8 @@ namespace robosim::wire {
 namespace {
 
 constexpr std::size_t kLong = 24;
+constexpr std::string_view kBatchBegin = R"({"bytes":")";
+constexpr std::size_t kMostHead_bytes = 128;  // before the text
 
 bool is_plain(
     const std::string& text) {  // base64 is; without a branch, many characters are looked at at once
@@ -43,6 +45,23 @@ std::string columns_text(const Columns& columns) {
     text += ',' + text_of(to_json(named)).substr(sizeof R"({"streams":[],)" - 1);
   else
     text += '}';
+  return text;
+}
+
+std::string batch_text(const Batch& batch) {
+  if (!is_plain(batch.bytes)) return text_of(to_json(batch));
+  return std::string(kBatchBegin) + batch.bytes + "\"}";
+}
+
+std::optional<std::string_view> cut_batch(std::string_view line, std::string& left) {
+  while (line.ends_with('\n')) line.remove_suffix(1);
+  const std::string_view key = kBatchBegin.substr(1);
+  const std::size_t begin = line.substr(0, kMostHead_bytes).find(key);
+  if (begin == line.npos || line.size() < begin + key.size() + 2 || !line.ends_with("\"}"))
+    return std::nullopt;
+  const std::string_view text = line.substr(begin + key.size(), line.size() - 2 - begin - key.size());
+  if (text.find('"') != text.npos || text.find('\\') != text.npos) return std::nullopt;
+  left = std::string(line.substr(0, begin + key.size())) + kCutText + "\"}";
   return text;
 }
 

@@ -82,6 +82,7 @@ struct RunRequest {
   /// Of pins and bytes, stream only what happens from the one time to the other, and from which line of the
   /// sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
+  bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
   bool interactive = false;  ///< driven step by step: see driven_run.h
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
   std::string name;          ///< of the robot, where there are several
@@ -119,6 +120,10 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "multiple "
     "of the tick; 0 = there are no `columns`",
     {.unit = "ns", .presence = when(r.columns_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
+  v("batches", r.batches,
+    "`true`: `sample`, `pin`, `level`, `volts` and `byte` events come many in one `batch`, at most 0.1 s of "
+    "simulated time late; the order of all events stays",
+    {.presence = when(r.batches)});
   v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
     {.presence = when(r.interactive)});
   v("source", r.source_ns,

@@ -243,8 +243,19 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "of 127.0.0.1, where the runner listens now");
 }
 
+/// Many events in one line (batch.h), of runs that are asked for them. Who hears a run gets these one by one.
+struct Batch {
+  static constexpr const char* kEvent = "batch";
+  std::string bytes;
+};
+
+template <class V>
+void fields(V& v, Same<V, Batch>& b) {
+  v("bytes", b.bytes, "events, one behind the other, in base64");
+}
+
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
-                           DebuggerAwaited, Columns>;
+                           DebuggerAwaited, Columns, Batch>;
 /// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
 /// does not return, the runner is held up by the full pipe; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;

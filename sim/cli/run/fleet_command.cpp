@@ -98,6 +98,7 @@ int fleet_command(const RunArguments& arguments) {
   if (arguments.view) common.samples_every_ns = tui::kViewEvery_ns;
   common.serial = arguments.view;
   common.notes = true;
+  common.batches = !arguments.view;
   recorders.ask(common);
 
   client::Runner runner(chosen.runner);

@@ -173,6 +173,7 @@ int run_command(const RunArguments& arguments) {
   const bool has_samples_in_columns = columns_every_ns > 0 && trail_every_ns % columns_every_ns == 0 &&
                                       launch.request.samples_every_ns == trail_every_ns && !arguments.view;
   if (has_samples_in_columns) launch.request.samples_every_ns = 0;
+  launch.request.batches = !arguments.view && !arguments.live;  // which are for eyes
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);

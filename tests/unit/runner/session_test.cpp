@@ -16,6 +16,7 @@
 #include "sim/base/file.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
+#include "sim/wire/batch.h"
 #include "sim/wire/protocol.h"
 #include "tests/support/built_in_driver.h"
 #include "tests/support/temporary_folder.h"
@@ -354,6 +355,36 @@ TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {
   EXPECT_EQ(notes, 1u) << "the script has pressed a button";
   EXPECT_GT(pins, 6u) << "of both motors";
   EXPECT_EQ(1 + samples_us.size() + notes + pins, session.events.size());
+}
+
+TEST_F(SessionTest, TellsTheSameInTheSameOrderWhereItIsAskedForBatches) {
+  request_.goal = "none";
+  request_.for_ns = 1 * kSecond;
+  request_.script = "at 50ms press start 10ms";
+  request_.samples_every_ns = 10 * kMillisecond;
+  request_.notes = request_.pins = request_.io = true;
+  Session session(drivers());
+  session.line();
+  std::vector<std::string> one_by_one, in_batches;
+  const auto keep_in = [](std::vector<std::string>& lines) {
+    return [&lines](const wire::Event& event) {
+      lines.push_back(wire::to_line(wire::Id(), wire::Answer(event)));
+    };
+  };
+  session.ask_for<wire::RunResult>(wire::Request(request_));
+  for (const wire::Event& event : session.events) keep_in(one_by_one)(event);
+  EXPECT_GT(one_by_one.size(), 100u);
+  request_.batches = true;
+  session.ask_for<wire::RunResult>(wire::Request(request_));
+  std::size_t lines = 0;
+  for (const wire::Event& event : session.events) {
+    ++lines;
+    const auto* batch = std::get_if<wire::Batch>(&event);
+    batch ? wire::unpack(*batch, keep_in(in_batches)) : keep_in(in_batches)(event);
+  }
+  EXPECT_EQ(in_batches, one_by_one);
+  EXPECT_GE(lines, 10u) << "no event is much more than 0.1 s late";
+  EXPECT_LE(lines, 16u);
 }
 
 TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {

@@ -151,6 +151,7 @@ std::vector<Table> tables() {
           table<Columns>("columns"),
           table<Rows>("columns.streams"),
           table<ColumnSpec>("columns.streams.columns"),
+          table<Batch>("batch"),
           table<SourceLine>("source"),
           table<RunResult>("result"),
           table<Metrics>("metrics"),
