@@ -11,8 +11,6 @@ namespace {
 
 // Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
 constexpr double kStill = 1e-6;  // m/s, rad/s
-// Of the grip that is left for each of both directions while the body skids: 1 / sqrt(2).
-constexpr double kSkidShare = 0.70710678118654752;
 
 // What is left of an impulse after friction that can hold up to `friction`.
 double after_friction(double impulse, double friction) {
@@ -242,7 +240,12 @@ void Body::step(const Walls& walls, Ground* ground) {
     }
     free_way_ = 0.0;
   }
-  if (!rough || stand(ground, before, travel)) accelerate();
+  if (!rough || stand(ground, before, travel)) {
+    if (params_.steer_base_m > 0.0)
+      accelerate_steered();
+    else
+      accelerate();
+  }
   if (scrub_rolling_ > 0.0) scrub();
   draw_energy();
   if (!driven() && std::fabs(v_) < kStill && std::fabs(u_) < kStill && std::fabs(omega_) < kStill &&

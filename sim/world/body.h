@@ -26,7 +26,7 @@
 // While F stays below that limit the wheel rolls (r w = ground speed); at the limit it slips, and wheel and
 // ground speed differ. Where S alone exceeds its part, the body skids sideways. Time is implicit in the
 // velocities, so that no parameter makes a step unstable. Hills, surfaces and loads that shift:
-// body_ground.cpp.
+// body_ground.cpp. Bodies that turn by skidding: body_skid.cpp. Steered wheels: body_steer.cpp.
 #pragma once
 
 #include <cmath>
@@ -87,6 +87,8 @@ struct BodyParams {
   double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
   double wheelbase_m = 0.0;        ///< m, of two wheels a side that turn by skidding; 0 = it has a caster
   double downforce_n = 0.0;        ///< N, of fans, until press() says otherwise; half on each wheel
+  double steer_base_m = 0.0;       ///< m, by which steered wheels are ahead of the axle; 0 = none are
+  bool differential = false;       ///< of a steered body: one motor drives both wheels; each has half of it
 };
 
 /// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
@@ -95,6 +97,10 @@ BodyParams default_body_params();
 
 /// m that treads so far apart seem to be apart, on wheels that skid when they turn: body_skid.cpp.
 double effective_track(double track, double wheelbase);
+
+/// rad by which a steered body's middle is turned where its inner one of two steered wheels, `track` apart,
+/// is turned by `inner`: body_steer.cpp.
+double steered_middle(double inner, double track, double steer_base);
 
 /// How a body has come to lie on its side.
 enum class Toppled { no, over, off_an_edge };
@@ -156,6 +162,9 @@ class Body {
   void supply(double supply_volts);
   /// What presses it down besides its weight, N.
   void press(double downforce_n);
+  /// Its steered wheels stand at that angle, rad, to the left positive; cut to 80 degrees.
+  void steer(double angle);
+  double steered() const { return steered_; }
   /// What its motors take of a supply of that many volts, with their commands and at their speeds now.
   struct Draw {
     double amps = 0.0, amps_per_volt = 0.0;
@@ -230,6 +239,7 @@ class Body {
   void spin();
   void advance(double dt);
   void accelerate();
+  void accelerate_steered();
   Motor motor(Side) const;
   void solve_friction(double* speed, const double* impulse, const double* friction, const Motor* m) const;
   void solve_slip(const Motor* m, const double* friction, const double* limit);
@@ -272,6 +282,9 @@ class Body {
   double distance_ = 0.0;
   double wheel_travel_ = 0.0;
   double energy_ = 0.0;
+  double steered_ = 0.0, steer_cosine_ = 1.0, steer_sine_ = 0.0;  // rad, of the steered wheels
+  double curvature_ = 0.0;                                        // 1/m, that they ask for
+  double steer_limit_ = 0.0;                                      // N s of a tick: their grip
   double side_free_ = 0.0, along_free_ = 0.0;  // u and v as the turned frame of the new pose sees them
   BodyParams params_;
   std::vector<Vec2> corners_;  // of the outline, in the world, where it is near something

@@ -180,6 +180,8 @@ void Body::share_load(Ground* ground, const Vec2* at) {
     rolling_[i] = (params_.rolling_resistance + kind.rolling) * (weight + params_.downforce_n) * 0.5;
     rub(static_cast<Side>(i));
   }
+  if (params_.steer_base_m > 0.0)
+    steer_limit_ = params_.grip * (ground ? ground->kind(at[2]).grip : 1.0) * load[2] * kDt;
   const double both = grip_limit_[0] + grip_limit_[1];
   side_share_[0] = both > 0.0 ? grip_limit_[0] / both : 0.5;
   side_share_[1] = 1.0 - side_share_[0];

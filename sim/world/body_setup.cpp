@@ -53,6 +53,8 @@ void check(const BodyParams& p) {
   require(positive(p.caster_radius_m), "caster_radius_m must be more than 0");
   require(not_negative(p.centre_height_m), "centre_height_m must not be negative");
   require(not_negative(p.wheelbase_m), "wheelbase_m must not be negative");
+  require(not_negative(p.steer_base_m), "steer_base_m must not be negative");
+  require(!(p.steer_base_m > 0.0 && p.wheelbase_m > 0.0), "wheelbase_m is of bodies without steered wheels");
   require(not_negative(p.downforce_n), "downforce_n must not be negative");
   if (p.outline.empty()) {
     require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");
@@ -98,6 +100,7 @@ BodyParams default_body_params() {
 
 // On a plane floor.
 void Body::set_grip() {
+  steer_limit_ = params_.grip * (1.0 - params_.load_share) * params_.mass_kg * kGravity * kDt;
   for (const Side side : {left, right}) {
     rolling_[side] = params_.rolling_resistance * params_.mass_kg * kGravity * 0.5;
     grip_limit_[side] = params_.grip * params_.load_share * params_.mass_kg * kGravity * 0.5 * kDt;

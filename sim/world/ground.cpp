@@ -13,7 +13,7 @@ constexpr double kSteepest = 4.0;
 constexpr double kPoint = 1e-9;  // m: a reach below this is none
 
 // A profile along a hill, and the wheel above it: reach along the hill, and how high its middle is, m.
-struct Profile {
+struct CrossSection {
   const grid::Hill& hill;
   double sine;  // of a seesaw
 
@@ -33,7 +33,7 @@ struct Top {
 };
 
 // `high`: from the wheel's middle down to where it reaches, m, of its radius.
-Top top_of(const Profile& profile, double s, double reach, double radius, double high) {
+Top top_of(const CrossSection& profile, double s, double reach, double radius, double high) {
   Top top{-1.0, 0.0};
   const auto take = [&top](double height, double slope) {
     if (height > top.height) top = {height, std::clamp(slope, -kSteepest, kSteepest)};

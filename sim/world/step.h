@@ -13,6 +13,9 @@ constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond)
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s
 
+/// Of the grip that is left for each of both directions while a body skids: 1 / sqrt(2).
+constexpr double kSkidShare = 0.70710678118654752;
+
 /// x cut to ±bound; 0 for not-a-number.
 inline double bounded(double x, double bound) {
   if (x > bound) return bound;
