@@ -48,8 +48,11 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   const Chassis& c = robot.chassis;
   const Motors& m = robot.motors;
   world::BodyParams params = world::default_body_params();
+  const bool differential = std::any_of(robot.parts.begin(), robot.parts.end(),
+                                        [](const auto& part) { return part->driven_wheel() == kBothWheels; });
   for (const Side side : {world::left, world::right}) {
-    const char* name = side == world::left ? "left wheel" : "right wheel";
+    // A differential's motor is half on each wheel.
+    const char* name = side == world::left || differential ? "left wheel" : "right wheel";
     const auto each = [&](const Number& figure, const char* key) {
       return individual.draw(figure, name, key);
     };
@@ -62,8 +65,15 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
     wheel.static_friction = each(m.static_friction, "static_friction");
     wheel.gear_ratio = individual.draw(m.gear, "motors", "gear");
     wheel.rotor_inertia_kgm2 = individual.draw(m.rotor_inertia, "motors", "rotor_inertia");
+    if (differential) {
+      wheel.no_load_current *= 0.5;
+      wheel.stall_torque *= 0.5;
+      wheel.stall_current *= 0.5;
+      wheel.rotor_inertia_kgm2 *= 0.5;
+    }
     wheel.wheel_inertia_kgm2 = chassis(c.wheel_inertia, "wheel_inertia");
-    wheel.radius_m = 0.5 * each(c.wheel, "wheel");
+    wheel.radius_m =
+        0.5 * individual.draw(c.wheel, side == world::left ? "left wheel" : "right wheel", "wheel");
   }
   params.supply_volts = individual.draw(m.supply, "motors", "supply");
   params.driver_drop_volts = individual.draw(robot.driver.drop, "driver", "drop");
@@ -80,6 +90,11 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   params.caster_radius_m = chassis(c.caster_radius, "caster_radius");
   params.centre_height_m = chassis(c.height, "height");
   params.wheelbase_m = chassis(c.wheelbase, "wheelbase");
+  if (c.steering.exists()) {
+    params.steer_base_m = params.caster_m = chassis(c.steering.base, "steering.base");
+    params.caster_radius_m = params.wheel[world::left].radius_m;
+    params.differential = differential;
+  }
   params.downforce_n = kGravity * chassis(c.downforce, "downforce");
   params.outline = c.polygon;
   params.radius_m = c.circle_radius;

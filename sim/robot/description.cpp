@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 64;
 constexpr double kTrackAsWheels = 0.57735026918962576;  // 1 / sqrt(3): sim/world/body_skid.cpp
+constexpr double kMostSteered = 30.0 * kDegree;  // what a hobby car's linkage has, some 25 to 35 degrees
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
 std::string board_names() {
@@ -70,6 +71,26 @@ void read_outline(TableReader& reader, Chassis& chassis) {
                      "outline must be convex and larger than 1 cm2, its corners in order around the robot");
 }
 
+Steering read_steering(const ConfigValue& table, TableReader& chassis) {
+  for (const char* key : {"wheelbase", "tracks", "caster"})
+    if (const ConfigValue* const other = chassis.find(key))
+      throw InputError(other->place,
+                       fmt::format("{} is of a robot without steered wheels; this one has steering", key));
+  TableReader reader(table, "steering");
+  Steering steering;
+  const ConfigValue& servo = reader.require("servo");
+  steering.servo = as_string(servo, "servo");
+  steering.place = servo.place;
+  reader.require("base");
+  steering.base = read_figure(reader, "base", Dimension::length, {}, 0.02, 0.5);
+  steering.limit =
+      read_figure(reader, "limit", Dimension::angle, {kMostSteered, 0.0}, kDegree, 75.0 * kDegree);
+  steering.ratio = read_figure(reader, "ratio", Dimension::ratio, {1.0, 0.0}, 0.05, 5.0);
+  steering.ackermann = reader.integer("wheels", 1, 1, 2) == 2;
+  reader.finish();
+  return steering;
+}
+
 Chassis read_chassis(const ConfigValue& table) {
   TableReader reader(table, "[chassis]");
   for (const char* key : {"mass", "track", "wheel"}) reader.require(key);
@@ -101,6 +122,10 @@ Chassis read_chassis(const ConfigValue& table) {
         read_figure(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
   }
   chassis.downforce = read_figure(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
+  if (const ConfigValue* const steering = reader.find("steering")) {
+    chassis.steering = read_steering(*steering, reader);
+    read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // the rest is what steers
+  }
   read_outline(reader, chassis);
   reader.finish();
   return chassis;
@@ -209,6 +234,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   for (const Wire& wire : driver_wires) take(wire, "[driver]");
   std::vector<std::string> names;
   const PartSpec* motor[2] = {nullptr, nullptr};
+  bool both = false;
   for (const auto& part : robot.parts) {
     for (const Wire& wire : part->wires) take(wire, part->name);
     std::vector<std::string> own{part->name};
@@ -223,6 +249,23 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
     }
     const int wheel = part->driven_wheel();
     if (wheel < 0) continue;
+    if (wheel == kBothWheels && !robot.chassis.steering.exists())
+      throw InputError(part->place,
+                       fmt::format("motor {} drives both wheels, through a differential: that takes steered "
+                                   "wheels, the key steering of [chassis]",
+                                   part->name));
+    if (both || (wheel == kBothWheels && (motor[world::left] || motor[world::right]))) {
+      const PartSpec* other = motor[world::left] ? motor[world::left] : motor[world::right];
+      throw InputError(part->place,
+                       fmt::format("motors {} and {} drive the same wheel; beside a motor with wheel = "
+                                   "\"both\" there is no other",
+                                   other->name, part->name));
+    }
+    if (wheel == kBothWheels) {
+      both = true;
+      motor[world::left] = motor[world::right] = part.get();
+      continue;
+    }
     if (motor[wheel])
       throw InputError(part->place,
                        fmt::format("motors {} and {} drive the same wheel; give one of them wheel = \"{}\"",
@@ -231,18 +274,22 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   }
 }
 
-// What sits on a servo names one.
+// What sits on a servo names one, and so does the steering.
 void check_mounts(const Description& robot) {
   std::vector<std::string> servos;
   for (const auto& part : robot.parts)
     if (part->type == "servo") servos.push_back(part->name);
+  const auto check = [&](const std::string& name, const char* key, const Place& place) {
+    if (std::find(servos.begin(), servos.end(), name) != servos.end()) return;
+    throw InputError(place, fmt::format("{} is \"{}\", which is no servo of this robot; {}", key, name,
+                                        servos.empty() ? "it has none" : "allowed is " + one_of(servos)));
+  };
+  const Steering& steering = robot.chassis.steering;
+  if (steering.exists()) check(steering.servo, "servo", steering.place);
   for (const auto& part : robot.parts) {
     const MountSpec* mount = part->mounted();
     if (!mount || mount->servo.empty()) continue;
-    if (std::find(servos.begin(), servos.end(), mount->servo) == servos.end())
-      throw InputError(mount->servo_place,
-                       fmt::format("on is \"{}\", which is no servo of this robot; {}", mount->servo,
-                                   servos.empty() ? "it has none" : "allowed is " + one_of(servos)));
+    check(mount->servo, "on", mount->servo_place);
   }
 }
 

@@ -25,23 +25,36 @@ class PartContext;
 /// Which wheel a motor turns and an encoder counts.
 using world::Side;
 
+/// steering of [chassis]: wheels in front that a servo turns. sim/world/body_steer.cpp.
+struct Steering {
+  std::string servo;       ///< its name
+  Place place;             ///< where the file says so
+  Number base;             ///< m, from the driven axle to the steered wheels; 0 = none are steered
+  Number limit;            ///< rad, of the steered wheel; of two, of the inner one
+  Number ratio;            ///< rad of the wheels for each rad of the servo
+  bool ackermann = false;  ///< two steered wheels, `track` apart; else one
+
+  bool exists() const { return base.value > 0.0; }
+};
+
 /// [chassis]: what is rigid.
 struct Chassis {
   Number mass;     ///< kg, of the whole robot
   Number inertia;  ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform plate
                    ///< of the outline's shape
-  Number load_share;          ///< 0..1 of the weight on the driven wheels
-  Number track;               ///< m, between the two wheels' contact points
-  Number wheel;               ///< m, a wheel's diameter; drawn for each wheel
-  Number wheel_inertia;       ///< kg m2 of a wheel with its tyre
-  Number grip;                ///< coefficient of friction between tyre and floor
-  Number rolling;             ///< force / weight of tyres and caster
-  Number wall_friction;       ///< coefficient of friction between outline and wall
-  Number caster;              ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
-  Number caster_radius;       ///< m
-  Number height;              ///< m, of the mass's centre; 0 = loads do not shift
-  Number wheelbase;           ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
-  Number downforce;           ///< kg whose weight a fan presses it down with
+  Number load_share;     ///< 0..1 of the weight on the driven wheels
+  Number track;          ///< m, between the two wheels' contact points
+  Number wheel;          ///< m, a wheel's diameter; drawn for each wheel
+  Number wheel_inertia;  ///< kg m2 of a wheel with its tyre
+  Number grip;           ///< coefficient of friction between tyre and floor
+  Number rolling;        ///< force / weight of tyres and caster
+  Number wall_friction;  ///< coefficient of friction between outline and wall
+  Number caster;         ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
+  Number caster_radius;  ///< m
+  Number height;         ///< m, of the mass's centre; 0 = loads do not shift
+  Number wheelbase;      ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
+  Number downforce;      ///< kg whose weight a fan presses it down with
+  Steering steering;
   Vec2 circle_centre;         ///< m; the outline, if it is a circle
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
   std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex
@@ -102,6 +115,9 @@ struct Gauge {
 
 struct MountSpec;
 
+/// Of a motor that drives the wheels through a differential.
+constexpr int kBothWheels = 2;
+
 /// One [[part]]: what its type's reader made of it. Immutable; shared by all robots of the description.
 class PartSpec {
  public:
@@ -119,7 +135,7 @@ class PartSpec {
   virtual std::vector<Gauge> gauges() const { return {}; }
   /// How it is mounted, if it may sit on a servo; else null.
   virtual const MountSpec* mounted() const { return nullptr; }
-  /// The wheel it sits on, if it is a motor: left or right; else -1.
+  /// The wheel it sits on, if it is a motor: left or right, or kBothWheels; else -1.
   virtual int driven_wheel() const { return -1; }
 };
 

@@ -83,6 +83,7 @@ struct Roster {
   std::vector<FanPart*> fans;
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
+  bool differential = false;                  ///< the left one drives both wheels
 };
 
 class Part {

@@ -12,6 +12,7 @@
 #include "sim/robot/parts/button.h"
 #include "sim/robot/parts/fan.h"
 #include "sim/robot/parts/reflectance.h"
+#include "sim/robot/parts/servo.h"
 #include "sim/robot/parts/wheel_motor.h"
 #include "sim/world/world.h"
 
@@ -79,6 +80,22 @@ struct Robot::Inside {
     view.battery = load.volts / body.params().supply_volts;
     body.supply(load.volts);
     find_supply();
+  }
+  // A servo that turns wheels has something to do in each tick.
+  void find_steering() {
+    const Chassis& chassis = description.chassis;
+    const Steering& steering = chassis.steering;
+    if (!steering.exists()) return;
+    const world::BodyParams& params = body.params();
+    const double inner = individual.draw(steering.limit, "chassis", "steering.limit");
+    const double most =
+        steering.ackermann ? world::steered_middle(inner, params.track_m, params.steer_base_m) : inner;
+    const double ratio = individual.draw(steering.ratio, "chassis", "steering.ratio");
+    for (ServoPart* servo : roster.servos) {
+      if (servo->name() != steering.servo) continue;
+      servo->turn_wheels(body, ratio, most);
+      roster.ticking.push_back(servo);
+    }
   }
   bool feeds() const { return cells.kind && !state.is_forced; }
   void find_supply() {
@@ -193,6 +210,7 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   for (const auto& part : in_->parts) part->join(in_->roster);
   for (const auto& part : in_->parts) part->meet(in_->roster);
   for (FanPart* fan : in_->roster.fans) fan->press_on(in_->body);
+  in_->find_steering();
 }
 
 Robot::~Robot() = default;
@@ -218,6 +236,9 @@ void Robot::end_tick(SimTime t) {
     if (command.drive == last.drive && command.brake == last.brake) continue;
     last = command;
     in_->body.command(side, command);
+    if (!in_->roster.differential) continue;
+    in_->state.command[world::right] = command;
+    in_->body.command(world::right, command);
   }
   if (in_->feeds()) in_->feed();
 }
@@ -322,7 +343,8 @@ PartFault Robot::read_fault(const std::string& part, const std::string& kind,
 void Robot::fault(const PartFault& fault) {
   fault.part->fail(fault.fault);
   for (const Side side : {world::left, world::right})
-    if (const WheelMotor* motor = in_->roster.motor[side]) in_->body.block(side, motor->blocked());
+    if (const WheelMotor* motor = in_->roster.motor[in_->roster.differential ? world::left : side])
+      in_->body.block(side, motor->blocked());
 }
 
 void Robot::check_press(const std::string& part) const { in_->pressable(part); }

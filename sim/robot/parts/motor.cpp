@@ -7,7 +7,9 @@
 namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_motor(PartReader& reader) {
   auto spec = std::make_shared<MotorSpec>();
-  spec->wheel = reader.wheel();
+  const ConfigValue* wheel = reader.table().find("wheel");
+  spec->both = wheel && wheel->kind == ConfigValue::Kind::string && wheel->string == "both";
+  if (!spec->both) spec->wheel = reader.wheel();
   spec->reversed = reader.table().boolean("reversed", false);
   std::size_t wiring = 0;
   if (std::strcmp(reader.driver().chip->name, "transistor") == 0) {
@@ -37,6 +39,7 @@ MotorPart::MotorPart(const MotorSpec& spec, PartContext& context)
 
 void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
+  roster.differential = spec_.both;
   roster.breakable.push_back(this);
   for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, context_.description.driver.standby})
     if (pin != kNoPin) context_.netlist.watch(pin, *this);

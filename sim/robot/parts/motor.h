@@ -13,6 +13,7 @@ std::shared_ptr<const PartSpec> read_motor(PartReader&);
 class MotorSpec final : public PartSpec {
  public:
   Side wheel = world::left;
+  bool both = false;      ///< it drives both wheels, through a differential; `wheel` is then left
   bool reversed = false;  ///< the motor's two leads are swapped
   bool phase = false;     ///< PHASE/ENABLE: `in1` is PHASE
   Pin en = kNoPin;        ///< kNoPin = tied high
@@ -20,7 +21,7 @@ class MotorSpec final : public PartSpec {
   Pin in2 = kNoPin;
 
   std::unique_ptr<Part> make(PartContext&) const override;
-  int driven_wheel() const override { return wheel; }
+  int driven_wheel() const override { return both ? kBothWheels : wheel; }
 };
 
 class MotorPart final : public WheelMotor, public PinWatcher {

@@ -69,9 +69,21 @@ void ServoPart::pin_changed(Pin, const PinDrive& drive, SimTime t) {
   state_.target = range_ * std::clamp(share, 0.0, 1.0);
 }
 
-Pose ServoPart::horn(SimTime t) const {
+double ServoPart::turned(SimTime t) const {
   const double turned = angle(t) - 0.5 * range_;
-  return {spec_.at, direction_of(spec_.facing + (spec_.reversed ? -turned : turned))};
+  return spec_.reversed ? -turned : turned;
+}
+
+Pose ServoPart::horn(SimTime t) const { return {spec_.at, direction_of(spec_.facing + turned(t))}; }
+
+void ServoPart::turn_wheels(world::Body& body, double ratio, double most) {
+  body_ = &body;
+  ratio_ = ratio;
+  most_ = most;
+}
+
+void ServoPart::begin_tick(SimTime t) {
+  if (body_) body_->steer(std::clamp(ratio_ * turned(t), -most_, most_));
 }
 
 void ServoPart::read(std::vector<Reading>& readings) const {

@@ -39,7 +39,11 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   /// Where its axis is, and where its horn points to at `t`, in the body's frame.
   Pose horn(SimTime t) const;
 
+  /// Called once: it turns the body's wheels, `ratio` times as far as itself, and at most by `most`, rad.
+  void turn_wheels(world::Body& body, double ratio, double most);
+
   void join(Roster&) override;
+  void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   /// In degrees, as Servo.write() has them.
   void read(std::vector<Reading>&) const override;
@@ -51,6 +55,8 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
  private:
   /// rad from its right (or, reversed, left) stop.
   double angle(SimTime t) const;
+  /// rad to the left of its middle.
+  double turned(SimTime t) const;
 
   struct State {
     ServoSignal signal;
@@ -65,6 +71,8 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   PartContext& context_;
   const double shortest_, longest_, range_;  // ns, ns, rad
   const double speed_;                       // rad/ns
+  world::Body* body_ = nullptr;              // whose wheels it turns
+  double ratio_ = 0.0, most_ = 0.0;
   State state_;
 };
 
