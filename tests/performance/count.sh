@@ -47,6 +47,10 @@ simulated() {  # RUNNER SKETCH OPTION...: for a simulated millisecond, from 200 
   clean $(robosim build "$sketch" --robot uno5 "${@:3}") >/dev/null 2>&1
   each "$(run_for "$1" 200ms "$sketch" "${@:3}")" "$(run_for "$1" $((200 + span))ms "$sketch" "${@:3}")" $span
 }
+recorded_for() {  # TIME: all processes
+  trace $(robosim run PidFollower --map oval --robot uno5 --goal none --for "$1" --json \
+    --record "$work/run.csv" --record "$work/run.vcd") | awk '{ sum += $2 } END { printf "%.0f\n", sum }'
+}
 work_of() {  # NAME FEW MANY
   each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
     "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
@@ -75,6 +79,7 @@ workload() {  # the table's first column
     'avr: PidFollower') simulated robosim-avr PidFollower --target avr ;;
     'avr: computes') simulated robosim-avr Computes --target avr ;;
     'avr: sleeps idle') simulated robosim-avr SleepsIdle --target avr ;;
+    'recording: `.csv` and `.vcd`') each "$(recorded_for 200ms)" "$(recorded_for 2200ms)" 2000 ;;
     'a tick, sensors read in each') work_of ticks-1ms 200 1200 ;;
     'a tick, sensors read in each fifth') work_of ticks-5ms 200 2200 ;;
     'a move on cells') work_of moves 1000 101000 ;;
