@@ -208,11 +208,7 @@ bool run(const Arguments& arguments) {
 
 int main(int argc, char** argv) try {
   const Arguments arguments = read_arguments(argc, argv);
-  // The suite's own switches are ours here.
-  for (const char* name : {"ROBOSIM_REQUIRE", "ROBOSIM_TARGETS", "ROBOSIM_TEST_SEEDS", "GITHUB_ACTIONS"})
-    ::unsetenv(name);
-  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
-  ::setenv("XDG_CACHE_HOME", ROBOSIM_MUSEUM_WORK "/cache", 1);
+  take_environment();
   return run(arguments) ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "robosim_museum: " << error.what() << '\n';

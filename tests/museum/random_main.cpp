@@ -129,11 +129,7 @@ class Campaign {
 
 int main(int argc, char** argv) try {
   const Arguments arguments = read_arguments(argc, argv);
-  // The suite's own switches are ours here.
-  for (const char* name : {"ROBOSIM_REQUIRE", "ROBOSIM_TARGETS", "ROBOSIM_TEST_SEEDS", "GITHUB_ACTIONS"})
-    ::unsetenv(name);
-  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
-  ::setenv("XDG_CACHE_HOME", ROBOSIM_MUSEUM_WORK "/cache", 1);
+  take_environment();
   Campaign campaign(arguments);
   campaign.run();
   std::cout << campaign.summary();

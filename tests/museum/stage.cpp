@@ -1,5 +1,7 @@
 #include "tests/museum/stage.h"
 
+#include <stdlib.h>
+
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/process.h"
@@ -74,6 +76,13 @@ void Stage::spoil(const std::vector<mutate::Edit>& edits) {
 
 TestRun Stage::test(const Choice& choice) const {
   return mutate::run_tests(folder_ / "bin/tests", filter(choice), folder_);
+}
+
+void take_environment() {
+  for (const char* name : {"ROBOSIM_REQUIRE", "ROBOSIM_TARGETS", "ROBOSIM_TEST_SEEDS", "GITHUB_ACTIONS"})
+    ::unsetenv(name);
+  ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
+  ::setenv("XDG_CACHE_HOME", ROBOSIM_MUSEUM_WORK "/cache", 1);
 }
 
 }  // namespace robosim::museum

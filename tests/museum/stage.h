@@ -48,4 +48,8 @@ class Stage {
   std::filesystem::path folder_;
 };
 
+/// The suite's own switches are ours in a program that spoils firmware, and the cache is one of its own.
+/// First of all in its main().
+void take_environment();
+
 }  // namespace robosim::museum
