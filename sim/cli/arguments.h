@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/cli/shard.h"
 #include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
 
@@ -54,6 +55,8 @@ struct SweepArguments {
   bool sure = false;        ///< the runs must show it, see client::Demand
   bool stop_early = false;  ///< leave out runs that cannot change whether min_rate is met
   bool json = false;
+  Shard shard;                     ///< of the runs
+  std::vector<std::string> merge;  ///< tables of other shards: their runs are not made again
 };
 
 /// `robosim report`

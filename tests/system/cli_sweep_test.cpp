@@ -18,7 +18,9 @@ namespace {
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ContainsRegex;
+using ::testing::Ge;
 using ::testing::HasSubstr;
+using ::testing::Le;
 using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
@@ -161,6 +163,34 @@ TEST(CliSweep, AFileOfOtherRunsIsLeftAsItIs) {
   refused(again, "a.csv:1: this is not the header of a sweep's table");
 }
 
+TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
+  const Folder folder;
+  const Ended one = robosim_command(sweep_words({"--csv", "one.csv", "--min-rate", "0.1"}), folder.path());
+  for (const char* shard : {"1", "2", "3"}) {
+    const std::string part = std::string("part") + shard + ".csv";
+    const Ended ended =
+        robosim_command(sweep_words({"--shard", shard + std::string("/3"), "--csv", part}), folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(lines_of(read_file(folder / part)), SizeIs(AllOf(Ge(1 + 5), Le(1 + 6))));
+  }
+  const auto merge = [&](const Words& tables, const std::string& file) {
+    Words words = sweep_words({"--csv", file, "--min-rate", "0.1", "--merge"});
+    words.insert(words.end(), tables.begin(), tables.end());
+    return robosim_command(words, folder.path());
+  };
+  const Ended all = merge({"part3.csv", "part1.csv", "part2.csv"}, "all.csv");
+  EXPECT_EQ(all.out, one.out) << all.err;
+  EXPECT_EQ(read_file(folder / "all.csv"), read_file(folder / "one.csv"));
+  // What a machine has not done is made here.
+  merge({"part3.csv", "part1.csv"}, "more.csv");
+  EXPECT_EQ(read_file(folder / "more.csv"), read_file(folder / "one.csv"));
+
+  const Ended twice = merge({"part1.csv", "one.csv"}, "twice.csv");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_THAT(twice.err, HasSubstr("two tables have a row of "));
+  EXPECT_FALSE(std::filesystem::exists(folder / "twice.csv"));
+}
+
 TEST(CliSweep, ARateThatIsNotMetIsExitStatusOne) {
   const Folder folder;
   const auto status = [&](const Words& more) {
@@ -231,6 +261,9 @@ TEST(CliSweep, BadInputIsOneSentence) {
     return ended.err;
   };
   EXPECT_THAT(sentence({"--start", "0,0,E"}), HasSubstr("is not on a line"));
+  EXPECT_THAT(sentence({"--shard", "4/3"}), HasSubstr("--shard: “4” is not possible"));
+  EXPECT_THAT(sentence({"--shard", "1/3", "--min-rate", "0.9"}), HasSubstr("give it with --merge"));
+  EXPECT_THAT(sentence({"--merge", "a.csv"}), HasSubstr("give --csv too"));
   EXPECT_THAT(sentence({"--csv", "/nowhere/a.csv"}), HasSubstr("/nowhere/a.csv: cannot be written"));
 }
 

@@ -54,6 +54,17 @@ void check_possible(const analysis::Demand& demand, std::uint64_t seeds) {
                                seeds, seeds == 1 ? "seed" : "seeds", demand.rate, *needed));
 }
 
+void check_parts(const SweepArguments& sweep) {
+  if (!sweep.shard.whole() && sweep.min_rate)
+    throw InputError("--min-rate is judged by all runs; give it with --merge, not with --shard");
+  if (sweep.merge.empty()) return;
+  refuse_repetition("--merge", sweep.merge);
+  if (sweep.csv.empty()) throw InputError("--merge writes one table of several; give --csv too");
+  if (sweep.json)
+    throw InputError("--merge does not make the runs again that tables have, so --json lacks them");
+  if (!sweep.shard.whole()) throw InputError("--merge is of all shards; it goes without --shard");
+}
+
 }  // namespace
 
 void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last) {
@@ -82,7 +93,7 @@ std::size_t number_of_jobs(const std::string& text) {
 
 Command parse_sweep(const std::vector<std::string>& words) {
   SweepArguments sweep;
-  std::string seeds, jobs, min_rate, duration, clock;
+  std::string seeds, jobs, shard, min_rate, duration, clock;
   Options options(
       "sweep",
       "Runs each sketch on each map with each robot on each target, with all seeds. The result is "
@@ -96,6 +107,9 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
   options.text("--csv", sweep.csv, "FILE", "a row for each run");
   options.flag("--resume", sweep.resume, "go on with the --csv file: its runs are not made again");
+  options.text("--shard", shard, "I/N",
+               "make only the I-th of N parts of the runs; --merge brings them together");
+  options.lists("--merge", sweep.merge, "FILE...", "tables of the shards: their runs are not made again");
   options.text("--min-rate", min_rate, "R", "exit status 1 if less than this share reaches the goal");
   options.flag("--sure", sweep.sure, "the runs must show --min-rate to hold in general, at 95 % confidence");
   options.flag("--stop-early", sweep.stop_early,
@@ -118,6 +132,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (!seeds.empty()) read_seeds(seeds, sweep.first_seed, sweep.last_seed);
   sweep.jobs = number_of_jobs(jobs);
+  if (!shard.empty()) sweep.shard = read_shard(shard);
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
   if (!duration.empty()) sweep.each.request.for_ns = simulated_time("--for", duration);
   if (!clock.empty()) sweep.each.request.clock_ns = simulated_time("--clock", clock);
@@ -135,6 +150,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
     throw InputError(
         "--resume does not make the runs again that are in the --csv file, so --json lacks them");
   }
+  check_parts(sweep);
   if (!sweep.min_rate && (sweep.sure || sweep.stop_early)) {
     throw InputError(std::string(sweep.sure ? "--sure" : "--stop-early") + " goes with --min-rate");
   }

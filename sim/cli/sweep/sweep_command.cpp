@@ -53,8 +53,14 @@ void check_unchanged(const Combination& c, const wire::RunResult& result) {
 class Sweep {
  public:
   Sweep(const SweepArguments& arguments, const SweepPlan& plan, tui::Progress& progress)
-      : arguments_(arguments), plan_(plan), progress_(progress), outcomes_(plan.runs()) {
+      : arguments_(arguments),
+        plan_(plan),
+        progress_(progress),
+        outcomes_(plan.runs()),
+        runs_(arguments.shard.share_of(plan.runs())) {
+    const std::vector<SweepRow> merged = merged_rows(arguments.merge, plan);
     if (!arguments.csv.empty()) table_.emplace(arguments.csv, arguments.resume, plan, outcomes_);
+    if (!merged.empty()) table_->take(merged, outcomes_);
     for (std::size_t i = 0; i < plan.combinations.size(); ++i) counters_.push_back(counter());
     made_ = static_cast<std::size_t>(
         std::count_if(outcomes_.begin(), outcomes_.end(), [](const SweepOutcome& o) { return o.made(); }));
@@ -73,6 +79,9 @@ class Sweep {
 
   const std::vector<SweepOutcome>& outcomes() const { return outcomes_; }
   bool failed_itself() const { return failed_itself_; }
+  std::size_t made() const { return made_; }
+  /// Of this shard.
+  std::size_t runs() const { return runs_; }
 
  private:
   analysis::Tally counter() const {
@@ -82,7 +91,7 @@ class Sweep {
   }
 
   bool wanted(std::size_t run) const {
-    return !outcomes_[run].made() && !counters_[run / plan_.seeds].decided();
+    return arguments_.shard.has(run) && !outcomes_[run].made() && !counters_[run / plan_.seeds].decided();
   }
 
   /// In the order of the runs, those of the table gone on with included.
@@ -111,8 +120,8 @@ class Sweep {
     outcomes_[run] = {result.verdict, result.time_s, result.why, result.metrics.score};
     count();
     ++made_;
-    progress_.update(fmt::format("{} of {} runs, seed {}, {}", made_, plan_.runs(), plan_.seed_of(run),
-                                 combination.text()));
+    progress_.update(
+        fmt::format("{} of {} runs, seed {}, {}", made_, runs_, plan_.seed_of(run), combination.text()));
   }
 
   const SweepArguments& arguments_;
@@ -123,6 +132,7 @@ class Sweep {
   std::vector<analysis::Tally> counters_;  ///< without a demand unless runs may be left out
   std::size_t counted_ = 0;
   std::size_t made_ = 0;
+  std::size_t runs_;  ///< of the shard
   bool failed_itself_ = false;
 };
 
@@ -134,9 +144,11 @@ int sweep_command(const SweepArguments& arguments) {
   Sweep sweep(arguments, plan, progress);
   bool complete = false;
   {
-    client::Pool pool(std::min(arguments.jobs, plan.runs()));
+    client::Pool pool(std::clamp<std::size_t>(arguments.jobs, 1, std::max<std::size_t>(1, sweep.runs())));
     const client::Interrupts interrupts(pool);
-    progress.say(fmt::format("{} runs …", plan.runs()));
+    progress.say(sweep.made() > 0
+                     ? fmt::format("{} of {} runs are made already …", sweep.made(), sweep.runs())
+                     : fmt::format("{} runs …", sweep.runs()));
     complete = pool.run(sweep.batch());
   }
   progress.clear();

@@ -178,6 +178,11 @@ std::string content_of(const std::vector<SweepRow>& rows, Columns columns) {
   return text;
 }
 
+[[noreturn]] void refuse_second(const std::string& where, const SweepPlan& plan, std::size_t run) {
+  throw InputError(fmt::format("{}: two tables have a row of {}, seed {}; are they of the same shard?", where,
+                               plan.combination_of(run).text(), plan.seed_of(run)));
+}
+
 }  // namespace
 
 std::string sweep_header(Columns columns) { return fmt::format("{}\n", fmt::join(names_of(columns), ",")); }
@@ -225,6 +230,23 @@ std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string
   }
 }
 
+std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const SweepPlan& plan) {
+  std::vector<SweepRow> all;
+  for (const std::string& file : files) {
+    const std::string text = read_file(file);
+    std::vector<SweepRow> rows = read_sweep_rows(text, file, plan);
+    if (columns_of(first_line(text)) != Columns::all)
+      throw InputError({file, 1, 0}, "is a table of an older Robosim, which --merge does not take");
+    for (SweepRow& row : rows)
+      if (row.outcome.verdict != kErrorVerdict) all.push_back(std::move(row));
+  }
+  std::sort(all.begin(), all.end(), [](const SweepRow& a, const SweepRow& b) { return a.run < b.run; });
+  const auto twice = std::adjacent_find(all.begin(), all.end(),
+                                        [](const SweepRow& a, const SweepRow& b) { return a.run == b.run; });
+  if (twice != all.end()) refuse_second("--merge", plan, twice->run);
+  return all;
+}
+
 SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::vector<SweepOutcome>& outcomes)
     : path_(std::move(file)), claim_(path_), plan_(plan) {
   std::error_code error;
@@ -250,6 +272,17 @@ SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::v
   const std::string whole = content_of(rows, columns_);
   if (whole != text) write_file(path_, whole);  // without a row that was cut off, and without errors
   open("a");
+}
+
+void SweepTable::take(const std::vector<SweepRow>& rows, std::vector<SweepOutcome>& outcomes) {
+  if (!rows.empty() && columns_ != Columns::all)
+    throw InputError({path_.string(), 1, 0},
+                     "lacks columns that the tables of --merge have; name another file");
+  for (const SweepRow& row : rows) {
+    if (outcomes[row.run].made()) refuse_second(path_.string(), plan_, row.run);
+    outcomes[row.run] = row.outcome;
+    add(row.run, row.line);
+  }
 }
 
 void SweepTable::open(const char* mode) {

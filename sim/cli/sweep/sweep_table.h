@@ -49,6 +49,10 @@ struct SweepRow {
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
                                       const SweepPlan& plan);
 
+/// Those of several tables, in the order of the runs, without errors. Throws InputError as read_sweep_rows
+/// does, and where two tables have the same run.
+std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const SweepPlan& plan);
+
 class SweepTable {
  public:
   /// Begins a file. With `resume` an existing one is gone on with: its outcomes are put into `outcomes`,
@@ -57,6 +61,8 @@ class SweepTable {
   SweepTable(std::filesystem::path file, bool resume, const SweepPlan& plan,
              std::vector<SweepOutcome>& outcomes);
 
+  /// Appends rows of other tables. Throws InputError if this one has a row of such a run.
+  void take(const std::vector<SweepRow>& rows, std::vector<SweepOutcome>& outcomes);
   /// Appends a row. Throws InputError if that fails.
   void add(std::size_t run, const std::string& row);
   /// The rows are all there: puts them into the order of the runs, if they are not.
