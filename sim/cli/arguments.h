@@ -232,6 +232,8 @@ struct HuntArguments {
   std::string out;       ///< a folder; empty = hunt-SKETCH
   bool resume = false;
   bool stop_early = false;
+  Shard shard;                     ///< of the runs
+  std::vector<std::string> merge;  ///< folders of other shards; no runs are made
 };
 
 /// `robosim new`

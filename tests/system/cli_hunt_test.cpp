@@ -71,6 +71,25 @@ TEST_F(CliHunt, FindsWhatOnlyAMessageBringsAboutSinceItKnowsTheSketchsWords) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("it needs send\n"))) << ended.err;
 }
 
+TEST_F(CliHunt, TellsOnceWhatSeveralMachinesHaveFound) {
+  sketch(kCrashesWhenPressed);
+  hunt({"--shard", "1/2", "--out", "part1"});
+  const Ended second = hunt({"--shard", "2/2", "--out", "part2"});
+  EXPECT_THAT(second.out, HasSubstr("12 runs, ")) << second.err;
+  const Ended all = hunt({"--merge", "part1", "part2", "--out", "all"});
+  EXPECT_EQ(all.status, 1) << all.err;
+  EXPECT_THAT(all.out, AllOf(HasSubstr("--script all/1/script.txt"), HasSubstr("24 runs, "),
+                             HasSubstr("null pointer"), Not(HasSubstr("finding 2"))));
+  EXPECT_EQ(command({"test", "./Tries", "--checks", "all/checks.toml"}).status, 1);
+
+  const Ended half = hunt({"--merge", "part2", "--out", "half"});
+  EXPECT_THAT(half.err, HasSubstr("shard 1/2 is missing"));
+  const Ended other = hunt({"--merge", "part1", "part2", "--out", "other", "--seed", "2"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("part1/runs.jsonl:1: is of another hunt"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
+}
+
 TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {
   sketch("  if (digitalRead(4) == LOW) Serial.println(Serial.read());");
   const Ended ended = hunt();

@@ -27,63 +27,78 @@ std::string from_everywhere(const std::string& name) {
   return launch::is_path(name) ? fs::absolute(name).lexically_normal().string() : name;
 }
 
-/// What of a run is not as usual, by the names of options and keys.
-using Differences = std::vector<std::pair<std::string, std::string>>;
-Differences differences_of(const HuntFinding& finding, const HuntBench& bench, const HuntArguments& arguments,
-                           const fs::path& files) {
+std::vector<Shown::Option> options_of(const HuntFinding& finding, const HuntBench& bench,
+                                      const HuntArguments& arguments) {
   const HuntWorld& world = finding.world;
   const HuntSpace& space = bench.space();
   const HuntSpace::Build& build = space.builds[world.build];
-  Differences options;
-  options.emplace_back(
-      "map", world.drawn() ? (files / "world.map").string() : from_everywhere(space.maps[world.map].name));
+  std::vector<Shown::Option> options;
+  const auto add = [&](const char* name, const std::string& value) {
+    options.push_back({name, value, false});
+  };
+  const auto add_file = [&](const char* name, const std::string& value) {
+    options.push_back({name, value, true});
+  };
+  if (world.drawn())
+    add_file("map", "world.map");
+  else
+    add("map", from_everywhere(space.maps[world.map].name));
   if (!robot_text(world, space).empty())
-    options.emplace_back(
-        "robot", (files / "robot.toml").string() + (bench.board().empty() ? "" : "@" + bench.board()));
+    add_file("robot", bench.board().empty() ? "robot.toml" : "robot.toml@" + bench.board());
   else if (!arguments.robot.empty())
-    options.emplace_back("robot", from_everywhere(arguments.robot));
-  if (build.target != "host") options.emplace_back("target", build.target);
-  if (!arguments.each.request.start.empty()) options.emplace_back("start", arguments.each.request.start);
-  if (!bench.script_of(world).empty()) options.emplace_back("script", (files / "script.txt").string());
-  options.emplace_back("seed", std::to_string(world.seed));
-  if (world.clock_ms != 0) options.emplace_back("clock", fmt::format("{}ms", world.clock_ms));
+    add("robot", from_everywhere(arguments.robot));
+  if (build.target != "host") add("target", build.target);
+  if (!arguments.each.request.start.empty()) add("start", arguments.each.request.start);
+  if (!bench.script_of(world).empty()) add_file("script", "script.txt");
+  add("seed", std::to_string(world.seed));
+  if (world.clock_ms != 0) add("clock", fmt::format("{}ms", world.clock_ms));
   if (arguments.each.request.profile != wire::RunRequest{}.profile)
-    options.emplace_back("profile", arguments.each.request.profile);
-  if (!arguments.each.environment.empty()) options.emplace_back("env", arguments.each.environment);
+    add("profile", arguments.each.request.profile);
+  if (!arguments.each.environment.empty()) add("env", arguments.each.environment);
   if (!world.to_goal)
-    options.emplace_back("goal", "none");
+    add("goal", "none");
   else if (!space.maps[world.map].goal.empty() && !world.drawn())
-    options.emplace_back("goal", space.maps[world.map].goal);
-  options.emplace_back("for", seconds(world.for_s));
+    add("goal", space.maps[world.map].goal);
+  add("for", seconds(world.for_s));
+  for (const std::string& library : arguments.each.libraries)
+    add("libraries", fs::absolute(library).lexically_normal().string());
   return options;
 }
 
-std::string check_of(const HuntFinding& finding, std::size_t number, const HuntBench& bench,
-                     const HuntArguments& arguments) {
+std::string replay_of(const Shown& shown, const fs::path& folder) {
+  std::string command = "robosim run " + shell_word(shown.sketch);
+  for (const Shown::Option& option : shown.options)
+    command += fmt::format(" --{} {}", option.name, shell_word(option.value_in(folder)));
+  return command + (shown.checked ? " --sanitize" : "");
+}
+
+}  // namespace
+
+std::string Shown::Option::value_in(const fs::path& folder) const {
+  return own_file ? (folder / value).string() : value;
+}
+
+std::string hunt_check(const HuntFinding& finding, std::size_t number) {
   const Symptom& symptom = finding.symptom;
+  const std::string folder = std::to_string(number);
   std::string text = fmt::format("# {}\n[[check]]\nname = {}\n", symptom.sentence,
                                  in_quotes(fmt::format("hunt {}: {}", number, symptom.group)));
-  for (const auto& [name, value] : differences_of(finding, bench, arguments, std::to_string(number)))
-    text += fmt::format("{} = {}\n", name, name == "seed" ? value : in_quotes(value));
-  for (const std::string& library : arguments.each.libraries)
-    text += fmt::format("libraries = {}\n", in_quotes(fs::absolute(library).string()));
-  if (bench.space().builds[finding.world.build].checked) text += "sanitize = true\n";
+  for (const Shown::Option& option : finding.shown.options) {
+    const std::string value = option.value_in(folder);
+    text += fmt::format("{} = {}\n", option.name, option.name == "seed" ? value : in_quotes(value));
+  }
+  if (finding.shown.checked) text += "sanitize = true\n";
   if (symptom.kind == "collision") text += "collisions = { max = 0 }\n";
   return text;
 }
 
-std::string hunt_text(const HuntFinding& finding, std::size_t number, const HuntBench& bench) {
-  const HuntSpace& space = bench.space();
-  const HuntSpace::Build& build = space.builds[finding.world.build];
+std::string hunt_text(const HuntFinding& finding, std::size_t number, const fs::path& out) {
   std::string text = fmt::format("finding {}: {}\n", number, finding.symptom.sentence);
-  text += fmt::format("  in      {}{}, {}{}{}\n", build.target, build.checked ? " with checks" : "",
-                      finding.world.drawn() ? "a drawn map" : space.maps[finding.world.map].name,
+  text += fmt::format("  in      {}{}{}\n", finding.shown.where,
                       finding.needs.empty() ? "; nothing else is needed" : "; it needs ",
                       fmt::format("{}", fmt::join(finding.needs, ", ")));
-  return text + fmt::format("  replay  {}\n", finding.replay);
+  return text + fmt::format("  replay  {}\n", replay_of(finding.shown, out / std::to_string(number)));
 }
-
-}  // namespace
 
 bool HuntFinding::explains(const Symptom& other, const std::set<std::string>& needs_of_other) const {
   if (!symptom.is_behaviour || !other.is_behaviour) return symptom.group == other.group;
@@ -100,12 +115,11 @@ void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, cons
   wire::RunRequest request = bench.request_of(finding.world, folder.string());
   if (!request.script.empty()) write_file(folder / "script.txt", request.script);
   const launch::Prepared& run = bench.of(finding.world);
-  finding.replay = "robosim run " + shell_word(run.sketch.name);
-  for (const auto& [name, value] : differences_of(finding, bench, arguments, folder))
-    finding.replay += fmt::format(" --{} {}", name, shell_word(value));
-  for (const std::string& library : arguments.each.libraries)
-    finding.replay += " --libraries " + shell_word(library);
-  if (bench.space().builds[finding.world.build].checked) finding.replay += " --sanitize";
+  const HuntSpace::Build& build = bench.space().builds[finding.world.build];
+  finding.shown = {
+      fmt::format("{}{}, {}", build.target, build.checked ? " with checks" : "",
+                  finding.world.drawn() ? "a drawn map" : bench.space().maps[finding.world.map].name),
+      run.sketch.name, options_of(finding, bench, arguments), build.checked};
 
   record::Recorders page({(folder / "run.html").string()});
   page.ask(request);
@@ -114,8 +128,6 @@ void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, cons
               finding.world.drawn() ? "world.map" : bench.space().maps[finding.world.map].name,
               run.robot.name, run.target, run.robot_info, request});
   page.finish(runner.run(request, [&](const wire::Event& event) { page.add(event); }));
-  finding.text = hunt_text(finding, number, bench);
-  finding.check = check_of(finding, number, bench, arguments);
 }
 
 }  // namespace robosim::cli

@@ -8,6 +8,8 @@
 #include "sim/base/wall_clock.h"
 
 namespace robosim::cli {
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr std::size_t kRound = 12;      // runs
@@ -39,6 +41,8 @@ Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::pa
     : bench_(bench), arguments_(arguments), out_(std::move(out)), log_(log), listener_(std::move(listener)) {
   if (arguments.minutes > 0.0) until_us_ = wall_us() + static_cast<std::int64_t>(arguments.minutes * 60e6);
 }
+
+std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
 double Hunt::time_of(const HuntWorld& world) const {
   const double usual = bench_.space().for_ms / 1000.0;
@@ -180,7 +184,7 @@ std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult&
   for (const std::string& heard : kept_promises(result, bench_.space().promises))
     if (!heard_.contains(heard)) row.heard.push_back(heard);
   const auto found = symptom(result, world);
-  if (found && !add({*found, world, needs_of(world, bench_.space()), result.time_s, runs_ + 1}, row))
+  if (found && !add({*found, world, needs_of(world, bench_.space()), result.time_s}, row))
     return std::nullopt;
   return row;
 }
@@ -206,9 +210,9 @@ bool Hunt::make_round() {
       worlds.back().build = build;
     }
   } else {
-    const std::uint64_t left = arguments_.runs - runs_;
+    const std::uint64_t left = runs_wanted() - runs_;
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i) {
-      worlds.push_back(draw_world(bench_.space(), noted_, arguments_.seed, runs_ + i));
+      worlds.push_back(draw_world(bench_.space(), noted_, arguments_.seed, arguments_.shard.run(runs_ + i)));
       worlds.back().for_s = time_of(worlds.back());
     }
   }
@@ -230,7 +234,7 @@ bool Hunt::make_round() {
     count(world, *row);
   }
   listener_.progress(fmt::format("{} of {} runs, {:.0f} s of simulated time, {} finding{}", runs_,
-                                 arguments_.runs, simulated_s_, findings_.size(),
+                                 runs_wanted(), simulated_s_, findings_.size(),
                                  findings_.size() == 1 ? "" : "s"));
   return true;
 }
@@ -263,9 +267,37 @@ void Hunt::look_back() {
 
 bool Hunt::go() {
   if (!find_plain()) return false;
-  while (runs_ < arguments_.runs && !(arguments_.stop_early && !findings_.empty()) &&
+  while (runs_ < runs_wanted() && !(arguments_.stop_early && !findings_.empty()) &&
          (until_us_ == 0 || wall_us() < until_us_))
     if (!make_round()) return false;
+  if (arguments_.shard.whole()) look_back();
+  return true;
+}
+
+/// A row of another machine's, whose finding has its files in `files`: ours is the same one, or a new one.
+void Hunt::adopt(HuntRow& row, const fs::path& files) {
+  HuntFinding finding = std::move(*row.fresh);
+  row.fresh.reset();
+  if (is_known(finding, row)) return;
+  row.finding = findings_.size() + 1;
+  fs::copy(files, out_ / std::to_string(row.finding), fs::copy_options::recursive);
+  row.fresh = std::move(finding);
+}
+
+bool Hunt::merge(const std::vector<HuntPart>& parts) {
+  if (!find_plain()) return false;
+  for (const HuntPart& part : parts) {
+    std::vector<std::size_t> ours;  // the number here of each of its findings
+    for (HuntRow row : part.rows) {
+      if (row.fresh) {
+        adopt(row, part.folder / std::to_string(row.finding));
+        ours.push_back(row.finding);
+      } else if (row.finding > 0 && row.finding <= ours.size()) {
+        row.finding = ours[row.finding - 1];
+      }
+      count({}, row);
+    }
+  }
   look_back();
   return true;
 }

@@ -28,6 +28,8 @@ class Hunt {
 
   /// Goes on until enough runs were made, or time is up. False if it was interrupted.
   bool go();
+  /// In place of it: takes over what other machines have found, and looks at the whole. False likewise.
+  bool merge(const std::vector<HuntPart>& parts);
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
   std::uint64_t runs() const { return runs_; }
@@ -45,9 +47,11 @@ class Hunt {
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
   std::optional<Symptom> symptom(const wire::RunResult& result, const HuntWorld& world) const;
+  void adopt(HuntRow& row, const std::filesystem::path& files);
   void tell(const HuntFinding& finding);
   void look_back();
   double time_of(const HuntWorld& world) const;
+  std::uint64_t runs_wanted() const;
 
   HuntBench& bench_;
   const HuntArguments& arguments_;

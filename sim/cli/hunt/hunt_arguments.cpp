@@ -24,7 +24,7 @@ double minutes_of(const std::string& text) {
 
 Command parse_hunt(const std::vector<std::string>& words) {
   HuntArguments hunt;
-  std::string seed, runs, minutes, jobs, duration;
+  std::string seed, runs, minutes, jobs, shard, duration;
   Options options(
       "hunt",
       "Looks for faults of a sketch without any test: in worlds that are drawn, with buttons, "
@@ -42,6 +42,9 @@ Command parse_hunt(const std::vector<std::string>& words) {
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
   options.text("--out", hunt.out, "DIR", "a new folder for what is found; default: hunt-SKETCH");
   options.flag("--resume", hunt.resume, "go on with the folder: its runs are not made again");
+  options.text("--shard", shard, "I/N",
+               "make only the I-th of N parts of the runs; --merge brings them together");
+  options.lists("--merge", hunt.merge, "DIR...", "folders of the shards: tells what all of them have found");
   options.flag("--stop-early", hunt.stop_early, "end with the first finding");
   options.text("--for", duration, "TIME",
                "simulated time of a run at most, longer on long ways; default: 60s");
@@ -55,6 +58,9 @@ Command parse_hunt(const std::vector<std::string>& words) {
   options.texts("--libraries", hunt.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
   if (const auto help = options.parse(words)) return PrintText{*help};
   hunt.jobs = number_of_jobs(jobs);
+  if (!shard.empty()) hunt.shard = read_shard(shard);
+  if (!hunt.merge.empty() && (hunt.resume || !shard.empty()))
+    throw InputError("--merge makes no runs; it goes without --resume and --shard");
   if (!seed.empty()) hunt.seed = seed_number(seed);
   if (!minutes.empty()) hunt.minutes = minutes_of(minutes), hunt.runs = kMostRuns;
   if (!runs.empty()) hunt.runs = whole_number("--runs", runs, 1, kMostRuns);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -38,7 +39,7 @@ fs::path folder_for(const HuntArguments& arguments) {
 }
 
 /// With what must never and always be, which the checks keep, too.
-std::string checks_text(const Hunt& hunt, const HuntBench& bench) {
+std::string checks_text(const std::vector<HuntFinding>& findings, const HuntBench& bench) {
   std::string text;
   for (const auto& [key, when] :
        {std::pair{"never", Promise::When::never}, {"always", Promise::When::always}}) {
@@ -48,7 +49,8 @@ std::string checks_text(const Hunt& hunt, const HuntBench& bench) {
         list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", escaped(promise.text()));
     if (!list.empty()) text += fmt::format("{} = [{}]\n", key, list);
   }
-  for (const HuntFinding& finding : hunt.findings()) text += (text.empty() ? "" : "\n") + finding.check;
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    text += (text.empty() ? "" : "\n") + hunt_check(findings[i], i + 1);
   return text;
 }
 
@@ -75,30 +77,52 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
   return text;
 }
 
+std::string part_of(const HuntArguments& arguments) {
+  if (!arguments.merge.empty()) return kMerged;
+  return arguments.shard.whole() ? "" : arguments.shard.text();
+}
+
+/// A sentence for each shard that was not given.
+std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
+  std::vector<std::string> sentences;
+  for (std::uint64_t i = 0; !parts.empty() && i < parts.front().shard.count; ++i) {
+    const bool given =
+        std::any_of(parts.begin(), parts.end(), [&](const HuntPart& part) { return part.shard.index == i; });
+    if (!given)
+      sentences.push_back(fmt::format("robosim: shard {} is missing: its runs are not in these figures\n",
+                                      Shard{i, parts.front().shard.count}.text()));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 int hunt_command(const HuntArguments& arguments) {
   tui::Progress progress(true);
   HuntBench bench(arguments, progress);
   const client::Interrupts interrupts(bench.pool());
+  const std::vector<HuntPart> parts = read_parts(arguments.merge, bench.fingerprint());
   const fs::path out = folder_for(arguments);
   for (const std::string& sentence : bench.left_out())
     complain(fmt::format("robosim: left out: {}\n", sentence));
-  HuntLog log(out, bench.fingerprint(), arguments.resume);
+  HuntLog log(out, bench.fingerprint(), part_of(arguments), arguments.resume);
   Hunt hunt(bench, arguments, out, log,
             {[&](const std::string& sentence) { progress.update(sentence); },
-             [&](const HuntFinding& finding, std::size_t) {
+             [&](const HuntFinding& finding, std::size_t number) {
                progress.clear();
-               print(finding.text + "\n");
-               write_file(out / "checks.toml", checks_text(hunt, bench));
+               print(hunt_text(finding, number, out) + "\n");
+               write_file(out / "checks.toml", checks_text(hunt.findings(), bench));
              }});
-  const bool complete = hunt.go();
+  const bool complete = parts.empty() ? hunt.go() : hunt.merge(parts);
   progress.clear();
   print(fmt::format("{} on {}{}, {}\n", launch::title_of(bench.of(hunt.plain_world()).sketch),
                     bench.space().maps.front().name, opening_text(bench),
                     bench.of(hunt.plain_world()).robot.name) +
         hunt_summary(hunt, bench, out));
-  if (!complete) complain("robosim: interrupted; the same command with --resume goes on\n");
+  for (const std::string& sentence : missing_of(parts)) complain(sentence);
+  if (!complete)
+    complain(parts.empty() ? "robosim: interrupted; the same command with --resume goes on\n"
+                           : "robosim: interrupted\n");
   if (!complete) return static_cast<int>(ExitStatus::interrupted);
   return static_cast<int>(hunt.findings().empty() ? ExitStatus::ok : ExitStatus::failed);
 }

@@ -1,5 +1,7 @@
 #include "sim/cli/hunt/log.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -11,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kFile = "runs.jsonl";
+
 std::string line_of(const HuntRow& row) {
   Json json{{"run", row.run},
             {"time_s", row.time_s},
@@ -20,15 +24,19 @@ std::string line_of(const HuntRow& row) {
   if (row.finding > 0) json["finding"] = row.finding;
   if (row.fresh) {
     const HuntFinding& f = *row.fresh;
+    Json options = Json::array();
+    for (const Shown::Option& option : f.shown.options)
+      options.push_back({{"name", option.name}, {"value", option.value}, {"own_file", option.own_file}});
     json["fresh"] = {{"kind", f.symptom.kind},
                      {"group", f.symptom.group},
                      {"sentence", f.symptom.sentence},
                      {"is_behaviour", f.symptom.is_behaviour},
                      {"needs", f.needs},
                      {"time_s", f.time_s},
-                     {"run", f.run},
-                     {"text", f.text},
-                     {"check", f.check}};
+                     {"where", f.shown.where},
+                     {"sketch", f.shown.sketch},
+                     {"options", options},
+                     {"checked", f.shown.checked}};
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -43,36 +51,73 @@ HuntRow row_of(const Json& json) {
     fresh.symptom = {f.at("kind"), f.at("group"), f.at("sentence"), f.at("is_behaviour")};
     fresh.needs = f.at("needs").get<std::set<std::string>>();
     fresh.time_s = f.at("time_s");
-    fresh.run = f.at("run");
-    fresh.text = f.at("text");
-    fresh.check = f.at("check");
+    fresh.shown = {f.at("where"), f.at("sketch"), {}, f.at("checked")};
+    for (const Json& option : f.at("options"))
+      fresh.shown.options.push_back({option.at("name"), option.at("value"), option.at("own_file")});
   }
   return row;
 }
 
+const std::string kOfAnother = "is of another hunt: the sketch, an option or Robosim has changed since";
+
+std::string header(const std::string& from, const std::string& part) {
+  Json json{{"schema", "robosim.hunt/2"}, {"from", from}};
+  if (!part.empty()) json["part"] = part;
+  return json.dump() + "\n";
+}
+
+/// Those of whole lines.
+std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
+  std::vector<HuntRow> rows;
+  int number = 1;
+  for (std::size_t at = text.find('\n') + 1, end; (end = text.find('\n', at)) != std::string::npos;
+       at = end + 1) {
+    ++number;
+    try {
+      rows.push_back(row_of(Json::parse(text.substr(at, end - at))));
+    } catch (const nlohmann::json::exception&) {
+      throw InputError({file, number, 0}, "is no line that a hunt has written");
+    }
+  }
+  return rows;
+}
+
+Shard shard_in(const std::string& first_line, const std::string& from, const std::string& file) {
+  const Json json = Json::parse(first_line, nullptr, false);
+  if (!json.is_object() || json.value("from", "") != from) throw InputError({file, 1, 0}, kOfAnother);
+  const std::string part = json.value("part", "1/1");
+  if (part == kMerged) throw InputError({file, 1, 0}, "is merged already; give the folders of the shards");
+  return read_shard(part);
+}
+
 }  // namespace
 
-HuntLog::HuntLog(const std::filesystem::path& folder, const std::string& from, bool resume)
-    : path_(folder / "runs.jsonl"), claim_(path_) {
-  std::string kept = Json{{"schema", "robosim.hunt/1"}, {"from", from}}.dump() + "\n";
+std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const std::string& from) {
+  std::vector<HuntPart> parts;
+  for (const std::string& folder : folders) {
+    const std::string file = (std::filesystem::path(folder) / kFile).string(), text = read_file(file);
+    const Shard shard = shard_in(text.substr(0, text.find('\n')), from, file);
+    for (const HuntPart& other : parts) {
+      if (other.shard.count != shard.count || other.shard.index == shard.index)
+        throw InputError({folder},
+                         fmt::format("is shard {}, and {} is shard {}: they are not parts of one hunt",
+                                     shard.text(), other.folder.string(), other.shard.text()));
+    }
+    parts.push_back({folder, shard, rows_in(text, file)});
+  }
+  return parts;
+}
+
+HuntLog::HuntLog(const std::filesystem::path& folder, const std::string& from, const std::string& part,
+                 bool resume)
+    : path_(folder / kFile), claim_(path_) {
+  std::string kept = header(from, part);
   if (resume) {
     const std::string text = read_file(path_);
     if (!text.starts_with(kept))
-      throw InputError(
-          {path_.string(), 1, 0},
-          "is of another hunt: the sketch, an option or Robosim has changed since; without --resume, "
-          "--out DIR begins a new one");
-    int number = 1;
-    for (std::size_t at = kept.size(), end; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
-      ++number;
-      try {
-        HuntRow row = row_of(Json::parse(text.substr(at, end - at)));
-        rows_[row.run] = std::move(row);
-      } catch (const nlohmann::json::exception&) {
-        throw InputError({path_.string(), number, 0}, "is no line that a hunt has written");
-      }
-      kept += text.substr(at, end + 1 - at);
-    }
+      throw InputError({path_.string(), 1, 0}, kOfAnother + "; without --resume, --out DIR begins a new one");
+    for (HuntRow& row : rows_in(text, path_.string())) rows_[row.run] = std::move(row);
+    kept = text.substr(0, text.rfind('\n') + 1);  // a last line that was cut off goes
   }
   write_file(path_, kept);
   file_.reset(std::fopen(path_.c_str(), "a"));

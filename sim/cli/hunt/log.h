@@ -26,11 +26,25 @@ struct HuntRow {
   std::optional<HuntFinding> fresh;  ///< that it is the first of
 };
 
+/// What one of several machines has done.
+struct HuntPart {
+  std::filesystem::path folder;
+  Shard shard;
+  std::vector<HuntRow> rows;
+};
+
+/// Throws InputError where a folder has no log, one of another hunt, or two are not parts of one.
+std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const std::string& from);
+
+/// In place of a shard: such a folder has no runs of its own, and cannot be gone on with.
+inline constexpr const char* kMerged = "merged";
+
 class HuntLog {
  public:
-  /// In a folder that is there. `from` is what the runs come from; with `resume` the rows of a hunt that came
-  /// from the same are read, a last line that was cut off is left out. Throws InputError.
-  HuntLog(const std::filesystem::path& folder, const std::string& from, bool resume);
+  /// In a folder that is there. `from` is what the runs come from, `part` a shard, kMerged or nothing; with
+  /// `resume` the rows of a hunt of the same are read, a last line that was cut off is left out. Throws
+  /// InputError.
+  HuntLog(const std::filesystem::path& folder, const std::string& from, const std::string& part, bool resume);
 
   /// null = it was not made.
   const HuntRow* row(std::uint64_t run) const;
