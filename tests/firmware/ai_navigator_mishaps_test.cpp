@@ -59,6 +59,16 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysRound) {
   EXPECT_LT(way.distance().mm, 1300.0);
 }
 
+TEST_F(AiNavigatorAgain, FindsItsWayWhereBendsAreRound) {
+  put_on(("+++\ncorner = \"250 mm\"" + std::string(kRing + 3)).c_str());
+  scan();
+  EXPECT_THAT(robot(), SerialSays("scan complete: 2 stations, 2 junctions"));
+  const Drive way = go_to("2");
+  ASSERT_TRUE(way);
+  EXPECT_EQ(robot().station(), "2");
+  EXPECT_LT(way.distance().mm, 1300.0);
+}
+
 TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOff) {
   put_on(kRing);
   scan();

@@ -53,6 +53,22 @@ TEST_P(PonyNavigator, ShowsWhereItIs) {
   EXPECT_EQ(robot().reading("ones"), 2);
 }
 
+TEST_P(PonyNavigator, LightsOneLedForWhatItIsOn) {
+  const auto lights = [this] {
+    std::string on;
+    for (const char* led : {"LED1", "LED2", "LED3"})
+      if (robot().is_on(led)) on += led;
+    return on;
+  };
+  scan();
+  EXPECT_EQ(lights(), "LED2") << "at the end of a line";
+  robot().act("send radio 2");
+  robot().run_for(2_s);
+  EXPECT_EQ(lights(), "LED3") << "on the way";
+  ASSERT_TRUE(robot().run_until(turns_on("LED1"), within(1_min)));
+  EXPECT_EQ(lights(), "LED1") << "at the junction";
+}
+
 TEST_P(PonyNavigator, RefusesAStationThatDoesNotExist) {
   scan();
   robot().act("send radio 9");
@@ -93,6 +109,17 @@ TEST_P(PonyNavigator, GivesUpBeforeAnObstacleThatStays) {
   robot().press("bumper", 6_s);
   ASSERT_TRUE(robot().run_until(serial_says("no way: there is an obstacle"), within(1_min)));
   go_to(1);
+}
+
+TEST(PonyNavigatorsDigits, ShowTheTensToo) {
+  Simulation robot({.sketch = "PonyNavigator", .map = kComb, .robot = "pony"});
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
+  robot.press("scan");
+  ASSERT_TRUE(robot.run_until(serial_matches("^scan complete, stations: 12"), within(10_min)));
+  robot.act("send radio 12");
+  ASSERT_TRUE(robot.run_until(serial_says("at station 12"), within(2_min)));
+  EXPECT_EQ(robot.reading("tens"), 1);
+  EXPECT_EQ(robot.reading("ones"), 2);
 }
 
 }  // namespace
