@@ -5,6 +5,7 @@
 #include "sim/base/error.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
+#include "sim/launch/fleet.h"
 
 namespace robosim::cli {
 
@@ -36,6 +37,11 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.flag("--untrusted", compare.each.untrusted, kUntrusted);
   options.flag("--json", compare.json, "print the result as JSON, a line for each seed");
   if (const auto help = options.parse(words)) return PrintText{*help};
+  if (launch::is_fleet_file(compare.sketch))
+    throw InputError(
+        {compare.sketch},
+        "compare runs one sketch on several targets, and this is a file of several robots; record "
+        "two runs of them, and hold these against each other by robosim replay --over");
   if (!seed.empty() && !seeds.empty()) throw InputError("--seed is one, --seeds are many; give one of them");
   compare.first_seed = compare.last_seed = seed.empty() ? 1 : seed_number(seed);
   if (!seeds.empty()) read_seeds(seeds, compare.first_seed, compare.last_seed);

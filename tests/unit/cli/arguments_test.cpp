@@ -152,6 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"compare", "--target", "avr"}, "give two or more"},
         Refused{{"compare", "--target", "avr,avr"}, "--target avr is given twice"},
         Refused{{"compare", "--seed", "1", "--seeds", "1..2"}, "give one of them"},
+        Refused{{"compare", "robots.toml"}, "this is a file of several robots"},
         Refused{{"run", "--mapp", "x"}, "run has no option --mapp; did you mean --map?"},
         Refused{{"run", "--sed=3"}, "did you mean --seed?"},
         Refused{{"run", "-x"}, "run has no option -x; see"},
