@@ -1,6 +1,7 @@
 // The floor with what is on it: the map's own geometry, the trail, the robot with wheels and sensors.
 
-import { drawMark, more, seen, style } from './colours.js';
+import { drawBody, drawRobot } from './bodies.js';
+import { drawMark, more, series, style } from './colours.js';
 import { indexAt, isLit, placeOf } from './run.js';
 import { sized } from './view.js';
 
@@ -21,12 +22,18 @@ export function areaOf(runs) {
 
 // Of a run with more samples than LONG the trail is drawn from the last LATELY on, and the rest as a thin line.
 const LONG = 30_000, LATELY = 12_000;
+// Of more robots the others' trails are drawn of so many seconds.
+const CROWD = 12, CROWD_S = 3;
+
+/** Of a robot that is not looked at. */
+const colourOf = ({ number }) => series(1 + number % 7);
 
 export class FloorPicture {
   /** `whenLoaded` is called when there is more to be drawn: the picture of a floor that is one. */
-  constructor(canvas, run, whenLoaded) {
+  constructor(canvas, runs, whenLoaded) {
     this.canvas = canvas;
-    this.run = run;
+    this.runs = runs;
+    const run = this.run = runs[0];
     this.colourBy = 'speed_mm_s';
     const { floor } = run;
     if (!floor) return;
@@ -76,7 +83,9 @@ export class FloorPicture {
     if (this.run.floor) this.drawFloor(this.run.floor);
     this.drawChanges(t);
     if (this.run.floor) this.drawLights(this.run.floor, t);
-    if (other) this.drawOther(other, otherT);
+    if (other) this.drawOther(other, otherT, style('other'));
+    const since = this.runs.length > CROWD ? t - CROWD_S : 0;
+    for (const peer of this.peers) this.drawOther(peer, t, colourOf(peer), since);
     this.drawTrail(t);
     ctx.restore();
     this.drawTold(t);
@@ -86,9 +95,11 @@ export class FloorPicture {
     ctx.translate(view.width / 2, view.height / 2);
     ctx.scale(view.scale, -view.scale);
     ctx.translate(-view.x, -view.y);
-    if (other) this.drawBody(other.pose(otherT), this.run.robot, style('other'));
-    this.drawRobot(t);
+    if (other) drawBody(ctx, this.px, other.pose(otherT), this.run.robot, style('other'));
+    for (const peer of this.peers) drawBody(ctx, this.px, peer.pose(t), peer.robot, colourOf(peer));
+    drawRobot(ctx, this.px, this.run, t);
     ctx.restore();
+    this.drawNames(t);
     this.drawScale();
   }
 
@@ -211,73 +222,46 @@ export class FloorPicture {
     });
   }
 
-  drawOther(other, t) {
+  /** All robots but the one that is looked at. */
+  get peers() { return this.runs.filter((run) => run !== this.run); }
+
+  /** Shows another robot's sensors, trail and graph. */
+  lookAt(run) {
+    this.run = run;
+    this.whole = null;
+  }
+
+  drawNames(t) {
+    if (this.runs.length < 2) return;
+    const { ctx, view } = this;
+    ctx.font = '600 12px system-ui, sans-serif';
+    ctx.textAlign = 'left';
+    ctx.textBaseline = 'middle';
+    ctx.lineWidth = 3;
+    ctx.lineJoin = 'round';
+    ctx.strokeStyle = style('panel');
+    for (const run of this.runs) {
+      const { x, y } = run.pose(t), [px, py] = view.toScreen(x, y);
+      const aside = 8 + 0.5 * (run.robot?.track ?? 80) * view.scale;
+      ctx.fillStyle = run === this.run ? style('robot') : colourOf(run);
+      ctx.strokeText(run.name, px + aside, py - aside);
+      ctx.fillText(run.name, px + aside, py - aside);
+    }
+  }
+
+  drawOther(other, t, colour, since = 0) {
     const { ctx, px } = this;
     const { x_mm: x, y_mm: y } = other.columns;
     const path = new Path2D();
-    this.walk(other, t, (a, b) => { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); }, this.trailBegins(other, t));
+    const first = Math.max(this.trailBegins(other, t), since > 0 ? indexAt(other.t, since) : 0);
+    this.walk(other, t, (a, b) => { path.moveTo(x[a], y[a]); path.lineTo(x[b], y[b]); }, first);
     ctx.lineCap = 'round';
     ctx.lineWidth = 5 * px;
     ctx.strokeStyle = style('casing');
     ctx.stroke(path);
     ctx.lineWidth = 2.5 * px;
-    ctx.strokeStyle = style('other');
+    ctx.strokeStyle = colour;
     ctx.stroke(path);
-  }
-
-  placed(pose, draw) {
-    const { ctx } = this;
-    ctx.save();
-    ctx.translate(pose.x, pose.y);
-    ctx.rotate(pose.yaw);
-    draw(ctx);
-    ctx.restore();
-  }
-
-  drawBody(pose, robot, colour) {
-    this.placed(pose, (ctx) => {
-      const outline = new Path2D();
-      for (const [x, y] of robot?.outline ?? [[60, 0], [-40, 40], [-40, -40]]) outline.lineTo(x, y);
-      outline.closePath();
-      ctx.fillStyle = colour;
-      ctx.globalAlpha = 0.22;
-      ctx.fill(outline);
-      ctx.globalAlpha = 1;
-      ctx.strokeStyle = colour;
-      ctx.lineWidth = 1.6 * this.px;
-      ctx.stroke(outline);
-    });
-  }
-
-  drawRobot(t) {
-    const { run, px } = this;
-    const pose = run.pose(t), { robot } = run;
-    this.drawBody(pose, robot, style('robot'));
-    this.placed(pose, (ctx) => {
-      const { track = 0, wheel = 0 } = robot ?? {};
-      for (const [side, name] of [[0.5, 'left'], [-0.5, 'right']]) {
-        if (!track || !wheel) break;
-        const width = Math.min(0.12 * track, 0.4 * wheel);
-        ctx.fillStyle = style('wheel');
-        ctx.fillRect(-wheel / 2, side * track - width / 2, wheel, width);
-        const speed = run.at(`wheel_${name}_mm_s`, t) ?? 0;
-        // Where the wheel would be in a tenth of a second.
-        ctx.fillStyle = style('robot');
-        ctx.fillRect(0, side * track - 1.2 * px, 0.1 * speed, 2.4 * px);
-      }
-      ctx.lineWidth = px;
-      for (const sensor of run.sensors) {
-        const side = Math.max(sensor.footprint || 6, 4 * px);
-        ctx.fillStyle = seen(run.reading(sensor.name, t));
-        ctx.strokeStyle = '#333';
-        ctx.fillRect(sensor.x - side / 2, sensor.y - side / 2, side, side);
-        ctx.strokeRect(sensor.x - side / 2, sensor.y - side / 2, side, side);
-      }
-      ctx.strokeStyle = style('robot');
-      ctx.beginPath();
-      ctx.arc(0, 0, 2.5 * px, 0, 2 * Math.PI);
-      ctx.stroke();
-    });
   }
 
   /** The graph that the sketch has told until then. */

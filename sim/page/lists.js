@@ -20,6 +20,14 @@ export class TimedList {
     });
   }
 
+  /** Others in their place. */
+  show(rows) {
+    this.rows = rows;
+    this.count = undefined;
+    this.now = -2;
+    this.grow();
+  }
+
   /** There may be more rows. */
   grow() {
     if (this.count === this.rows.length) return;

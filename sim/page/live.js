@@ -38,11 +38,11 @@ class GrowingStream {
 }
 
 export class LiveRun extends Run {
-  /** `header`: as a recording's; `state`: the first `paused`. */
-  constructor(header, state) {
+  /** `header`: as a recording's; `state`: the first `paused`, of the robot of that number. */
+  constructor(header, state, number = 0) {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;
-    Object.assign(this, { live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, changes: [] });
+    Object.assign(this, { number, name: header.name ?? '', live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, changes: [] });
     this.result = { ...result, verdict: 'live', status: 0, why: 'space stops the run and goes on, . is a millisecond of it' };
     this.units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
     this.readings = started.readings;
@@ -77,7 +77,6 @@ export class LiveRun extends Run {
     if (event === 'note') {
       this.header.notes.push(line);
       this.addEvent(line.t_ns / 1e9, KIND[line.kind] ?? 'script', line.text);
-      this.changes = changesBy(this.header.notes);
     }
     if (paused) {
       const { sample: s } = paused;
@@ -192,8 +191,13 @@ export class LiveFeed {
     page.span.seconds = LATELY_S;
   }
 
-  take(message) {
-    this.pins = this.page.run.take(message) === 'pins' || this.pins;
+  take({ agent = 0, paused, result, ...line }) {
+    const { runs, run } = this.page, one = runs[agent];
+    if (paused) runs.forEach((each, i) => each.take({ paused: i === 0 ? paused : { ...paused.others[i - 1], t_ns: paused.t_ns } }));
+    if (result) runs.forEach((each, i) => each.take({ result: i === 0 ? result : result.others[i - 1] }));
+    const fresh = line.event && one ? one.take({ agent, ...line }) : '';
+    if (line.event === 'note') for (const each of runs) each.changes = changesBy(run.header.notes);
+    this.pins = (fresh === 'pins' && one === run) || this.pins;
     if (this.due) return;
     this.due = true;
     requestAnimationFrame((now) => this.draw(now));

@@ -1,14 +1,16 @@
 // Puts the page together.
 
-import { Chart, SensorStripes, short, Span } from './charts.js';
-import { drawMark, GRADIENT, MARKS, seen } from './colours.js';
+import { Chart, SensorStripes, Span } from './charts.js';
+import { drawMark, GRADIENT, MARKS } from './colours.js';
+import { Chooser, liveRunsOf, runsOf } from './fleet.js';
 import { areaOf, FloorPicture } from './floor.js';
 import { TimedList } from './lists.js';
-import { LiveFeed, LivePlayer, LiveRun } from './live.js';
+import { LiveFeed, LivePlayer } from './live.js';
+import { Now } from './now.js';
 import { PinRow, Wiring } from './pins.js';
 import { Player, SPEEDS } from './player.js';
 import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
-import { apart, runOf, runOfTable } from './run.js';
+import { apart, runOfTable } from './run.js';
 import { Timeline, timeText } from './timeline.js';
 import { View } from './view.js';
 
@@ -31,25 +33,22 @@ function uses(run) {
 }
 
 class Page {
-  constructor(run) {
-    this.run = run;
+  /** A run for each robot. */
+  constructor(runs) {
+    this.runs = runs;
+    const run = this.run = runs[0];
     this.player = run.live ? new LivePlayer(run) : new Player(run);
     this.span = new Span(this.player);
-    this.floor = new FloorPicture($('floor'), run, () => this.redraw());
-    this.view = new View($('floor'), areaOf([run]), () => this.drawFloor());
+    this.floor = new FloorPicture($('floor'), runs, () => this.redraw());
+    this.view = new View($('floor'), areaOf(runs), () => this.drawFloor());
     this.timeline = new Timeline($('timeline'), this.player);
-    this.charts = [];
-    this.pins = [];
     this.extra = new Set();
     $('main').hidden = $('transport').hidden = false;
-    this.showTitle();
-    this.makeNow();
-    this.makeCharts();
-    this.makePins();
     this.serial = new TimedList($('serial'), run.lines, this.player, 'The sketch sent nothing.');
     this.events = new TimedList($('events'), run.events, this.player, 'Nothing happened.');
-    this.wiring = new Wiring($('wiring'), run, this.player);
     this.connect();
+    this.showRun();
+    this.chooser = new Chooser($('robot-box'), runs, (number) => this.lookAt(number));
     this.player.onChange(() => this.move());
     this.span.onChange(() => this.drawTracks());
     new ResizeObserver(() => this.resize()).observe($('floor'));
@@ -59,10 +58,40 @@ class Page {
     this.player.seek(run.duration);  // all that was driven is the best first look; play begins at 0
   }
 
+  /** All that is of one robot. */
+  showRun() {
+    const { run } = this;
+    this.charts = [];
+    this.pins = [];
+    this.showTitle();
+    this.now = new Now($('now'), run);
+    this.makeColours();
+    this.makeCharts();
+    this.makePins();
+    $('wiring').replaceChildren();
+    this.wiring = new Wiring($('wiring'), run, this.player);
+  }
+
+  /** Of several robots another one's plots, pins and serial text are shown. */
+  lookAt(number) {
+    const run = this.run = this.player.run = this.runs[number];
+    this.floor.lookAt(run);
+    this.serial.show(run.lines);
+    this.events.show(run.events);
+    this.extra.clear();
+    this.other = this.others && this.otherOf(run);
+    this.showRun();
+    this.redraw();
+    this.player.tell();
+    $('happened').textContent = `robot ${run.name}`;
+    this.onLookAt?.();  // whoever has put the page into another
+  }
+
   showTitle() {
     const { header, result } = this.run;
-    document.title = `${header.sketch} on ${header.map}: ${result.verdict}`;
-    $('title').textContent = header.sketch;
+    const name = this.runs.length > 1 ? `${header.name}: ${header.sketch}` : header.sketch;
+    document.title = `${name} on ${header.map}: ${result.verdict}`;
+    $('title').textContent = name;
     $('subtitle').textContent = `${header.robot} on ${header.map} · goal ${result.goal} · seed ${result.seed} · ${result.profile} · ${header.target}`;
     const verdict = $('verdict');
     verdict.replaceChildren(make('b', { textContent: `${this.run.live ? '●' : result.status === 0 ? '✓' : '✗'} ${result.verdict}` }), result.why);
@@ -70,53 +99,6 @@ class Page {
     verdict.hidden = false;
     $('timeline').setAttribute('aria-valuemax', this.run.duration.toFixed(3));
     $('floor').setAttribute('aria-label', `${header.robot} on the floor ${header.map}. ${result.verdict}: ${result.why}`);
-  }
-
-  /** Numbers and lamps of the moment. */
-  makeNow() {
-    const { run } = this;
-    const number = (label, unit, id) => {
-      const value = make('b', { id });
-      $('now').append(make('div', {}, value, label));
-      return (v) => { value.textContent = v; if (unit) value.append(make('small', { textContent: ` ${unit}` })); };
-    };
-    const show = [];
-    const of = (name, label, unit, digits) => {
-      const set = number(label, unit, `now-${name}`);
-      show.push((t) => set(run.at(name, t).toFixed(digits)));
-    };
-    of('speed_mm_s', 'speed', 'mm/s', 0);
-    if (run.signal('cross_track_mm')) of('cross_track_mm', 'off the line', 'mm', 1);
-    of('left', 'motor left', '', 2);
-    of('right', 'motor right', '', 2);
-    if (run.sensors.length) {
-      const box = make('div', { className: 'sensors' });
-      for (const { name } of [...run.sensors].sort((a, b) => b.y - a.y || a.x - b.x)) {
-        const level = make('i', { title: name });
-        level.dataset.sensor = name;
-        box.append(make('span', {}, level, name));
-        show.push((t) => {
-          const value = run.reading(name, t);
-          level.style.background = seen(value);
-          level.textContent = value.toFixed(2).replace(/^0\./, '.').replace('1.00', '1').replace('.00', '0');
-        });
-      }
-      $('now').append(box);
-    }
-    const others = run.started.readings.filter((name) => !run.sensors.some((s) => s.name === name));
-    const lamps = make('div', { className: 'onoff' });
-    for (const name of others) {
-      const lamp = make('span', { textContent: name });
-      lamp.dataset.reading = name;
-      lamps.append(lamp);
-      show.push((t) => {
-        const value = run.reading(name, t);
-        if (run.units.has(name)) lamp.textContent = `${name} ${short(value)} ${run.units.get(name)}`;
-        else lamp.classList.toggle('on', value >= 0.5);
-      });
-    }
-    if (others.length) $('now').append(lamps);
-    this.showNow = (t) => { for (const one of show) one(t); };
   }
 
   makeCharts() {
@@ -145,6 +127,14 @@ class Page {
     more.addEventListener('change', () => { this.extra.add(more.value); this.makeCharts(); });
     panel.append(more);
     this.drawTracks();
+  }
+
+  makeColours() {
+    $('colour-by').replaceChildren();
+    for (const [name, label] of [['speed_mm_s', 'by speed, m/s'], ['cross_track_mm', 'by error, mm']])
+      if (this.run.signal(name)) $('colour-by').append(make('option', { value: name, textContent: label }));
+    if (this.run.signal(this.floor.colourBy)) $('colour-by').value = this.floor.colourBy;
+    else this.floor.colourBy = $('colour-by').value;
   }
 
   makePins() {
@@ -178,8 +168,6 @@ class Page {
     for (const speed of SPEEDS)
       $('speed').append(make('option', { value: speed, textContent: speed < 1 ? `×1/${1 / speed}` : `×${speed}` }));
     $('speed').addEventListener('change', (e) => player.setSpeed(Number(e.target.value)));
-    for (const [name, label] of [['speed_mm_s', 'by speed, m/s'], ['cross_track_mm', 'by error, mm']])
-      if (this.run.signal(name)) $('colour-by').append(make('option', { value: name, textContent: label }));
     $('colour-by').addEventListener('change', (e) => {
       this.floor.colourBy = e.target.value;
       this.drawFloor();
@@ -205,6 +193,12 @@ class Page {
         next.focus();
       });
     }
+    let pressed = null;
+    $('floor').addEventListener('pointerdown', (e) => { pressed = e; });
+    $('floor').addEventListener('click', (e) => {
+      if (pressed && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) > 4) return;  // it was dragged
+      this.chooser.chooseAt(...view.toFloor(e.offsetX, e.offsetY), player.t);
+    });
     document.addEventListener('keydown', (e) => this.key(e));
     $('other-file').addEventListener('change', (e) => e.target.files[0] && this.open(e.target.files[0]));
     document.addEventListener('dragover', (e) => e.preventDefault());
@@ -224,7 +218,7 @@ class Page {
       ArrowLeft: () => player.step(-100 * far), ArrowRight: () => player.step(100 * far),
       p: () => this.stepEvent(-1), n: () => this.stepEvent(1), Home: () => player.seek(0), End: () => player.seek(this.run.duration),
       '+': () => player.faster(1), '=': () => player.faster(1), '-': () => player.faster(-1),
-      f: () => this.toggleFollow(), 0: () => this.view.fit(), '?': () => $('help').showModal(),
+      r: () => this.chooser.step(e.shiftKey ? -1 : 1), f: () => this.toggleFollow(), 0: () => this.view.fit(), '?': () => $('help').showModal(),
     };
     const action = actions[e.key] ?? actions[e.key.toLowerCase()];
     if (!action || (e.key === ' ' && e.target.matches('button, [role="tab"]'))) return;
@@ -260,8 +254,9 @@ class Page {
     this.redraw();
   }
 
-  /** run.html#t=3.2&tab=pins&theme=dark&span=0.5 shows that moment so. */
+  /** run.html#t=3.2&tab=pins&theme=dark&span=0.5&robot=B shows that moment so. */
   goTo(where) {
+    if (where.has('robot')) this.chooser.chooseByName(where.get('robot'));
     if (where.has('theme')) this.setTheme(where.get('theme'));
     if (where.has('tab')) this.openTab($(`tab-${where.get('tab')}`) ?? $('tab-plots'));
     if (Number(where.get('t')) > 0) this.player.seek(Number(where.get('t')));
@@ -271,25 +266,31 @@ class Page {
   /** Another run over this one. */
   async open(file) {
     try {
-      this.compare(await runOfFile(file), file.name);
+      this.compare(await runsOfFile(file), file.name);
       $('problem').hidden = true;
     } catch (error) {
       complain(error);
     }
   }
 
-  compare(other, name) {
-    this.other = other;
+  /** `others`: its robots, or null. */
+  compare(others, name) {
+    this.others = others;
+    const other = this.other = others && this.otherOf(this.run);
     const box = $('other-box');
     box.hidden = !other;
     if (other) {
-      const what = other.result ? `${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.title;
+      const whose = others.length > 1 ? `${others.length} robots, ${other.name}: ` : '';
+      const what = other.result ? `${whose}${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.title;
       box.replaceChildren(`over it: ${name} (${what})`, make('button', { textContent: 'away', onclick: () => this.compare(null) }));
     }
-    this.view.area = areaOf(other ? [this.run, other] : [this.run]);
+    this.view.area = areaOf(other ? [...this.runs, ...others] : this.runs);
     this.makeCharts();
     this.redraw();
   }
+
+  /** The robot of the other run that has the name of this one. */
+  otherOf(run) { return this.others.find(({ name }) => name === run.name) ?? this.others[0]; }
 
   drawFloor() {
     const { view, player, floor } = this;
@@ -333,7 +334,7 @@ class Page {
     play.classList.toggle('playing', player.playing);
     play.setAttribute('aria-label', player.playing ? 'pause' : 'play');
     $('speed').value = player.speed;
-    this.showNow(player.t);
+    this.now.move(player.t);
     if (player.playing || run.live) $('happened').textContent = run.events.findLast((e) => e.t <= player.t)?.text ?? '';
     span.follow();
     this.drawFloor();
@@ -345,14 +346,14 @@ class Page {
   }
 }
 
-const runOfFile = async (file) => runOfBytes(new Uint8Array(await file.arrayBuffer()), file.name);
+const runsOfFile = async (file) => runsOfBytes(new Uint8Array(await file.arrayBuffer()), file.name);
 
-async function runOfBytes(bytes, name) {
+async function runsOfBytes(bytes, name) {
   const begin = new TextDecoder('latin1').decode(bytes.subarray(0, 64)).trimStart().toLowerCase();
-  if (begin.startsWith('robosim.rec/')) return runOf(await readRecording(bytes));
+  if (begin.startsWith('robosim.rec/')) return runsOf(await readRecording(bytes));
   const text = new TextDecoder().decode(bytes);
-  if (begin.startsWith('<!doctype html')) return runOf(await readRecording(bytesOfPage(text)));
-  return runOfTable(text, name);
+  if (begin.startsWith('<!doctype html')) return runsOf(await readRecording(bytesOfPage(text)));
+  return [runOfTable(text, name)];
 }
 
 function complain(error) {
@@ -367,7 +368,7 @@ function complain(error) {
 function awaitRun() {
   $('subtitle').textContent = 'waiting for the run …';
   window.robosimLive = (header, state) => {
-    const page = new Page(new LiveRun(header, state));
+    const page = new Page(liveRunsOf(header, state));
     window.robosim = page;
     return { page, feed: new LiveFeed(page) };
   };
@@ -379,12 +380,12 @@ async function begin() {
   try {
     if (typeof DecompressionStream === 'undefined') throw new BadFile('This browser is too old for the page: it needs Chromium 80, Firefox 113, Safari 16.4 or later.');
     if (location.hash === '#live') return awaitRun();
-    const page = new Page(runOf(await readRecording(bytesOfBase64($('recording').textContent))));
+    const page = new Page(runsOf(await readRecording(bytesOfBase64($('recording').textContent))));
     dark.addEventListener('change', (e) => page.setTheme(e.matches ? 'dark' : 'light'));
     const { textContent: over, dataset } = $('over');
     if (over) {
       const name = new TextDecoder().decode(bytesOfBase64(dataset.name));
-      page.compare(await runOfBytes(bytesOfBase64(over), name), name);
+      page.compare(await runsOfBytes(bytesOfBase64(over), name), name);
     }
     page.goTo(new URLSearchParams(location.hash.slice(1)));
     window.robosim = page;  // for tests, and for the curious at the console

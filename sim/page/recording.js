@@ -63,7 +63,7 @@ function inOrder(stream, key) {
   return stream;
 }
 
-/** { header, streams: Map of name to { columnName: Float64Array, text? } } */
+/** { header, streams: Map of name to { columnName: Float64Array, text? }, others: the same of further robots } */
 export async function readRecording(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length));
   if (begins !== MAGIC) {
@@ -80,20 +80,28 @@ export async function readRecording(bytes) {
   } catch {
     throw new BadFile('The recording’s header is damaged: record the run again.');
   }
-  const streams = new Map();
   let at = end + 1;
-  for (const { name, count, columns } of header.streams) {
-    const stream = {};
-    for (const info of columns) {
-      if (info.order === 0) stream[info.name] = utf8.decode(all.subarray(at, at + info.bytes));
-      else stream[info.name] = column(all, at, info, count);
-      if (info.order === 0) stream.utf8 = all.subarray(at, at + info.bytes);
-      at += info.bytes;
+  const read = (infos) => {
+    const streams = new Map();
+    for (const { name, count, columns } of infos) {
+      const stream = {};
+      for (const info of columns) {
+        if (info.order === 0) stream[info.name] = utf8.decode(all.subarray(at, at + info.bytes));
+        else stream[info.name] = column(all, at, info, count);
+        if (info.order === 0) stream.utf8 = all.subarray(at, at + info.bytes);
+        at += info.bytes;
+      }
+      streams.set(name, inOrder(stream, 't_ns'));
     }
-    streams.set(name, inOrder(stream, 't_ns'));
-  }
-  return { header, streams };
+    return streams;
+  };
+  const streams = read(header.streams);
+  const others = (header.others ?? []).map((own) => ({ header: { ...shared(header), ...own }, streams: read(own.streams) }));
+  return { header, streams, others };
 }
+
+/** What a recording says once for all its robots. */
+export function shared({ robosim, map, map_text, floor, notes }) { return { robosim, map, map_text, floor, notes }; }
 
 /** The recording inside another page of ours. */
 export function bytesOfPage(html) {

@@ -127,11 +127,12 @@ export function apart(run, other) {
   return { name: 'apart_mm', unit: 'mm', label: 'apart', t, values, steps: false };
 }
 
-export function runOf({ header, streams }) {
+/** `number`: of the robot. */
+export function runOf({ header, streams }, number = 0) {
   const samples = streams.get('samples') ?? { t_us: new Float64Array() };
   const { result, started, robot_info: robot } = header;
   const run = new Run(header.sketch, seconds(samples.t_us, 1e6), samples);
-  Object.assign(run, { header, result, started, robot, floor: header.floor, thinned: header.thinned_ns / 1e9 });
+  Object.assign(run, { number, name: header.name ?? '', header, result, started, robot, floor: header.floor, thinned: header.thinned_ns / 1e9 });
   run.duration = Math.max(run.duration, result.time_s);
   if (robot.sensors.length) run.addSignal('cross_track_mm', 'mm', 'off the line');
   for (const side of ['left', 'right']) run.addSignal(side, '', `motor ${side}`);
@@ -158,8 +159,9 @@ export function runOf({ header, streams }) {
   addSerial(run, streams.get('serial'));
   run.told = toldGraph(run);
   run.changes = changesBy(header.notes);
-  run.hand = handOf(run.t, header.notes);
-  for (const note of header.notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
+  const notes = header.notes.filter(({ agent = 0 }) => agent === number);
+  run.hand = handOf(run.t, notes);
+  for (const note of notes) run.addEvent(note.t_ns / 1e9, KIND[note.kind] ?? 'script', note.text);
   for (const { t_us, sensor, left } of header.line ?? [])
     run.addEvent(t_us / 1e6, 'line', left ? `the line is left: ${sensor} saw it last` : `back on the line, under ${sensor}`);
   run.addEvent(result.time_s, 'end', `${result.verdict}: ${result.why}`);

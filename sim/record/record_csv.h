@@ -9,7 +9,6 @@ namespace robosim::record {
 class CsvRecorder final : public Recorder {
  public:
   explicit CsvRecorder(std::filesystem::path path) : path_(std::move(path)) {}
-  bool knows_several() const override { return true; }
   void begin(const RecordedRun& run) override;
   /// Takes `started` for the header and samples for the rows; ignores everything else.
   void add(const wire::Event& event) override;

@@ -17,7 +17,6 @@ std::string floor_elements(const FloorShapes& floor);
 class SvgRecorder : public Recorder {
  public:
   explicit SvgRecorder(std::filesystem::path path) : path_(std::move(path)) {}
-  bool knows_several() const override { return true; }
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
   void add(const wire::Event& event) override;

@@ -15,7 +15,6 @@ class VcdRecorder final : public Recorder {
  public:
   explicit VcdRecorder(std::filesystem::path path) : path_(std::move(path)) {}
   void ask(wire::RunRequest& request) const override;
-  bool knows_several() const override { return true; }
   void begin(const RecordedRun& run) override;
   /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
   void add(const wire::Event& event) override;

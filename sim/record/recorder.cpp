@@ -74,15 +74,6 @@ Recorders::Recorders(const std::vector<std::string>& files) : files_(files) {
   for (const std::string& file : files) recorders_.push_back(make_recorder(file));
 }
 
-void Recorders::check_several() const {
-  std::vector<std::string> able;
-  for (const Kind& kind : kKinds)
-    if (kind.make("x")->knows_several()) able.push_back(kind.ending);
-  for (std::size_t i = 0; i < files_.size(); ++i)
-    if (!recorders_[i]->knows_several())
-      throw InputError(files_[i] + ": this format is of one robot; of several there is " + one_of(able));
-}
-
 void Recorders::ask(wire::RunRequest& request) const {
   for (const auto& recorder : recorders_) recorder->ask(request);
 }

@@ -48,8 +48,6 @@ class Recorder {
 
   /// Adds to a request what it wants to hear of. No result depends on that.
   virtual void ask(wire::RunRequest& request) const;
-  /// Whether it can record several robots.
-  virtual bool knows_several() const { return false; }
   /// Before the first event. Throws InputError.
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
@@ -73,8 +71,6 @@ class Recorders {
   explicit Recorders(const std::vector<std::string>& files);
 
   bool empty() const { return recorders_.empty(); }
-  /// Throws InputError for a file that is of one robot only.
-  void check_several() const;
   void ask(wire::RunRequest& request) const;
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);

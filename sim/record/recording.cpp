@@ -57,33 +57,42 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
     refuse(file, error.message());
   }
   std::size_t total = 0;
-  for (const StreamInfo& stream : recording.header_.streams) {
-    for (const ColumnInfo& column : stream.columns) {
-      if (static_cast<std::size_t>(column.bytes) > recording.body_.size() - total || !(column.scale > 0.0))
-        refuse(file, "its column " + column.name + " is longer than the file");
-      total += static_cast<std::size_t>(column.bytes);
+  for (std::size_t robot = 0; robot < recording.header_.robot_count(); ++robot) {
+    for (const StreamInfo& stream : recording.header_.of(robot).streams) {
+      for (const ColumnInfo& column : stream.columns) {
+        if (static_cast<std::size_t>(column.bytes) > recording.body_.size() - total || !(column.scale > 0.0))
+          refuse(file, "its column " + column.name + " is longer than the file");
+        total += static_cast<std::size_t>(column.bytes);
+      }
     }
   }
   return recording;
 }
 
-std::vector<std::vector<double>> Recording::stream(const std::string& name) const {
-  std::vector<std::vector<double>> columns;
+template <class Visit>
+void Recording::each_column(std::size_t robot, const std::string& stream_name, Visit visit) const {
   std::size_t at = 0;
-  for (const StreamInfo& stream : header_.streams) {
-    for (const ColumnInfo& column : stream.columns) {
-      const auto size = static_cast<std::size_t>(column.bytes);
-      if (stream.name == name && column.order > 0) {
-        std::vector<double>& values = columns.emplace_back();
-        const auto steps =
-            wire::ColumnReader(column.order)
-                .read(std::string_view(body_).substr(at, size), static_cast<std::size_t>(stream.count));
-        if (!steps) refuse(file_, "its column " + column.name + " is damaged");
-        for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / column.scale);
+  for (std::size_t i = 0; i <= robot && i < header_.robot_count(); ++i) {
+    for (const StreamInfo& stream : header_.of(i).streams) {
+      for (const ColumnInfo& column : stream.columns) {
+        const auto size = static_cast<std::size_t>(column.bytes);
+        if (i == robot && stream.name == stream_name)
+          visit(column, std::string_view(body_).substr(at, size), static_cast<std::size_t>(stream.count));
+        at += size;
       }
-      at += size;
     }
   }
+}
+
+std::vector<std::vector<double>> Recording::stream(const std::string& name, std::size_t robot) const {
+  std::vector<std::vector<double>> columns;
+  each_column(robot, name, [&](const ColumnInfo& column, std::string_view bytes, std::size_t count) {
+    if (column.order == 0) return;
+    const auto steps = wire::ColumnReader(column.order).read(bytes, count);
+    if (!steps) refuse(file_, "its column " + column.name + " is damaged");
+    std::vector<double>& values = columns.emplace_back();
+    for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / column.scale);
+  });
   return columns;
 }
 
@@ -95,34 +104,35 @@ void Recording::play(const wire::OnEvent& on_event) const {
   std::vector<Timed> events;
   for (const wire::Note& note : header_.notes) events.push_back({note.t_ns, note});
 
-  const auto samples = stream("samples");
-  constexpr std::size_t kFixed = 10;
-  for (std::size_t i = 0; samples.size() >= kFixed && i < samples[0].size(); ++i) {
-    const auto at = [&](std::size_t column) { return samples[column][i]; };
-    wire::Sample s{std::llround(at(0)), at(1), at(2), at(3), at(4), at(5), at(6), at(7), {}, "",
-                   {at(8), at(9)}};
-    for (std::size_t column = kFixed; column < samples.size(); ++column) s.readings.push_back(at(column));
-    const std::int64_t t_ns = s.t_us * 1000;
-    events.push_back({t_ns, std::move(s)});
-  }
+  for (std::size_t robot = 0; robot < header_.robot_count(); ++robot) {
+    const int agent = static_cast<int>(robot);
+    const auto samples = stream("samples", robot);
+    constexpr std::size_t kFixed = 10;
+    for (std::size_t i = 0; samples.size() >= kFixed && i < samples[0].size(); ++i) {
+      const auto at = [&](std::size_t column) { return samples[column][i]; };
+      wire::Sample s{std::llround(at(0)), at(1), at(2), at(3), at(4), at(5), at(6), at(7), {}, "",
+                     {at(8), at(9)},      agent};
+      for (std::size_t column = kFixed; column < samples.size(); ++column) s.readings.push_back(at(column));
+      const std::int64_t t_ns = s.t_us * 1000;
+      events.push_back({t_ns, std::move(s)});
+    }
 
-  const auto serial = stream("serial");
-  const bool has_serial = serial.size() >= 2;
-  const std::size_t text_bytes =
-      has_serial && !header_.streams.empty() && header_.streams.back().columns.size() > 2
-          ? static_cast<std::size_t>(header_.streams.back().columns[2].bytes)
-          : 0;
-  std::string_view text = std::string_view(body_).substr(body_.size() - std::min(text_bytes, body_.size()));
-  for (std::size_t i = 0; has_serial && i < serial[0].size(); ++i) {
-    const auto bytes = static_cast<std::size_t>(std::clamp(serial[1][i], 0.0, 1.0 * text.size()));
-    const std::int64_t t_ns = std::llround(serial[0][i]);
-    events.push_back({t_ns, wire::SerialText{t_ns, std::string(text.substr(0, bytes))}});
-    text.remove_prefix(bytes);
+    const auto serial = stream("serial", robot);
+    std::string_view text;
+    each_column(robot, "serial", [&](const ColumnInfo& column, std::string_view bytes, std::size_t) {
+      if (column.order == 0) text = bytes;
+    });
+    for (std::size_t i = 0; serial.size() >= 2 && i < serial[0].size(); ++i) {
+      const auto bytes = static_cast<std::size_t>(std::clamp(serial[1][i], 0.0, 1.0 * text.size()));
+      const std::int64_t t_ns = std::llround(serial[0][i]);
+      events.push_back({t_ns, wire::SerialText{t_ns, std::string(text.substr(0, bytes)), agent}});
+      text.remove_prefix(bytes);
+    }
   }
 
   std::stable_sort(events.begin(), events.end(),
                    [](const Timed& a, const Timed& b) { return a.t_ns < b.t_ns; });
-  on_event(header_.started);
+  for (std::size_t robot = 0; robot < header_.robot_count(); ++robot) on_event(header_.of(robot).started);
   for (const Timed& timed : events) on_event(timed.event);
 }
 

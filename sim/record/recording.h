@@ -20,7 +20,7 @@ namespace robosim::record {
 /// Gathers a run; encoded() is the recording, and content() what is compressed in it.
 class Gatherer {
  public:
-  /// More bytes of changes are thinned, and more text of the serial line is left out.
+  /// Of all robots together: more bytes of changes are thinned, and more text of serial lines is left out.
   static constexpr std::size_t kMostChanges_bytes = 4'000'000;
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
@@ -35,17 +35,22 @@ class Gatherer {
   std::string encoded(const wire::RunResult& result);
 
  private:
+  /// Of one robot.
+  struct Streams {
+    std::map<std::string, KeptStream> columns;
+    std::optional<wire::Stream> serial;
+    std::string serial_text;
+    bool thinned = false, serial_cut = false;
+  };
+  RobotRecord& record_of(std::size_t robot) { return robot == 0 ? header_ : header_.others[robot - 1]; }
   void add_columns(const wire::Columns& columns);
-  std::vector<LineEvent> line_events() const;
   void add_serial(const wire::SerialText& serial);
+  void finish(std::size_t robot, const wire::RunResult& result, std::string& body);
 
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
   std::optional<grid::Map> map_;
-  std::map<std::string, KeptStream> streams_;
-  std::optional<wire::Stream> serial_;
-  std::string serial_text_;
-  bool thinned_ = false, serial_cut_ = false;
+  std::vector<Streams> streams_{1};  ///< by the robots' numbers
 };
 
 /// One that was read.
@@ -57,12 +62,16 @@ class Recording {
   static Recording decode(std::string_view bytes, const std::string& file);
 
   const RecordingHeader& header() const { return header_; }
-  /// A stream's columns in their units; empty if there is none of that name.
-  std::vector<std::vector<double>> stream(const std::string& name) const;
-  /// Tells samples, serial text and notes in the order of time, after `started`.
+  /// A stream's columns in their units; empty if there is none of that name. `robot`: its number.
+  std::vector<std::vector<double>> stream(const std::string& name, std::size_t robot = 0) const;
+  /// Tells samples, serial text and notes in the order of time, after `started`; of all robots.
   void play(const wire::OnEvent& on_event) const;
 
  private:
+  /// Calls visit(column, its bytes, count of its numbers) for each column of a robot's stream.
+  template <class Visit>
+  void each_column(std::size_t robot, const std::string& stream_name, Visit visit) const;
+
   RecordingHeader header_;
   std::string body_;
   std::string file_;

@@ -34,22 +34,33 @@ struct StreamInfo {
   std::vector<ColumnInfo> columns;
 };
 
-struct RecordingHeader {
-  std::string robosim;  ///< version that wrote it
-  std::string sketch, map, robot, target;
-  std::string script;    ///< what happened to the robot from outside
-  std::string map_text;  ///< empty, with `floor` absent, if the map is too large
-  std::optional<FloorShapes> floor;
+/// What is recorded of one robot.
+struct RobotRecord {
+  std::string name;  ///< of one of several; else empty
+  std::string sketch, robot, target;
+  std::string script;  ///< what happened to the robot from outside
   wire::RobotInfo robot_info;
   std::vector<std::string> pins;  ///< names of the board's, by number
   wire::Started started;
   wire::RunResult result;
-  std::vector<wire::Note> notes;
   std::vector<LineEvent> line;            ///< when the line was left, and found again
   std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
   /// Of pins and voltages only the last change in each span so long is kept; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
+};
+
+/// The run, and its first robot.
+struct RecordingHeader : RobotRecord {
+  std::string robosim;  ///< version that wrote it
+  std::string map;
+  std::string map_text;  ///< empty, with `floor` absent, if the map is too large
+  std::optional<FloorShapes> floor;
+  std::vector<wire::Note> notes;    ///< of all robots
+  std::vector<RobotRecord> others;  ///< further robots, in the order of their numbers
+
+  std::size_t robot_count() const { return 1 + others.size(); }
+  const RobotRecord& of(std::size_t number) const { return number == 0 ? *this : others.at(number - 1); }
 };
 
 template <class V>
@@ -68,24 +79,31 @@ void fields(V& v, wire::Same<V, StreamInfo>& s) {
 }
 
 template <class V>
+void fields(V& v, wire::Same<V, RobotRecord>& r) {
+  v("name", r.name, "of one of several robots", {.presence = wire::when(!r.name.empty())});
+  v("sketch", r.sketch, "as the user named it");
+  v("robot", r.robot, "the same");
+  v("target", r.target, "the same");
+  v("script", r.script, "text of the scenario");
+  v("robot_info", r.robot_info, "as `describe_robot` has it");
+  v("pins", r.pins, "names of the board's pins, by number");
+  v("started", r.started, "the event");
+  v("result", r.result, "of the run");
+  v("line", r.line, "when it was left, and found again", {.presence = wire::when(!r.line.empty())});
+  v("sources", r.sources, "lines that drove pins", {.presence = wire::when(!r.sources.empty())});
+  v("thinned_ns", r.thinned_ns, "0 = not", {.presence = wire::kOptional});
+  v("streams", r.streams, "what follows");
+}
+
+template <class V>
 void fields(V& v, wire::Same<V, RecordingHeader>& h) {
   v("robosim", h.robosim, "version");
-  v("sketch", h.sketch, "as the user named it");
-  v("map", h.map, "the same");
-  v("robot", h.robot, "the same");
-  v("target", h.target, "the same");
-  v("script", h.script, "text of the scenario");
+  v("map", h.map, "as the user named it");
   v("map_text", h.map_text, "the map's file");
   v("floor", h.floor, "its geometry");
-  v("robot_info", h.robot_info, "as `describe_robot` has it");
-  v("pins", h.pins, "names of the board's pins, by number");
-  v("started", h.started, "the event");
-  v("result", h.result, "of the run");
   v("notes", h.notes, "the events");
-  v("line", h.line, "when it was left, and found again", {.presence = wire::when(!h.line.empty())});
-  v("sources", h.sources, "lines that drove pins", {.presence = wire::when(!h.sources.empty())});
-  v("thinned_ns", h.thinned_ns, "0 = not", {.presence = wire::kOptional});
-  v("streams", h.streams, "what follows");
+  fields(v, static_cast<wire::Same<V, RobotRecord>&>(h));
+  v("others", h.others, "further robots", {.presence = wire::when(!h.others.empty())});
 }
 
 }  // namespace robosim::record

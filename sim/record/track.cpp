@@ -81,12 +81,13 @@ double at(const Track& track, const std::vector<double>& values, std::size_t bef
 
 }  // namespace
 
-Track track_of(const Recording& recording) {
-  const RecordingHeader& header = recording.header();
+Track track_of(const Recording& recording, std::size_t robot) {
+  const RobotRecord& record = recording.header().of(robot);
   Track track;
-  track.what = fmt::format("{} on {}, seed {}, {}: {} after {:.2f} s", header.sketch, header.map,
-                           header.result.seed, header.target, header.result.verdict, header.result.time_s);
-  const auto samples = recording.stream("samples");
+  track.robot = record.name;
+  track.what = fmt::format("{} on {}, seed {}, {}: {} after {:.2f} s", record.sketch, recording.header().map,
+                           record.result.seed, record.target, record.result.verdict, record.result.time_s);
+  const auto samples = recording.stream("samples", robot);
   if (samples.size() < 3) return track;
   for (const double t_us : samples[0]) track.t_s.push_back(t_us * 1e-6);
   track.x_mm = samples[1];
@@ -140,12 +141,19 @@ Track track_of_table(std::string_view text, const std::string& file) {
   return track;
 }
 
-Track read_track(const std::filesystem::path& file, std::string* bytes) {
+std::vector<Track> read_tracks(const std::filesystem::path& file, std::string* bytes) {
   std::string content = read_file(file);
   const bool is_table = file.extension() == ".csv" || file.extension() == ".txt";
-  Track track = is_table ? track_of_table(content, file.string()) : track_of(Recording::read(file));
+  std::vector<Track> tracks;
+  if (is_table) {
+    tracks.push_back(track_of_table(content, file.string()));
+  } else {
+    const Recording recording = Recording::read(file);
+    for (std::size_t i = 0; i < recording.header().robot_count(); ++i)
+      tracks.push_back(track_of(recording, i));
+  }
   if (bytes) *bytes = is_table ? std::move(content) : recording_in(std::move(content));
-  return track;
+  return tracks;
 }
 
 Apart apart(const Track& one, const Track& other) {

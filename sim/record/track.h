@@ -14,17 +14,20 @@ namespace robosim::record {
 struct Track {
   std::string what;  ///< for people: "PidFollower on tight, seed 2, host: reached after 7.70 s"
   std::vector<double> t_s, x_mm, y_mm;
+  std::string robot = {};  ///< its name, of one of several
 };
 
-Track track_of(const Recording& recording);
+/// Of the robot of that number.
+Track track_of(const Recording& recording, std::size_t robot = 0);
 
 /// A table: its first line names the columns, one of them the time (t_s, t_ms, t_us …), two the place (x_mm
 /// or x_m, y_mm or y_m …); commas, semicolons or tabs between; lines that begin with # are left out. Throws
 /// InputError with file and line.
 Track track_of_table(std::string_view text, const std::string& file);
 
-/// A .rec, a page or a table; `bytes`, if not null, gets what a page can show of it: a .rec or a table.
-Track read_track(const std::filesystem::path& file, std::string* bytes = nullptr);
+/// Of each robot in a .rec or a page, or of a table; `bytes`, if not null, gets what a page can show of it: a
+/// .rec or a table.
+std::vector<Track> read_tracks(const std::filesystem::path& file, std::string* bytes = nullptr);
 
 /// How far apart two robots are at equal times, as long as both are known.
 struct Apart {

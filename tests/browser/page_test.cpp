@@ -210,6 +210,42 @@ TEST_F(Page, LaysAnotherRecordingOverTheRun) {
   EXPECT_TRUE(over[3].get<bool>());
 }
 
+TEST_F(Page, ShowsOfSeveralRobotsTheOneThatIsChosenAndWhereTheOthersAre) {
+  folder->write("Talks.ino",
+                "void setup() { Serial.begin(9600); Serial.println(\"mine\"); }\nvoid loop() {}\n");
+  const Ended ended =
+      robosim_command({"run", "A=PidFollower", "B=./Talks.ino", "--robot", "uno5", "--map", "oval", "--start",
+                       "B=20,2,W", "--for", "3s", "--goal", "none", "--record", "two.html"},
+                      folder->path());
+  ASSERT_EQ(ended.status, 1) << "B stands still: " << ended.err;
+  const auto two = record::Recording::read(*folder / "two.html");
+  const Json shown = in_page(*folder / "two.html", R"(
+    const seen = () => ({ robot: $('robot-box').querySelector('select').value, title: $('title').textContent,
+      lines: page.serial.rows.map((row) => row.text), speed: parseFloat($('now-speed_mm_s').textContent) });
+    page.player.seek(2);
+    const rows = [seen()];
+    key('r');
+    rows.push(seen());
+    key('r');
+    rows.push(seen());
+    const { x, y } = page.runs[1].pose(2), [px, py] = page.view.toScreen(x, y), box = $('floor').getBoundingClientRect();
+    for (const type of ['pointerdown', 'click'])
+      $('floor').dispatchEvent(new MouseEvent(type, { clientX: box.x + px, clientY: box.y + py, bubbles: true }));
+    rows.push(seen());
+    return { rows, x, hidden: $('robot-box').hidden };)");
+  const Json& rows = shown["rows"];
+  EXPECT_EQ(shown["x"], two.stream("samples", 1)[1][200]);
+  EXPECT_FALSE(shown["hidden"].get<bool>());
+  EXPECT_EQ(rows[0]["title"], "A: PidFollower");
+  EXPECT_NEAR(rows[0]["speed"], two.stream("samples", 0)[4][200], 0.51);
+  EXPECT_EQ(rows[1]["title"], "B: ./Talks.ino");
+  EXPECT_EQ(rows[1]["robot"], "1");
+  EXPECT_EQ(rows[1]["speed"], 0);
+  EXPECT_EQ(rows[1]["lines"], Json({"mine"}));
+  EXPECT_EQ(rows[2], rows[0]) << "after the last comes the first";
+  EXPECT_EQ(rows[3], rows[1]) << "a click on B's body";
+}
+
 TEST_F(Page, BeginsWithTheRunThatReplayHasLaidOverIt) {
   // A log of a robot that stands where the recorded one begins.
   const auto samples = recording->stream("samples");

@@ -132,10 +132,27 @@ TEST(CliFleet, ARecordingHasRowsOfAllAndAPictureShowsAll) {
   const std::string svg = read_file(folder / "p.svg");
   EXPECT_THAT(svg, AllOf(HasSubstr("2 robots on oval: 2 of 2 reached their goals"), HasSubstr(">A</text>"),
                          HasSubstr(">B</text>")));
-  const Ended page = robosim_command(two_with({"--record", "r.html"}), folder.path());
-  EXPECT_EQ(page.status, 2);
-  EXPECT_THAT(page.err,
-              HasSubstr("r.html: this format is of one robot; of several there is .csv, .vcd, .svg or .png"));
+}
+
+TEST(CliFleet, APageIsReplayedHeldAgainstAnotherAndWrittenAsATrace) {
+  const Folder folder;
+  const Ended plain = robosim_command(two_with({}));
+  const Ended run = robosim_command(two_with({"--record", "r.html"}), folder.path());
+  EXPECT_EQ(run.out, plain.out) << "recorded or not";
+  ASSERT_EQ(robosim_command(two_with({"--record", "s.rec", "--seed", "2"}), folder.path()).status, 0);
+  const Ended replay =
+      robosim_command({"replay", "r.html", "--over", "s.rec", "--record", "r.perfetto.json"}, folder.path());
+  EXPECT_EQ(replay.status, 0) << replay.err;
+  EXPECT_THAT(replay.out, AllOf(HasSubstr("2 robots on oval"), HasSubstr("2 of 2 reached their goals"),
+                                HasSubstr("A over it: s.rec: PidFollower on oval, seed 2, host: reached"),
+                                HasSubstr("\nB apart:   1 mm at ")));
+  EXPECT_THAT(read_file(folder / "r.perfetto.json"),
+              AllOf(HasSubstr("A: pins of the uno"), HasSubstr("B: pins of the uno")));
+  folder.write("log.csv", "t,x,y\n0,1,1\n1,2,2\n");
+  const Ended log = robosim_command({"replay", "r.html", "--over", "log.csv"}, folder.path());
+  EXPECT_EQ(log.status, 2);
+  EXPECT_THAT(log.err, HasSubstr("log.csv: no robot is in both runs: here is one without a name, and below "
+                                 "it A or B"));
 }
 
 TEST(CliFleet, RobotsTalkByRadioFromHostToAvr) {

@@ -52,5 +52,32 @@ TEST(CliLive, ServesRequestsAndIsTheRunThatItsScriptGives) {
   EXPECT_EQ(Json::parse(robosim_command(script, folder.path()).out)["trace_hash"], result["trace_hash"]);
 }
 
+TEST(CliLive, TellsSeveralRobotsAndActsOnTheOneThatIsNamed) {
+  const Folder folder;
+  folder.write("requests",
+               "{\"id\": 1, \"do\": \"script\", \"lines\": \"place 500mm,200mm,N\", \"agent\": 1}\n"
+               "{\"id\": 1, \"do\": \"script\", \"lines\": \"power off\", \"agent\": 2}\n"
+               "{\"id\": 1, \"do\": \"step\", \"ms\": 5}\n");
+  const Ended ended = robosim_command({"run", "A=PidFollower", "B=PidFollower", "--map", "oval", "--robot",
+                                       "uno5", "--start", "B=20,2,W", "--for", "3s", "--live"},
+                                      folder.path(), nullptr, (folder / "requests").string().c_str());
+  Json first, paused;
+  std::vector<std::string> refused;
+  std::istringstream lines(ended.out);
+  for (std::string line; std::getline(lines, line);) {
+    const Json json = Json::parse(line);
+    if (first.is_null()) first = json;
+    if (json.contains("refused")) refused.push_back(json["refused"]);
+    if (json.contains("paused")) paused = json["paused"];
+  }
+  EXPECT_EQ(first["recording"]["name"], "A");
+  ASSERT_EQ(first["recording"]["others"].size(), 1u) << ended.err;
+  EXPECT_EQ(first["recording"]["others"][0]["name"], "B");
+  EXPECT_EQ(first["recording"]["others"][0]["started"]["start"], Json({20, 2, "W"}));
+  EXPECT_THAT(refused, ElementsAre("agent is 2, and the run's robots are 0 to 1"));
+  EXPECT_NEAR(paused["others"][0]["sample"]["x"].get<double>(), 500.0, 5.0);
+  EXPECT_GT(paused["sample"]["x"], 1000.0);
+}
+
 }  // namespace
 }  // namespace robosim::test

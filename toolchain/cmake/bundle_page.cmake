@@ -4,7 +4,7 @@
 # is an .html itself. A module
 # may import from those before it in the list, by name; all modules share one scope then, so that no name at a module's
 # top may be there twice (a browser says so at once).
-set(modules recording run colours player live view floor timeline charts pins lists main)
+set(modules recording run colours player live fleet view bodies floor timeline charts now pins lists main)
 
 file(READ ${FOLDER}/style.css style)
 set(script "")

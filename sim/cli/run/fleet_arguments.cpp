@@ -152,7 +152,6 @@ void FleetOptions::finish() {
          "halts one robot's chip, not the others'; debug it in a run of its own");
   refuse(!run_.coverage.empty(), "--coverage",
          "counts the lines of one robot's sketch; run it alone for that");
-  refuse(run_.live, "--live", "is for runs of one robot");
   refuse(run_.serial, "--serial", "prints what one sketch sends; run it alone, or see it in --json");
   refuse(run_.request.clock_ns > 0, "--clock",
          "is for runs of one robot; a fleet's file has it as clock, for each");

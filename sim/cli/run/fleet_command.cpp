@@ -12,6 +12,7 @@
 #include "sim/base/wall_clock.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
+#include "sim/cli/run/live.h"
 #include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/screen.h"
@@ -85,20 +86,20 @@ wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, 
 
 int fleet_command(const RunArguments& arguments) {
   record::Recorders recorders = recorders_of(arguments);
-  recorders.check_several();
   const std::vector<WriteClaim> claims = claims_of(arguments);
   launch::Fleet fleet = arguments.fleet;
   launch::ChosenFleet chosen = choose(fleet);
   check_view(arguments);
-  tui::Progress progress(!arguments.view);
+  tui::Progress progress(!arguments.view && !arguments.live);
   wire::RunRequest common = arguments.request;
   common.script.clear();
-  const bool draws = !arguments.json;
+  const bool draws = !arguments.json && !arguments.live;
   common.samples_every_ns = draws || progress.active() ? tui::trail_every_ns(common.for_ns) : 0;
   if (arguments.view) common.samples_every_ns = tui::kViewEvery_ns;
-  common.serial = arguments.view;
+  common.serial = arguments.view || arguments.live;
+  if (arguments.live) common.columns_every_ns = record::kRecordEvery_ns;
   common.notes = true;
-  common.batches = !arguments.view;
+  common.batches = !arguments.view && !arguments.live;
   recorders.ask(common);
 
   client::Runner runner(chosen.runner);
@@ -116,7 +117,8 @@ int fleet_command(const RunArguments& arguments) {
     if (!member.remark.empty())
       complain(fmt::format("robosim: {}: {}\n", fleet.members[i].name, member.remark));
   }
-  recorders.begin(recorded(fleet, run, runner.hello().version));
+  const record::RecordedRun told = recorded(fleet, run, runner.hello().version);
+  recorders.begin(told);
   const auto on_event = [&](const wire::Event& event) {
     recorders.add(event);
     const auto row = [&](int agent) { return &report.rows.at(static_cast<std::size_t>(agent)); };
@@ -132,8 +134,12 @@ int fleet_command(const RunArguments& arguments) {
   wire::RunResult result;
   try {
     const client::Interrupts interrupts(runner);
-    result =
-        arguments.view ? watch(runner, run, fleet, arguments, on_event) : runner.run(run.request, on_event);
+    if (arguments.live)
+      result = run_live(runner, told, on_event);
+    else if (arguments.view)
+      result = watch(runner, run, fleet, arguments, on_event);
+    else
+      result = runner.run(run.request, on_event);
   } catch (const InputError& error) {
     throw launch::with_place(fleet, error);
   }
@@ -154,7 +160,7 @@ int fleet_command(const RunArguments& arguments) {
       robots.push_back(
           {fleet.members[i].name, inputs_of(run.members[i], runner.hello().version), results[i]});
     print(fleet_json(robots, report.wall_s));
-  } else {
+  } else if (!arguments.live) {
     for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.members.front().map.path);

@@ -1,5 +1,6 @@
 #include "sim/cli/run/live.h"
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -68,6 +69,7 @@ class Live {
   Live(client::Runner& runner, const record::RecordedRun& run, const wire::OnEvent& on_event)
       : recorded_(run),
         on_event_(on_event),
+        gatherer_(begun(run)),
         run_(runner, run.request, [this](const wire::Event& e) { hear(e); }) {
     tell_state();
   }
@@ -96,18 +98,26 @@ class Live {
 
   void hear(const wire::Event& event) {
     on_event_(event);
-    if (std::holds_alternative<wire::Started>(event)) tell_recording(event);
-    tell(wire::to_line(kId, wire::Answer(event)));
+    const std::string line = wire::to_line(kId, wire::Answer(event));
+    const std::size_t robots = recorded_.request.agents.size() + 1;
+    if (started_ == robots) return tell(line);
+    begun_ += line;
+    if (!std::holds_alternative<wire::Started>(event)) return;
+    gatherer_.add(event);
+    if (++started_ < robots) return;
+    tell_recording();
+    tell(begun_);
   }
 
-  void tell_recording(const wire::Event& started) {
-    record::Gatherer gatherer;
-    gatherer.begin(recorded_);
-    gatherer.add(started);
-    record::RecordingHeader header = gatherer.header();
-    header.result.goal = header.started.goal;
-    header.result.seed = recorded_.request.seed;
-    header.result.profile = recorded_.request.profile;
+  void tell_recording() {
+    record::RecordingHeader header = gatherer_.header();
+    const auto set_result = [this](record::RobotRecord& robot) {
+      robot.result.goal = robot.started.goal;
+      robot.result.seed = recorded_.request.seed;
+      robot.result.profile = recorded_.request.profile;
+    };
+    set_result(header);
+    for (record::RobotRecord& other : header.others) set_result(other);
     tell(wire::text_of(wire::OrderedJson{{"id", kId}, {"recording", wire::to_json(header)}}) + "\n");
   }
 
@@ -152,14 +162,20 @@ class Live {
     go_to(run_.state().t_ns + step.ms * kTick_ns);
   }
   void carry_out(const wire::Act& act) {
-    const std::size_t known = run_.script().size();
-    run_.act(act.lines);
-    tell(wire::to_line(kId, wire::Answer(wire::Accepted{run_.script().substr(known)})));
+    const auto agent = static_cast<std::size_t>(act.agent);
+    if (const std::size_t count = recorded_.request.agents.size() + 1; agent >= count)
+      throw InputError(fmt::format("agent is {}, and the run's robots are 0 to {}", agent, count - 1));
+    const std::size_t known = run_.script(agent).size();
+    run_.act(act.lines, agent);
+    tell(wire::to_line(kId, wire::Answer(wire::Accepted{run_.script(agent).substr(known)})));
   }
   void carry_out(const wire::End&) { run_.end(); }
 
   const record::RecordedRun& recorded_;
   const wire::OnEvent& on_event_;
+  record::Gatherer gatherer_;  // for what begins as a recording does
+  std::size_t started_ = 0;    // robots
+  std::string begun_;          // what they told until all had; the recording comes before it
   std::string told_;
   Requests requests_;
   tui::Pacer pacer_ = paused();
@@ -167,6 +183,11 @@ class Live {
   std::int64_t leg_ns_ = kTick_ns;  // as fast as possible: what takes about a frame
   client::DrivenRun run_;           // the last: what hears it is there before
 
+  static record::Gatherer begun(const record::RecordedRun& run) {
+    record::Gatherer gatherer;
+    gatherer.begin(run);
+    return gatherer;
+  }
   static tui::Pacer paused() {
     tui::Pacer pacer(1.0);
     pacer.set_paused(true);

@@ -14,10 +14,12 @@
 #include "sim/base/write_claim.h"
 #include "sim/cli/output.h"
 #include "sim/client/interrupts.h"
+#include "sim/launch/fleet.h"
 #include "sim/record/record_page.h"
 #include "sim/record/record_trace.h"
 #include "sim/record/recording.h"
 #include "sim/record/track.h"
+#include "sim/tui/fleet_report.h"
 #include "sim/tui/live_view.h"
 #include "sim/tui/report.h"
 
@@ -29,10 +31,33 @@ constexpr int kWidestEnd_columns = 78;
 /// Thrown through the recording when the user has seen enough.
 struct Left {};
 
+/// Of several robots; else empty.
+std::vector<std::string> names_of(const record::RecordingHeader& header) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; !header.others.empty() && i < header.robot_count(); ++i)
+    names.push_back(header.of(i).name);
+  return names;
+}
+
+/// What is said of all robots in one sentence.
+wire::RunResult whole_result(const record::RecordingHeader& header) {
+  wire::RunResult result = header.result;
+  wire::RunRequest request;
+  request.name = header.name;
+  for (const record::RobotRecord& other : header.others) {
+    result.others.push_back(other.result);
+    request.agents.emplace_back().name = other.name;
+  }
+  return launch::whole_of(result, request);
+}
+
 void watch(const record::Recording& recording, const grid::Map& map, double speed) {
   const record::RecordingHeader& header = recording.header();
-  tui::LiveScene scene(fmt::format("{} · {} on {}", header.sketch, header.robot, header.map), map,
-                       header.robot_info);
+  const std::vector<std::string> names = names_of(header);
+  const std::string title =
+      names.empty() ? fmt::format("{} · {} on {}", header.sketch, header.robot, header.map)
+                    : fmt::format("{} robots on {}; below: {}", names.size(), header.map, names.front());
+  tui::LiveScene scene(title, map, header.robot_info, names);
   bool left = false;
   tui::LiveView view(scene,
                      {speed, tui::look_from_environment(true), [&] { return left; }, [&] { left = true; }});
@@ -44,7 +69,7 @@ void watch(const record::Recording& recording, const grid::Map& map, double spee
   } catch (const Left&) {
     return;
   }
-  view.finish(header.result);
+  view.finish(whole_result(header));
 }
 
 /// Writes what a recording has in other formats.
@@ -67,14 +92,78 @@ void check_endings(const std::vector<std::string>& files) {
       throw InputError("--record: " + file + ": a recording can be written anew as " + one_of(known));
 }
 
-std::string apart_text(const record::Track& one, const record::Track& other, const std::string& file) {
-  const record::Apart a = record::apart(one, other);
-  std::string text = fmt::format("\nover it: {}: {}\n", file, other.what);
-  if (a.from_1mm_s < 0.0) return text + fmt::format("apart:   never 1 mm, in {:.2f} s\n", a.until_s);
-  return text + fmt::format(
-                    "apart:   1 mm at {:.2f} s, at most {:.0f} mm at {:.2f} s; {:.0f} mm in the mean, until "
-                    "{:.2f} s\n",
-                    a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
+std::string apart_text(const record::Apart& a) {
+  if (a.from_1mm_s < 0.0) return fmt::format("never 1 mm, in {:.2f} s\n", a.until_s);
+  return fmt::format(
+      "1 mm at {:.2f} s, at most {:.0f} mm at {:.2f} s; {:.0f} mm in the mean, until {:.2f} s\n",
+      a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
+}
+
+/// Robots of several are held against those of the same name.
+std::string apart_text(const record::Recording& one, const std::vector<record::Track>& others,
+                       const std::string& file) {
+  std::string text;
+  for (std::size_t i = 0; i < one.header().robot_count(); ++i) {
+    const std::string& name = one.header().of(i).name;
+    const auto other = std::find_if(others.begin(), others.end(),
+                                    [&](const record::Track& track) { return track.robot == name; });
+    if (other == others.end()) continue;
+    const std::string whose = name.empty() ? "" : name + " ";
+    text += fmt::format("\n{}over it: {}: {}\n{}apart:   {}", whose, file, other->what, whose,
+                        apart_text(record::apart(record::track_of(one, i), *other)));
+  }
+  if (text.empty()) {
+    const auto named = [](const std::string& name) { return name.empty() ? "one without a name" : name; };
+    std::vector<std::string> here, there;
+    for (std::size_t i = 0; i < one.header().robot_count(); ++i)
+      there.push_back(named(one.header().of(i).name));
+    for (const record::Track& track : others) here.push_back(named(track.robot));
+    throw InputError({file}, fmt::format("no robot is in both runs: here is {}, and below it {}",
+                                         one_of(here), one_of(there)));
+  }
+  return text;
+}
+
+std::string end_screen(const record::Recording& recording, const grid::Map* map, std::int64_t every_us,
+                       int columns, tui::Look look) {
+  const record::RecordingHeader& header = recording.header();
+  tui::Report report;
+  report.sketch = header.sketch;
+  report.map = header.map;
+  report.robot = header.robot;
+  report.target = header.target;
+  report.started = header.started;
+  report.result = header.result;
+  recording.play([&](const wire::Event& event) {
+    const auto* sample = std::get_if<wire::Sample>(&event);
+    if (sample && sample->t_us % every_us == 0) report.trail.add(*sample);
+    if (const auto* note = std::get_if<wire::Note>(&event)) report.trail.add(*note);
+  });
+  const BoardSpec* board = find_board(header.robot_info.board.name.c_str());
+  report.sees_lines = !header.robot_info.sensors.empty();
+  report.chip_target = board ? board->chip->target : header.target;
+  return tui::end_screen(report, map, columns, look);
+}
+
+std::string fleet_screen(const record::Recording& recording, const grid::Map* map, std::int64_t every_us,
+                         int columns, tui::Look look) {
+  const record::RecordingHeader& header = recording.header();
+  tui::FleetReport report;
+  report.map = header.map;
+  report.started = header.started;
+  for (std::size_t i = 0; i < header.robot_count(); ++i) {
+    const record::RobotRecord& robot = header.of(i);
+    report.rows.push_back({robot.name, robot.sketch, robot.robot, robot.target, robot.result, {}});
+  }
+  const auto trail = [&](int agent) -> tui::Trail& {
+    return report.rows.at(static_cast<std::size_t>(agent)).trail;
+  };
+  recording.play([&](const wire::Event& event) {
+    const auto* sample = std::get_if<wire::Sample>(&event);
+    if (sample && sample->t_us % every_us == 0) trail(sample->agent).add(*sample);
+    if (const auto* note = std::get_if<wire::Note>(&event)) trail(note->agent).add(*note);
+  });
+  return tui::fleet_screen(report, map, columns, look);
 }
 
 }  // namespace
@@ -86,8 +175,7 @@ int replay_command(const ReplayArguments& arguments) {
   std::optional<std::string> apart;
   if (!arguments.over.empty()) {
     over.name = std::filesystem::path(arguments.over).filename();
-    const record::Track other = record::read_track(arguments.over, &over.bytes);
-    apart = apart_text(record::track_of(recording), other, arguments.over);
+    apart = apart_text(recording, record::read_tracks(arguments.over, &over.bytes), arguments.over);
   }
   write(recording, arguments, apart ? &over : nullptr);
   const record::RecordingHeader& header = recording.header();
@@ -99,27 +187,13 @@ int replay_command(const ReplayArguments& arguments) {
   const bool on_terminal = ::isatty(STDOUT_FILENO) != 0;
   if (on_terminal && map) watch(recording, *map, arguments.speed);
 
-  tui::Report report;
-  report.sketch = header.sketch;
-  report.map = header.map;
-  report.robot = header.robot;
-  report.target = header.target;
-  report.started = header.started;
-  report.result = header.result;
+  const auto size = tui::terminal_size(STDOUT_FILENO);
+  const int columns = std::min(size ? size->columns - 1 : kWidestEnd_columns, kWidestEnd_columns);
+  const tui::Look look = tui::look_from_environment(size.has_value());
   const std::int64_t every_us =
       tui::trail_every_ns(static_cast<std::int64_t>(header.result.for_s * 1e9)) / 1000;
-  recording.play([&](const wire::Event& event) {
-    const auto* sample = std::get_if<wire::Sample>(&event);
-    if (sample && sample->t_us % every_us == 0) report.trail.add(*sample);
-    if (const auto* note = std::get_if<wire::Note>(&event)) report.trail.add(*note);
-  });
-  const BoardSpec* board = find_board(header.robot_info.board.name.c_str());
-  report.sees_lines = !header.robot_info.sensors.empty();
-  report.chip_target = board ? board->chip->target : header.target;
-  const auto size = tui::terminal_size(STDOUT_FILENO);
-  print(tui::end_screen(report, map ? &*map : nullptr,
-                        std::min(size ? size->columns - 1 : kWidestEnd_columns, kWidestEnd_columns),
-                        tui::look_from_environment(size.has_value())));
+  print(header.others.empty() ? end_screen(recording, map ? &*map : nullptr, every_us, columns, look)
+                              : fleet_screen(recording, map ? &*map : nullptr, every_us, columns, look));
   if (apart) print(*apart);
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "sim/base/error.h"
@@ -60,6 +61,75 @@ class ARecording : public ::testing::Test {
 };
 
 constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // in `columns`
+
+class TwoRobots : public ARecording {
+ protected:
+  TwoRobots() : both(300) {  // bytes of changes, for both together
+    run.robots = {{"A", "Mine", "uno5", "host", run.robot_info},
+                  {"B", "Yours", "mega5", "avr", run.robot_info}};
+    run.request.agents.emplace_back().script = "at 1s power off\n";
+    both.begin(run);
+    for (const int agent : {0, 1}) {
+      wire::Started started;
+      started.agent = agent;
+      started.readings = {agent == 0 ? "S1" : "T1"};
+      both.add(started);
+      of[agent].begin(started.readings);
+      wire::Sample sample;
+      sample.x_mm = 100.0 + agent;
+      sample.readings = {0.5};
+      of[agent].add(sample);
+    }
+  }
+  Recording written() {
+    for (const int agent : {0, 1}) {
+      wire::Columns own = of[agent].take();
+      own.agent = agent;
+      both.add(own);
+      both.add(wire::SerialText{agent, agent == 0 ? "a\n" : "bb\n", agent});
+      both.add(wire::Note{5 + agent, "it happened", std::nullopt, agent});
+    }
+    wire::RunResult result;
+    result.verdict = "reached";
+    result.others.emplace_back().verdict = "lost";
+    return Recording::decode(both.encoded(result), "x.rec");
+  }
+
+  Gatherer both;
+  wire::RunColumns of[2]{wire::RunColumns{{"D2"}}, wire::RunColumns{{"D2"}}};
+};
+
+TEST_F(TwoRobots, HaveEachTheirOwnInOneRecording) {
+  const Recording recording = written();
+  const RecordingHeader& header = recording.header();
+  ASSERT_EQ(header.robot_count(), 2u);
+  EXPECT_EQ(header.name + header.sketch + header.result.verdict, "AMinereached");
+  EXPECT_EQ(header.of(1).name + header.of(1).sketch + header.of(1).result.verdict, "BYourslost");
+  EXPECT_EQ(header.of(1).script, "at 1s power off\n");
+  EXPECT_THAT(header.of(1).started.readings, ElementsAre("T1"));
+  EXPECT_THAT(header.result.others, SizeIs(0));
+  EXPECT_THAT(recording.stream("samples", 0)[1], ElementsAre(100.0));
+  EXPECT_THAT(recording.stream("samples", 1)[1], ElementsAre(101.0));
+  std::vector<std::string> told;
+  recording.play([&](const wire::Event& event) {
+    if (const auto* text = std::get_if<wire::SerialText>(&event))
+      told.push_back(std::to_string(text->agent) + text->text);
+    if (const auto* note = std::get_if<wire::Note>(&event))
+      told.push_back(std::to_string(note->agent) + note->text);
+    if (const auto* sample = std::get_if<wire::Sample>(&event))
+      told.push_back(std::to_string(sample->agent) + "at" + std::to_string(std::lround(sample->x_mm)));
+  });
+  EXPECT_THAT(told, ElementsAre("0at100", "0a\n", "1at101", "1bb\n", "0it happened", "1it happened"));
+}
+
+TEST_F(TwoRobots, AreThinnedEachWhereItsShareIsUsedUp) {
+  for (int i = 0; i < 100; ++i)
+    of[1].add_pin(kD2, 1'000'000 * i, i % 2 == 0 ? wire::PinLevel::high : wire::PinLevel::low, i % 2, 0);
+  const Recording recording = written();
+  EXPECT_EQ(recording.header().thinned_ns, 0);
+  EXPECT_EQ(recording.header().of(1).thinned_ns, Gatherer::kThinned_ns);
+  EXPECT_THAT(recording.stream("pin D2", 1)[0], SizeIs(5));
+}
 
 TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
   const wire::Sample sample{10000,     1352.123, 248.956,       -3.14, -310.04,        1.256,
