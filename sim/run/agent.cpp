@@ -65,11 +65,13 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
   state_.was_pulled_up.resize(board_.spec().pin_count);
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
+  if (setup_.detect) blind_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
   if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
 }
 
 Agent::Saved Agent::save() const {
-  return {state_, progress_, judge_, hash_, stops_.save(), robot_.save(), player_.save(), executor_.save()};
+  return {state_,        progress_,     judge_,         blind_,          hash_,
+          stops_.save(), robot_.save(), player_.save(), executor_.save()};
 }
 
 void Agent::restore(const Saved& saved) {
@@ -79,6 +81,7 @@ void Agent::restore(const Saved& saved) {
   stops_.restore(saved.stops);
   hash_ = saved.hash;
   judge_ = saved.judge;
+  blind_ = saved.blind;
   progress_ = saved.progress;
   state_ = saved.own;
 }
@@ -171,6 +174,18 @@ void Agent::observe(SimTime end) {
   }
 }
 
+void Agent::look_for_blindness(SimTime end) {
+  blind_->look({end, body_.distance(), robot_.left_command(), robot_.right_command(), state_.sees_line,
+                player_.powered() && !body_.in_hand()});
+}
+
+std::vector<exec::Detected> Agent::detected() const {
+  std::vector<exec::Detected> all = executor_.detected();
+  if (blind_)
+    for (exec::Detected& one : blind_->found()) all.push_back(std::move(one));
+  return all;
+}
+
 Sample Agent::sample_at(SimTime t) const {
   Sample sample{
       t, body_.pose(), body_.speed(), state_.cross_track, robot_.left_command(), robot_.right_command(), {}};
@@ -220,6 +235,7 @@ bool Agent::look(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
   observe(end);
+  if (blind_) look_for_blindness(end);
   hear_parts(end);
   if (!state_.happened.empty()) tell_events(end);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));
@@ -342,6 +358,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
+  outcome.detected = detected();
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/judge/blind.h"
 #include "sim/judge/explain.h"
 #include "sim/judge/judge.h"
 #include "sim/run/simulation.h"
@@ -98,6 +99,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     State own;
     judge::Progress progress;
     judge::Judge judge;
+    std::optional<judge::Blind> blind;
     trace::TraceHash hash;
     StopConditions::State stops;
     Kept::Copy robot;
@@ -118,6 +120,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void put(const Pose& where);
   void look_to_the_side();
   void observe(SimTime end);
+  void look_for_blindness(SimTime end);
+  std::vector<exec::Detected> detected() const;
   void hear_parts(SimTime t);
   void tell_events(SimTime t);
   Sample sample_at(SimTime t) const;
@@ -139,6 +143,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
+  std::optional<judge::Blind> blind_;  ///< nothing = nobody asks
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;

@@ -149,6 +149,18 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   return text + ". A chip goes on there with a number that means nothing, and so did this run.";
 }
 
+// "the robot drove … In loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
+std::string detected_text(const wire::Detected& seen) {
+  const wire::SourceLine& where = seen.where;
+  const std::string place =
+      where.file.empty() ? ""
+                         : fmt::format("{}, {}:{}", where.function.empty() ? "" : " in " + where.function,
+                                       where.file, where.line);
+  return fmt::format("{}{} ({}{}). {}", seen.what, place,
+                     seen.times == 1 ? "at " : fmt::format("{} times, first at ", seen.times),
+                     time_text(seen.first_s), seen.mend);
+}
+
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
 
 // "35 points · 2 × gap 20, 3 × tile 15"; empty where nothing has counted.
@@ -201,6 +213,7 @@ void write_figures(Writer& out, const Report& report) {
                                              100.0 * used.interrupt_share, 100.0 * used.cpu_load));
   }
   if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
+  for (const wire::Detected& seen : r.detected) out.labelled("detected    ", detected_text(seen));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,

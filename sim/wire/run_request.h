@@ -84,6 +84,7 @@ struct RunRequest {
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
   bool interactive = false;  ///< driven step by step: see driven_run.h
+  bool detect = false;       ///< detectors watch the sketches (docs/sanitizers.md)
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
   std::string name;          ///< of the robot, where there are several
   std::string target;        ///< whose firmware it is, where there are several; empty = the runner's own
@@ -106,6 +107,8 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "file that the runner writes at the end: how often lines ran (`sim/base/bundle.h`); on the host only an "
     "image that was built for coverage counts",
     {.otherwise = "none", .presence = when(!r.counters.empty())});
+  v("detect", r.detect, "`true`: [detectors](sanitizers.md#detectors) watch the sketches",
+    {.presence = when(r.detect)});
   v("gdb_port", r.gdb_port,
     "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "
     "only (else an `input` error)",

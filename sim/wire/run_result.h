@@ -65,6 +65,27 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
   v("times", d.times, "how often it did");
 }
 
+/// What a detector has seen a sketch do (docs/sanitizers.md): it works here, and breaks on a real robot. The
+/// run went on.
+struct Detected {
+  std::string detector;  ///< "blind"
+  std::string what;      ///< a sentence: what was seen, and how it breaks
+  std::string mend;      ///< a sentence: how it is mended
+  SourceLine where;
+  double first_s = 0.0;  ///< simulated, when it was seen first
+  std::int64_t times = 1;
+};
+
+template <class V>
+void fields(V& v, Same<V, Detected>& d) {
+  v("detector", d.detector, "which one: `\"blind\"`");
+  v("what", d.what, "a sentence: what was seen, and how it breaks");
+  v("mend", d.mend, "a sentence: how it is mended");
+  fields(v, d.where);
+  v("first_s", d.first_s, "when it was seen first", {.unit = "s"});
+  v("times", d.times, "how often it was seen there");
+}
+
 /// What firmware takes of its chip, as measured from power-on.
 struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
@@ -220,6 +241,7 @@ struct RunResult {
   Metrics metrics;
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
+  std::vector<Detected> detected;      ///< where the request has asked for detectors
   std::optional<Resources> resources;  ///< on a chip
   Usage usage;
   std::vector<Entry> events;  ///< the last ones
@@ -259,6 +281,8 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("divisions_by_zero", r.divisions_by_zero,
     "on the host: lines that divided an integer by zero, the first 8; the run went on with what a chip gives",
     {.presence = when(!r.divisions_by_zero.empty())});
+  v("detected", r.detected, "what [detectors](sanitizers.md#detectors) have seen; absent if nothing",
+    {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");
   v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
   v("events", r.events, "the last ones, at most 8");

@@ -215,6 +215,11 @@ int run_command(const RunArguments& arguments) {
     next = next_after(result, finding);
   }
   result.next = std::move(next);
+  if (!arguments.live && is_built && deserves_detectors(run.wanted, result)) {
+    progress.say("running " + sketch + " again, watched by detectors …");
+    result.detected = detect_again(runner, run.request, run.wanted, result);
+    progress.clear();
+  }
 
   const auto json = [&](std::optional<double> timing) {
     return run_json(inputs_of(run, runner.hello().version), result, timing, finding);

@@ -26,6 +26,13 @@ std::string place_of(const wire::Crash& fault) {
                                       : fmt::format(" in {}, {}", fault.where.function, place);
 }
 
+void listen_to_nothing(wire::RunRequest& request) {
+  request.counters.clear();
+  request.samples_every_ns = request.columns_every_ns = 0;
+  request.gdb_port = 0;
+  request.pins = request.serial = request.notes = request.io = false;
+}
+
 }  // namespace
 
 bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first) {
@@ -41,11 +48,8 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   checked.sanitize = true;
   checked.warnings = build::Warnings::none;
   checked.coverage = false;
-  request.counters.clear();
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
-  request.samples_every_ns = request.columns_every_ns = 0;
-  request.gdb_port = 0;
-  request.pins = request.serial = request.notes = request.io = false;
+  listen_to_nothing(request);
   try {
     request.image = build::build(checked).image.string();
     const client::Interrupts interrupts(runner);
@@ -55,6 +59,25 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first) {
+  if (first.verdict == "crashed" || first.verdict == "interrupted") return false;
+  return sketch.sanitize || first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "timeout";
+}
+
+std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunRequest request,
+                                         const build::Request& sketch, const wire::RunResult& first) {
+  build::Request plain = sketch;
+  plain.sanitize = plain.coverage = false;
+  plain.warnings = build::Warnings::none;
+  if (first.verdict == "timeout")
+    request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(kLongest_of_timeout_s * 1e9));
+  listen_to_nothing(request);
+  request.detect = true;
+  request.image = build::build(plain).image.string();
+  const client::Interrupts interrupts(runner);
+  return runner.run(request).detected;
 }
 
 std::string next_of(const wire::RunResult& result) {

@@ -35,6 +35,14 @@ bool deserves_second_look(const build::Request& sketch, const wire::RunResult& f
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
                                   const build::Request& sketch, const wire::RunResult& first);
 
+/// Whether detectors have something to tell: the sketch was asked to check itself, or has failed.
+bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first);
+
+/// What detectors see in a run of the sketch as it is flashed, without checks, which change its timing. Empty
+/// if the user interrupts it.
+std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunRequest request,
+                                         const build::Request& sketch, const wire::RunResult& first);
+
 /// The run's `next`, with the flags that it takes.
 std::string next_of(const wire::RunResult& result);
 /// What the first run's `next` becomes.

@@ -20,6 +20,7 @@ class Server;
 }
 
 using wire::Crash;
+using wire::Detected;
 using wire::DivisionByZero;
 using wire::Resources;
 using wire::SourceLine;
@@ -75,6 +76,9 @@ class Executor {
     static const std::vector<DivisionByZero> none;
     return none;
   }
+  /// Before the first power-on: detected() shall tell what detectors see in firmware and chip.
+  virtual void detect() {}
+  virtual std::vector<Detected> detected() const { return {}; }
   /// Before the first power-on: counters() shall tell which lines ran. On the host an image that was built
   /// for coverage counts by itself.
   virtual void count_lines() {}

@@ -157,6 +157,7 @@ std::vector<Table> tables() {
           table<Metrics>("metrics"),
           table<Crash>("crash"),
           table<DivisionByZero>("divisions_by_zero"),
+          table<Detected>("detected"),
           table<Resources>("resources"),
           table<Usage>("usage"),
           table<Usage::Loose>("usage.unwired"),

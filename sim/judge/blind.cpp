@@ -1,0 +1,118 @@
+#include "sim/judge/blind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::judge {
+namespace {
+
+constexpr double kSamePower = 0.02;
+// In which a sketch turns what it has seen into powers of its motors.
+constexpr int kTicksToSteer = 3;
+// Who looks once, or never, does not steer by the line.
+constexpr int kFewLooks = 2;
+constexpr std::size_t kMostPlaces = 8;
+
+/// Of a call the one that keeps waiting; empty where it comes back at once.
+std::string waiting(const std::string& call) {
+  for (const char* const name : {"delay", "pulseIn", "print", "write", "flush", "read", "Serial."})
+    if (call.starts_with(name)) return call;
+  return "";
+}
+
+std::string mend_for(const std::string& call) {
+  const auto is = [&](const char* name) { return call.starts_with(name); };
+  if (is("delay"))
+    return "Let loop() come round, and ask millis() whether the time has passed, in the place of delay().";
+  if (is("pulseIn"))
+    return "Give pulseIn() a timeout, its third argument, of as little as the distance that matters takes.";
+  if (is("write") || is("print") || is("flush") || is("Serial"))
+    return "Print less, less often, or with a faster Serial.begin(): what does not fit into its buffer of 64 "
+           "bytes is waited for.";
+  return "Read the sensors in there, too, or let loop() come round in between.";
+}
+
+}  // namespace
+
+Blind::Blind(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
+    : executor_(&executor), most_m_(std::max(lever_m, 0.0) + line_m) {
+  for (const robot::WiredPin& wired : robot.wiring()) {
+    if (!wired.type.starts_with("reflectance") || wired.role.starts_with("emitter")) continue;
+    if (wired.pin >= executor.board().spec().pin_count) {
+      pins_.clear();
+      return;
+    }
+    pins_.push_back(wired.pin);
+  }
+}
+
+SimTime Blind::last_read() const {
+  SimTime last = -1;
+  for (const Pin pin : pins_) {
+    const exec::PinUse& use = executor_->probe().use(pin);
+    last = std::max(last, use.awaited ? before_.t + kTick : use.last_seen);
+  }
+  return last;
+}
+
+void Blind::look(const Look& now) {
+  if (pins_.empty()) return;
+  const bool reads = last_read() >= before_.t;
+  if (reads || !now.on_its_own) {
+    looks_ += reads;
+    if (now.on_its_own) end(now);
+    stretch_ = {now.t, now.distance_m, now.sees_line, false, 0.0, 0.0, 0, false, {}};
+  } else if (stretch_.ticks++; stretch_.ticks <= kTicksToSteer) {
+    stretch_.left = now.left;
+    stretch_.right = now.right;
+  } else {
+    stretch_.planned |=
+        std::abs(now.left - stretch_.left) > kSamePower || std::abs(now.right - stretch_.right) > kSamePower;
+    const bool is_too_long = stretch_.saw_line && !stretch_.planned && !now.sees_line &&
+                             now.distance_m - stretch_.from_m > most_m_;
+    if (is_too_long && !stretch_.is_too_long) stretch_.busy = executor_->activity();
+    stretch_.is_too_long |= is_too_long;
+  }
+  before_ = now;
+}
+
+void Blind::end(const Look& now) {
+  if (!stretch_.is_too_long || stretch_.planned || now.sees_line || looks_ < kFewLooks) return;
+  const exec::Detected here = told(now);
+  const auto known = std::find_if(found_.begin(), found_.end(), [&](const exec::Detected& other) {
+    return other.where.file == here.where.file && other.where.line == here.where.line;
+  });
+  if (known != found_.end()) {
+    ++known->times;
+  } else if (found_.size() < kMostPlaces) {
+    found_.push_back(here);
+  }
+}
+
+exec::Detected Blind::told(const Look& now) const {
+  const double seconds = 1e-9 * static_cast<double>(now.t - stretch_.began);
+  const std::string call = waiting(stretch_.busy.call);
+  exec::Detected told;
+  told.detector = "blind";
+  told.where = stretch_.busy.where;
+  told.first_s = 1e-9 * static_cast<double>(stretch_.began);
+  told.what = fmt::format(
+      "the robot drove {:.0f} mm ({:.2f} s) without a look at a line sensor, and the line went out from "
+      "under "
+      "them{}",
+      1e3 * (now.distance_m - stretch_.from_m), seconds, call.empty() ? "" : ": the sketch was in " + call);
+  told.mend = mend_for(call);
+  return told;
+}
+
+std::vector<exec::Detected> Blind::found() const {
+  Blind all = *this;
+  all.end(before_);
+  return all.found_;
+}
+
+}  // namespace robosim::judge

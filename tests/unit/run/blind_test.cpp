@@ -1,0 +1,95 @@
+// Blind time (sim/judge/blind.h), on robots that are driven by hand.
+
+#include <gmock/gmock.h>
+
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "tests/support/built_in_driver.h"
+
+namespace robosim::run {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Looks at a sensor now and then, and drives straight on; or, half-way between two looks, more slowly.
+class Distracted final : public exec::Executor {
+ public:
+  Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
+
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
+  void power_on(SimTime t) override { drive(1.0, t); }
+  void power_off(SimTime t) override { board_.reset(t); }
+  void run_until(SimTime t) override {
+    for (; next_ < t; next_ += kMillisecond) {
+      if (next_ % looks_every_ == 0) board_.read_volts(kMiddle, next_);
+      if (plans_) drive(next_ % looks_every_ < looks_every_ / 2 ? 1.0 : 0.5, next_);
+    }
+  }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {0, "delay(700)", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
+  SimTime last_call() const override { return next_; }
+
+ private:
+  static constexpr Pin kMiddle = 16;
+
+  void drive(double power, SimTime t) {
+    for (const Pin en : {5, 6}) board_.set_drive(en, {PinMode::output, false, true, power, 0}, t);
+    for (const Pin pin : {7, 8, 9, 10}) {
+      const bool ahead = pin % 2 == 1;
+      board_.set_drive(pin, {PinMode::output, ahead, false, ahead ? 1.0 : 0.0, 0}, t);
+    }
+  }
+
+  exec::BoardState board_{*find_board("uno")};
+  SimTime looks_every_, next_ = 0;
+  bool plans_;
+  std::optional<exec::Crash> crash_;
+};
+
+std::vector<wire::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
+  static const grid::Map oval = grid::read_map(grid::find_map("oval"));
+  static const robot::Description uno5 = robot::load_description("uno5");
+  run::Setup setup;
+  setup.map = &oval;
+  setup.agents.emplace_back();
+  setup.agents[0].robot = &uno5;
+  setup.agents[0].executor = &firmware;
+  setup.limit = limit;
+  setup.detect = detect;
+  return simulate(setup).front().detected;
+}
+
+TEST(Blind, IsWhoLosesTheLineBetweenTwoLooks) {
+  Distracted firmware(700 * kMillisecond, false);
+  const auto found = detected(firmware, 10 * kSecond);
+  ASSERT_THAT(found, SizeIs(1)) << "one place, however often";
+  EXPECT_EQ(found[0].detector, "blind");
+  EXPECT_EQ(found[0].where.file, "A.ino");
+  EXPECT_EQ(found[0].where.line, 9);
+  EXPECT_THAT(found[0].what, HasSubstr("without a look at a line sensor"));
+  EXPECT_THAT(found[0].what, HasSubstr("the sketch was in delay(700)"));
+  EXPECT_THAT(found[0].mend, HasSubstr("millis()"));
+}
+
+TEST(Blind, IsNobodyWhoLooksInTime) {
+  Distracted loses_it_all_the_same(5 * kMillisecond, false);
+  EXPECT_THAT(detected(loses_it_all_the_same, 10 * kSecond), IsEmpty());
+  test::BuiltInDriver follows;
+  EXPECT_THAT(detected(follows, 10 * kSecond), IsEmpty());
+}
+
+TEST(Blind, IsNobodyWhoMeansTo) {
+  Distracted drives_by_plan(700 * kMillisecond, true);
+  EXPECT_THAT(detected(drives_by_plan, 10 * kSecond), IsEmpty());
+}
+
+TEST(Blind, IsLookedForWhereItIsAskedFor) {
+  Distracted firmware(700 * kMillisecond, false);
+  EXPECT_THAT(detected(firmware, 10 * kSecond, false), IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::run
