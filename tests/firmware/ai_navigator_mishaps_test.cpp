@@ -30,6 +30,26 @@ _________________
 _________________
 )";
 
+/// The same with a third junction on the way round, of 20 cells, and a station there: straight on it is 12.
+constexpr const char* kWideRing = R"(+++
+name = "wide ring"
++++
+________________________
+________________________
+________________________
+___S.................___
+______.___________._____
+______.___________._____
+______.___________._____
+______............._____
+____________.___________
+____________.___________
+____________.___________
+________________________
+________________________
+________________________
+)";
+
 class AiNavigatorAgain : public testing::Test {
  protected:
   void put_on(const char* map, const std::string& start = "") {
@@ -57,6 +77,20 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysRound) {
   ASSERT_TRUE(way);
   EXPECT_THAT(way.serial(), HasSubstr("straight, junction"));
   EXPECT_LT(way.distance().mm, 1300.0);
+  const Drive back = go_to("1");
+  ASSERT_TRUE(back);
+  EXPECT_THAT(back.serial(), HasSubstr("straight, junction"));
+  EXPECT_LT(back.distance().mm, 1300.0);
+}
+
+TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
+  put_on(kWideRing);
+  scan();
+  for (const char* const station : {"2", "3", "1"}) {
+    const Drive way = go_to(station);
+    ASSERT_TRUE(way);
+    EXPECT_LT(way.distance().mm, 1900.0) << "to station " << station;
+  }
 }
 
 TEST_F(AiNavigatorAgain, FindsItsWayWhereBendsAreRound) {
