@@ -96,6 +96,11 @@ struct Core {
     if (requested) cpu.look_up();
   }
 
+  /// What `vector` tells of came again before its handler did, and nobody will know.
+  void lose(int vector) const {
+    if (on_lost) on_lost(on_lost_self, vector);
+  }
+
   /// Cycles of the processor in a time, not less.
   Cycle cycles(std::int64_t nanoseconds) const {
     constexpr std::int64_t kSecond = 1'000'000'000;
@@ -145,6 +150,9 @@ struct Core {
   /// The chip resets itself behind the instruction that runs; `flags` are MCUSR's. Set by the chip.
   void (*reset)(void* self, std::uint8_t flags) = nullptr;
   void* reset_self = nullptr;
+  /// Who wants to know what is lost; may be null.
+  void (*on_lost)(void* self, int vector) = nullptr;
+  void* on_lost_self = nullptr;
 
  private:
   struct ClockChange {

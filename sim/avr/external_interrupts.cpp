@@ -190,6 +190,7 @@ void ExternalInterrupts::set_flags(Cycle at) {
     flags |= external_bit(number);
     request(number);
     if (rises) core_.triggers.raised(vector(number), at);
+    if (!rises && core_.at(at_.external_enables) & external_bit(number)) core_.lose(vector(number));
   }
   for (std::size_t group = 0; group < groups(); ++group) {
     if (state_.change_flag_at[group] > at) continue;

@@ -201,6 +201,7 @@ void Usart::receive(std::uint16_t frame_data, Cycle) {
   if (state_.received_count == state_.received.size()) {
     state_.overrun = true;
     --state_.received_count;
+    if (data(control_) & kRxcie) core_.lose(spec_.vector);
   }
   const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
   state_.received[state_.received_count++] = frame_data & mask;

@@ -65,7 +65,12 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
   state_.was_pulled_up.resize(board_.spec().pin_count);
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
-  if (setup_.detect) blind_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
+  if (!setup_.detect) return;
+  blind_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
+  std::vector<Pin> counted;
+  for (const robot::WiredPin& wired : robot_.wiring())
+    if (wired.type == "encoder" || wired.type == "ir-receiver") counted.push_back(wired.pin);
+  executor_.detect(counted);
   if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
 }
 

@@ -89,7 +89,7 @@ struct Setup {
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
   SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
-  bool detect = false;                             ///< detectors watch; executors have been told themselves
+  bool detect = false;                             ///< detectors watch
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null

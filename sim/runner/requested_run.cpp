@@ -102,7 +102,6 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   member.narrator = std::make_unique<Narrator>(request_, number, board, *member.executor, tell);
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
   if (!request_.counters.empty()) member.executor->count_lines();
-  if (request_.detect) member.executor->detect();
   if (request_.source_ns) member.executor->trace_bytes(request_.source_ns->first, request_.source_ns->second);
 
   run::AgentSetup& setup = setup_.agents.emplace_back();

@@ -5,6 +5,8 @@
 #include "sim/exec/avr/driven_lines.h"
 #include "sim/exec/avr/hang.h"
 #include "sim/exec/avr/loop.h"
+#include "sim/exec/avr/losses.h"
+#include "sim/exec/avr/watchdog_margin.h"
 
 namespace robosim::exec {
 
@@ -32,6 +34,18 @@ class AvrExecutor::Running final : public RunningChip {
   }
 
   void count(LineCounts& lines) { machine_.chip().count(lines); }
+  void detect(const std::vector<Pin>& counted) {
+    const auto where = [this] { return diagnosis().where_now(); };
+    detectors_.push_back(
+        std::make_unique<avr::Losses>(machine_, image_.firmware, image_.debug, where, counted));
+    detectors_.push_back(std::make_unique<avr::WatchdogMargin>(machine_, where));
+  }
+  std::vector<Detected> detected() const override {
+    std::vector<Detected> all;
+    for (const auto& detector : detectors_)
+      for (Detected& seen : detector->found()) all.push_back(std::move(seen));
+    return all;
+  }
   void trace_drives() { lines_.emplace(machine_.chip(), machine_.stack(), image_.debug); }
   void run_until(SimTime t) override { machine_.run_until(t); }
   bool has_crashed() const override { return machine_.chip().fault().has_value(); }
@@ -64,6 +78,7 @@ class AvrExecutor::Running final : public RunningChip {
 
   const Image& image_;
   avr::Machine machine_;
+  std::vector<std::unique_ptr<avr::Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< nothing = nobody asks
   avr::DebugPort* debugger_;               ///< null = nobody debugs
   robosim::avr::Chip*& chip_;              ///< who else wants to know that there is one
@@ -91,9 +106,14 @@ class AvrExecutor::Firmware final : public ChipFirmware {
     chip->idle().allow(!runs_waiting_loops);
     if (lines) running->count(*lines);
     if (traces_drives) running->trace_drives();
+    if (detects && fits_chip()) running->detect(counted_);
     return running;
   }
 
+  void detect(const std::vector<Pin>& counted) override {
+    detects = true;
+    counted_ = counted;
+  }
   void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
   bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
@@ -101,10 +121,12 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   robosim::avr::Chip* chip = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false;
   bool traces_drives = false;
+  bool detects = false;
   std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 
  private:
   const Image image_;
+  std::vector<Pin> counted_;  ///< by detectors
   std::unique_ptr<avr::DebugPort> debugger_;
 };
 

@@ -193,6 +193,11 @@ void WatchedChip::look_for_tearing(const DebugInfo& debug) {
   for (const std::uint32_t place : tearing_->places()) set_trap(kTearingTrap, place);
 }
 
+void WatchedChip::show(Detector& detector, std::uint32_t pc) {
+  shown_.emplace(pc, &detector);
+  set_trap(kDetectorTrap, pc);
+}
+
 void WatchedChip::restore(const Saved& saved) {
   chip_.restore(saved.chip);
   for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, false);
@@ -201,8 +206,12 @@ void WatchedChip::restore(const Saved& saved) {
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
-  const unsigned traps = traps_at(2 * pc), others = traps & ~unsigned{kLineTrap | kTearingTrap};
+  const unsigned traps = traps_at(2 * pc),
+                 others = traps & ~unsigned{kLineTrap | kTearingTrap | kDetectorTrap};
   if (traps & kLineTrap) lines_->ran(2 * pc);
+  if (traps & kDetectorTrap)
+    for (auto [each, end] = shown_.equal_range(2 * pc); each != end; ++each)
+      each->second->visited(2 * pc, at);
   if (traps & kTearingTrap) {
     tearing_->visited(2 * pc);
     if (const auto& found = tearing_->found()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/avr/chip.h"
+#include "sim/exec/avr/detector.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
 #include "sim/exec/avr/tearing.h"
@@ -66,7 +67,8 @@ class WatchedChip final : robosim::avr::Visitor {
     kRestartTrap = 16,
     kFirstLoopTrap = 32,
     kLineTrap = 64,
-    kTearingTrap = 128
+    kTearingTrap = 128,
+    kDetectorTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
   /// Where lines begin has kLineTraps: it is counted how often they run.
@@ -77,6 +79,8 @@ class WatchedChip final : robosim::avr::Visitor {
   /// Torn reads and writes are faults.
   void look_for_tearing(const DebugInfo& debug);
   const std::optional<Tearing>& tearing() const { return tearing_; }
+  /// `detector`, which outlives the chip's use, is told when the instruction at `pc` is about to run.
+  void show(Detector& detector, std::uint32_t pc);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
   unsigned take_traps();
@@ -163,6 +167,7 @@ class WatchedChip final : robosim::avr::Visitor {
   RoundCounter<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<Tearing> tearing_;
+  std::multimap<std::uint32_t, Detector*> shown_;  ///< by place
   bool singly_ = false;
   State state_;
   robosim::avr::Chip chip_;

@@ -46,6 +46,8 @@ class RunningChip {
   virtual std::any save() const = 0;
   /// Of a chip with the same firmware. It does nothing to the board.
   virtual void restore(const std::any& saved) = 0;
+  /// Of its detectors, if there are any.
+  virtual std::vector<Detected> detected() const { return {}; }
   /// millis() begins with `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };
@@ -76,6 +78,8 @@ class ChipFirmware {
   virtual void count_lines() = 0;
   /// From the next power-on, the chip tells which lines drive pins, if this returns true.
   virtual bool trace_drives() { return false; }
+  /// From the next power-on, detectors watch; as Executor has it.
+  virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
   /// As LineCounts has it; empty where nothing is counted.
   virtual std::string line_counts() const = 0;
   /// One at a time; it ends before `board` and this do.

@@ -25,10 +25,28 @@ void ChipExecutor::make_chip(SimTime t) {
 
 void ChipExecutor::power_off(SimTime t) {
   state_.before = resources();
+  state_.detected = detected();
   chip_.reset();
   state_.crash.reset();
   board_.reset(t);
   state_.reached = t;
+}
+
+std::vector<Detected> ChipExecutor::detected() const {
+  std::vector<Detected> all = state_.detected;
+  if (!chip_) return all;
+  for (Detected& seen : chip_->detected()) {
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Detected& earlier) {
+      return earlier.detector == seen.detector && earlier.where.file == seen.where.file &&
+             earlier.where.line == seen.where.line;
+    });
+    if (known == all.end()) {
+      all.push_back(std::move(seen));
+    } else {
+      known->times += seen.times;
+    }
+  }
+  return all;
 }
 
 std::any ChipExecutor::save() const {

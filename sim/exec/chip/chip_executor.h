@@ -36,6 +36,8 @@ class ChipExecutor : public Executor {
   void debug_with(gdb::Server& server) override { firmware_->debug_with(server, clocked_); }
   void count_lines() override { firmware_->count_lines(); }
   std::vector<BundledFile> counters() override { return {{"lines", firmware_->line_counts()}}; }
+  void detect(const std::vector<Pin>& counted) override { firmware_->detect(counted); }
+  std::vector<Detected> detected() const override;
   std::any save() const override;
   void restore(const std::any& saved) override;
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
@@ -50,6 +52,7 @@ class ChipExecutor : public Executor {
   struct State {
     std::optional<Crash> crash;
     std::optional<Resources> before;  ///< what was measured before the last power-on
+    std::vector<Detected> detected;   ///< and what was seen
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< until when firmware has run
     Silence silence;

@@ -76,8 +76,9 @@ class Executor {
     static const std::vector<DivisionByZero> none;
     return none;
   }
-  /// Before the first power-on: detected() shall tell what detectors see in firmware and chip.
-  virtual void detect() {}
+  /// Before the first power-on: detected() shall tell what detectors see in firmware and chip. `counted`:
+  /// pins each edge of which counts, as an encoder's does.
+  virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
   virtual std::vector<Detected> detected() const { return {}; }
   /// Before the first power-on: counters() shall tell which lines ran. On the host an image that was built
   /// for coverage counts by itself.

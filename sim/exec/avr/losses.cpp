@@ -1,0 +1,114 @@
+#include "sim/exec/avr/losses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr std::size_t kMostPlaces = 64, kJumpsOfHandler = 8;
+constexpr std::uint8_t kModeMask = 0x03, kHighModeBit = 0x08, kClockMask = 0x07;
+
+constexpr const char* kBeBrief =
+    "Keep interrupts off for as long as it takes to copy a number, and let handlers only note what came: the "
+    "work is loop()'s.";
+
+/// Timer 0's, whose overflow is the core's clock.
+int overflow_of(const TimerSpec& timer) {
+  return timer.overflow_vector ? timer.overflow_vector : timer.vector + channels(timer);
+}
+
+}  // namespace
+
+Losses::Losses(Machine& machine, const Firmware& firmware, const DebugInfo& debug, WhereNow where,
+               const std::vector<Pin>& counted)
+    : machine_(machine),
+      debug_(debug),
+      where_(std::move(where)),
+      cpu_(machine.chip().chip().cpu()),
+      timer_(machine.chip().spec().timers[0]) {
+  const ChipSpec& spec = machine.chip().spec();
+  for (const Pin pin : counted) {
+    const int place = machine.outside().chip_pin(pin);
+    if (place >= 0 && spec.pins[place].external >= 0)
+      pins_[spec.external_vector + spec.pins[place].external] = pin;
+  }
+  robosim::avr::Core& core = machine.chip().chip().core();
+  core.on_lost = [](void* self, int vector) { static_cast<Losses*>(self)->lost(vector); };
+  core.on_lost_self = this;
+  if (firmware.find_variable("timer0_millis"))
+    machine.chip().show(*this, 2 * cpu_.entry_of(overflow_of(timer_)));
+}
+
+Losses::~Losses() { machine_.chip().chip().core().on_lost = nullptr; }
+
+/// "because interrupts were off", as it is now.
+std::string Losses::held_off() const {
+  return machine_.chip().in_handler() ? "because a handler was still running"
+                                      : "because interrupts were off (noInterrupts(), cli())";
+}
+
+void Losses::see(const char* detector, const std::string& what, const SourceLine& where, std::int64_t times) {
+  seen_.add({detector, what, kBeBrief, where, 1e-9 * static_cast<double>(machine_.now()), times});
+}
+
+void Losses::lost(int vector) {
+  const auto pin = pins_.find(vector);
+  const ChipSpec& spec = machine_.chip().spec();
+  const bool is_edge = vector >= spec.external_vector && vector < spec.external_vector + spec.external_count;
+  if (is_edge && pin == pins_.end()) return;
+  const std::pair<int, std::uint32_t> key{vector, machine_.chip().last_pc()};
+  if (places_.size() >= kMostPlaces && !places_.contains(key)) return;
+  const auto [place, is_new] = places_.try_emplace(key);
+  if (is_new) place->second = where_();
+  if (is_edge)
+    return see("lost_edge",
+               fmt::format("an edge at pin {} came and was lost: the one before it still waited for its "
+                           "handler, {}; what counts them falls behind",
+                           pin->second, held_off()),
+               place->second, 1);
+  see("lost_byte", fmt::format("a received byte was lost: more had come than the chip holds, {}", held_off()),
+      place->second, 1);
+}
+
+/// Cycles from one overflow of timer 0 to the next; 0 where it counts in another way than the core lets it.
+Cycle Losses::tick() const {
+  const std::uint8_t a = cpu_.data[timer_.control];
+  const std::uint8_t b = cpu_.data[timer_.control_b ? timer_.control_b : timer_.control + 1];
+  const bool counts_to_255 = (a & kModeMask) != 1 && (a & kModeMask) != 2 && !(b & kHighModeBit);
+  return counts_to_255 ? Cycle{256} * timer_.prescalers[b & kClockMask] : 0;
+}
+
+void Losses::visited(std::uint32_t, Cycle at) {
+  const Cycle period = tick(), slept = machine_.chip().sleep_cycles();
+  const bool goes_on = flagged_ != 0 && period == period_ && slept == slept_ && period > 0;
+  const Cycle passed = goes_on ? (at - flagged_) / period : 0;
+  flagged_ = passed > 0 ? std::min(flagged_ + passed * period, at) : at;
+  period_ = period;
+  slept_ = slept;
+  if (passed > 1) ticks_lost(static_cast<std::int64_t>(passed - 1), at);
+}
+
+void Losses::ticks_lost(std::int64_t ticks, Cycle at) {
+  // The handler that has come in between has just returned; its RETI is the last jump but this interrupt's.
+  const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
+  const bool handler = jumps.size() > 1 && cpu_.instruction(jumps[1] / 2).op == robosim::avr::Op::reti;
+  // Of the core's handlers the place in what they have called.
+  SourceLine where = handler ? SourceLine{} : debug_.place(machine_.chip().interrupted_pc());
+  for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
+    where = debug_.place(jumps[i]);
+  if (where.file.empty()) where = where_();
+  const double tick_us = 1e6 * static_cast<double>(period_) / machine_.chip().clock_hz();
+  const double off_us = 1e6 * static_cast<double>(at - flagged_ + static_cast<Cycle>(ticks) * period_) /
+                        machine_.chip().clock_hz();
+  see("lost_tick",
+      fmt::format("millis() lost {} of {:.3f} ms: timer 0 overflowed again before its handler could come, "
+                  "because {} for at least {:.1f} ms, until here",
+                  ticks == 1 ? "a tick" : fmt::format("{} ticks", ticks), 1e-3 * tick_us,
+                  handler ? "a handler was running" : "interrupts were off (noInterrupts(), cli())",
+                  1e-3 * off_us),
+      where, ticks);
+}
+
+}  // namespace robosim::exec::avr

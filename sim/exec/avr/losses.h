@@ -1,0 +1,63 @@
+// What was lost while interrupts were off, or while one handler ran.
+//
+// The chip remembers that an interrupt was requested, not how often. What comes a second time before its
+// handler has come is gone for good:
+//
+//   an edge at a pin of attachInterrupt()   the encoder's count stays behind, the robot turns too far
+//   a received byte, behind three others    a message without its middle
+//   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
+//
+// Counted is what was really lost, with the place that held the handler off: a stretch between noInterrupts()
+// and interrupts(), or another handler that takes its time: one that prints, waits, or computes with floats.
+// An encoder of 1200 edges a second needs its handler within 0.8 ms; bytes at 115200 within 0.26 ms.
+//
+// What it cannot see: edges at pin change interrupts, which several pins share; matches of the other timers;
+// bytes that have found Serial's buffer of 64 full; ticks in runs that sleep, or change timer 0.
+//
+// Mended by keeping interrupts off for a copy of a number only, and by handlers that note and return: the
+// work is loop()'s.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/machine.h"
+#include "sim/exec/elf/debug_info.h"
+
+namespace robosim::exec::avr {
+
+class Losses final : public Detector {
+ public:
+  /// `counted`: pins of the board each edge of which counts, as an encoder's does.
+  Losses(Machine& machine, const Firmware& firmware, const DebugInfo& debug, WhereNow where,
+         const std::vector<Pin>& counted);
+  ~Losses() override;
+  Losses(const Losses&) = delete;
+  Losses& operator=(const Losses&) = delete;
+
+  void visited(std::uint32_t pc, Cycle at) override;
+  std::vector<Detected> found() const override { return seen_.all(); }
+
+ private:
+  void lost(int vector);
+  void ticks_lost(std::int64_t ticks, Cycle at);
+  void see(const char* detector, const std::string& what, const SourceLine& where, std::int64_t times);
+  std::string held_off() const;
+  Cycle tick() const;
+
+  Machine& machine_;
+  const DebugInfo& debug_;
+  const WhereNow where_;
+  const robosim::avr::Cpu& cpu_;
+  const TimerSpec& timer_;
+  std::map<int, Pin> pins_;                                     ///< by vector
+  std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place in the code
+  Cycle flagged_ = 0;  ///< when timer 0 overflowed last, or a little earlier; 0 = not known
+  Cycle period_ = 0, slept_ = 0;
+  Sightings seen_;
+};
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,40 @@
+// A watchdog that is fed too late to be sure of it (sim/exec/avr/watchdog_margin.h).
+
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class WatchdogMarginTest : public AvrTest {
+ protected:
+  void before_power_on() override { avr_->detect({}); }
+  std::vector<Detected> seen(const std::string& pass) {
+    start("#include <avr/wdt.h>\nvoid setup() { wdt_enable(WDTO_250MS); }\nvoid loop() { wdt_reset(); " +
+          pass + " }\n");
+    run(kSecond);
+    return avr_->detected();
+  }
+};
+
+TEST_F(WatchdogMarginTest, IsSmallWhereAPassTakesNearlyAsLong) {
+  const auto found = seen("static int pass; delay(++pass == 3 ? 235 : 20);");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "watchdog_margin");
+  EXPECT_THAT(found[0].what,
+              HasSubstr("which waits 256 ms, was fed 235 ms after the time before, 92 % of that"));
+  EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 3);
+}
+
+TEST_F(WatchdogMarginTest, IsEnoughWithAFifthToSpareOrWhileItIsOff) {
+  EXPECT_THAT(seen("delay(195);"), IsEmpty());
+  EXPECT_THAT(seen("wdt_disable(); delay(235); wdt_enable(WDTO_250MS);"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::exec
