@@ -86,9 +86,14 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysRound) {
 TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
   put_on(kWideRing);
   scan();
-  for (const char* const station : {"2", "3", "1"}) {
+  const std::pair<const char*, const char*> ways[] = {
+      {"2", "way: junction 1 right, junction 2 right, station 2"},
+      {"3", "way: junction 2 right, junction 3 right, station 3"},
+      {"1", "way: junction 3 straight, junction 1 straight, station 1"}};
+  for (const auto& [station, said] : ways) {
     const Drive way = go_to(station);
     ASSERT_TRUE(way);
+    EXPECT_THAT(way.serial(), HasSubstr(said));
     EXPECT_LT(way.distance().mm, 1900.0) << "to station " << station;
   }
 }
