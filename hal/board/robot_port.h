@@ -90,7 +90,7 @@ class RobotPort {
   /// Several watchers a pin are told in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
-  /// One watcher at a time.
+  /// Several watchers are told in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
   /// One watcher at a time; hearing changes nothing.
   virtual void watch_inputs(InputWatcher& watcher) = 0;

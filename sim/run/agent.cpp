@@ -65,18 +65,21 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
   state_.was_pulled_up.resize(board_.spec().pin_count);
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
+  if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
   if (!setup_.detect) return;
+  board_detectors_.emplace(executor_, robot_.wiring());
   blind_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
   std::vector<Pin> counted;
   for (const robot::WiredPin& wired : robot_.wiring())
     if (wired.type == "encoder" || wired.type == "ir-receiver") counted.push_back(wired.pin);
   executor_.detect(counted);
-  if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
 }
 
 Agent::Saved Agent::save() const {
-  return {state_,        progress_,     judge_,         blind_,          hash_,
-          stops_.save(), robot_.save(), player_.save(), executor_.save()};
+  Saved saved{state_, progress_,     judge_,        blind_,         {},
+              hash_,  stops_.save(), robot_.save(), player_.save(), executor_.save()};
+  if (board_detectors_) saved.board_detectors = board_detectors_->save();
+  return saved;
 }
 
 void Agent::restore(const Saved& saved) {
@@ -87,6 +90,7 @@ void Agent::restore(const Saved& saved) {
   hash_ = saved.hash;
   judge_ = saved.judge;
   blind_ = saved.blind;
+  if (board_detectors_ && saved.board_detectors) board_detectors_->restore(*saved.board_detectors);
   progress_ = saved.progress;
   state_ = saved.own;
 }
@@ -184,10 +188,12 @@ void Agent::look_for_blindness(SimTime end) {
                 player_.powered() && !body_.in_hand()});
 }
 
-std::vector<exec::Detected> Agent::detected() const {
+std::vector<exec::Detected> Agent::detected(SimTime t) const {
   std::vector<exec::Detected> all = executor_.detected();
   if (blind_)
     for (exec::Detected& one : blind_->found()) all.push_back(std::move(one));
+  if (board_detectors_)
+    for (exec::Detected& one : board_detectors_->found(t)) all.push_back(std::move(one));
   return all;
 }
 
@@ -228,6 +234,7 @@ void Agent::act(SimTime t) {
   if (const auto volts = robot_.fed_volts()) player_.feed(*volts, t, state_.happened);
   if (!finished()) player_.act(t, progress_, state_.happened);
   if (!state_.happened.empty()) tell_events(t);  // causes, before what comes of them in this tick
+  if (board_detectors_) board_detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }
 
@@ -363,7 +370,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
-  outcome.detected = detected();
+  outcome.detected = detected(t);
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());

@@ -13,6 +13,7 @@
 #include "sim/judge/blind.h"
 #include "sim/judge/explain.h"
 #include "sim/judge/judge.h"
+#include "sim/run/board_detectors.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
 #include "sim/scenario/scenario_player.h"
@@ -100,6 +101,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     judge::Progress progress;
     judge::Judge judge;
     std::optional<judge::Blind> blind;
+    std::optional<BoardDetectors::State> board_detectors;
     trace::TraceHash hash;
     StopConditions::State stops;
     Kept::Copy robot;
@@ -121,7 +123,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void look_to_the_side();
   void observe(SimTime end);
   void look_for_blindness(SimTime end);
-  std::vector<exec::Detected> detected() const;
+  std::vector<exec::Detected> detected(SimTime t) const;
   void hear_parts(SimTime t);
   void tell_events(SimTime t);
   Sample sample_at(SimTime t) const;
@@ -143,7 +145,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::optional<judge::Blind> blind_;  ///< nothing = nobody asks
+  std::optional<judge::Blind> blind_;              ///< nothing = nobody asks
+  std::optional<BoardDetectors> board_detectors_;  ///< the same
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;

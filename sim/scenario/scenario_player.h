@@ -61,6 +61,8 @@ class ScenarioPlayer {
   bool powered() const { return board_.powered(); }
   /// What the script has broken so far, in the order of time.
   const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
+  /// How often the chip has started.
+  std::uint64_t boots() const { return board_.boots(); }
   /// Writes of the firmware to its EEPROM, so far.
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 

@@ -3,9 +3,12 @@
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
+#include "sim/exec/avr/float_equality.h"
 #include "sim/exec/avr/hang.h"
 #include "sim/exec/avr/loop.h"
 #include "sim/exec/avr/losses.h"
+#include "sim/exec/avr/lost_pwm.h"
+#include "sim/exec/avr/reference_change.h"
 #include "sim/exec/avr/watchdog_margin.h"
 
 namespace robosim::exec {
@@ -23,7 +26,11 @@ class AvrExecutor::Running final : public RunningChip {
  public:
   Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger,
           robosim::avr::Chip*& chip)
-      : image_(image), machine_(image.firmware, image.loop, board, t), debugger_(debugger), chip_(chip) {
+      : image_(image),
+        board_(board.spec()),
+        machine_(image.firmware, image.loop, board, t),
+        debugger_(debugger),
+        chip_(chip) {
     chip_ = &machine_.chip().chip();
     if (debugger) machine_.set_debug_port(debugger);
     if (image.firmware.needs_larger_chip()) machine_.chip().look_for_tearing(image.debug);
@@ -39,6 +46,10 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(
         std::make_unique<avr::Losses>(machine_, image_.firmware, image_.debug, where, counted));
     detectors_.push_back(std::make_unique<avr::WatchdogMargin>(machine_, where));
+    const avr::Program program{image_.firmware, image_.debug, board_};
+    detectors_.push_back(std::make_unique<avr::FloatEquality>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::LostPwm>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;
@@ -56,6 +67,7 @@ class AvrExecutor::Running final : public RunningChip {
   bool hangs() const override { return avr::hangs(machine_.chip(), image_.firmware); }
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
+  SourceLine sketch_line() const override { return diagnosis().sketch_line(); }
   SourceLine printing(const SourceLine&) const override {
     return diagnosis().place_of_calls(machine_.stack().open_calls());
   }
@@ -77,6 +89,7 @@ class AvrExecutor::Running final : public RunningChip {
   avr::Diagnosis diagnosis() const { return {image_.firmware, image_.debug, machine_}; }
 
   const Image& image_;
+  const BoardSpec& board_;
   avr::Machine machine_;
   std::vector<std::unique_ptr<avr::Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< nothing = nobody asks

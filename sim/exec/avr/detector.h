@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "sim/avr/cycle.h"
+#include "sim/exec/avr/firmware.h"
 #include "sim/exec/core/executor.h"
+#include "sim/exec/elf/debug_info.h"
 
 namespace robosim::exec::avr {
 
@@ -19,6 +21,13 @@ class Detector {
     static_cast<void>(pc), static_cast<void>(at);
   }
   virtual std::vector<Detected> found() const = 0;
+};
+
+/// What runs on the chip. All outlive their use.
+struct Program {
+  const Firmware& firmware;
+  const DebugInfo& debug;
+  const BoardSpec& board;
 };
 
 /// Where in the sketch the firmware is now. Costly.

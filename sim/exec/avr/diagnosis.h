@@ -16,6 +16,8 @@ class Diagnosis {
   /// But for its last_call.
   Activity activity() const;
   SourceLine where_now() const;
+  /// Of the instruction that is running, or the calls that led there: the sketch's own line, not a library's.
+  SourceLine sketch_line() const;
   /// The first of these calls that is the user's.
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
 

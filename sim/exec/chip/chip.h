@@ -33,6 +33,8 @@ class RunningChip {
   /// But for its last_call. Costly, as are the next two.
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
+  /// Of the instruction that is running, or the calls that led there: the sketch's own line.
+  virtual SourceLine sketch_line() const { return where_now(); }
   /// While the firmware prints a byte: the line of the sketch that does; `before` is that of the byte before.
   virtual SourceLine printing(const SourceLine& before) const = 0;
   /// What the firmware prints is told to `bytes`, which outlives this.

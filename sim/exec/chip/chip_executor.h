@@ -40,6 +40,7 @@ class ChipExecutor : public Executor {
   std::vector<Detected> detected() const override;
   std::any save() const override;
   void restore(const std::any& saved) override;
+  SourceLine sketch_source() override { return chip_ ? chip_->sketch_line() : SourceLine{}; }
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
   bool trace_drives() override { return firmware_->trace_drives(); }
   const SourceLine& driving(Pin pin, const PinDrive& drive) override {

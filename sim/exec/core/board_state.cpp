@@ -95,7 +95,7 @@ void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime
   if (address >= state_.eeprom.size()) return;
   const std::uint8_t before = state_.eeprom[address];
   state_.eeprom[address] = value;
-  if (eeprom_watcher_) eeprom_watcher_->eeprom_written(address, before, value, t);
+  for (EepromWatcher* const watcher : eeprom_watchers_) watcher->eeprom_written(address, before, value, t);
 }
 
 void BoardState::connect(Pin pin, PinSource& source) {

@@ -49,7 +49,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void feed(const double& share) override { supply_share_ = &share; }
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
-  void watch_eeprom(EepromWatcher& watcher) override { eeprom_watcher_ = &watcher; }
+  void watch_eeprom(EepromWatcher& watcher) override { eeprom_watchers_.push_back(&watcher); }
   void schedule_edge(Pin pin, bool level, SimTime at) override;
   bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
   bool wants_any_edges() const override { return state_.wanted_pins > 0; }
@@ -128,7 +128,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
-  EepromWatcher* eeprom_watcher_ = nullptr;
+  std::vector<EepromWatcher*> eeprom_watchers_;
   std::vector<Wire> wires_;  ///< by pin
   std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;

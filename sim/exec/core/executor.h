@@ -102,6 +102,8 @@ class Executor {
 
   /// Where in the sketch the firmware is now; also while run_until() lasts, for watchers of pins.
   virtual SourceLine source() { return activity().where; }
+  /// The same, of the sketch itself where it is in a library; while an instruction or call is going on.
+  virtual SourceLine sketch_source() { return source(); }
   /// From the next power-on, source_of() is asked for every byte that is sent, and answers for those of this
   /// span.
   virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }

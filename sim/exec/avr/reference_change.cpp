@@ -1,0 +1,49 @@
+#include "sim/exec/avr/reference_change.h"
+
+#include <fmt/format.h>
+
+#include "sim/exec/avr/call_site.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr unsigned kPinRead = 24;          // register
+constexpr std::uint8_t kReference = 0xC0;  // REFS1 and REFS0
+constexpr int kManyChanges = 4, kManyUsed = 3;
+constexpr SimTime kAgain = 50 * kMillisecond;  // in which a second reading makes the first one void
+
+}  // namespace
+
+ReferenceChange::ReferenceChange(Machine& machine, const Program& program)
+    : machine_(machine), debug_(program.debug), board_(program.board) {
+  if (const auto begin = program.firmware.find("analogRead")) machine.chip().show(*this, *begin);
+}
+
+void ReferenceChange::visited(std::uint32_t, robosim::avr::Cycle) {
+  const robosim::avr::Cpu& cpu = machine_.chip().chip().cpu();
+  const Read now{cpu.data[kPinRead], machine_.now(), call_site(cpu), std::nullopt};
+  if (has_read_) {
+    last_.reference = cpu.data[cpu.chip().at.adc_multiplexer] & kReference;
+    if (before_.reference && before_.reference != last_.reference) {
+      ++changes_;
+      const bool again = now.pin == last_.pin && now.at - last_.at <= kAgain;
+      if (!again && ++used_ >= kManyUsed && changes_ >= kManyChanges && !found_) found_ = last_;
+    }
+    before_ = last_;
+  }
+  last_ = now;
+  has_read_ = true;
+}
+
+std::vector<Detected> ReferenceChange::found() const {
+  if (!found_) return {};
+  const int number = found_->pin >= board_.analog_pin_0 ? found_->pin - board_.analog_pin_0 : found_->pin;
+  return {{"reference_change",
+           fmt::format("until the capacitor at AREF is charged, the first analogRead(A{}) behind a change of "
+                       "the reference gives a wrong number, and was taken for good",
+                       number),
+           "Read once in vain after analogReference(), and again some milliseconds later.",
+           debug_.place(found_->pc), 1e-9 * static_cast<double>(found_->at), used_}};
+}
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,54 @@
+#include "sim/judge/forgotten_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace robosim::judge {
+namespace {
+
+constexpr SimTime kSoon = 100 * kMillisecond;
+
+bool is_driven(const std::string& type) {
+  constexpr std::array<std::string_view, 10> kTypes = {
+      "motor", "motors",  "wheel-servo",    "led",          "buzzer", "servo",
+      "fan",   "stepper", "shift-register", "seven-segment"};
+  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+}  // namespace
+
+ForgottenOutput::ForgottenOutput(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring) {
+  for (const robot::WiredPin& wired : wiring)
+    if (wired.pin < board.pin_count && is_driven(wired.type)) pins_.push_back({wired});
+}
+
+void ForgottenOutput::pin_changed(Pin pin, const PinDrive& drive, SimTime t, exec::Executor& executor) {
+  for (Driven& one : pins_) {
+    if (one.wired.pin != pin) continue;
+    if (drive.mode == PinMode::output) one.was_output = true;
+    if (drive.mode != PinMode::input_pullup || one.was_output || one.pulled_up) continue;
+    one.pulled_up = t;
+    one.where = executor.sketch_source();
+  }
+}
+
+std::vector<exec::Detected> ForgottenOutput::found(SimTime now) const {
+  std::vector<exec::Detected> all;
+  for (const Driven& one : pins_)
+    if (one.pulled_up && !one.was_output && now - *one.pulled_up >= kSoon)
+      all.push_back(
+          {kName,
+           fmt::format(
+               "pin {} ({}) was never set to OUTPUT: HIGH only turns on its pull-up of 20 to 50 kOhm, a "
+               "tenth of a milliampere; it was written",
+               one.wired.pin, one.wired.part),
+           fmt::format("Set it to OUTPUT in setup(): pinMode({}, OUTPUT), or its bit in DDRx.",
+                       one.wired.pin),
+           one.where, 1e-9 * static_cast<double>(*one.pulled_up), 1});
+  return all;
+}
+
+}  // namespace robosim::judge

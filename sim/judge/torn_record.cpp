@@ -1,0 +1,82 @@
+#include "sim/judge/torn_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robosim::judge {
+namespace {
+
+constexpr std::uint16_t kMostBytes = 4;
+constexpr std::uint8_t kErased = 0xFF;
+constexpr SimTime kPause = 20 * kMillisecond;  // without a write, and what comes then is by itself
+
+}  // namespace
+
+void TornRecord::written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
+                         exec::Executor& executor) {
+  ++writes_;
+  if (!burst_.empty() && t - burst_.back().at > kEepromWriteTime + kPause) end_of_burst();
+  const wire::SourceLine where = executor.sketch_source();
+  const Line line{where.file, where.line};
+  Record& record =
+      records_.try_emplace(line, Record{where, address, address, false, where.file.empty(), {}, 0})
+          .first->second;
+  record.first = std::min(record.first, address);
+  record.last = std::max(record.last, address);
+  if (burst_.empty()) by_ = line;
+  if (by_ != line) {
+    record.is_other = true;
+    if (by_) records_[*by_].is_other = true;
+    by_.reset();
+  }
+  burst_.push_back({writes_, address, before, value, t});
+}
+
+void TornRecord::end_of_burst() {
+  if (!burst_.empty() && by_) take(records_[*by_]);
+  burst_.clear();
+}
+
+void TornRecord::take(Record& record) {
+  if (record.last - record.first >= kMostBytes) record.is_other = true;
+  std::vector<Write> changes;
+  bool was_erased = true;
+  for (const Write& write : burst_) {
+    was_erased = was_erased && write.before == kErased;
+    if (write.before != write.value) changes.push_back(write);
+  }
+  if (changes.size() == 1 && !was_erased) record.changed_singly = true;
+  if (changes.size() < 2 || was_erased || burst_.size() > kMostBytes) return;
+  ++record.times;
+  if (record.torn.empty()) record.torn = std::move(changes);
+}
+
+std::vector<exec::Detected> TornRecord::found() const {
+  TornRecord whole = *this;
+  whole.end_of_burst();
+  std::vector<exec::Detected> all;
+  for (const auto& [line, record] : whole.records_) {
+    if (record.is_other || !record.changed_singly || record.torn.empty()) continue;
+    std::string old_bytes, new_bytes, half;
+    for (const Write& write : record.torn) {
+      old_bytes += fmt::format(" {:02X}", write.before);
+      new_bytes += fmt::format(" {:02X}", write.value);
+      half += fmt::format(" {:02X}", &write == &record.torn.front() ? write.value : write.before);
+    }
+    const Write &first = record.torn.front(), &last = record.torn.back();
+    const auto seconds = [](SimTime t) { return 1e-9 * static_cast<double>(t); };
+    all.push_back(
+        {kName,
+         fmt::format("a power cut from {:.4f} to {:.4f} s (as a script has it: after eeprom {} power off for "
+                     "20ms) leaves{} in bytes {} to {} of the EEPROM, neither the old{} nor the new{}, and "
+                     "nothing tells: they are written one by one",
+                     seconds(first.at), seconds(last.at + kEepromWriteTime), first.number, half,
+                     first.address, last.address, old_bytes, new_bytes),
+         "Write a checksum behind it, and look at it when the record is read.", record.where,
+         seconds(first.at), record.times});
+  }
+  return all;
+}
+
+}  // namespace robosim::judge

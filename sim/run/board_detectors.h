@@ -1,0 +1,43 @@
+// The detectors that look at what firmware does to its board: the same for each target.
+#pragma once
+
+#include <vector>
+
+#include "hal/board/robot_port.h"
+#include "sim/judge/eeprom_wear.h"
+#include "sim/judge/forgotten_output.h"
+#include "sim/judge/torn_record.h"
+
+namespace robosim::run {
+
+class BoardDetectors final : PinWatcher, EepromWatcher {
+ public:
+  /// `executor` outlives this, which outlives its use.
+  BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring);
+  BoardDetectors(const BoardDetectors&) = delete;
+  BoardDetectors& operator=(const BoardDetectors&) = delete;
+
+  /// How often the firmware has started.
+  void booted(std::uint64_t times);
+  /// At the end of the run, `now`.
+  std::vector<exec::Detected> found(SimTime now) const;
+
+  /// What changes during a run.
+  struct State {
+    std::uint64_t boots = 1;
+    judge::EepromWear wear;
+    judge::TornRecord records;
+    judge::ForgottenOutput outputs;
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
+  void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
+
+  exec::Executor& executor_;
+  State state_;
+};
+
+}  // namespace robosim::run
