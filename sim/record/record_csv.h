@@ -17,15 +17,25 @@ class CsvRecorder final : public Recorder {
   std::string text() const;
 
  private:
+  /// Which of a robot's readings stands in a column; the table's columns behind the last have none.
+  using Cells = std::vector<std::size_t>;
+  static constexpr std::size_t kEmpty = static_cast<std::size_t>(-1);
+
+  void begin_robot(const wire::Started& started);
   std::size_t column_of(const std::string& reading);
   void add_row(const wire::Sample& sample);
 
   std::filesystem::path path_;
-  std::vector<std::string> robots_;                ///< names, where there are several
-  std::vector<std::string> readings_;              ///< columns
-  std::vector<std::vector<std::size_t>> columns_;  ///< of each robot's readings
-  std::vector<std::string> rows_;                  ///< without the cells of columns that came later
-  std::vector<std::size_t> widths_;                ///< of rows, in readings
+  struct Row {
+    std::size_t end;    ///< in rows_
+    std::size_t width;  ///< in readings; columns that came later are not there
+  };
+
+  std::vector<std::string> robots_;    ///< names, where there are several
+  std::vector<std::string> readings_;  ///< columns
+  std::vector<Cells> cells_;           ///< of each robot
+  std::string rows_;                   ///< one behind the other
+  std::vector<Row> row_ends_;
 };
 
 }  // namespace robosim::record

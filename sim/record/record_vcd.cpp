@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <iterator>
 
 #include "sim/base/file.h"
+#include "sim/record/number_text.h"
 #include "sim/wire/run_columns.h"
 
 namespace robosim::record {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
+constexpr std::size_t kLongestLine = kLongestNumber + 16;
 
 // Printable characters, the shortest first.
 std::string identifier(std::size_t number) {
@@ -26,10 +30,7 @@ std::string identifier(std::size_t number) {
 
 }  // namespace
 
-void VcdRecorder::ask(wire::RunRequest& request) const {
-  Recorder::ask(request);
-  request.pins = request.io = true;
-}
+void VcdRecorder::ask(wire::RunRequest& request) const { request.pins = request.io = true; }
 
 void VcdRecorder::begin(const RecordedRun& run) {
   for (const RecordedRobot& robot : run.robots)
@@ -67,7 +68,11 @@ std::uint32_t VcdRecorder::declare(std::string name, Signal::Kind kind) {
 }
 
 void VcdRecorder::change(std::int64_t t_ns, std::uint32_t signal, double value) {
-  if (signal != kNone) changes_.push_back({t_ns, signal, value});
+  if (signal == kNone) return;
+  const std::size_t line = lines_.size();
+  char text[kLongestLine];
+  lines_.append(text, write(text, signals_[signal], value));
+  changes_.push_back({t_ns, value, signal, static_cast<std::uint32_t>(lines_.size() - line), line});
 }
 
 void VcdRecorder::add_byte(Board& board, const wire::SerialByte& byte) {
@@ -78,45 +83,57 @@ void VcdRecorder::add_byte(Board& board, const wire::SerialByte& byte) {
   change(byte.t_ns, signals[1], flipped);
 }
 
+const VcdRecorder::PinSignals* VcdRecorder::signals_of(int agent, const std::string& pin) {
+  const auto number = static_cast<std::size_t>(agent);
+  if (number >= boards_.size()) return nullptr;
+  Board& board = boards_[number];
+  std::uint64_t key = 0;
+  if (pin.size() < sizeof key) std::memcpy(&key, pin.data(), pin.size());
+  for (const auto& [known, signals] : board.met)
+    if (known == key && key != 0) return signals;
+  const auto found = board.pins.find(pin);
+  if (found == board.pins.end()) return nullptr;
+  if (key != 0) board.met.emplace_back(key, &found->second);
+  return &found->second;
+}
+
 void VcdRecorder::add(const wire::Event& event) {
-  const auto signals_of = [&](int agent, const std::string& pin) {
-    constexpr PinSignals kUnknown{kNone, kNone, kNone, kNone};
-    const auto number = static_cast<std::size_t>(agent);
-    if (number >= boards_.size()) return kUnknown;
-    const auto found = boards_[number].pins.find(pin);
-    return found == boards_[number].pins.end() ? kUnknown : found->second;
-  };
-  if (const auto* drive = std::get_if<wire::PinChange>(&event)) {
-    const PinSignals signals = signals_of(drive->agent, drive->pin);
-    change(drive->t_ns, signals.level, static_cast<int>(wire::pin_level(*drive)));
-    change(drive->t_ns, signals.duty, drive->duty);
-    change(drive->t_ns, signals.tone, drive->tone_hz);
+  if (const auto* volts = std::get_if<wire::VoltsSeen>(&event)) {
+    if (const PinSignals* signals = signals_of(volts->agent, volts->pin))
+      change(volts->t_ns, signals->volts, volts->volts);
+  } else if (const auto* drive = std::get_if<wire::PinChange>(&event)) {
+    const PinSignals* signals = signals_of(drive->agent, drive->pin);
+    if (!signals) return;
+    change(drive->t_ns, signals->level, static_cast<int>(wire::pin_level(*drive)));
+    change(drive->t_ns, signals->duty, drive->duty);
+    change(drive->t_ns, signals->tone, drive->tone_hz);
   } else if (const auto* level = std::get_if<wire::LevelSeen>(&event)) {
-    change(level->t_ns, signals_of(level->agent, level->pin).level, level->level);
-  } else if (const auto* volts = std::get_if<wire::VoltsSeen>(&event)) {
-    change(volts->t_ns, signals_of(volts->agent, volts->pin).volts, volts->volts);
+    if (const PinSignals* signals = signals_of(level->agent, level->pin))
+      change(level->t_ns, signals->level, level->level);
   } else if (const auto* byte = std::get_if<wire::SerialByte>(&event)) {
     if (const auto number = static_cast<std::size_t>(byte->agent); number < boards_.size())
       add_byte(boards_[number], *byte);
-  } else if (const auto* sample = std::get_if<wire::Sample>(&event)) {
-    last_ns_ = std::max(last_ns_, sample->t_us * 1000);
   }
 }
 
-void VcdRecorder::write(std::string& out, const Signal& signal, double value) {
-  auto to = std::back_inserter(out);
+char* VcdRecorder::write(char* to, const Signal& signal, double value) {
   const int whole = static_cast<int>(value);
   switch (signal.kind) {
     case Signal::Kind::wire:
-      fmt::format_to(to, "{}{}\n", "01zx"[whole & 3], signal.id);
+      *to++ = "01zx"[whole & 3];
       break;
     case Signal::Kind::real:
-      fmt::format_to(to, "r{} {}\n", value, signal.id);
+      *to++ = 'r';
+      to = put_number(to, value);
+      *to++ = ' ';
       break;
     case Signal::Kind::byte:
-      fmt::format_to(to, "b{:b} {}\n", whole, signal.id);
+      to = fmt::format_to(to, FMT_COMPILE("b{:b} "), whole);
       break;
   }
+  to = std::copy(signal.id.begin(), signal.id.end(), to);
+  *to++ = '\n';
+  return to;
 }
 
 std::string VcdRecorder::text() const {
@@ -137,23 +154,47 @@ std::string VcdRecorder::text() const {
     for (const auto& [name, signals] : board.pins)
       if (signals.level != kNone)
         values[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset leaves inputs
-  for (std::size_t i = 0; i < signals_.size(); ++i) write(out, signals_[i], values[i]);
+  char line[kLongestLine];
+  for (std::size_t i = 0; i < signals_.size(); ++i) out.append(line, write(line, signals_[i], values[i]));
   out += "$end\n";
 
-  std::vector<Change> changes = changes_;
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return a.t_ns < b.t_ns; });
+  std::vector<Change> sorted;
+  const auto is_before = [](const Change& a, const Change& b) { return a.t_ns < b.t_ns; };
+  const bool is_sorted = std::is_sorted(changes_.begin(), changes_.end(), is_before);
+  if (!is_sorted) {
+    sorted = changes_;
+    std::stable_sort(sorted.begin(), sorted.end(), is_before);
+  }
+  const std::size_t begin = out.size();
+  out.resize(begin + lines_.size() + (changes_.size() + 1) * kLongestLine);
+  char* to = out.data() + begin;
   std::int64_t now = 0;
-  for (const Change& change : changes) {
+  const auto go_to = [&](std::int64_t t_ns) {
+    *to++ = '#';
+    to = put_number(to, now = t_ns);
+    *to++ = '\n';
+  };
+  for (const Change& change : is_sorted ? changes_ : sorted) {
     if (values[change.signal] == change.value) continue;
     values[change.signal] = change.value;
-    if (change.t_ns != now) out += fmt::format("#{}\n", now = change.t_ns);
-    write(out, signals_[change.signal], change.value);
+    if (change.t_ns != now) go_to(change.t_ns);
+    to = std::copy_n(lines_.data() + change.line, change.bytes, to);
   }
-  if (last_ns_ > now) out += fmt::format("#{}\n", last_ns_);
+  if (last_ns_ > now) go_to(last_ns_);
+  out.resize(static_cast<std::size_t>(to - out.data()));
   return out;
 }
 
-void VcdRecorder::finish(const wire::RunResult&) { write_file(path_, text()); }
+void VcdRecorder::finish(const wire::RunResult& result) {
+  ended(result);
+  for (const wire::RunResult& other : result.others) ended(other);
+  write_file(path_, text());
+}
+
+// The file ends with the last whole hundredth of a second.
+void VcdRecorder::ended(const wire::RunResult& result) {
+  const std::int64_t end_ns = std::llround(result.time_s * 1e9);
+  last_ns_ = std::max(last_ns_, end_ns - end_ns % kRecordEvery_ns);
+}
 
 }  // namespace robosim::record

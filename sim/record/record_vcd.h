@@ -2,7 +2,10 @@
 // 1364-2005, chapter 18). The signals are listed in docs/recordings.md. Of several robots each has a scope.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/board/board_spec.h"
@@ -18,15 +21,17 @@ class VcdRecorder final : public Recorder {
   void begin(const RecordedRun& run) override;
   /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
   void add(const wire::Event& event) override;
-  void finish(const wire::RunResult&) override;
+  void finish(const wire::RunResult& result) override;
   /// The whole file: every signal declared, then the changes in the order of time.
   std::string text() const;
 
  private:
   struct Change {
     std::int64_t t_ns;
-    std::uint32_t signal;
     double value;  ///< of a wire: a wire::PinLevel
+    std::uint32_t signal;
+    std::uint32_t bytes;  ///< of its line
+    std::size_t line;     ///< where that begins in lines_
   };
   struct Signal {
     enum class Kind { wire, real, byte };
@@ -43,6 +48,8 @@ class VcdRecorder final : public Recorder {
   struct Board {
     std::string scope;
     std::map<std::string, PinSignals> pins;
+    /// The few of them that anything happens on, by the bytes of their names.
+    std::vector<std::pair<std::uint64_t, const PinSignals*>> met;
     std::uint32_t sent[2], received[2];  ///< the byte, and a wire that flips with each
     bool flipped[2] = {false, false};
     std::size_t end = 0;  ///< its signals are those before, from the end of the board before it
@@ -51,13 +58,16 @@ class VcdRecorder final : public Recorder {
   void begin_board(const std::string& scope, const BoardSpec& spec);
   std::uint32_t declare(std::string name, Signal::Kind kind);
   void change(std::int64_t t_ns, std::uint32_t signal, double value);
+  void ended(const wire::RunResult& result);
   void add_byte(Board& board, const wire::SerialByte& byte);
-  static void write(std::string& out, const Signal& signal, double value);
+  const PinSignals* signals_of(int agent, const std::string& pin);
+  static char* write(char* to, const Signal& signal, double value);
 
   std::filesystem::path path_;
   std::vector<Signal> signals_;
   std::vector<Board> boards_;  ///< by the robots' numbers
   std::vector<Change> changes_;
+  std::string lines_;  ///< of changes, written while the run goes on
   std::int64_t last_ns_ = 0;
 };
 

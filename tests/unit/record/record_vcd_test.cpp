@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
 namespace robosim::record {
 namespace {
 
@@ -113,11 +116,18 @@ TEST_F(Vcd, SortsWhatComesOutOfOrder) {
   EXPECT_LT(vcd.find("#200\n"), vcd.find("#300\n"));
 }
 
-TEST_F(Vcd, EndsWhereTheRunEnds) {
-  wire::Sample sample;
-  sample.t_us = 42;
-  record.add(sample);
-  EXPECT_THAT(record.text(), HasSubstr("#42000\n"));
+TEST_F(Vcd, EndsWithTheLastWholeHundredthOfASecond) {
+  wire::RunResult result, other;
+  result.time_s = 0.042;
+  other.time_s = 0.067;
+  result.others = {other};
+  const test::TemporaryFolder folder;
+  VcdRecorder on_disk(folder.path() / "x.vcd");
+  RecordedRun run;
+  run.robot_info.board.name = "uno";
+  on_disk.begin(run);
+  on_disk.finish(result);
+  EXPECT_TRUE(read_file(folder.path() / "x.vcd").ends_with("$end\n#60000000\n"));
 }
 
 }  // namespace
