@@ -1,7 +1,7 @@
 // Curves over time, all in one window of time, which wheels zoom and drags scrub.
 
 import { seen, series, style } from './colours.js';
-import { indexAt } from './run.js';
+import { extent, indexAt } from './run.js';
 import { envelope, niceStep, timeText } from './timeline.js';
 import { sized } from './view.js';
 
@@ -157,9 +157,9 @@ export class Chart {
 
   /** What is the least and the most. */
   measure() {
-    const values = [...this.signals, ...this.others].map((s) => s.values);
-    this.least = Math.min(0, ...values.map((v) => v.reduce((a, b) => Math.min(a, b), 0)));
-    this.most = Math.max(this.least + 1e-6, ...values.map((v) => v.reduce((a, b) => Math.max(a, b), 0)));
+    const ranges = [...this.signals, ...this.others].map((s) => extent(s.values));
+    this.least = Math.min(...ranges.map((r) => r.least));
+    this.most = Math.max(this.least + 1e-6, ...ranges.map((r) => r.most));
   }
 
   draw() {

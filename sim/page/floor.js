@@ -2,7 +2,7 @@
 
 import { drawBody, drawRobot } from './bodies.js';
 import { drawMark, more, series, style } from './colours.js';
-import { indexAt, isLit, placeOf } from './run.js';
+import { extent, indexAt, isLit, placeOf } from './run.js';
 import { sized } from './view.js';
 
 const rectangles = (list) => {
@@ -68,7 +68,9 @@ export class FloorPicture {
   /** The value at the colours' end. */
   get most() {
     const values = this.run.columns[this.colourBy];
-    return values ? values.reduce((most, v) => Math.max(most, Math.abs(v)), 1e-9) : 1;
+    if (!values) return 1;
+    const { least, most } = extent(values);
+    return Math.max(most, -least, 1e-9);
   }
 
   draw(view, t, other, otherT) {

@@ -135,7 +135,7 @@ export class LiveRun extends Run {
   addPin(kind, name, of) {
     const t = new Growing();
     this.streams.get(`${kind} ${name}`).seconds = t;
-    const pin = { name, get t() { return t.all; } };
+    const pin = { name, isAnalog: kind === 'volts', get t() { return t.all; } };
     if (kind === 'volts') {
       Object.defineProperty(pin, 'volts', { get: () => of.volts.all });
       this.addGrowing(`volts ${name}`, 'V', `${name} volts`, true, () => t.all, () => of.volts.all);

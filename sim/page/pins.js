@@ -2,7 +2,7 @@
 
 import { series, style } from './colours.js';
 import { short, Track } from './charts.js';
-import { indexAt } from './run.js';
+import { extent, indexAt } from './run.js';
 import { sized } from './view.js';
 
 const LOW = 0, HIGH = 1, FLOATING = 2, PULSING = 3;
@@ -11,7 +11,7 @@ const TEXT = ['low', 'high', 'not driven', 'PWM'];
 export function pinText(pin, t) {
   const i = indexAt(pin.t, t);
   if (!pin.t.length || pin.t[0] > t) return '';
-  if (pin.volts) return `${short(pin.volts[i])} V`;
+  if (pin.isAnalog) return `${short(pin.volts[i])} V`;
   if (pin.level[i] !== PULSING) return TEXT[pin.level[i]];
   return pin.tone[i] > 0 ? `${pin.tone[i]} Hz` : `PWM ${Math.round(100 * pin.duty[i])} %`;
 }
@@ -38,10 +38,10 @@ export class PinRow {
     this.title.setAttribute('aria-label', this.title.title);
     this.title.addEventListener('click', (e) => this.stepChange(e.shiftKey ? -1 : 1));
     this.use.textContent = use;
-    this.now.dataset.pin = pin.name + (pin.volts ? ' volts' : '');
+    this.now.dataset.pin = pin.name + (pin.isAnalog ? ' volts' : '');
     box.append(name);
     parent.append(box);
-    this.track = new Track(box, span, pin.volts ? 40 : 26, `pin ${pin.name} over time`, 4);
+    this.track = new Track(box, span, pin.isAnalog ? 40 : 26, `pin ${pin.name} over time`, 4);
     this.track.snap = (t) => this.changeNear(t);
     this.source = Object.assign(document.createElement('div'), { className: 'pin-source' });
     if (pin.source) box.append(this.source);
@@ -75,8 +75,8 @@ export class PinRow {
     ctx.lineWidth = 1.5;
     ctx.strokeStyle = series(0);
     const yOf = (share) => height - 4 - share * (height - 8);
-    if (this.pin.volts) {
-      const most = this.pin.volts.reduce((a, b) => Math.max(a, b), 0.1);
+    if (this.pin.isAnalog) {
+      const most = Math.max(extent(this.pin.volts).most, 0.1);
       this.track.curve(ctx, this.pin.t, this.pin.volts, (v) => yOf(v / most), true);
     } else {
       this.drawLevels(ctx, yOf);

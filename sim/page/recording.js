@@ -37,13 +37,18 @@ export function column(bytes, at, { bytes: size, order, scale, name }, count, be
   let { last, change } = before;
   for (let i = 0; i < count; i++) {
     if (at >= end) throw bad();
-    let byte = bytes[at++], z = byte & 127;
-    for (let factor = 128; byte > 127; factor *= 128) {
-      if (at >= end) throw bad();
-      byte = bytes[at++];
-      z += (byte & 127) * factor;
+    let byte = bytes[at++], d;
+    if (byte < 128) {
+      d = (byte >> 1) ^ -(byte & 1);  // nearly all of them
+    } else {
+      let z = byte & 127;
+      for (let factor = 128; byte > 127; factor *= 128) {
+        if (at >= end) throw bad();
+        byte = bytes[at++];
+        z += (byte & 127) * factor;
+      }
+      d = z % 2 ? -(z + 1) / 2 : z / 2;
     }
-    const d = z % 2 ? -(z + 1) / 2 : z / 2;
     change = order === 2 ? change + d : d;
     last += change;
     values[i] = last / scale;
@@ -53,13 +58,49 @@ export function column(bytes, at, { bytes: size, order, scale, name }, count, be
   return values;
 }
 
-/** The rows of a stream, by column; in the order of time. */
-function inOrder(stream, key) {
-  const times = stream[key];
-  if (!times || times.every((t, i) => i === 0 || t >= times[i - 1])) return stream;
-  const rows = Array.from(times.keys()).sort((a, b) => times[a] - times[b] || a - b);
-  for (const name of Object.keys(stream))
-    if (stream[name] instanceof Float64Array) stream[name] = Float64Array.from(rows, (i) => stream[name][i]);
+/** Whether there are as many numbers as rows. */
+function isWhole(bytes, at, { bytes: size }, count) {
+  const end = at + size;
+  let numbers = 0;
+  if (end > bytes.length) return false;
+  for (let i = at; i < end; i++) numbers += 1 - (bytes[i] >> 7);
+  return numbers === count && (size === 0 || bytes[end - 1] < 128);
+}
+
+/** A property that is made when somebody asks for it. */
+export function lazily(object, name, make) {
+  const set = (value) => Object.defineProperty(object, name, { value, writable: true, enumerable: true, configurable: true });
+  Object.defineProperty(object, name, { get: () => set(make())[name], set, enumerable: true, configurable: true });
+}
+
+/** The columns of a stream, its rows in the order of time. An hour's are millions of numbers, of which few are looked at:
+ *  each column is read when it is. */
+function streamOf(bytes, at, count, columns) {
+  const stream = {};
+  let rows;  // their numbers; null = they are in order
+  const inOrder = (values) => (rows ? Float64Array.from(rows, (i) => values[i]) : values);
+  const order = () => {
+    if (rows !== undefined) return;
+    rows = null;
+    const i = columns.findIndex(({ name }) => name === 't_ns');
+    if (i < 0) return;
+    const times = column(bytes, places[i], columns[i], count);
+    if (!times.every((t, k) => k === 0 || t >= times[k - 1]))
+      rows = Array.from(times.keys()).sort((a, b) => times[a] - times[b] || a - b);
+  };
+  const places = [];
+  for (const info of columns) {
+    const place = at;
+    places.push(place);
+    at += info.bytes;
+    if (info.order === 0) {
+      stream.utf8 = bytes.subarray(place, at);
+      stream[info.name] = new TextDecoder().decode(stream.utf8);
+    } else {
+      if (!isWhole(bytes, place, info, count)) throw new BadFile(`The recording's column ${info.name} is damaged: record the run again.`);
+      lazily(stream, info.name, () => { order(); return inOrder(column(bytes, place, info, count)); });
+    }
+  }
   return stream;
 }
 
@@ -73,10 +114,9 @@ export async function readRecording(bytes) {
   }
   const all = await inflated(bytes.subarray(MAGIC.length));
   const end = all.indexOf(10);
-  const utf8 = new TextDecoder();
   let header;
   try {
-    header = JSON.parse(utf8.decode(all.subarray(0, end)));
+    header = JSON.parse(new TextDecoder().decode(all.subarray(0, end)));
   } catch {
     throw new BadFile('The recording’s header is damaged: record the run again.');
   }
@@ -84,14 +124,8 @@ export async function readRecording(bytes) {
   const read = (infos) => {
     const streams = new Map();
     for (const { name, count, columns } of infos) {
-      const stream = {};
-      for (const info of columns) {
-        if (info.order === 0) stream[info.name] = utf8.decode(all.subarray(at, at + info.bytes));
-        else stream[info.name] = column(all, at, info, count);
-        if (info.order === 0) stream.utf8 = all.subarray(at, at + info.bytes);
-        at += info.bytes;
-      }
-      streams.set(name, inOrder(stream, 't_ns'));
+      streams.set(name, streamOf(all, at, count, columns));
+      for (const { bytes } of columns) at += bytes;
     }
     return streams;
   };

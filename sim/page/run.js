@@ -1,7 +1,7 @@
 // A run that can be asked: where was the robot at a time, what happened, which signals are there? Made of a
 // recording, or of a table that somebody else's robot has logged. Times are seconds.
 
-import { BadFile } from './recording.js';
+import { BadFile, lazily } from './recording.js';
 
 /** The last index whose time is not after t; 0 before the first. */
 export function indexAt(times, t) {
@@ -12,6 +12,21 @@ export function indexAt(times, t) {
     else high = middle - 1;
   }
   return low;
+}
+
+const extents = new WeakMap();  // an hour's take milliseconds, and are asked for in each picture
+
+/** The least and the most of values, 0 among them. */
+export function extent(values) {
+  let known = extents.get(values);
+  if (known) return known;
+  known = { least: 0, most: 0 };
+  for (const value of values) {
+    if (value < known.least) known.least = value;
+    if (value > known.most) known.most = value;
+  }
+  extents.set(values, known);
+  return known;
 }
 
 const seconds = (values, perSecond) => Float64Array.from(values, (t) => t / perSecond);
@@ -40,8 +55,13 @@ export class Run {
       this.addSignal(name, unit);
   }
 
-  addSignal(name, unit, label, t = this.t, values = this.columns[name], steps = false) {
-    if (values && values.length) this.signals.push({ name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), t, values, steps });
+  /** `from`: its times and values, which are read when they are looked at. */
+  addSignal(name, unit, label, steps = false, from = { times: () => this.t, values: () => this.columns[name], count: name in this.columns ? this.t.length : 0 }) {
+    if (!from.count) return;
+    const signal = { name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), steps };
+    lazily(signal, 't', from.times);
+    lazily(signal, 'values', from.values);
+    this.signals.push(signal);
   }
 
   signal(name) { return this.signals.find((s) => s.name === name); }
@@ -138,19 +158,25 @@ export function runOf({ header, streams }, number = 0) {
   for (const side of ['left', 'right']) run.addSignal(side, '', `motor ${side}`);
   for (const side of ['left', 'right']) run.addSignal(`wheel_${side}_mm_s`, 'mm/s', `wheel ${side}`);
   const units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
-  for (const name of started.readings) run.addSignal(name, units.get(name) ?? '', name, run.t, samples[name], !robot.sensors.some((s) => s.name === name));
-  run.sensors = robot.sensors.filter((s) => samples[s.name]);
+  for (const name of started.readings) run.addSignal(name, units.get(name) ?? '', name, !robot.sensors.some((s) => s.name === name));
+  run.sensors = robot.sensors.filter((s) => s.name in samples);
   run.units = units;
 
+  const counts = new Map(header.streams.map(({ name, count }) => [name, count]));
   for (const [name, stream] of streams) {
-    const t = stream.t_ns && seconds(stream.t_ns, 1e9);
     const [kind, pin] = name.split(' ');
+    const row = { name: pin, isAnalog: kind === 'volts' };
+    lazily(row, 't', () => seconds(stream.t_ns, 1e9));
+    const from = (column) => ({ times: () => row.t, values: () => stream[column], count: counts.get(name) });
     if (kind === 'pin') {
-      run.pins.push({ name: pin, t, level: stream.level, duty: stream.duty, tone: stream.tone_hz, source: stream.source });
-      if (stream.level.includes(3)) run.addSignal(`${pin} duty`, '', `${pin} duty`, t, stream.duty, true);
+      for (const [what, column] of [['level', 'level'], ['duty', 'duty'], ['tone', 'tone_hz'], ['source', 'source']])
+        if (column in stream) lazily(row, what, () => stream[column]);
+      run.pins.push(row);
+      if (stream.level.includes(3)) run.addSignal(`${pin} duty`, '', `${pin} duty`, true, from('duty'));
     } else if (kind === 'volts') {
-      run.addSignal(name, 'V', `${pin} volts`, t, stream.volts, true);
-      run.pins.push({ name: pin, t, volts: stream.volts });
+      lazily(row, 'volts', () => stream.volts);
+      run.addSignal(name, 'V', `${pin} volts`, true, from('volts'));
+      run.pins.push(row);
     }
   }
   run.sources = header.sources ?? [];
@@ -205,8 +231,9 @@ export function isLit(changes, number, t) {
 
 /** For each sample, whether a script's hand moved the robot to there. */
 function handOf(t, notes) {
-  const moved = new Uint8Array(t.length);
   const acts = notes.filter(({ verb }) => ['place', 'lift', 'lower', 'sweep'].includes(verb));
+  if (!acts.length) return undefined;
+  const moved = new Uint8Array(t.length);
   for (let i = 0, next = 0, sweeps = false; i < t.length; i++) {
     moved[i] = sweeps;
     for (; next < acts.length && acts[next].t_ns / 1e9 <= t[i]; next++) {

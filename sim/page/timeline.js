@@ -1,6 +1,7 @@
 // The whole run on one line: how far off the line it was, and a mark for each thing that happened. Drags scrub.
 
 import { drawMark, MARKS, style } from './colours.js';
+import { extent } from './run.js';
 import { sized } from './view.js';
 
 const MARGIN = 14;
@@ -11,8 +12,18 @@ export function timeText(t, digits = 3) {
   return `${whole}:${(t - 60 * whole).toFixed(digits).padStart(digits ? digits + 3 : 2, '0')}`;
 }
 
+const envelopes = new WeakMap();  // of values, the last
+
 /** The least and the most of a signal in each pixel of a width; NaN where there is none. */
 export function envelope(times, values, from, to, width, first, last) {
+  const key = `${from} ${to} ${width} ${first} ${last}`, known = envelopes.get(values);
+  if (known?.key === key) return known;
+  const made = { key, ...envelopeOf(times, values, from, to, width, first, last) };
+  envelopes.set(values, made);
+  return made;
+}
+
+function envelopeOf(times, values, from, to, width, first, last) {
   const least = new Float64Array(width).fill(NaN), most = new Float64Array(width).fill(NaN);
   for (let i = first; i <= last; i++) {
     const px = Math.floor((times[i] - from) / (to - from) * width);
@@ -100,7 +111,7 @@ export class Timeline {
     const width = Math.floor(this.width);
     if (!signal || width < 2) return;
     const { most } = envelope(signal.t, signal.values, 0, run.duration, width, 0, signal.t.length - 1);
-    const highest = Math.max(signal.values.reduce((a, b) => Math.max(a, Math.abs(b)), 0), 1e-9);
+    const range = extent(signal.values), highest = Math.max(range.most, -range.least, 1e-9);
     ctx.fillStyle = style('error');
     for (let i = 0, h = 0; i < width; i++) {
       if (!Number.isNaN(most[i])) h = Math.abs(most[i]) / highest * (bottom - top - 2);
