@@ -68,40 +68,54 @@ bool Process::write(std::string_view text) {
   return true;
 }
 
-std::optional<std::string_view> Process::read_line(int timeout_ms) {
-  const std::int64_t began = now_ms();
-  std::int64_t interrupt_seen = -1;
-  std::size_t searched = next_;
+bool Process::read_more(Patience& patience) {
+  buffer_.erase(0, next_);
+  next_ = 0;
   for (;;) {
-    const std::size_t end = buffer_.find('\n', searched);
-    if (end != std::string::npos) {
-      const std::string_view line = std::string_view(buffer_).substr(next_, end - next_);
-      next_ = end + 1;
-      return line;
-    }
-    buffer_.erase(0, next_);
-    next_ = 0;
-    searched = buffer_.size();
     // In slices: a signal that arrives just before poll() does not wake it.
     constexpr std::int64_t kPollSlice_ms = 200;
     const std::int64_t now = now_ms();
-    if (interrupted_ && interrupt_seen < 0) interrupt_seen = now;
+    if (interrupted_ && patience.interrupt_seen_ms < 0) patience.interrupt_seen_ms = now;
     std::int64_t left = kPollSlice_ms;
-    if (timeout_ms >= 0) left = std::min(left, began + timeout_ms - now);
-    if (interrupt_seen >= 0) left = std::min(left, interrupt_seen + kStopPatience_ms - now);
+    if (patience.until_ms >= 0) left = std::min(left, patience.until_ms - now);
+    if (patience.interrupt_seen_ms >= 0)
+      left = std::min(left, patience.interrupt_seen_ms + kStopPatience_ms - now);
     pollfd ready{answers_.get(), POLLIN, 0};
     const int polled = ::poll(&ready, 1, static_cast<int>(std::max(left, std::int64_t{0})));
     if (polled < 0 && errno == EINTR) continue;
-    if (polled < 0 || (polled == 0 && left <= 0)) return std::nullopt;
+    if (polled < 0 || (polled == 0 && left <= 0)) return false;
     if (polled == 0) continue;
     const ssize_t n = ::read(answers_.get(), chunk_.data(), chunk_.size());
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       silent_ = true;
-      return std::nullopt;
+      return false;
     }
     buffer_.append(chunk_.data(), static_cast<std::size_t>(n));
+    return true;
   }
+}
+
+std::optional<std::string_view> Process::read_line(int timeout_ms) {
+  Patience patience{timeout_ms < 0 ? -1 : now_ms() + timeout_ms};
+  for (std::size_t searched = 0;;) {
+    const std::size_t end = buffer_.find('\n', next_ + searched);
+    if (end != std::string::npos) {
+      const std::string_view line = std::string_view(buffer_).substr(next_, end - next_);
+      next_ = end + 1;
+      return line;
+    }
+    searched = buffer_.size() - next_;
+    if (!read_more(patience)) return std::nullopt;
+  }
+}
+
+std::optional<std::string_view> Process::read_bytes(std::size_t count) {
+  for (Patience patience{-1}; buffer_.size() - next_ < count;)
+    if (!read_more(patience)) return std::nullopt;
+  const std::string_view bytes = std::string_view(buffer_).substr(next_, count);
+  next_ += count;
+  return bytes;
 }
 
 void Process::keep_close() const { ::fcntl(answers_.get(), F_SETPIPE_SZ, 1); }

@@ -30,6 +30,9 @@ class Process {
   /// unfinished last line is dropped) or when `timeout_ms` of wall time have passed; -1 = wait for ever.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
+  /// The next bytes, so many, valid until the next call; nothing if the output ends before.
+  std::optional<std::string_view> read_bytes(std::size_t count);
+
   /// Readable, as poll(2) has it, when the program has said something or ended.
   int descriptor() const { return answers_.get(); }
   /// read_line() came to the end of the output.
@@ -56,6 +59,14 @@ class Process {
  private:
   struct Ends;
   explicit Process(Ends ends);
+
+  /// How long a read may take.
+  struct Patience {
+    std::int64_t until_ms;  ///< wall time; negative = for ever
+    std::int64_t interrupt_seen_ms = -1;
+  };
+  /// Adds to the buffer; false at the end of the output, or when patience is.
+  bool read_more(Patience& patience);
 
   Descriptor requests_;  // socket to its standard input
   Descriptor answers_;   // pipe from its standard output

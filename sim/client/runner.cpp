@@ -45,11 +45,6 @@ void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
 }
 
-void tell(const wire::Event& event, const wire::OnEvent& on_event) {
-  const auto* batch = std::get_if<wire::Batch>(&event);
-  batch ? wire::unpack(*batch, on_event) : on_event(event);
-}
-
 }  // namespace
 
 const std::vector<std::string>& available_targets() {
@@ -102,7 +97,13 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
                                 " instead of " + std::to_string(last_id_));
       }
       if (const auto* event = std::get_if<wire::Event>(&line.content)) {
-        if (on_event) tell(*event, on_event);
+        if (const auto* batch = std::get_if<wire::Batch>(event)) {
+          const auto bytes = process_->read_bytes(static_cast<std::size_t>(batch->size));
+          if (!bytes) fail_silent();
+          if (on_event) wire::unpack(*bytes, on_event);
+        } else if (on_event) {
+          on_event(*event);
+        }
         continue;
       }
       answered = true;

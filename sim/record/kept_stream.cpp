@@ -1,6 +1,5 @@
 #include "sim/record/kept_stream.h"
 
-#include "sim/base/base64.h"
 #include "sim/wire/json_reader.h"
 
 namespace robosim::record {
@@ -12,10 +11,8 @@ void KeptStream::add(const wire::Rows& rows) {
   }
   if (rows.bytes.size() != specs_.size() || specs_.empty())
     throw wire::BadValue("bytes", "must be as many as the columns of " + rows.stream);
-  std::vector<std::string> bytes;
-  for (const std::string& text : rows.bytes) bytes.push_back(from_base64(text));
-  if (thinned_) return add_thinned(bytes, rows.count);
-  for (std::size_t i = 0; i < bytes.size(); ++i) bytes_[i] += bytes[i];
+  if (thinned_) return add_thinned(rows.bytes, rows.count);
+  for (std::size_t i = 0; i < bytes_.size(); ++i) bytes_[i] += rows.bytes[i];
   count_ += rows.count;
 }
 

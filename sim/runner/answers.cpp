@@ -26,18 +26,24 @@ wire::Started to_wire(const run::Beginning& beginning) {
   return started;
 }
 
+void to_wire(const run::Sample& s, wire::Sample& to) {
+  to.t_us = s.t / kMicrosecond;
+  to.x_mm = millimetres(s.pose.position.x);
+  to.y_mm = millimetres(s.pose.position.y);
+  to.yaw_rad = s.pose.yaw();
+  to.speed_mm_s = millimetres(s.speed);
+  to.cross_track_mm = millimetres(s.cross_track);
+  to.left = s.left;
+  to.right = s.right;
+  to.readings = s.readings;
+  to.at_station = s.at_station;
+  to.wheels_mm_s = {millimetres(s.wheels[0]), millimetres(s.wheels[1])};
+}
+
 wire::Sample to_wire(const run::Sample& s) {
-  return {s.t / kMicrosecond,
-          millimetres(s.pose.position.x),
-          millimetres(s.pose.position.y),
-          s.pose.yaw(),
-          millimetres(s.speed),
-          millimetres(s.cross_track),
-          s.left,
-          s.right,
-          s.readings,
-          s.at_station,
-          {millimetres(s.wheels[0]), millimetres(s.wheels[1])}};
+  wire::Sample sample;
+  to_wire(s, sample);
+  return sample;
 }
 
 wire::Paused to_wire(const run::State& state, const run::Sample& sample) {

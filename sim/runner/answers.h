@@ -9,6 +9,8 @@ namespace robosim::runner {
 
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
+/// The same into one that was there before, whose memory serves again. Its robot's number stays.
+void to_wire(const run::Sample& sample, wire::Sample& to);
 wire::Paused to_wire(const run::State& state, const run::Sample& sample);
 /// Without what the request and its files were.
 wire::RunResult to_wire(const judge::Outcome& outcome);

@@ -20,8 +20,14 @@ void Narrator::tell(Event event) {
 }
 
 Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board,
-                   exec::Executor& executor, Tell tell)
-    : request_(request), agent_(agent), board_(board), executor_(executor), tell_(std::move(tell)) {
+                   exec::Executor& executor, Tell tell, Bundler* bundler)
+    : request_(request),
+      agent_(agent),
+      board_(board),
+      executor_(executor),
+      tell_(std::move(tell)),
+      bundler_(bundler) {
+  sample_.agent = agent;
   if (request.columns_every_ns == 0) return;
   std::vector<std::string> pins;
   for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
@@ -36,9 +42,15 @@ void Narrator::began(const run::Beginning& beginning) {
 
 void Narrator::sampled(const run::Sample& s) {
   const SimTime every = request_.samples_every_ns;
-  if (every > 0 && (s.t % every == 0 || request_.interactive)) tell(to_wire(s));
-  if (!columns_ || s.t % request_.columns_every_ns != 0) return;
-  columns_->add(to_wire(s));
+  const bool is_told = every > 0 && (s.t % every == 0 || request_.interactive),
+             is_in_columns = columns_ && s.t % request_.columns_every_ns == 0;
+  if (is_told || is_in_columns) to_wire(s, sample_);
+  if (is_told && bundler_)
+    bundler_->sample(sample_);
+  else if (is_told)
+    tell(sample_);
+  if (!is_in_columns) return;
+  columns_->add(sample_);
   if (s.t % kColumnsEvery == 0) flush_columns();
 }
 
@@ -54,6 +66,7 @@ void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
                                       drive.pwm, drive.duty, drive.tone_hz),
                       drive.duty, drive.tone_hz, &executor_.driving(pin, drive));
   if (!request_.pins) return;
+  if (bundler_ && !request_.source_ns) return bundler_->pin(agent_, t, board_.pins[pin].name, drive);
   detail(wire::PinChange{t,
                          board_.pins[pin].name,
                          kModes[static_cast<int>(drive.mode)],
@@ -67,12 +80,16 @@ void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
 void Narrator::level_seen(Pin pin, bool level, SimTime t) {
   if (columns_)
     columns_->add_pin(pin, t, level ? wire::PinLevel::high : wire::PinLevel::low, level ? 1.0 : 0.0, 0);
-  if (request_.io) detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
+  if (!request_.io) return;
+  if (bundler_ && !request_.source_ns) return bundler_->level(agent_, t, board_.pins[pin].name, level);
+  detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
 }
 
 void Narrator::volts_seen(Pin pin, double volts, SimTime t) {
   if (columns_) columns_->add_volts(pin, t, volts);
-  if (request_.io) detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
+  if (!request_.io) return;
+  if (bundler_ && !request_.source_ns) return bundler_->volts(agent_, t, board_.pins[pin].name, volts);
+  detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
 }
 
 void Narrator::byte_received(std::uint8_t byte, SimTime t) {

@@ -9,20 +9,18 @@
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/run/simulation.h"
+#include "sim/runner/bundler.h"
 #include "sim/wire/messages.h"
 #include "sim/wire/run_columns.h"
 
 namespace robosim::runner {
 
-/// Who hears of what happens.
-using Tell = std::function<void(wire::Event)>;
-
 class Narrator final : public run::Listener {
  public:
-  /// What `request` wants to hear of is told, of robot number `agent`. All but `tell` must live as long as
-  /// this.
+  /// What `request` wants to hear of is told, of robot number `agent`: by `bundler`, unless it is null. All
+  /// but `tell` must live as long as this.
   Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
-           Tell tell);
+           Tell tell, Bundler* bundler);
 
   void began(const run::Beginning& beginning) override;
   void sampled(const run::Sample& sample) override;
@@ -51,8 +49,10 @@ class Narrator final : public run::Listener {
   const BoardSpec& board_;
   exec::Executor& executor_;
   Tell tell_;
+  Bundler* const bundler_;
   std::string line_;
   std::optional<wire::RunColumns> columns_;
+  wire::Sample sample_;  ///< the last that was taken
 };
 
 }  // namespace robosim::runner

@@ -99,7 +99,8 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   const BoardSpec& board = *member.robot->board;
   member.executor = make(agent.target, board, agent.image);
   member.inputs = inputs_of(request_, agent.image, *member.robot);
-  member.narrator = std::make_unique<Narrator>(request_, number, board, *member.executor, tell);
+  member.narrator =
+      std::make_unique<Narrator>(request_, number, board, *member.executor, tell, bundler_.get());
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
   if (!request_.counters.empty()) member.executor->count_lines();
   if (request_.source_ns) member.executor->trace_bytes(request_.source_ns->first, request_.source_ns->second);

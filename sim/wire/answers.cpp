@@ -140,20 +140,16 @@ std::string to_line(const Id& id, const Answer& answer) {
   OrderedJson line;
   line["id"] = json_of(id);
   const auto* event = std::get_if<Event>(&answer);
-  const auto ended_by = [&](const std::string& rest) {
-    std::string text = text_of(line);
-    text.back() = ',';  // in place of the object's }
-    return text.append(rest, 1) + "\n";
-  };
   if (const auto* columns = event ? std::get_if<Columns>(event) : nullptr) {
     line["event"] = Columns::kEvent;
     if (columns->agent != 0) line["agent"] = columns->agent;
-    return ended_by(columns_text(*columns));
+    std::string text = text_of(line);
+    text.back() = ',';  // in place of the object's }
+    return text.append(columns_text(*columns), 1) + "\n";
   }
-  if (const auto* batch = event ? std::get_if<Batch>(event) : nullptr) {
-    line["event"] = Batch::kEvent;
-    return ended_by(batch_text(*batch));
-  }
+  if (const auto* batch = event ? std::get_if<Batch>(event) : nullptr)
+    return R"({"id":)" + text_of(json_of(id)) + R"(,"event":"batch","size":)" +
+           std::to_string(batch->bytes.size()) + "}\n" + batch->bytes;
   std::visit(Adder{line}, answer);
   return text_of(line) + "\n";
 }
@@ -175,26 +171,16 @@ Hello parse_hello(std::string_view text, const std::string& program) {
 }
 
 Line parse_line(std::string_view text) {
-  const auto is_event = [&](const char* begin) {
-    return text.substr(0, kBegin_bytes).find(begin) != text.npos;
-  };
-  const bool has_columns = is_event(R"("event":"columns")");
+  const bool has_columns = text.substr(0, kBegin_bytes).find(R"("event":"columns")") != text.npos;
   LongTexts long_texts;
   std::string left;
-  std::optional<std::string_view> batch_bytes;
-  if (has_columns)
-    left = long_texts.cut(text);
-  else if (is_event(R"("event":"batch")"))
-    batch_bytes = cut_batch(text, left);
-  const Json json = Json::parse(left.empty() ? text : std::string_view(left), nullptr, false);
+  if (has_columns) left = long_texts.cut(text);
+  const Json json = Json::parse(has_columns ? std::string_view(left) : text, nullptr, false);
   if (json.is_discarded()) throw RunnerError("the runner said something that is not JSON: " + excerpt(text));
   try {
     Line line = line_of(json);
-    if (auto* event = has_columns ? std::get_if<Event>(&line.content) : nullptr)
+    if (auto* event = std::get_if<Event>(&line.content))
       if (auto* columns = std::get_if<Columns>(event)) long_texts.put_back(*columns);
-    if (auto* event = batch_bytes ? std::get_if<Event>(&line.content) : nullptr)
-      if (auto* batch = std::get_if<Batch>(event); batch && batch->bytes == kCutText)
-        batch->bytes = *batch_bytes;
     return line;
   } catch (const BadValue& error) {
     throw RunnerError(std::string("the runner said something unexpected (") + error.what() +

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/base64.h"
-
 namespace robosim::wire {
 
 void Column::add(const double* first, std::size_t step, std::size_t count) {
+  spec_.order == 2 ? pack<true>(first, step, count) : pack<false>(first, step, count);
+}
+
+template <bool kIsSecond>
+void Column::pack(const double* first, std::size_t step, std::size_t count) {
   constexpr auto kMost = static_cast<double>(kMostSteps);
   constexpr std::size_t kLongest = 10;  // bytes of 64 bits
   buffer_.resize(std::max(buffer_.size(), used_ + kLongest * count));
   const double scale = spec_.scale;
-  const bool is_second = spec_.order == 2;
-  std::int64_t last = last_, expected = is_second ? change_ : 0;
+  std::int64_t last = last_, expected = kIsSecond ? change_ : 0;
   char* to = buffer_.data() + used_;
   for (const double* value = first; count > 0; --count, value += step) {
     const double scaled = *value * scale;
@@ -24,7 +26,7 @@ void Column::add(const double* first, std::size_t step, std::size_t count) {
       steps = scaled < 0.0 ? -kMostSteps : kMostSteps;
     const std::int64_t change = steps - last, d = change - expected;
     last = steps;
-    if (is_second) expected = change;
+    if constexpr (kIsSecond) expected = change;
     auto z = (static_cast<std::uint64_t>(d) << 1) ^ static_cast<std::uint64_t>(d >> 63);
     for (; z >= 0x80; z >>= 7) *to++ = static_cast<char>(z | 0x80);
     *to++ = static_cast<char>(z);
@@ -60,14 +62,6 @@ Stream::Stream(std::string name, const std::vector<ColumnSpec>& columns) : name_
   for (const ColumnSpec& column : columns) columns_.emplace_back(column);
 }
 
-void Stream::add(const double* row) {
-  const std::size_t columns = columns_.size();
-  if (rows_.size() < waiting_ + columns) rows_.resize(2 * rows_.size() + 16 * columns);
-  std::copy(row, row + columns, rows_.data() + waiting_);
-  waiting_ += columns;
-  ++count_;
-}
-
 std::vector<Column>& Stream::columns() {
   for (std::size_t i = 0; i < columns_.size(); ++i)
     columns_[i].add(rows_.data() + i, columns_.size(), waiting_ / columns_.size());
@@ -79,7 +73,7 @@ Rows Stream::take() {
   Rows rows{name_, count_, {}, {}};
   for (Column& column : columns()) {
     if (!told_) rows.columns.push_back(column.spec());
-    rows.bytes.push_back(base64(column.bytes()));
+    rows.bytes.emplace_back(column.bytes());
     column.clear();
   }
   told_ = true;

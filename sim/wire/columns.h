@@ -11,6 +11,7 @@
 // is not the last has its highest bit set.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -42,7 +43,7 @@ struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
   std::int64_t count = 0;           ///< of rows
   std::vector<ColumnSpec> columns;  ///< with the first rows of a stream; then empty
-  std::vector<std::string> bytes;   ///< for each column, in base64
+  std::vector<std::string> bytes;   ///< for each column; in a line as base64
 };
 
 template <class V>
@@ -88,6 +89,9 @@ class Column {
   void add(const double* first, std::size_t step, std::size_t count);
 
  private:
+  template <bool kIsSecond>
+  void pack(const double* first, std::size_t step, std::size_t count);
+
   ColumnSpec spec_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;  ///< of it
@@ -115,8 +119,15 @@ class Stream {
   std::size_t width() const { return columns_.size(); }
   std::vector<Column>& columns();
   std::int64_t count() const { return count_; }
-  /// One value for each column.
-  void add(const double* row);
+  /// A row, to be filled: one value for each column.
+  double* add() {
+    const std::size_t begin = waiting_;
+    waiting_ += columns_.size();
+    if (rows_.size() < waiting_) rows_.resize(2 * rows_.size() + 16 * columns_.size());
+    ++count_;
+    return rows_.data() + begin;
+  }
+  void add(const double* row) { std::copy(row, row + columns_.size(), add()); }
   /// The rows since the last call.
   Rows take();
 

@@ -41,7 +41,7 @@ struct Line {
 };
 
 /// Throws RunnerError, quoting the line, if it is none of the protocol's. Keys that are not known are
-/// skipped.
+/// skipped. Behind the line of a Batch its bytes follow.
 Line parse_line(std::string_view text);
 
 /// The first line of a runner, `program`. Throws RunnerError, with a sentence for people, if that is no
@@ -65,6 +65,7 @@ Asked<Request> parse_request(std::string_view text);
 Asked<DrivenRequest> parse_driven_request(std::string_view text);
 Asked<LiveRequest> parse_live_request(std::string_view text);
 
+/// Of a Batch with its bytes.
 std::string to_line(const Id& id, const Answer& answer);
 
 }  // namespace robosim::wire

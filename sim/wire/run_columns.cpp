@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/base/base64.h"
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
@@ -50,8 +49,7 @@ std::vector<Sample> PoseReader::take(const Columns& columns) {
     const auto count = static_cast<std::size_t>(rows.count);
     std::vector<std::vector<std::int64_t>> values;
     for (std::size_t i = 0; i < std::min(readers_.size(), rows.bytes.size()); ++i)
-      if (auto column = readers_[i].read(from_base64(rows.bytes[i]), count))
-        values.push_back(std::move(*column));
+      if (auto column = readers_[i].read(rows.bytes[i], count)) values.push_back(std::move(*column));
     if (values.size() != kPose) return {};  // the recorder says what is wrong with them
     const auto at = [&](std::size_t column, std::size_t row) {
       return static_cast<double>(values[column][row]) / specs_[column].scale;
@@ -80,11 +78,22 @@ void RunColumns::begin(const std::vector<std::string>& readings) {
 
 void RunColumns::add(const Sample& s) {
   if (samples_.empty()) return;
-  row_.assign({static_cast<double>(s.t_us), s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left,
-               s.right, s.wheels_mm_s[0], s.wheels_mm_s[1]});
-  row_.insert(row_.end(), s.readings.begin(), s.readings.end());
-  row_.resize(samples_[0].width());
-  samples_[0].add(row_.data());
+  const std::array<double, 10> first = {static_cast<double>(s.t_us),
+                                        s.x_mm,
+                                        s.y_mm,
+                                        s.yaw_rad,
+                                        s.speed_mm_s,
+                                        s.cross_track_mm,
+                                        s.left,
+                                        s.right,
+                                        s.wheels_mm_s[0],
+                                        s.wheels_mm_s[1]};
+  const std::size_t known = std::min(s.readings.size(), samples_[0].width() - first.size());
+  double* row = samples_[0].add();
+  double* const end = row + samples_[0].width();
+  row = std::copy(first.begin(), first.end(), row);
+  row = std::copy_n(s.readings.begin(), known, row);
+  std::fill(row, end, 0.0);
 }
 
 void RunColumns::change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source) {
@@ -111,8 +120,9 @@ void RunColumns::add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, dou
 void RunColumns::add_volts(std::size_t pin, std::int64_t t_ns, double volts) {
   Changes& changes = volts_.at(pin);
   if (changes.last[0] >= 0.0 && changes.last[1] == volts) return;
-  const double row[] = {static_cast<double>(t_ns), volts};
-  changes.stream.add(row);
+  double* row = changes.stream.add();
+  row[0] = static_cast<double>(t_ns);
+  row[1] = volts;
   changes.last = {row[0], volts};
 }
 

@@ -69,7 +69,6 @@ class RunColumns {
 
   std::vector<Stream> samples_;  ///< one, once it has begun
   std::vector<Changes> pins_, volts_;
-  std::vector<double> row_;
   std::map<std::tuple<std::string, int, std::string>, int> sources_;  ///< their numbers
   std::vector<SourceLine> new_sources_;
 };

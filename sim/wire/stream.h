@@ -243,15 +243,19 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "of 127.0.0.1, where the runner listens now");
 }
 
-/// Many events in one line (batch.h), of runs that are asked for them. Who hears a run gets these one by one.
+/// Many events at once (batch.h), of runs that are asked for them: bytes as they are, behind the line that
+/// says how many. Who hears a run gets the events one by one.
 struct Batch {
   static constexpr const char* kEvent = "batch";
-  std::string bytes;
+  static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
+  std::int64_t size = 0;   ///< in a line that was read: so many bytes follow
+  std::string bytes = {};  ///< to be written
 };
 
 template <class V>
 void fields(V& v, Same<V, Batch>& b) {
-  v("bytes", b.bytes, "events, one behind the other, in base64");
+  v("size", b.size, "so many bytes follow the line, and the next line follows them",
+    {.least = 0, .most = Batch::kMost_bytes});
 }
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,

@@ -37,7 +37,7 @@ TEST(Columns, GoOnWhereTheLastPieceEnded) {
     stream.add(&t);
     const Rows rows = stream.take();
     EXPECT_EQ(rows.columns.empty(), t > 0) << "told once";
-    const auto read = reader.read(from_base64(rows.bytes[0]), 1);
+    const auto read = reader.read(rows.bytes[0], 1);
     ASSERT_TRUE(read);
     EXPECT_THAT(*read, ElementsAre(t));
   }
@@ -82,24 +82,26 @@ TEST(RunColumns, NameTheLineThatDrivesAPinOnce) {
   EXPECT_THAT(next.sources, IsEmpty());
   ASSERT_EQ(first.streams[0].columns.back().name, "source");
   ColumnReader reader(1);
-  EXPECT_THAT(*reader.read(from_base64(first.streams[0].bytes.back()), 2), ElementsAre(1, 2));
-  EXPECT_THAT(*reader.read(from_base64(next.streams[0].bytes.back()), 2), ElementsAre(2, 0));
+  EXPECT_THAT(*reader.read(first.streams[0].bytes.back(), 2), ElementsAre(1, 2));
+  EXPECT_THAT(*reader.read(next.streams[0].bytes.back(), 2), ElementsAre(2, 0));
 }
 
-TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
-  const std::string longer(100, 'q'), hostile = "no base64: \" \\ \x01 ü, and long enough to be cut out";
+TEST(ALineOfColumns, IsJsonWithBase64AndIsReadBack) {
+  const std::string longer(100, 'q'), odd = "\n\" \\ \x01 \xFF, and more of it than is left in the line";
   const Columns columns{{{"samples",
                           2,
                           {{"t_us", 1, 2}, {"a name \"in\" quotes, of more than 24 letters", 10, 1}},
-                          {longer, "AA=="}},
-                         {"pin D2", 1, {}, {longer + "/+", hostile}},
+                          {longer, std::string(1, '\0')}},
+                         {"pin D2", 1, {}, {longer + "/+", odd}},
                          {"none", 0, {}, {}}},
                         0,
                         {{"loop", "Blink.ino", 7}, {"", "a \"name\", and a long one.h", 1}}};
   const std::string line = to_line(Id(std::int64_t{7}), Answer(Event(columns)));
-  const auto json = nlohmann::json::parse(line), same = nlohmann::json::parse(text_of(to_json(columns)));
-  EXPECT_EQ(json["streams"], same["streams"]);
-  EXPECT_EQ(json["sources"], same["sources"]);
+  const auto json = nlohmann::json::parse(line);
+  EXPECT_EQ(json["streams"][0]["columns"],
+            nlohmann::json::parse(text_of(to_json(columns.streams[0].columns))));
+  EXPECT_EQ(json["streams"][1]["bytes"], nlohmann::json({base64(longer + "/+"), base64(odd)}));
+  EXPECT_EQ(json["sources"], nlohmann::json::parse(text_of(to_json(columns.sources))));
   const Line read = parse_line(line);
   EXPECT_EQ(read.id, 7);
   const auto& streams = std::get<Columns>(std::get<Event>(read.content)).streams;
@@ -108,8 +110,8 @@ TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
   ASSERT_THAT(sources, SizeIs(2));
   EXPECT_EQ(sources[1].file, columns.sources[1].file);
   EXPECT_EQ(streams[0].columns[1].name, columns.streams[0].columns[1].name);
-  EXPECT_THAT(streams[0].bytes, ElementsAre(longer, "AA=="));
-  EXPECT_THAT(streams[1].bytes, ElementsAre(longer + "/+", hostile));
+  EXPECT_THAT(streams[0].bytes, ElementsAre(longer, std::string(1, '\0')));
+  EXPECT_THAT(streams[1].bytes, ElementsAre(longer + "/+", odd));
 
   const Columns plain{
       {{"samples", 2, {{"of a column, a name of many letters", 1, 2}}, {longer, longer + "2"}}}};
@@ -117,6 +119,9 @@ TEST(ALineOfColumns, IsWhatTheSameJsonWouldBeAndIsReadBack) {
   const auto& rows = std::get<Columns>(std::get<Event>(again.content)).streams[0];
   EXPECT_EQ(rows.columns[0].name, plain.streams[0].columns[0].name);
   EXPECT_THAT(rows.bytes, ElementsAre(longer, longer + "2"));
+  EXPECT_THROW(
+      parse_line(R"({"id":1,"event":"columns","streams":[{"stream":"s","count":1,"bytes":["no base64"]}]})"),
+      RunnerError);
 }
 
 TEST(PinLevels, ArePulsingWhereEdgesAreTooFastToBeTold) {
