@@ -228,7 +228,11 @@ class Page {
 
   stepEvent(direction) {
     const happened = this.player.stepEvent(direction);
-    $('happened').textContent = happened.map((e) => e.text).join(' · ');
+    this.tellHappened(happened.map((e) => e.text).join(' · '));
+  }
+
+  tellHappened(text) {
+    if ($('happened').textContent !== text) $('happened').textContent = text;
   }
 
   toggleFollow() {
@@ -335,7 +339,9 @@ class Page {
     play.setAttribute('aria-label', player.playing ? 'pause' : 'play');
     $('speed').value = player.speed;
     this.now.move(player.t);
-    if (player.playing || run.live) $('happened').textContent = run.events.findLast((e) => e.t <= player.t)?.text ?? '';
+    // Read out where somebody steps, not all the way along.
+    $('happened').setAttribute('aria-live', player.playing ? 'off' : 'polite');
+    if (player.playing || run.live) this.tellHappened(run.events.findLast((e) => e.t <= player.t)?.text ?? '');
     span.follow();
     this.drawFloor();
     this.timeline.move();

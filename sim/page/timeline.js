@@ -134,6 +134,7 @@ export class Timeline {
 
   move() {
     this.head.style.transform = `translateX(${this.xOf(this.player.t)}px)`;
+    if (this.player.playing) return;  // who listens would hear nothing else
     this.canvas.setAttribute('aria-valuenow', this.player.t.toFixed(3));
     this.canvas.setAttribute('aria-valuetext', timeText(this.player.t));
   }
