@@ -15,7 +15,7 @@ namespace robosim::record {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
-constexpr std::size_t kLongestLine = kLongestNumber + 16;
+constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
 
 // Printable characters, the shortest first.
 std::string identifier(std::size_t number) {
@@ -71,7 +71,7 @@ void VcdRecorder::change(std::int64_t t_ns, std::uint32_t signal, double value) 
   if (signal == kNone) return;
   const std::size_t line = lines_.size();
   char text[kLongestLine];
-  lines_.append(text, write(text, signals_[signal], value));
+  lines_.append(text, static_cast<std::size_t>(write(text, signals_[signal], value) - text));
   changes_.push_back({t_ns, value, signal, static_cast<std::uint32_t>(lines_.size() - line), line});
 }
 
@@ -166,7 +166,7 @@ std::string VcdRecorder::text() const {
     std::stable_sort(sorted.begin(), sorted.end(), is_before);
   }
   const std::size_t begin = out.size();
-  out.resize(begin + lines_.size() + (changes_.size() + 1) * kLongestLine);
+  out.resize(begin + lines_.size() + (changes_.size() + 1) * kLongestTime);
   char* to = out.data() + begin;
   std::int64_t now = 0;
   const auto go_to = [&](std::int64_t t_ns) {
