@@ -117,9 +117,10 @@ export async function readRecording(bytes) {
   let header;
   try {
     header = JSON.parse(new TextDecoder().decode(all.subarray(0, end)));
-  } catch {
+  } catch {}
+  const isThere = (key, isList) => (isList ? Array.isArray(header?.[key]) : typeof header?.[key] === 'object' && header[key]);
+  if (!isThere('streams', true) || !isThere('notes', true) || !['result', 'started', 'robot_info'].every((key) => isThere(key)))
     throw new BadFile('The recording’s header is damaged: record the run again.');
-  }
   let at = end + 1;
   const read = (infos) => {
     const streams = new Map();

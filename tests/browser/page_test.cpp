@@ -6,7 +6,9 @@
 
 #include <cmath>
 
+#include "sim/record/compressed.h"
 #include "sim/record/record_page.h"
+#include "sim/record/recording_header.h"
 #include "tests/browser/driver.h"
 
 namespace robosim::test {
@@ -388,8 +390,11 @@ TEST_F(Page, PaintsALongRunWithFewStrokes) {
 TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   const std::string good = read_file(file());
   const std::size_t at = good.find("octet-stream\">") + 14;
+  const std::string lacking = base64(record::kRecordingMagic + record::deflated("{}\n"));
   for (const auto& [broken, sentence] :
        {std::pair{good.substr(0, at) + good.substr(good.find("</script>", at)), "no recording of Robosim"},
+        std::pair{good.substr(0, at) + lacking + good.substr(good.find("</script>", at)),
+                  "header is damaged"},
         std::pair{good.substr(0, at + 2000) + good.substr(good.find("</script>", at)), "damaged or cut off"},
         std::pair{good.substr(0, at + 60) + "AAAA" + good.substr(at + 64), "damaged"},
         std::pair{good.substr(0, at + 60) + "<!!>" + good.substr(at + 64), "damaged"}}) {
@@ -409,6 +414,9 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
       const width = document.body.clientWidth;
       for (const part of document.body.querySelectorAll('header, main, footer, .stage, aside'))
         if (part.scrollWidth > part.clientWidth || part.getBoundingClientRect().right > width) faults.push(`too wide: ${part.className || part.tagName}`);
+      page.player.seek(0);
+      $('event-on').click();
+      if (!$('happened').textContent || !$('happened').getClientRects().length) faults.push('what happened is not shown');
       for (const tab of ['plots', 'pins', 'serial', 'events']) {
         $(`tab-${tab}`).click();
         for (const button of document.querySelectorAll('button, select, [role="slider"]')) {
