@@ -5,7 +5,8 @@
 namespace robosim::run {
 
 BoardDetectors::BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring)
-    : executor_(executor), state_{.outputs = {executor.board().spec(), wiring}} {
+    : executor_(executor),
+      state_{.outputs = {executor.board().spec(), wiring}, .pwm = judge::LostPwm(executor.board().spec())} {
   RobotPort& board = executor.board();
   for (Pin pin = 0; pin < board.spec().pin_count; ++pin) board.watch(pin, *this);
   board.watch_eeprom(*this);
@@ -20,6 +21,7 @@ void BoardDetectors::booted(std::uint64_t times) {
 
 void BoardDetectors::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   state_.outputs.pin_changed(pin, drive, t, executor_);
+  state_.pwm.pin_changed(pin, drive, t, executor_);
 }
 
 void BoardDetectors::eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value,
@@ -30,7 +32,7 @@ void BoardDetectors::eeprom_written(std::uint16_t address, std::uint8_t before, 
 
 std::vector<exec::Detected> BoardDetectors::found(SimTime now) const {
   std::vector<exec::Detected> all = state_.outputs.found(now);
-  for (auto&& some : {state_.wear.found(), state_.records.found()})
+  for (auto&& some : {state_.pwm.found(), state_.wear.found(), state_.records.found()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

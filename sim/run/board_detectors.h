@@ -6,6 +6,7 @@
 #include "hal/board/robot_port.h"
 #include "sim/judge/eeprom_wear.h"
 #include "sim/judge/forgotten_output.h"
+#include "sim/judge/lost_pwm.h"
 #include "sim/judge/torn_record.h"
 
 namespace robosim::run {
@@ -28,6 +29,7 @@ class BoardDetectors final : PinWatcher, EepromWatcher {
     judge::EepromWear wear;
     judge::TornRecord records;
     judge::ForgottenOutput outputs;
+    judge::LostPwm pwm;
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }

@@ -104,6 +104,9 @@ class Executor {
   virtual SourceLine source() { return activity().where; }
   /// The same, of the sketch itself where it is in a library; while an instruction or call is going on.
   virtual SourceLine sketch_source() { return source(); }
+  /// The call of the API that is going on, as the sketch would write it; empty where its arguments are
+  /// unknown.
+  virtual std::string call_now() const { return ""; }
   /// From the next power-on, source_of() is asked for every byte that is sent, and answers for those of this
   /// span.
   virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }

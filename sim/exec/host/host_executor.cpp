@@ -365,8 +365,6 @@ void HostExecutor::look_at_silence() {
   instance_->watch(reached_ < watch_until_ && !instance_->hangs());
 }
 
-bool HostExecutor::hangs() { return instance_ && !crash_ && instance_->hangs(); }
-
 std::vector<BundledFile> HostExecutor::counters() {
   Counters all(counters_);
   if (instance_) instance_->count(all);
@@ -381,7 +379,9 @@ SimTime HostExecutor::last_call() const {
              : clocked_.to_world(state.last_call);
 }
 
+bool HostExecutor::hangs() { return instance_ && !crash_ && instance_->hangs(); }
 SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
+std::string HostExecutor::call_now() const { return instance_ ? text_of(instance_->state().call) : ""; }
 
 Activity HostExecutor::activity() {
   if (instance_) instance_->come_up();

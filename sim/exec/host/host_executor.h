@@ -37,6 +37,7 @@ class HostExecutor final : public Executor {
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SourceLine source() override;
+  std::string call_now() const override;
   SimTime last_call() const override;
   bool hangs() override;
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "sim/judge/lost_pwm.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
@@ -37,6 +38,8 @@ class Blinker final : public exec::Executor {
   const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {next_, "", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
+  std::string call_now() const override { return call; }
+  std::string call;
 
  private:
   static constexpr Pin kLed = 13;
@@ -79,6 +82,24 @@ TEST(BoardDetectors, SayNothingOfAPinThatIsHighFirstAndAnOutputThen) {
   const auto found = detected(Blinker::Led::high_first);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "eeprom_wear");
+}
+
+TEST(BoardDetectors, TellOfAnalogWriteOnAPinWithoutPwmByTheCallThatChangesIt) {
+  Blinker sketch(Blinker::Led::high_first);
+  const auto pins_of = [&](const std::string& call, Pin pin) {
+    sketch.call = call;
+    judge::LostPwm detector(sketch.board().spec());
+    for (const bool level : {false, true})
+      detector.pin_changed(pin, {PinMode::output, level, false, level * 1.0}, kSecond, sketch);
+    return detector.found();
+  };
+  const auto found = pins_of("analogWrite(7, 150)", 7);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].times, 2);
+  EXPECT_THAT(found[0].what, HasSubstr("analogWrite(7, 150)"));
+  EXPECT_THAT(pins_of("analogWrite(7, 255)", 7), IsEmpty());
+  EXPECT_THAT(pins_of("digitalWrite(7, 1)", 7), IsEmpty());
+  EXPECT_THAT(pins_of("analogWrite(5, 150)", 5), IsEmpty()) << "which has PWM";
 }
 
 TEST(BoardDetectors, CountTheWritesOfEachPowerCycle) {

@@ -1,0 +1,26 @@
+// analogWrite() on a pin without PWM, on the host (sim/exec/core/lost_pwm.h): the pin's level changes, and
+// the call that is going on is known with its arguments. Not seen are calls that change no level, as most
+// with a value below 128. Asked is for the first changes of a pin only, for pins that many pulses leave by.
+#pragma once
+
+#include <vector>
+
+#include "sim/exec/core/lost_pwm.h"
+
+namespace robosim::judge {
+
+class LostPwm {
+ public:
+  explicit LostPwm(const BoardSpec& board) : board_(&board), asked_(board.pin_count), calls_(board) {}
+
+  /// Of every pin, while `executor` runs.
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t, exec::Executor& executor);
+  std::vector<exec::Detected> found() const { return calls_.found(); }
+
+ private:
+  const BoardSpec* board_;
+  std::vector<int> asked_;  ///< by pin: how often
+  exec::LostPwmCalls calls_;
+};
+
+}  // namespace robosim::judge
