@@ -237,6 +237,12 @@ void Progress::update(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::tour) reached_ = tour_done(body);
 }
 
+bool Progress::is_settled(const world::Body& body) const {
+  const bool takes_time = contest_ || goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still;
+  return !takes_time && square(body.pose().position - checked_at_) == 0.0 &&
+         dot(body.pose().heading, checked_heading_) > kCheckTurn;
+}
+
 std::string Progress::summary() const {
   switch (goal_.kind) {
     case Goal::Kind::laps:

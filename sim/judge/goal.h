@@ -58,6 +58,8 @@ class Progress {
   /// `events`.
   void update(const world::Body& body, SimTime t, Events& events);
 
+  /// Whether the next updates would find what the last one found, while the body stays where it is.
+  bool is_settled(const world::Body& body) const;
   bool reached() const { return reached_; }
   /// One clause: what is still missing, or what was done.
   std::string summary() const;

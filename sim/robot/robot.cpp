@@ -227,13 +227,15 @@ void Robot::begin_tick(SimTime t) {
   std::erase_if(in_->state.bouncing, [](const ButtonPart* part) { return part->settled(); });
 }
 
-void Robot::end_tick(SimTime t) {
+bool Robot::end_tick(SimTime t) {
+  bool changed = false;
   for (const Side side : {world::left, world::right}) {
     WheelMotor* motor = in_->roster.motor[side];
     if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in_->view.tick_start, t);
     world::WheelCommand& last = in_->state.command[side];
     if (command.drive == last.drive && command.brake == last.brake) continue;
+    changed = true;
     last = command;
     in_->body.command(side, command);
     if (!in_->roster.differential) continue;
@@ -241,6 +243,7 @@ void Robot::end_tick(SimTime t) {
     in_->body.command(world::right, command);
   }
   if (in_->feeds()) in_->feed();
+  return changed;
 }
 
 std::optional<double> Robot::fed_volts() const {
@@ -301,6 +304,8 @@ void Robot::release(const std::string& part, SimTime t) { in_->hold(part, false,
 void Robot::send(const std::string& part, const Message& message, SimTime t) {
   in_->receiver(part).send(message, t);
 }
+
+bool Robot::has_tellers() const { return !in_->roster.tellers.empty(); }
 
 void Robot::tell(SimTime t, std::vector<Told>& told) {
   for (Teller* teller : in_->roster.tellers)

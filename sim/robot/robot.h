@@ -68,8 +68,9 @@ class Robot {
 
   /// Step (1) of a tick: parts schedule their edges from the state at `t`.
   void begin_tick(SimTime t);
-  /// Step (3): motor commands become the time average of their pins over the tick that ends at `t`.
-  void end_tick(SimTime t);
+  /// Step (3): motor commands become the time average of their pins over the tick that ends at `t`. Whether
+  /// one has changed.
+  bool end_tick(SimTime t);
 
   /// Whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
@@ -81,6 +82,8 @@ class Robot {
   /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here. (0,
   /// 0) without any.
   Vec2 sensor_midpoint() const;
+  /// Whether it has parts that tell something.
+  bool has_tellers() const;
   /// What its parts have to tell at `t`, the end of a tick.
   void tell(SimTime t, std::vector<Told>& told);
   /// Whether the last tick's commands drive a motor.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "hal/board/board_spec.h"
 #include "sim/judge/usage.h"
@@ -12,7 +13,6 @@ namespace robosim::run {
 namespace {
 
 constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
-constexpr int kSideEvery = 10;                     // ticks between two looks at which side the line is on
 constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
@@ -105,6 +105,7 @@ void Agent::begin() {
 }
 
 void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  state_.stirred = true;
   hash_.pin(pin, drive, t);
   if (drive.mode == PinMode::input_pullup) state_.was_pulled_up[pin] = true;
   if (drive.mode == PinMode::output) {
@@ -164,11 +165,6 @@ void Agent::observe(SimTime end) {
     state_.midpoint = midpoint;
     state_.cross_track = world_.floor().distance_to_line(midpoint);
   }
-  if (end > kSettling && !body_.in_hand()) {
-    state_.cross_track_squares += state_.cross_track * state_.cross_track;
-    if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
-    ++state_.cross_track_ticks;
-  }
   if (state_.cross_track > state_.shown.worst_cross_track) {
     state_.shown.worst_cross_track = state_.cross_track;
     state_.shown.worst_t = end;
@@ -176,7 +172,7 @@ void Agent::observe(SimTime end) {
   }
   if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
   if (state_.sees_line && end / kTick % kSideEvery == 0) look_to_the_side();
-  if (!state_.sees_line && robot_.has_line_sensors() && !body_.in_hand()) ++state_.off_line_ticks;
+  count_tick(end);
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
     state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
@@ -195,6 +191,16 @@ std::vector<exec::Detected> Agent::detected(SimTime t) const {
   if (board_detectors_)
     for (exec::Detected& one : board_detectors_->found(t)) all.push_back(std::move(one));
   return all;
+}
+
+void Agent::count_tick(SimTime end) {
+  if (body_.in_hand()) return;
+  if (end > kSettling) {
+    state_.cross_track_squares += state_.cross_track * state_.cross_track;
+    if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
+    ++state_.cross_track_ticks;
+  }
+  if (!state_.sees_line && robot_.has_line_sensors()) ++state_.off_line_ticks;
 }
 
 Sample Agent::sample_at(SimTime t) const {
@@ -238,9 +244,10 @@ void Agent::act(SimTime t) {
   robot_.begin_tick(t);
 }
 
-void Agent::run_firmware(SimTime end) {
+bool Agent::run_firmware(SimTime end) {
   executor_.run_until(end);
-  robot_.end_tick(end);
+  const bool steered = robot_.end_tick(end);
+  return std::exchange(state_.stirred, false) || steered || executor_.crash();
 }
 
 bool Agent::look(SimTime end) {

@@ -22,6 +22,9 @@
 
 namespace robosim::run {
 
+constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent looks at all that it ever looks at
+constexpr int kSideEvery = 10;                    ///< ticks between two looks at which side the line is on
+
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
   /// What all agents of a simulation share.
@@ -43,10 +46,23 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   // The steps of a tick, as simulation.h numbers them. All agents take a step before any takes the next.
   /// 1: what its script does at `t`; its parts schedule their edges.
   void act(SimTime t);
-  /// 2 and 3: the firmware runs to `end`, and motors get their commands.
-  void run_firmware(SimTime end);
+  /// 2 and 3: the firmware runs to `end`, and motors get their commands. Whether anything has happened since
+  /// the last time that world or judge could notice.
+  bool run_firmware(SimTime end);
   /// 4: goal and judge look at the world at `end`. Whether that gave a verdict: the agent is then finished.
   bool look(SimTime end);
+
+  // --- ticks of a robot at rest (resting.cpp) ---
+  /// Whether act(), but for its parts, and look() would find the same again in the ticks that begin between
+  /// `end`, a multiple of kRestSpan, and the time that this returns, as long as the world is still and
+  /// nothing happens: look() has just been asked at `end`. `end`: none.
+  SimTime rests_until(SimTime end) const;
+  /// 1, in such a tick.
+  void begin_rest(SimTime t) { robot_.begin_tick(t); }
+  /// 4, at the end of one.
+  void rest(SimTime end);
+  /// Behind such ticks, before anything else happens at `t`: as if it had looked all the time.
+  void catch_up(SimTime t);
 
   /// Ends its run with this verdict.
   void finish(judge::Verdict verdict, SimTime t);
@@ -86,6 +102,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     double line_side = 0.0;  ///< Robot::line_side(), when it was last seen to a side
     double steered = 0.0;  ///< then: how it steered towards it, -2..2, a running mean; below 0: away from it
     int collisions_told = 0;
+    bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
     std::string serial;
@@ -124,6 +141,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void observe(SimTime end);
   void look_for_blindness(SimTime end);
   std::vector<exec::Detected> detected(SimTime t) const;
+  void count_tick(SimTime end);
   void hear_parts(SimTime t);
   void tell_events(SimTime t);
   Sample sample_at(SimTime t) const;

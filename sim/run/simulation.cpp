@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/run/agent.h"
 #include "sim/world/world.h"
@@ -32,7 +33,12 @@ struct Simulation::Inside final : Standstill {
   }
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
-  bool tick(SimTime t);
+  bool tick(SimTime t, bool rests);
+  void catch_up(SimTime t);
+  SimTime rest_from(SimTime end) const;
+  bool wants_to_stop() const {
+    return setup.interrupted && setup.interrupted->load(std::memory_order_relaxed);
+  }
   void interrupt(SimTime t);
   void run_until(SimTime end);
   bool over() const {
@@ -49,6 +55,8 @@ struct Simulation::Inside final : Standstill {
   world::World world;
   std::vector<std::unique_ptr<Agent>> agents;
   Clock clock;
+  SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does
+  bool rested = false;      // the last tick was such a one, and nothing did
 };
 
 struct Simulation::Snapshot::Saved {
@@ -114,14 +122,22 @@ inline bool Simulation::Inside::leg_ends(SimTime t) {
   return ends;
 }
 
-// Whether somebody left while others go on.
-inline bool Simulation::Inside::tick(SimTime t) {
+// Whether somebody left while others go on. `rests`: agents are at rest.
+inline bool Simulation::Inside::tick(SimTime t, bool rests) {
   const SimTime end = t + kTick;
-  for (const auto& agent : agents) agent->act(t);
+  if (!rests) catch_up(t);
+  for (const auto& agent : agents) rests ? agent->begin_rest(t) : agent->act(t);
+  bool happens = !rests;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     note_acting(i);
-    agents[i]->run_firmware(end);
+    happens |= agents[i]->run_firmware(end);
   }
+  if (!happens) {
+    for (const auto& agent : agents) agent->rest(end);
+    rested = true;
+    return false;
+  }
+  catch_up(t);
   world.step();
   bool left = false;
   for (const auto& agent : agents) {
@@ -129,7 +145,24 @@ inline bool Simulation::Inside::tick(SimTime t) {
     agent->leave(end);
     left = true;
   }
+  if (end % kRestSpan == 0) {
+    rests_until = rest_from(end);
+  } else if (rests && !world.is_still()) {
+    rests_until = end;
+  }
   return left;
+}
+
+void Simulation::Inside::catch_up(SimTime t) {
+  if (!std::exchange(rested, false)) return;
+  for (const auto& agent : agents) agent->catch_up(t);
+}
+
+SimTime Simulation::Inside::rest_from(SimTime end) const {
+  if (!setup.leaves_rest_out || !world.is_still()) return end;
+  SimTime until = kNever;
+  for (const auto& agent : agents) until = std::min(until, agent->rests_until(end));
+  return until;
 }
 
 void Simulation::Inside::interrupt(SimTime t) {
@@ -138,12 +171,15 @@ void Simulation::Inside::interrupt(SimTime t) {
 }
 
 void Simulation::Inside::run_until(SimTime end) {
-  for (; clock.t < std::min(end, setup.limit) && !over(); clock.t += kTick) {
+  end = std::min(end, setup.limit);
+  for (; clock.t < end && !over(); clock.t += kTick) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    const bool left = tick(clock.t);
-    if (setup.interrupted && setup.interrupted->load(std::memory_order_relaxed)) interrupt(clock.t + kTick);
+    // The last one is a whole one: whoever looks at the state then finds all of it.
+    if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
+    const bool left = tick(clock.t, clock.t < rests_until);
+    if (wants_to_stop() && clock.t >= rests_until) interrupt(clock.t + kTick);
     clock.leg_over = setup.controller && (leg_ends(clock.t + kTick) || left);
   }
 }
@@ -186,6 +222,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   const Snapshot::Saved& saved = *snapshot.saved_;
   if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
   in_->clock = saved.clock;
+  in_->rests_until = 0;
   in_->world.restore(saved.world);
   for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);
 }

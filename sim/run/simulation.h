@@ -88,8 +88,9 @@ struct Setup {
   SimTime limit = kDefaultLimit;   ///< simulated
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
-  SimTime samples_every = 0;                       ///< a multiple of the tick; 0 = no samples
-  bool detect = false;                             ///< detectors watch
+  SimTime samples_every = 0;    ///< a multiple of the tick; 0 = no samples
+  bool detect = false;          ///< detectors watch
+  bool leaves_rest_out = true;  ///< of robots at rest, without a trace (resting.cpp); tests try it without
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null

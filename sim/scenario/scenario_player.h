@@ -1,6 +1,7 @@
 // Plays a scenario: fires each step when it is due, and undoes what has a duration.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -52,6 +53,13 @@ class ScenarioPlayer {
 
   /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
   void act(SimTime t, const judge::Progress& progress, judge::Events& events);
+  /// When it does something next, nobody having added steps; `t`, which is now, where it may do so at any
+  /// time.
+  SimTime next_act(SimTime t) const {
+    if (!state_.awaiting.empty() || state_.sweep || state_.tilt || changes_.go_on()) return t;
+    return std::min(state_.timed.empty() ? kNever : state_.timed.begin()->first.first,
+                    state_.undo.empty() ? kNever : state_.undo.begin()->first.first);
+  }
   /// The battery sags and recovers by itself: at the beginning of a tick it gives so many volts.
   void feed(double volts, SimTime t, judge::Events& events);
   /// A part has told something that people would see or hear.

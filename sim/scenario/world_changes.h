@@ -31,6 +31,9 @@ class WorldChanges {
     if (!state_.obstacles.empty()) move_obstacles(t);
   }
 
+  /// Whether act() may move something.
+  bool go_on() const { return !state_.obstacles.empty(); }
+
   struct Obstacle {
     grid::CellAt cell;              ///< where it was put
     int number;                     ///< the world's

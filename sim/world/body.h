@@ -186,6 +186,12 @@ class Body {
   double raised(Vec2 own) const { return stance_.axle + stance_.pitch * own.x + stance_.roll * own.y; }
   bool lifted() const { return lifted_ && !carried_; }
   bool in_hand() const { return lifted_; }  ///< lifted or carried
+  /// Whether the next tick would leave all of it as it is, on a plane floor, unless somebody does something.
+  bool is_still() const {
+    return v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 && !driven() &&
+           !lifted_ && !in_contact_ && stance_.toppled == Toppled::no &&
+           (stance_.eases || !(params_.centre_height_m > 0.0));
+  }
 
  private:
   friend class World;

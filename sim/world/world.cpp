@@ -1,5 +1,7 @@
 #include "sim/world/world.h"
 
+#include <algorithm>
+
 namespace robosim::world {
 
 World::World(const grid::Map& map)
@@ -39,6 +41,11 @@ void World::restore(const State& saved) {
   air_.restore(saved.air);
   floor_.restore(saved.patches);
   lighting_.restore(saved.lights);
+}
+
+bool World::is_still() const {
+  return ground_.plain() &&
+         std::all_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->is_still(); });
 }
 
 void World::step() {

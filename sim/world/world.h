@@ -73,6 +73,8 @@ class World {
   /// Of this world; bodies stay where they are in memory.
   void restore(const State& saved);
 
+  /// Whether step() would change nothing, unless somebody does something.
+  bool is_still() const;
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
   void step();
 

@@ -1,0 +1,41 @@
+// A robot at rest, on a floor on which nothing moves, costs next to nothing. Of its ticks only firmware and
+// parts run, poses are hashed and ticks are counted; what act() and look() would find again and again is left
+// out. Each kRestSpan they are done in full, and whenever firmware does something. What a row of looks leaves
+// behind that find the same is what its last one leaves: that is made up for before anything changes.
+#include <algorithm>
+
+#include "sim/run/agent.h"
+
+namespace robosim::run {
+
+SimTime Agent::rests_until(SimTime end) const {
+  if (setup_.controller || setup_.detect || robot_.has_tellers() || robot_.fed_volts()) return end;
+  if (finished()) return kNever;
+  const SimTime next_look = end + kRestSpan;
+  if (!progress_.is_settled(body_) || next_look - judge_.stuck_since() >= judge::kStuckAfter ||
+      next_look - executor_.last_call() >= judge::kSilentAfter)
+    return end;
+  const SimTime until = std::min(next_look - kTick, player_.next_act(end));
+  const SimTime every = setup_.samples_every;
+  return every > 0 ? std::min(until, end - end % every + every - kTick) : until;
+}
+
+void Agent::rest(SimTime end) {
+  if (finished()) return;
+  hash_.pose(body_.pose());
+  if (state_.sees_line && end / kTick % kSideEvery == 0) look_to_the_side();
+  count_tick(end);
+}
+
+void Agent::catch_up(SimTime t) {
+  if (finished()) return;
+  progress_.update(body_, t, state_.happened);
+  judge_.look({.t = t,
+               .pose = &body_.pose(),
+               .wheel_travel_m = body_.wheel_travel(),
+               .sees_line = state_.sees_line,
+               .powered = player_.powered(),
+               .last_call = t});
+}
+
+}  // namespace robosim::run

@@ -1,0 +1,190 @@
+// A run is the same, whether the ticks of robots at rest are left out or not: firmware, scripts, goals and
+// neighbours by chance.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/exec/core/board_state.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+
+namespace robosim::run {
+namespace {
+
+/// Firmware for an Uno without a compiler.
+class OnBoard : public exec::Executor {
+ public:
+  explicit OnBoard(const BoardSpec& board) : board_(board) {}
+
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
+  void power_on(SimTime t) override {
+    board_.reset(t);
+    next_ = t;
+    on_ = true;
+  }
+  void power_off(SimTime t) override {
+    board_.reset(t);
+    on_ = false;
+  }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return on_ ? std::min(next_, now_) : now_; }
+
+ protected:
+  void drive(std::initializer_list<Pin> pins, double duty, SimTime t) {
+    for (const Pin pin : pins) board_.set_drive(pin, {PinMode::output, duty > 0.0, true, duty, 0}, t);
+  }
+
+  exec::BoardState board_;
+  SimTime next_ = 0, now_ = 0;
+  bool on_ = false;
+  std::optional<exec::Crash> crash_;
+};
+
+/// Waits most of the time, and now and then drives, prints, looks or crashes.
+class Dozing final : public OnBoard {
+ public:
+  Dozing(unsigned seed, const BoardSpec& board) : OnBoard(board), random_(seed) {}
+
+  void run_until(SimTime t) override {
+    now_ = t;
+    for (; on_ && !crash_ && next_ < t; next_ += one_of({3 * kMicrosecond, kMillisecond, 7300 * kMicrosecond,
+                                                         40 * kMillisecond, 900 * kMillisecond, 2 * kSecond}))
+      act(next_);
+  }
+
+  std::string seen;
+
+ private:
+  template <class T>
+  T one_of(std::initializer_list<T> things) {
+    return things.begin()[random_() % things.size()];
+  }
+  void act(SimTime t) {
+    const Pin pin = static_cast<Pin>(random_() % board_.spec().pin_count);
+    switch (random_() % 8) {
+      case 0:
+      case 1:
+        return drive({5, 6, 7, 9}, one_of({0.3, 0.6, 1.0}), t);
+      case 2:
+      case 3:
+        return drive({5, 6, 7, 8, 9, 10}, 0.0, t);
+      case 4:
+        return board_.set_drive(pin, {one_of({PinMode::input, PinMode::output}), true, false, 1.0, 0}, t);
+      case 5:
+        return board_.send_byte(static_cast<std::uint8_t>(random_()), t);
+      case 6:
+        if (random_() % 40 == 0) crash_ = exec::Crash{"it has crashed", {}};
+        return;
+      default:
+        seen += fmt::format("{} {} ", board_.read_volts(pin, t), board_.read_level(pin, t));
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+/// Drives from a moment on.
+class Late final : public OnBoard {
+ public:
+  explicit Late(SimTime begin) : OnBoard(*find_board("uno")), begin_(begin) {}
+  void run_until(SimTime t) override {
+    if (now_ < begin_ && begin_ <= t) drive({5, 6, 7, 9}, 1.0, begin_);
+    next_ = now_ = t;
+  }
+
+ private:
+  const SimTime begin_;
+};
+
+struct Noting final : Listener {
+  void sampled(const Sample& s) override {
+    text += fmt::format("{} {} {} {} {} {}\n", s.t, s.pose.position.x, s.pose.heading.y, s.cross_track,
+                        s.left, fmt::join(s.readings, " "));
+  }
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
+    text += fmt::format("{} {} {}\n", t, pin, drive.duty);
+  }
+  void happened(const wire::RunEvent& event) override {
+    text += fmt::format("{} {}\n", event.t_ns, wire::text_of(event));
+  }
+  std::string text;
+};
+
+std::string text_of(const judge::Outcome& o) {
+  const judge::Metrics& m = o.metrics;
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", o.why, o.time, o.trace_hash, o.serial, m.distance_m,
+                     m.cross_track_rms_mm, m.cross_track_max_mm, m.off_line_s, m.collisions, m.energy_j,
+                     fmt::join(m.laps_s, " "));
+}
+
+class Resting : public testing::TestWithParam<unsigned> {};
+
+std::string run_of(unsigned seed, bool leaves_rest_out) {
+  std::mt19937 random(seed);
+  const auto one_of = [&random](std::initializer_list<const char*> words) {
+    return words.begin()[random() % words.size()];
+  };
+  const bool two = random() % 2;
+  const grid::Map map = grid::read_map(grid::find_map(two ? "oval" : one_of({"oval", "d", "warehouse"})));
+  const robot::Description robot =
+      robot::load_description(one_of({"uno5", "uno3", "pony", "nano8rc", "rover5"}));
+  std::string script;
+  for (unsigned lines = random() % 5; lines > 0; --lines)
+    script += fmt::format(
+        "at {}ms {}\n", random() % 9000,
+        two ? one_of({"place 10,2,E", "erase 4,2 22,2 for 1s", "obstacle 14,2 for 300ms", "lift for 50ms"})
+            : one_of({"lift for 400ms", "sweep 20mm for 1s", "power off for 700ms", "tilt 20deg left for 2s",
+                      "fault power sag 5V for 1s", "fault serial lost 0.5"}));
+  if (random() % 4 == 0) script += "after boot 2 lift for 100ms\n";
+  std::vector<std::unique_ptr<Dozing>> firmware;
+  std::vector<Noting> listeners(two ? 2 : 1);
+  Setup setup;
+  setup.map = &map;
+  setup.seed = seed;
+  setup.limit = 10 * kSecond + random() % 40 * kMillisecond;
+  setup.samples_every = static_cast<SimTime>(random() % 3) * 13 * kMillisecond;
+  setup.leaves_rest_out = leaves_rest_out;
+  const judge::Goal goal = judge::parse_goal(one_of({"none", "none", "tour", "still"}));
+  for (Noting& listener : listeners) {
+    firmware.push_back(std::make_unique<Dozing>(static_cast<unsigned>(random()), *robot.board));
+    setup.agents.push_back(
+        {.robot = &robot, .executor = firmware.back().get(), .goal = goal, .listener = &listener});
+  }
+  setup.agents.front().scenario = scenario::parse_scenario(script, "s.txt");
+  if (two) setup.agents.back().start = grid::parse_start(map, "20,2,E");
+  std::string all;
+  Simulation simulation(setup);
+  simulation.run_until(5 * kSecond);
+  simulation.run_until(setup.limit);
+  for (const judge::Outcome& outcome : simulation.end()) all += text_of(outcome) + '\n';
+  for (const auto& one : firmware) all += one->seen + '\n';
+  for (const Noting& listener : listeners) all += listener.text + '\n';
+  return all;
+}
+
+TEST_P(Resting, IsLeftOutWithoutATrace) {
+  for (unsigned seed = 10 * GetParam(); seed < 10 * GetParam() + 10; ++seed)
+    ASSERT_EQ(run_of(seed, true), run_of(seed, false)) << "seed " << seed;
+}
+
+TEST(RestingRobot, IsStuckThreeSecondsAfterItsLastMomentWithoutAWish) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description robot = robot::load_description("uno5");
+  Late firmware(1006 * kMillisecond + kMicrosecond);
+  run::Setup setup;
+  setup.map = &map;
+  setup.agents = {{.robot = &robot, .executor = &firmware, .goal = judge::parse_goal("none")}};
+  setup.agents.front().scenario =
+      scenario::parse_scenario("at 0s fault left stuck\nat 0s fault right stuck\n", "s.txt");
+  const judge::Outcome outcome = simulate(setup).front();
+  EXPECT_EQ(outcome.verdict, judge::Verdict::stuck) << outcome.why;
+  EXPECT_EQ(outcome.time, 4006 * kMillisecond);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Resting, testing::Range(0u, 6u));
+
+}  // namespace
+}  // namespace robosim::run
