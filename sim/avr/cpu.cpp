@@ -98,9 +98,19 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
   code_ = original_;
   marks_.resize(code_.size());
   unmarked_.resize(code_.size(), original_[words - 1].op);
+  find_time_count(used);
   for (std::uint32_t pc = 0; pc < used; ++pc) prepare(pc);
   for (const std::size_t pc : {words - 1, words, words + 1}) prepare(static_cast<std::uint32_t>(pc));
   state.sp = state.sp_watch = last_ram;
+}
+
+void Cpu::find_time_count(std::size_t words) {
+  for (std::size_t pc = 0; pc + TimeCount::kWords <= words && !time_count_; ++pc) {
+    if (original_[pc].op != Op::push) continue;
+    time_count_ = time_count_of(std::span<const std::uint8_t>(flash_).subspan(2 * pc),
+                                std::span<const Instruction>(original_).subspan(pc), ram_begin_, last_ram_);
+    time_count_pc_ = static_cast<std::uint32_t>(pc);
+  }
 }
 
 void Cpu::reset() {
@@ -274,6 +284,11 @@ Op Cpu::alone(std::uint32_t pc) const {
 // Not as one with what has a mark: run() stops there.
 Op Cpu::unmarked(std::uint32_t pc) const {
   const Op first = alone(pc);
+  if (is_in_time_count(pc) && pc == time_count_pc_) {
+    const auto begin = marks_.begin() + pc + 1;
+    if (std::none_of(begin, begin + TimeCount::kWords - 1, [](std::uint8_t mark) { return mark != 0; }))
+      return Op::count_time;
+  }
   const std::size_t behind = pc + original_[pc].words;
   if (behind >= original_.size() || marks_[behind]) return first;
   return both_of(first, alone(static_cast<std::uint32_t>(behind)));
@@ -290,6 +305,7 @@ void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
   marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
   for (std::uint32_t before = std::min(pc, 2u); before > 0; --before) prepare(pc - before);
   prepare(pc);
+  if (is_in_time_count(pc)) prepare(time_count_pc_);
 }
 
 void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }

@@ -22,6 +22,7 @@
 #include "sim/avr/cycle.h"
 #include "sim/avr/decode.h"
 #include "sim/avr/outlook.h"
+#include "sim/avr/time_count.h"
 
 namespace robosim::avr {
 
@@ -266,6 +267,10 @@ class Cpu {
  private:
   static constexpr std::uint8_t kMark = 1, kHead = 2;
 
+  void find_time_count(std::size_t words);
+  bool is_in_time_count(std::uint32_t pc) const {
+    return time_count_ && pc - time_count_pc_ < TimeCount::kWords;
+  }
   Op unmarked(std::uint32_t pc) const;
   Op alone(std::uint32_t pc) const;
   void prepare(std::uint32_t pc);
@@ -306,6 +311,8 @@ class Cpu {
   std::vector<Instruction> original_, code_;  ///< code_: as run() has it
   std::vector<Op> unmarked_;                  ///< by word: what code_ would have without marks in front of it
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
+  std::optional<TimeCount> time_count_;
+  std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;  ///< by address
   struct Shared {

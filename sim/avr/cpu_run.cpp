@@ -348,6 +348,7 @@ choose:
     DISPATCH;
   }
   CODE_OF_PAIRS
+  CODE_OF_TIME_COUNT
 
   OPERATION(sbrc, 1) SKIP_IF(!(r[i->a] & i->b));
   OPERATION(sbrs, 1) SKIP_IF(r[i->a] & i->b);

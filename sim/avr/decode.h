@@ -56,6 +56,8 @@ namespace robosim::avr {
   X(lds_ram) X(sts_ram) \
   /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
   X(count_down) \
+  /* all of a TimeCount, but for its RETI */ \
+  X(count_time) \
   ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_AS_ONE, X)
 
 enum class Op : std::uint8_t {

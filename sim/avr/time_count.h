@@ -1,0 +1,55 @@
+// What the Arduino core does at each overflow of timer 0 (wiring.c), so that millis() goes on: the one piece
+// of code that every sketch runs a thousand times a second, also while it sleeps or waits. As avr-gcc
+// translates it, it is known by its 62 instructions, and the processor does all of them but RETI at once.
+//
+//   push r1, r0, SREG, r18, r19, r24 to r27; eor r1, r1
+//   f = fraction + step;  m = millis + few
+//   if (f >= limit) { f = fraction + carried_step;  m = millis + many }
+//   fraction = f;  millis = m;  overflows += 1
+//   pop all of them; reti
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "sim/avr/decode.h"
+
+namespace robosim::avr {
+
+struct TimeCount {
+  static constexpr std::uint32_t kWords = 74;  ///< RETI is the last of them
+  static constexpr int kPushes = 9;
+  static constexpr std::int64_t kCycles = 89;  ///< up to RETI; where the fraction carries, one more
+
+  std::uint16_t millis = 0, overflows = 0, fraction = 0;  ///< where these lie in memory
+  int last = 0;                                           ///< the last address of them
+  std::uint8_t step = 0, limit = 0, carried_step = 0, few = 0, many = 0, one = 0;
+
+  /// Counts in memory. Returns the cycles that all takes up to RETI.
+  std::int64_t count(std::uint8_t* data) const {
+    const auto sum = static_cast<std::uint8_t>(data[fraction] + step);
+    const bool carries = sum >= limit;
+    data[fraction] = carries ? static_cast<std::uint8_t>(data[fraction] + carried_step) : sum;
+    add(data + millis, carries ? many : few);
+    add(data + overflows, one);
+    return kCycles + carries;
+  }
+
+ private:
+  static void add(std::uint8_t* number, std::uint32_t n) {
+    n += static_cast<std::uint32_t>(number[0]) | static_cast<std::uint32_t>(number[1]) << 8 |
+         static_cast<std::uint32_t>(number[2]) << 16 | static_cast<std::uint32_t>(number[3]) << 24;
+    number[0] = static_cast<std::uint8_t>(n);
+    number[1] = static_cast<std::uint8_t>(n >> 8);
+    number[2] = static_cast<std::uint8_t>(n >> 16);
+    number[3] = static_cast<std::uint8_t>(n >> 24);
+  }
+};
+
+/// The handler that begins with the first of these words of flash, if it is that one, and its variables are
+/// in RAM. `code`: the same, decoded.
+std::optional<TimeCount> time_count_of(std::span<const std::uint8_t> flash, std::span<const Instruction> code,
+                                       int first_ram, int last_ram);
+
+}  // namespace robosim::avr

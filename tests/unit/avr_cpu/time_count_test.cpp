@@ -1,0 +1,104 @@
+// The core's handler of timer 0, done at once, leaves what its instructions leave, one after the other.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "hal/board/atmega328p.h"
+#include "sim/avr/cpu.h"
+
+namespace robosim::avr {
+namespace {
+
+// As the stock core has it (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. In front
+// of it `sei; rjmp .-4`, which it returns to.
+constexpr std::uint16_t kTimeProgram[] = {
+    0x9478, 0xCFFE, 0x921F, 0x920F, 0xB60F, 0x920F, 0x2411, 0x932F, 0x933F, 0x938F, 0x939F, 0x93AF, 0x93BF,
+    0x9180, 0x0105, 0x9190, 0x0106, 0x91A0, 0x0107, 0x91B0, 0x0108, 0x9130, 0x0104, 0xE023, 0x0F23, 0x372D,
+    0xF420, 0x9601, 0x1DA1, 0x1DB1, 0xC005, 0xE826, 0x0F23, 0x9602, 0x1DA1, 0x1DB1, 0x9320, 0x0104, 0x9380,
+    0x0105, 0x9390, 0x0106, 0x93A0, 0x0107, 0x93B0, 0x0108, 0x9180, 0x0100, 0x9190, 0x0101, 0x91A0, 0x0102,
+    0x91B0, 0x0103, 0x9601, 0x1DA1, 0x1DB1, 0x9380, 0x0100, 0x9390, 0x0101, 0x93A0, 0x0102, 0x93B0, 0x0103,
+    0x91BF, 0x91AF, 0x919F, 0x918F, 0x913F, 0x912F, 0x900F, 0xBE0F, 0x900F, 0x901F, 0x9518};
+constexpr std::uint32_t kTimeHandler = 2;
+constexpr Address kRamEnd = 0x8FF;
+
+class CountsTime : public testing::Test {
+ protected:
+  CountsTime() {
+    for (const std::uint16_t word : kTimeProgram) {
+      flash_.push_back(static_cast<std::uint8_t>(word));
+      flash_.push_back(static_cast<std::uint8_t>(word >> 8));
+    }
+  }
+  Cpu cpu() const {
+    Cpu made(kAtmega328p, flash_, kRamEnd);
+    made.waiting = &none_;
+    return made;
+  }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
+
+  /// In the handler, by an interrupt mostly; all else by chance.
+  void shuffle(Cpu& one) {
+    for (std::uint8_t& data : one.data) data = random_() % 3 == 0 ? 0xFF : byte();
+    one.data[0x104] = static_cast<std::uint8_t>(random_() % 128);
+    Cpu::State& state = one.state;
+    state = {};
+    state.cycle = 1000;
+    state.sp =
+        static_cast<std::uint16_t>(random_() % 8 == 0 ? 0xFE + random_() % 32 : kRamEnd - random_() % 40);
+    state.sp_watch = static_cast<std::uint16_t>(random_() % 4 == 0 ? state.sp - random_() % 12 : 0x100);
+    one.data[state.sp + 1u > kRamEnd ? kRamEnd : state.sp + 1u] = 0;
+    one.data[state.sp + 2u > kRamEnd ? kRamEnd : state.sp + 2u] = static_cast<std::uint8_t>(random_() % 2);
+    state.sreg = byte();
+    if (random_() % 8 != 0) state.sreg &= static_cast<std::uint8_t>(~Cpu::kI);
+    state.open_handlers = random_() % 8 == 0 ? 0 : 1;
+    state.pc = kTimeHandler;
+  }
+  static void expect_same(const Cpu& a, const Cpu& b) {
+    EXPECT_EQ(a.data, b.data);
+    const Cpu::State &x = a.state, &y = b.state;
+    EXPECT_EQ(std::tie(x.cycle, x.pc, x.last_pc, x.sp, x.sreg, x.held_at, x.open_handlers, x.handler_cycles),
+              std::tie(y.cycle, y.pc, y.last_pc, y.sp, y.sreg, y.held_at, y.open_handlers, y.handler_cycles));
+    EXPECT_EQ(std::tie(x.last_io, x.last_io_pc, x.jumps, x.jump_count),
+              std::tie(y.last_io, y.last_io_pc, y.jumps, y.jump_count));
+  }
+
+  std::mt19937 random_{1};
+  std::vector<std::uint8_t> flash_;
+  const std::uint64_t none_ = 0;
+};
+
+TEST_F(CountsTime, AtOnceAsItsInstructionsDo) {
+  Cpu whole = cpu(), single = cpu();
+  int counted = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    shuffle(whole);
+    single.data = whole.data;
+    single.state = whole.state;
+    const Cycle until = whole.cycle() + (random_() % 2 ? random_() % 110 : 92 + random_() % 6);
+    const std::uint8_t overflows = whole.data[0x100];
+    const Cpu::Stop stop = whole.run(until);
+    Cpu::Stop one = Cpu::Stop::reached;
+    while (single.cycle() < until && one == Cpu::Stop::reached) one = single.run(single.cycle() + 1);
+    EXPECT_EQ(stop, one);
+    expect_same(whole, single);
+    ASSERT_FALSE(HasFailure()) << "run " << i;
+    counted += whole.data[0x100] != overflows;
+  }
+  EXPECT_GT(counted, 1'000);
+}
+
+TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
+  for (const std::uint32_t place : {kTimeHandler, kTimeHandler + 1, kTimeHandler + 21, kTimeHandler + 73}) {
+    Cpu one = cpu();
+    shuffle(one);
+    one.state.open_handlers = 1;
+    one.state.sp = kRamEnd - 20;
+    one.state.sp_watch = 0x200;
+    one.set_mark(place, true);
+    ASSERT_EQ(one.run(2000), Cpu::Stop::mark);
+    EXPECT_EQ(one.pc(), place);
+  }
+}
+
+}  // namespace
+}  // namespace robosim::avr
