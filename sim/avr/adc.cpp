@@ -39,7 +39,8 @@ Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.dat
 
 Cycle Adc::edge_after(Cycle cycle) const {
   const Cycle first = state_.origin + clock() / 2;
-  return cycle < first ? first : first + ((cycle - first) / clock() + 1) * clock();
+  // A power of two.
+  return cycle < first ? first : first + ((cycle - first) & ~(clock() - 1)) + clock();
 }
 
 int Adc::trigger() const {

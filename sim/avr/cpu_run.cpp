@@ -29,7 +29,7 @@ Cpu::Stop Cpu::run(Cycle until) {
   std::uint16_t sp = 0, watch = 0;
 
 #define INLINE __attribute__((always_inline))
-  const auto pair = [&](Address low) INLINE { return static_cast<std::uint16_t>(r[low] | r[low + 1] << 8); };
+  const auto pair = [&](Address low) INLINE { return word_at(r + low); };
   const auto set_pair = [&](Address low, unsigned value) INLINE {
     r[low] = static_cast<std::uint8_t>(value);
     r[low + 1] = static_cast<std::uint8_t>(value >> 8);

@@ -17,6 +17,13 @@ constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
 constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
 
+/// Read by halves, as most are written: a processor waits where it reads a word that it has just stored so.
+inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* low) {
+  unsigned first = low[0];
+  asm("" : "+r"(first));  // not as one
+  return static_cast<std::uint16_t>(first | static_cast<unsigned>(low[1]) << 8);
+}
+
 }  // namespace robosim::avr
 
 #if defined(__EMSCRIPTEN__)

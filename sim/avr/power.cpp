@@ -1,5 +1,7 @@
 #include "sim/avr/power.h"
 
+#include <bit>
+
 #include "hal/board/avr_registers.h"
 
 namespace robosim::avr {
@@ -97,7 +99,7 @@ bool Power::sleep(Cycle at) {
   const AvrRegisters& at_chip = core_.chip.at;
   const std::uint8_t control = core_.at(at_chip.sleep);
   if (!(control & at_chip.sleep_enable)) return false;
-  const int mode = (control & at_chip.sleep_modes) / (at_chip.sleep_modes & -at_chip.sleep_modes);
+  const int mode = (control & at_chip.sleep_modes) >> std::countr_zero(unsigned{at_chip.sleep_modes});
   const bool adc_runs = mode == kIdle || mode == kNoiseReduction;
   state_.asleep = true;
   state_.slept_from = at;

@@ -74,7 +74,9 @@ class Counter {
   /// As advance(), of a regular counter, where nobody wants to know what happened.
   void pass(Cycle ticks) {
     const Cycle period = top() + Cycle{1}, value = value_ + ticks;
-    value_ = static_cast<std::uint16_t>(value < period ? value : value % period);
+    value_ = static_cast<std::uint16_t>(value < period       ? value
+                                        : value < 2 * period ? value - period
+                                                             : value % period);
   }
   /// What the next tick will return.
   std::uint8_t next_hits() const;

@@ -134,9 +134,10 @@ Resources Machine::resources() const {
 
 void Machine::run_until(SimTime t) {
   if (debug_port_) debug_port_->begin_tick();
-  if (now() < t) take_inputs(chip_.cycle());
-  while (now() < t && !chip_.fault() && !chip_.is_off()) {
-    chip_.run_to(link().cycle_at(t));
+  Cycle end = link().cycle_at(t);
+  if (chip_.cycle() < end) take_inputs(chip_.cycle());
+  for (; chip_.cycle() < end && !chip_.fault() && !chip_.is_off(); end = link().cycle_at(t)) {
+    chip_.run_to(end);
     const unsigned traps = chip_.take_traps();
     if (traps & (WatchedChip::kLoopTrap | WatchedChip::kFirstLoopTrap)) loop_began();
     if (traps & WatchedChip::kMainTrap) start_clock();

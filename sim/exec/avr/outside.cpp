@@ -33,6 +33,7 @@ Pin Outside::last_read() const {
 
 void Outside::take_inputs(Cycle now) {
   state_.expected = kNever;
+  if (board_.next_input() == kNever) return;
   BoardInput input;
   while (board_.take_input(state_.link.time_of(now), input)) {
     if (input.kind == BoardInput::Kind::byte) {
