@@ -53,7 +53,10 @@ struct View {
   world::Air* air = nullptr;
 
   /// The pose at `t`, a time inside the current tick.
-  Pose pose_at(SimTime t) const { return body->pose_after(static_cast<double>(t - tick_start) * 1e-9); }
+  Pose pose_at(SimTime t) const {
+    const bool stands = body->speed() == 0.0 && body->side_speed() == 0.0 && body->turn_rate() == 0.0;
+    return stands ? body->standing_pose() : body->pose_after(static_cast<double>(t - tick_start) * 1e-9);
+  }
 };
 
 /// What a part is made with. Outlives the part.

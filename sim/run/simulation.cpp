@@ -174,7 +174,7 @@ void Simulation::Inside::run_until(SimTime end) {
   end = std::min(end, setup.limit);
   for (; clock.t < end && !over(); clock.t += kTick) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
-    if (over()) break;
+    if (setup.controller && over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
     // The last one is a whole one: whoever looks at the state then finds all of it.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;

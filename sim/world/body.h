@@ -126,6 +126,11 @@ class Body {
   ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega,
   /// sine and cosine as polynomials (error below a^5 / 120 of the way), the heading renormalised.
   Pose pose_after(double dt_s) const;
+  /// The same, of a body that does not move: at any time in the tick.
+  Pose standing_pose() const {
+    const Vec2 h = pose_.heading;
+    return {pose_.position, h * (1.5 - 0.5 * dot(h, h))};
+  }
   double speed() const { return v_; }                     ///< m/s, forward
   double side_speed() const { return u_; }                ///< m/s, to the left; 0 unless it skids
   double turn_rate() const { return omega_; }             ///< rad/s, counter-clockwise
