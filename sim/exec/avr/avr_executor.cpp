@@ -5,6 +5,7 @@
 #include "sim/exec/avr/driven_lines.h"
 #include "sim/exec/avr/float_equality.h"
 #include "sim/exec/avr/hang.h"
+#include "sim/exec/avr/heap.h"
 #include "sim/exec/avr/loop.h"
 #include "sim/exec/avr/losses.h"
 #include "sim/exec/avr/lost_pwm.h"
@@ -45,6 +46,7 @@ class AvrExecutor::Running final : public RunningChip {
     const auto where = [this] { return diagnosis().where_now(); };
     detectors_.push_back(
         std::make_unique<avr::Losses>(machine_, image_.firmware, image_.debug, where, counted));
+    detectors_.push_back(std::make_unique<avr::Heap>(machine_, image_.firmware, where));
     detectors_.push_back(std::make_unique<avr::WatchdogMargin>(machine_, where));
     const avr::Program program{image_.firmware, image_.debug, board_};
     detectors_.push_back(std::make_unique<avr::FloatEquality>(machine_, program));

@@ -1,0 +1,113 @@
+#include "sim/exec/avr/heap.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr reg::Address kFirst = 24,
+                       kSecond16 = 22;  // where avr-gcc passes numbers of 16 bits, and returns one
+constexpr SimTime kSettled = kSecond;
+constexpr std::size_t kMostGrowths = 4096;
+// What a leak does in each third of a run.
+constexpr int kThirds = 3, kTimesInThird = 3, kBytesInThird = 8;
+
+}  // namespace
+
+Heap::Heap(Machine& machine, const Firmware& firmware, WhereNow where)
+    : machine_(machine),
+      where_(std::move(where)),
+      malloc_(firmware.find("malloc").value_or(0)),
+      realloc_(firmware.find("realloc").value_or(0)),
+      end_(firmware.find_variable("__brkval").value_or(0)) {
+  if (end_ == 0) return;
+  for (const std::uint32_t place : {malloc_, realloc_})
+    if (place != 0) machine.chip().show(*this, place);
+}
+
+std::uint16_t Heap::word(reg::Address at) const {
+  return static_cast<std::uint16_t>(machine_.chip().data(at) |
+                                    machine_.chip().data(static_cast<reg::Address>(at + 1)) << 8);
+}
+
+void Heap::visited(std::uint32_t pc, Cycle) {
+  if (asked_ && pc == asked_->returns_to && machine_.chip().sp() == asked_->sp) return answered();
+  // realloc() calls malloc(). What was asked before and has not come back by now never will, as after a
+  // reset.
+  const bool is_within =
+      asked_ && machine_.chip().sp() + machine_.chip().spec().return_address_bytes < asked_->sp;
+  if (!is_within && (pc == malloc_ || pc == realloc_)) asked(word(pc == realloc_ ? kSecond16 : kFirst));
+}
+
+void Heap::asked(std::uint16_t bytes) {
+  WatchedChip& chip = machine_.chip();
+  const auto at = static_cast<reg::Address>(chip.sp() + 1);
+  const int address_bytes = chip.spec().return_address_bytes;
+  asked_ = {chip.return_address(at), static_cast<std::uint16_t>(chip.sp() + address_bytes), bytes};
+  if (std::find(returns_.begin(), returns_.end(), asked_->returns_to) != returns_.end()) return;
+  returns_.push_back(asked_->returns_to);
+  chip.show(*this, asked_->returns_to);
+}
+
+void Heap::answered() {
+  const Asked asked = *std::exchange(asked_, std::nullopt);
+  if (word(kFirst) == 0 && asked.bytes > 0) {
+    seen_.add(
+        {"no_memory",
+         fmt::format("there was no memory for {} bytes: a String silently becomes empty, or stays as it "
+                     "was, and new gives a null pointer",
+                     asked.bytes),
+         "Keep less in RAM: print texts in the place of joining them, F(\"…\") for those that stay, a "
+         "char array of fixed size for those that change.",
+         where_(), 1e-9 * static_cast<double>(machine_.now()), 1});
+    return;
+  }
+  const std::uint16_t end = word(end_);
+  if ((!growths_.empty() && end <= growths_.back().end) || growths_.size() >= kMostGrowths) return;
+  growths_.push_back({machine_.now(), end});
+  grown_at_ = where_();
+}
+
+std::optional<Detected> Heap::growth() const {
+  const SimTime span = machine_.now() - kSettled;
+  if (growths_.empty() || span <= 0) return std::nullopt;
+  int times[kThirds] = {}, bytes[kThirds] = {};
+  std::uint16_t before = growths_.front().end;
+  for (const Growth& growth : growths_) {
+    if (growth.at > kSettled) {
+      const auto third =
+          static_cast<std::size_t>(std::min<SimTime>((growth.at - kSettled) * kThirds / span, kThirds - 1));
+      ++times[third];
+      bytes[third] += growth.end - before;
+    }
+    before = growth.end;
+  }
+  for (int third = 0; third < kThirds; ++third)
+    if (times[third] < kTimesInThird || bytes[third] < kBytesInThird) return std::nullopt;
+  const int grown = bytes[0] + bytes[1] + bytes[2];
+  const double rate = grown / (1e-9 * static_cast<double>(span));
+  const double left = std::max(0, machine_.chip().lowest_sp() - growths_.back().end);
+  Detected seen;
+  seen.detector = "heap_grows";
+  seen.what = fmt::format(
+      "the heap has grown by {} bytes, {:.0f} each second, and goes on: in some {:.0f} s it meets the stack",
+      grown, rate, left / rate);
+  seen.mend =
+      "Print a text in the place of keeping it, or keep it in a char array of fixed size; reserve() once, in "
+      "setup(); give back what new has made.";
+  seen.where = grown_at_;
+  seen.first_s = 1e-9 * static_cast<double>(growths_.front().at);
+  seen.times = times[0] + times[1] + times[2];
+  return seen;
+}
+
+std::vector<Detected> Heap::found() const {
+  std::vector<Detected> all = seen_.all();
+  if (auto grows = growth()) all.push_back(std::move(*grows));
+  return all;
+}
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,47 @@
+// A heap that grows, and memory that was not there (sim/exec/avr/heap.h).
+
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class HeapTest : public AvrTest {
+ protected:
+  void before_power_on() override { avr_->detect({}); }
+  std::vector<Detected> seen(const std::string& pass) {
+    start("String text; int n;\nvoid setup() { Serial.begin(115200); }\nvoid loop() {\n" + pass +
+          "\nSerial.println(text.length()); delay(50); }\n");
+    run(6 * kSecond);
+    return avr_->detected();
+  }
+};
+
+TEST_F(HeapTest, GrowsWhereATextIsKept) {
+  const auto found = seen("text += 'x';");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "heap_grows");
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 4);
+  EXPECT_THAT(found[0].what, HasSubstr("20 each second, and goes on: in some"));
+}
+
+TEST_F(HeapTest, HasNoMemoryForAStringThatBecomesEmpty) {
+  const auto found = seen("if (++n % 4 == 0) text.reserve(1800); else text = \"abc\";");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "no_memory");
+  EXPECT_THAT(found[0].what, HasSubstr("no memory for 1801 bytes"));
+  EXPECT_EQ(found[0].where.line, 4);
+  EXPECT_EQ(found[0].times, 30);
+}
+
+TEST_F(HeapTest, IsWellWhereTextsComeAndGo) {
+  EXPECT_THAT(seen("text = String(millis()) + \" ms\"; if (++n % 7 == 0) text += \" and a little more\";"),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace robosim::exec
