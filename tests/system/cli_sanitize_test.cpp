@@ -173,5 +173,39 @@ TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {
   EXPECT_EQ(run.status, 0) << run.out << run.err;
 }
 
+// --- detectors
+
+/// Drives to and fro, 700 ms each way; `waits` is its line 5.
+nlohmann::json detected_in(const std::string& waits) {
+  const Folder folder;
+  folder.write(
+      "Fro/Fro.ino",
+      "void way(bool ahead) {\n"
+      "  digitalWrite(7, ahead); digitalWrite(8, !ahead); digitalWrite(9, ahead); digitalWrite(10, !ahead);\n"
+      "  analogWrite(5, 80); analogWrite(6, 80);\n"
+      "  unsigned long begin = millis(), end = begin + 700;\n" +
+          waits +
+          "\n}\n"
+          "void setup() { for (int pin = 5; pin <= 10; ++pin) pinMode(pin, OUTPUT); }\n"
+          "void loop() { way(true); way(false); }\n");
+  const Ended run = robosim_command({"run", "Fro/", "--target", "avr", "--map", "oval", "--robot", "uno5",
+                                     "--goal", "none", "--for", "8s", "--sanitize", "--json"},
+                                    folder.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  return json_of(run).value("detected", nlohmann::json::array());
+}
+
+TEST(CliSanitize, TellsWhichDeadlineBreaksWhenMillisGoesBackToZero) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const nlohmann::json seen = detected_in("  while (millis() < end) {}");
+  ASSERT_EQ(seen.size(), 1u) << seen;
+  EXPECT_EQ(seen[0]["detector"], "clock_wrap");
+  EXPECT_EQ(seen[0]["file"], "Fro.ino");
+  EXPECT_EQ(seen[0]["line"], 5);
+  EXPECT_THAT(seen[0]["what"].get<std::string>(), HasSubstr("when millis() goes back to 0"));
+  const nlohmann::json none = detected_in("  while (millis() - begin < 700) {}");
+  EXPECT_TRUE(none.empty()) << none;
+}
+
 }  // namespace
 }  // namespace robosim::test

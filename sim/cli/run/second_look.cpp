@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/cli/run/wrapped_clock.h"
 #include "sim/client/interrupts.h"
 
 namespace robosim::cli {
@@ -77,7 +78,11 @@ std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunReques
   request.detect = true;
   request.image = build::build(plain).image.string();
   const client::Interrupts interrupts(runner);
-  return runner.run(request).detected;
+  const wire::RunResult second = runner.run(request);
+  std::vector<wire::Detected> all = second.detected;
+  if (sketch.target != "avr" || second.verdict == "interrupted") return all;
+  for (wire::Detected& seen : look_at_wrap(runner, request, second)) all.push_back(std::move(seen));
+  return all;
 }
 
 std::string next_of(const wire::RunResult& result) {

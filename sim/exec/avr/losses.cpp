@@ -81,12 +81,14 @@ Cycle Losses::tick() const {
 }
 
 void Losses::visited(std::uint32_t, Cycle at) {
-  const Cycle period = tick(), slept = machine_.chip().sleep_cycles();
-  const bool goes_on = flagged_ != 0 && period == period_ && slept == slept_ && period > 0;
+  const Cycle period = tick(), slept = machine_.chip().sleep_cycles(), bitten = machine_.chip().last_bite();
+  const bool goes_on =
+      flagged_ != 0 && period == period_ && slept == slept_ && bitten == bitten_ && period > 0;
   const Cycle passed = goes_on ? (at - flagged_) / period : 0;
   flagged_ = passed > 0 ? std::min(flagged_ + passed * period, at) : at;
   period_ = period;
   slept_ = slept;
+  bitten_ = bitten;
   if (passed > 1) ticks_lost(static_cast<std::int64_t>(passed - 1), at);
 }
 

@@ -56,7 +56,7 @@ class Losses final : public Detector {
   std::map<int, Pin> pins_;                                     ///< by vector
   std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place in the code
   Cycle flagged_ = 0;  ///< when timer 0 overflowed last, or a little earlier; 0 = not known
-  Cycle period_ = 0, slept_ = 0;
+  Cycle period_ = 0, slept_ = 0, bitten_ = 0;
   Sightings seen_;
 };
 

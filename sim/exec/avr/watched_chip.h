@@ -139,6 +139,8 @@ class WatchedChip final : robosim::avr::Visitor {
   Saved save() const { return {state_, chip_.save()}; }
   void restore(const Saved& saved);
 
+  /// When the watchdog has reset it last; 0 = never.
+  Cycle last_bite() const { return state_.last_bite; }
   /// The surroundings say that the chip has reset itself.
   void was_reset();
 

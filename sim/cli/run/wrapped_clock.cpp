@@ -1,0 +1,199 @@
+#include "sim/cli/run/wrapped_clock.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "sim/base/bundle.h"
+#include "sim/base/file.h"
+#include "sim/client/interrupts.h"
+
+namespace robosim::cli {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kMillisecond = 1'000'000, kSecond = 1'000 * kMillisecond;
+constexpr std::int64_t kMillisWrap = (std::int64_t{1} << 32) * kMillisecond;
+constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
+// So much lower a clock does not go back to 0 in the run, nor micros(), and millis() % 1000 is the same.
+constexpr std::int64_t kLower = 2000 * kSecond;
+constexpr std::size_t kMostMoments = 6;
+constexpr std::int64_t kBehindChange = 30 * kMillisecond;
+constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
+constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
+constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
+// A pin that is driven so much more often is driven in another way.
+constexpr int kFewChanges = 8, kManyTimes = 8;
+constexpr std::size_t kMostChanges = 100'000;
+
+/// What a run looked like.
+struct Look {
+  wire::RunResult result;
+  std::vector<wire::Sample> samples;
+  std::map<std::string, std::vector<std::int64_t>> changes;  ///< of each pin, when
+};
+
+Look run(client::Runner& runner, wire::RunRequest request, std::int64_t clock) {
+  request.clock_ns = clock;
+  request.pins = true;
+  request.samples_every_ns = kSamplesEvery;
+  Look look;
+  look.result = runner.run(request, [&](const wire::Event& event) {
+    if (const auto* sample = std::get_if<wire::Sample>(&event)) look.samples.push_back(*sample);
+    if (const auto* pin = std::get_if<wire::PinChange>(&event))
+      if (auto& times = look.changes[pin->pin]; times.size() < kMostChanges) times.push_back(pin->t_ns);
+  });
+  return look;
+}
+
+bool drives_otherwise(const Look& a, const Look& b, std::int64_t until) {
+  for (std::size_t i = 0; i < std::min(a.samples.size(), b.samples.size()); ++i) {
+    if (a.samples[i].t_us * 1000 > until) return false;
+    if (std::hypot(a.samples[i].x_mm - b.samples[i].x_mm, a.samples[i].y_mm - b.samples[i].y_mm) >
+        kSameWay_mm)
+      return true;
+  }
+  return false;
+}
+
+int changes_behind(const Look& look, const std::string& pin, std::int64_t moment) {
+  const auto found = look.changes.find(pin);
+  if (found == look.changes.end()) return 0;
+  const auto& times = found->second;
+  return static_cast<int>(times.end() - std::upper_bound(times.begin(), times.end(), moment));
+}
+
+bool changes_more(const Look& a, const Look& b, std::int64_t moment) {
+  return std::any_of(a.changes.begin(), a.changes.end(), [&](const auto& pin) {
+    const int count = changes_behind(a, pin.first, moment);
+    return count >= kFewChanges && count > kManyTimes * changes_behind(b, pin.first, moment);
+  });
+}
+
+bool differ(const Look& a, const Look& b, std::int64_t moment) {
+  if (a.result.trace_hash == b.result.trace_hash) return false;
+  return a.result.verdict != b.result.verdict || drives_otherwise(a, b, moment + kBehind) ||
+         changes_more(a, b, moment) || changes_more(b, a, moment);
+}
+
+/// Of a sketch that does not look at how long it has been on.
+bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
+  const double far = a.metrics.distance_m, other = b.metrics.distance_m;
+  return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
+}
+
+/// Shortly after the sketch has driven a pin, before it drives none for long: there it may wait.
+std::vector<std::int64_t> moments_in(const Look& usual) {
+  std::vector<std::int64_t> changes;
+  for (const auto& [pin, times] : usual.changes) changes.insert(changes.end(), times.begin(), times.end());
+  std::sort(changes.begin(), changes.end());
+  std::vector<std::pair<std::int64_t, std::int64_t>> quiet;  // how long, and from when on
+  for (std::size_t i = 0; i + 1 < changes.size(); ++i)
+    quiet.emplace_back(changes[i + 1] - changes[i], changes[i]);
+  std::sort(quiet.rbegin(), quiet.rend());
+  const auto end = static_cast<std::int64_t>(usual.result.time_s * 1e9);
+  std::vector<std::int64_t> moments = {end / 2 / kMillisecond * kMillisecond};
+  for (const auto& [length, from] : quiet) {
+    const std::int64_t moment = (from + kBehindChange) / kMillisecond * kMillisecond;
+    if (moments.size() >= kMostMoments || length < 2 * kBehindChange) break;
+    if (from > kSettled && moment < end - kSettled) moments.push_back(moment);
+  }
+  return moments;
+}
+
+/// How often lines ran until shortly behind the moment.
+std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire::RunRequest request,
+                                                    std::int64_t clock, std::int64_t moment) {
+  const fs::path file = fs::temp_directory_path() / fmt::format("robosim-lines-{}", ::getpid());
+  request.clock_ns = clock;
+  request.for_ns = std::min(request.for_ns, moment + kCounted);
+  request.counters = file.string();
+  std::map<std::pair<std::string, int>, double> counts;
+  runner.run(request);
+  std::error_code none;
+  if (!fs::exists(file, none)) return counts;
+  const std::string bundle = read_file(file);
+  fs::remove(file, none);
+  for (const BundledFile& part : unpack(bundle)) {
+    std::istringstream text(part.content);
+    int line = 0;
+    double count = 0.0;
+    for (std::string name; text >> line >> count && std::getline(text >> std::ws, name);)
+      counts[{name, line}] = count;
+  }
+  return counts;
+}
+
+/// The line that differs most in how often it ran.
+struct Other {
+  wire::SourceLine where;
+  double wrapped = 0.0, other = 0.0;
+};
+std::optional<Other> line_that_differs(client::Runner& runner, const wire::RunRequest& request,
+                                       std::int64_t clock, std::int64_t moment) {
+  const auto wrapped = lines(runner, request, clock, moment);
+  auto other = lines(runner, request, clock - kLower, moment);
+  std::optional<Other> most;
+  double least = 0.0;
+  for (const auto& [place, count] : wrapped) {
+    const double difference = std::abs(count - other[place]);
+    if (difference <= least) continue;
+    least = difference;
+    most = Other{{"", place.first, place.second}, count, other[place]};
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunRequest request,
+                                         const wire::RunResult& first) {
+  const auto lasted = static_cast<std::int64_t>(first.time_s * 1e3) * kMillisecond;
+  if (request.clock_ns != 0 || lasted < kShortest || lasted > kLongest) return {};
+  request.detect = false;
+  const Look some = run(runner, request, kMillisWrap - kLower);
+  if (!is_alike(some.result, first)) return {};
+  for (const std::int64_t moment : moments_in(some)) {
+    const std::int64_t clock = kMillisWrap - moment;
+    const Look wrapped = run(runner, request, clock);
+    if (client::Interrupts::count() > 0) return {};
+    if (!differ(wrapped, some, moment)) continue;
+    const Look usual = run(runner, request, clock - kLower);
+    if (!differ(wrapped, usual, moment)) continue;
+    const Look micros = run(runner, request, kMicrosWrap - moment);
+    const bool by_micros = differ(micros, run(runner, request, kMicrosWrap - moment - kLower), moment);
+    if (client::Interrupts::count() > 0) return {};
+    const auto place = line_that_differs(runner, request, clock, moment);
+    wire::Detected seen;
+    seen.detector = "clock_wrap";
+    const bool ends_otherwise = wrapped.result.verdict != usual.result.verdict;
+    seen.what = fmt::format(
+        "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot does something else{}",
+        by_micros ? "micros()" : "millis()", by_micros ? "71.6 minutes" : "49.7 days",
+        1e-9 * static_cast<double>(moment),
+        ends_otherwise ? fmt::format(": {} in the place of {}", wrapped.result.verdict, usual.result.verdict)
+                       : "");
+    if (place)
+      seen.what += fmt::format("; in the second behind that, this line runs {:.0f} times {}",
+                               std::abs(place->wrapped - place->other),
+                               place->wrapped > place->other ? "more" : "less");
+    seen.mend =
+        "Compare durations, not moments: millis() - start >= N, with unsigned long start, in the place of "
+        "millis() >= start + N.";
+    if (place) seen.where = place->where;
+    seen.first_s = 1e-9 * static_cast<double>(moment);
+    return {seen};
+  }
+  return {};
+}
+
+}  // namespace robosim::cli
