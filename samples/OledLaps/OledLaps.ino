@@ -54,7 +54,7 @@ void setup() {
   delay(1000);
 }
 
-unsigned long next = 0;
+unsigned long last = 0;
 void loop() {
   bool l = digitalRead(A0), m = digitalRead(A1), r = digitalRead(A2);
   int speedL = 115, speedR = 115;
@@ -65,8 +65,8 @@ void loop() {
   analogWrite(leftPwm, abs(speedL));
   analogWrite(rightPwm, abs(speedR));
 
-  if (millis() >= next) {
-    next += 1000;
+  if (millis() - last >= 1000) {
+    last += 1000;
     char line[12];
     sprintf(line, "TIME %3lu S", millis() / 1000);
     at(2, 0);

@@ -33,6 +33,7 @@ constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond,
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
 // A pin that is driven so much more often is driven in another way.
 constexpr int kFewChanges = 8, kManyTimes = 8;
+constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
 
 /// What a run looked like.
@@ -146,7 +147,7 @@ std::optional<Other> line_that_differs(client::Runner& runner, const wire::RunRe
   double least = 0.0;
   for (const auto& [place, count] : wrapped) {
     const double difference = std::abs(count - other[place]);
-    if (difference <= least) continue;
+    if (difference <= least || place.first.starts_with(kLibraries)) continue;
     least = difference;
     most = Other{{"", place.first, place.second}, count, other[place]};
   }
