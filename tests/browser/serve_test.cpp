@@ -183,11 +183,12 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  EXPECT_THAT(browser()
-                  .run("$('run').click(); await until(() => $('state').textContent.includes('gone')); "
-                       "return $('state').textContent;")
-                  .get<std::string>(),
-              HasSubstr("start robosim serve again"));
+  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // to who looks on, too
+    EXPECT_THAT(browser()
+                    .run(std::string(deed) + "await until(() => $('state').textContent.includes('gone')); "
+                                             "return $('state').textContent;")
+                    .get<std::string>(),
+                HasSubstr("start robosim serve again"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ import { post, Watch } from '/watch.js';
 const $ = (id) => document.getElementById(id);
 let running = null;   // its AbortController
 let watching = null;  // a Watch
+let isLost = false;   // nobody answers
 
 function options(select, names, first) {
   const before = select.value;
@@ -123,9 +124,8 @@ async function underWay(state, work) {
     await work(mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
-    const gone = error instanceof TypeError;  // what fetch throws where nobody answers
-    $('state').textContent = gone ? 'the server is gone: start robosim serve again' : '';
-    if (gone) comeBack();
+    $('state').textContent = '';
+    if (error instanceof TypeError) lose();  // what fetch throws where nobody answers
     else say(`${error.message}\n`, true);
   } finally {
     if (running === mine) { running = null; $('stop').hidden = true; }
@@ -161,15 +161,24 @@ function conclude(done, said, moment) {
 }
 
 /** Until the server answers again. */
-function comeBack() {
+function lose() {
+  $('state').textContent = 'the server is gone: start robosim serve again';
+  if (isLost) return;
+  isLost = true;
   const again = setInterval(async () => {
     try {
       await list();
       clearInterval(again);
+      isLost = false;
       $('state').textContent = 'the server is back';
     } catch { /* not yet */ }
   }, 1000);
 }
+
+// Who only looks on is told, too.
+setInterval(() => {
+  if (!document.hidden && !running && !isLost) fetch('/bench.css', { cache: 'no-store' }).catch(lose);
+}, 2000);
 
 $('sketch').addEventListener('change', targets);
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
