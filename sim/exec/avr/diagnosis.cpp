@@ -14,7 +14,6 @@ namespace robosim::exec::avr {
 namespace {
 
 constexpr std::size_t kMostCalls = 10;
-constexpr const char* kLibraries = "libraries/";  // where the files of libraries are, for debug information
 
 bool is_jump(const Fault& fault) {
   return fault.kind == Fault::Kind::bad_jump || fault.kind == Fault::Kind::restart;
@@ -52,18 +51,13 @@ SourceLine Diagnosis::where_now() const {
 }
 
 SourceLine Diagnosis::sketch_line() const {
-  const auto own = [&](std::uint32_t pc) -> SourceLine {
-    for (SourceLine& frame : debug_.frames(pc))
-      if (!is_core_file(frame.file) && !frame.file.starts_with(kLibraries)) return std::move(frame);
-    return {};
-  };
-  SourceLine where = own(machine_.chip().last_pc());
-  if (where.file.empty())
+  const SourceLine* where = &debug_.sketch_place(machine_.chip().last_pc());
+  if (where->file.empty())
     machine_.stack().each_call(0, [&](const Stack::Call& call) {
-      where = own(call.pc);
-      return !where.file.empty();
+      where = &debug_.sketch_place(call.pc);
+      return !where->file.empty();
     });
-  return where.file.empty() ? where_now() : where;
+  return where->file.empty() ? where_now() : *where;
 }
 
 std::string Diagnosis::jump_text(const Fault& fault) const {

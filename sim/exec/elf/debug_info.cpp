@@ -203,15 +203,27 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
   return frames;
 }
 
-const SourceLine& DebugInfo::place(std::uint32_t pc) const {
-  const auto [known, fresh] = places_.try_emplace(pc);
-  if (!fresh) return known->second;
+template <class Wanted>
+const SourceLine& DebugInfo::first(std::map<std::uint32_t, SourceLine>& places, std::uint32_t pc,
+                                   Wanted wanted) const {
+  const auto [known, is_new] = places.try_emplace(pc);
+  if (!is_new) return known->second;
   for (SourceLine& frame : frames(pc)) {
-    if (is_core_file(frame.file)) continue;
+    if (!wanted(frame.file)) continue;
     known->second = std::move(frame);
     break;
   }
   return known->second;
+}
+
+const SourceLine& DebugInfo::place(std::uint32_t pc) const {
+  return first(places_, pc, [](const std::string& file) { return !is_core_file(file); });
+}
+
+const SourceLine& DebugInfo::sketch_place(std::uint32_t pc) const {
+  return first(sketch_places_, pc, [](const std::string& file) {
+    return !is_core_file(file) && !file.starts_with("libraries/");
+  });
 }
 
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {

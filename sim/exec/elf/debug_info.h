@@ -32,6 +32,8 @@ class DebugInfo {
   std::vector<SourceLine> frames(std::uint32_t pc) const;
   /// Of frames() the first that is the user's; empty if none is. Looked up once for each `pc`.
   const SourceLine& place(std::uint32_t pc) const;
+  /// The same of the sketch itself, not of libraries.
+  const SourceLine& sketch_place(std::uint32_t pc) const;
 
   struct Range {
     std::uint32_t begin = 0, end = 0;
@@ -56,10 +58,13 @@ class DebugInfo {
   std::vector<CodeLine> lines() const;
 
  private:
+  template <class Wanted>
+  const SourceLine& first(std::map<std::uint32_t, SourceLine>& places, std::uint32_t pc, Wanted wanted) const;
+
   std::string content_;  ///< all of the file: nothing is read later, when the process may have no files
   Elf* elf_ = nullptr;
   Dwarf* dwarf_ = nullptr;
-  mutable std::map<std::uint32_t, SourceLine> places_;
+  mutable std::map<std::uint32_t, SourceLine> places_, sketch_places_;
 };
 
 /// Whether debug information names this file for code that is not the user's: the core, the C library,
