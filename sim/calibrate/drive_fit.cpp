@@ -18,8 +18,8 @@ constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 
 /// The share of a figure that its spread in the file is, as a standard deviation.
-double held_sd(const robot::Number& number) {
-  const robot::Spread now = number.in(Profile::typical_2);
+double held_sd(const Number& number) {
+  const Spread now = number.in(Profile::typical_2);
   return now.value > 0.0 ? now.spread / (now.value * std::numbers::sqrt3) : 0.0;
 }
 

@@ -13,7 +13,7 @@ constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 constexpr double kKgCm = 0.0980665;
 constexpr double kGCm2 = 1e-7;
 
-double before_of(const robot::Number& number) { return number.in(Profile::typical_2).value; }
+double before_of(const Number& number) { return number.in(Profile::typical_2).value; }
 
 /// Decimals that show two digits of the spread.
 int decimals(double spread) {
@@ -89,7 +89,7 @@ std::vector<Figure> figures_of(const SweepFit& fit, const robot::Description& ro
   for (const PartFit& part : fit.parts) {
     const robot::ReflectanceSpec& spec = *part.part;
     const bool rc = spec.read == robot::ReflectanceSpec::Read::rc;
-    const robot::Spread height = spec.height.in(Profile::typical_2);
+    const Spread height = spec.height.in(Profile::typical_2);
     const double light = robot::light_from(height.value, Profile::typical_2);
     const double light_sd =
         std::fabs(robot::light_from(height.value + height.spread, Profile::typical_2) -
@@ -122,8 +122,8 @@ std::vector<Figure> figures_of(const SweepFit& fit, const robot::Description& ro
     for (const auto& element : spec.elements) {
       const auto seen = std::find_if(part.elements.begin(), part.elements.end(),
                                      [&](const ElementFit& e) { return e.name == element.name; });
-      const auto own = [](const robot::Number& number) {
-        const robot::Spread now = number.in(Profile::typical_2);
+      const auto own = [](const Number& number) {
+        const Spread now = number.in(Profile::typical_2);
         return Found{now.value, 0.5 * now.spread};
       };
       Found w = own(element.white), b = own(element.black);

@@ -183,7 +183,7 @@ void read_legend(const ConfigValue& value, FrontMatter& front) {
 
 }  // namespace
 
-FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line) {
+FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw) {
   const ConfigValue root = parse_toml(text, file, first_line);
   TableReader table(root, "the front matter");
   FrontMatter front;
@@ -213,10 +213,10 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, usual, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, usual, map.course);
-  if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights);
+  if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights, draw);
   if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.gloss, map.course);
-  if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course);
-  if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course);
+  if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course, draw);
+  if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course, draw);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* rescue = table.find("rescue")) read_rescue(*rescue, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/grid/drawn.h"
 #include "sim/grid/map.h"
 
 namespace robosim::grid {
@@ -43,7 +44,7 @@ struct FrontMatter {
 
 /// Reads the text between the +++ lines; `first_line` is the file's line on which it begins. Throws
 /// InputError.
-FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line);
+FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw = {});
 
 /// That the picture is as large as the line is wide, and not larger than the floor, and that there is nothing
 /// that would be painted beside it. Throws InputError at `place`.

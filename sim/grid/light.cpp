@@ -16,18 +16,19 @@ constexpr double kMains = 100.0;                            // Hz: twice 50 Hz
 constexpr double kLeastFrequency = 0.01, kMostFrequency = 100e3;
 constexpr std::size_t kMostLights = 64;
 
-Light read_light(const ConfigValue& value) {
+Light read_light(const ConfigValue& value, const Figures& figures) {
   TableReader table(value, "[[light]]");
   Light light;
-  light.level = as_quantity(table.require("level"), "level", Dimension::ratio, 0.0, kMostLevel);
+  light.level = figures.read(table.require("level"), "level", Dimension::ratio, 0.0, kMostLevel);
   if (const ConfigValue* at = table.find("at")) light.at = read_point(*at, "at");
   const ConfigValue* const height = table.find("height");
   const ConfigValue* const radius = table.find("radius");
   const ConfigValue* const moves = table.find("moves");
-  if (height) light.height = as_quantity(*height, "height", Dimension::length, kLeastHeight, kMostHeight);
+  if (height) light.height = figures.read(*height, "height", Dimension::length, kLeastHeight, kMostHeight);
   if (radius) light.radius = as_quantity(*radius, "radius", Dimension::length, 1e-3, kMostPatch);
   if (moves) light.moves = read_vector(*moves, "moves", Dimension::speed, kMostSpeed);
-  light.flicker = table.quantity("flicker", Dimension::ratio, 0.0, 0.0, 1.0);
+  if (const ConfigValue* flicker = table.find("flicker"))
+    light.flicker = figures.read(*flicker, "flicker", Dimension::ratio, 0.0, 1.0);
   light.frequency =
       table.quantity("frequency", Dimension::frequency, kMains, kLeastFrequency, kMostFrequency);
   table.finish();
@@ -42,12 +43,12 @@ Light read_light(const ConfigValue& value) {
 
 }  // namespace
 
-std::vector<Light> read_lights(const ConfigValue& value) {
+std::vector<Light> read_lights(const ConfigValue& value, Draw draw) {
   std::vector<Light> lights;
   for (const ConfigValue& item : tables_of(value, "light")) {
     if (lights.size() == kMostLights)
       throw InputError(item.place, fmt::format("there are more than {} lights", kMostLights));
-    lights.push_back(read_light(item));
+    lights.push_back(read_light(item, Figures(draw, fmt::format("[[light]] {}", lights.size() + 1))));
   }
   return lights;
 }

@@ -7,6 +7,7 @@
 
 #include "sim/base/config.h"
 #include "sim/base/vec.h"
+#include "sim/grid/drawn.h"
 
 namespace robosim::grid {
 
@@ -24,7 +25,7 @@ struct Light {
 };
 
 /// Reads all [[light]] tables. Throws InputError.
-std::vector<Light> read_lights(const ConfigValue& value);
+std::vector<Light> read_lights(const ConfigValue& value, Draw draw = {});
 
 /// [[light]] as read_lights reads it. An implementation detail of write_map.
 std::string lights_text(const std::vector<Light>& lights);

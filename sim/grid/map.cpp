@@ -70,9 +70,9 @@ std::string stem(const std::string& file) { return fs::path(file).stem().string(
 
 }  // namespace
 
-Map read_map(const fs::path& path) {
+Map read_map(const fs::path& path, Draw draw) {
   MapFile file(path);
-  MapParser parser(path.string(), file.size());
+  MapParser parser(path.string(), file.size(), "", draw);
   std::vector<char> buffer = file.buffer_of(kChunk);
   std::string_view chunk = file.read(buffer);
   const std::string_view small = chunk.size() < buffer.size() ? chunk : std::string_view();
@@ -86,8 +86,8 @@ Map read_map(const fs::path& path) {
   return map;
 }
 
-Map parse_map(std::string_view text, const std::string& file, const std::string& picture) {
-  MapParser parser(file, text.size(), picture);
+Map parse_map(std::string_view text, const std::string& file, const std::string& picture, Draw draw) {
+  MapParser parser(file, text.size(), picture, draw);
   parser.feed(text);
   Map map = parser.finish();
   map.sha256 = sha256_with_picture(text, map);

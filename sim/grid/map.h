@@ -134,11 +134,12 @@ constexpr std::size_t kMaxCells = 1'000'000'000;
 /// And so many where it is not written in rows, so that a short file cannot take much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 
-/// Reads a map file, in one pass and at one byte a cell. Throws InputError with file, line, column, what was
-/// found and what is allowed.
-Map read_map(const std::filesystem::path& path);
+/// Reads a map file, in one pass and at one byte a cell. `draw`: whose are its figures with a spread. Throws
+/// InputError with file, line, column, what was found and what is allowed.
+Map read_map(const std::filesystem::path& path, Draw draw = {});
 /// The same from text; `file` is for messages, and a picture lies beside it, unless its bytes are given here.
-Map parse_map(std::string_view text, const std::string& file, const std::string& picture = "");
+Map parse_map(std::string_view text, const std::string& file, const std::string& picture = "",
+              Draw draw = {});
 
 /// SHA-256 of the map's text, and of its picture's file behind it. Hashing takes several times as long as
 /// reading, so read_map hashes small files only (up to 256 KB); for a larger one this reads the file again.

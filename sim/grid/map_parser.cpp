@@ -48,8 +48,8 @@ std::size_t count(std::string_view row, char c) {
 
 }  // namespace
 
-MapParser::MapParser(std::string file, std::size_t size_hint, std::string picture)
-    : size_hint_(size_hint), picture_(std::move(picture)) {
+MapParser::MapParser(std::string file, std::size_t size_hint, std::string picture, Draw draw)
+    : size_hint_(size_hint), picture_(std::move(picture)), draw_(draw) {
   map_.file = std::move(file);
   meaning_.fill(kNothing);
   const auto mean = [this](std::string_view characters, Cell cell) {
@@ -135,7 +135,7 @@ void MapParser::limit_front_matter(std::size_t further) const {
 }
 
 void MapParser::end_front_matter() {
-  front_ = read_front_matter(front_text_, map_.file, 2);
+  front_ = read_front_matter(front_text_, map_.file, 2, draw_);
   Map settings = std::move(front_.settings);
   settings.file = std::move(map_.file);
   map_ = std::move(settings);

@@ -18,7 +18,7 @@ class MapParser {
  public:
   /// `size_hint`: how many bytes will be fed, if known; the memory for the cells is reserved accordingly.
   /// `picture`: the bytes of the floor's picture, if it does not lie beside the file.
-  MapParser(std::string file, std::size_t size_hint, std::string picture = "");
+  MapParser(std::string file, std::size_t size_hint, std::string picture = "", Draw draw = {});
 
   static constexpr std::size_t kMaxFrontMatter = 1 << 20;  ///< bytes
   /// The picture that the front matter names; "" = none. `beginning`: of the map's text.
@@ -63,7 +63,8 @@ class MapParser {
   int line_ = 0;            // of the last line taken
   int first_row_line_ = 0;  // the line of row 0
   std::string picture_;     // its bytes
-  std::string carry_;       // a line whose end has not been fed yet
+  Draw draw_;
+  std::string carry_;  // a line whose end has not been fed yet
   std::string front_text_;
   std::vector<Cell> row_;
   std::optional<CellAt> start_mark_;

@@ -23,31 +23,36 @@ constexpr double kMostTilt = 0.5;                       // sine, of a seesaw: 30
 constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
-std::vector<double> read_heights(const ConfigValue& value, double length) {
+std::vector<double> read_heights(const ConfigValue& value, double length, const Figures& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
     throw InputError(
         value.place,
         fmt::format("heights must be 2 to {} of them, at even distances from the hill's beginning to "
                     "its end, such as [\"0 mm\", \"60 mm\", \"60 mm\", \"0 mm\"]",
                     kMostHeights));
-  std::vector<double> heights;
+  std::vector<Number> heights;
   for (const ConfigValue& item : value.items)
-    heights.push_back(as_quantity(item, "a height", Dimension::length, 0.0, kMostHeight));
+    heights.push_back(as_figure(item, "a height", Dimension::length, 0.0, kMostHeight));
   const double step = length / static_cast<double>(heights.size() - 1);
   for (std::size_t i = 1; i < heights.size(); ++i) {
-    const double rise = std::fabs(heights[i] - heights[i - 1]);
-    if (rise <= kSteepest * step) continue;
+    const bool up = heights[i].value > heights[i - 1].value;
+    const double from = up ? heights[i - 1].least() : heights[i - 1].most();
+    const double to = up ? heights[i].most() : heights[i].least();
+    if (std::fabs(to - from) <= kSteepest * step) continue;
     throw InputError(
         value.items[i].place,
         fmt::format("from {:.10g} to {:.10g} mm within {:.10g} mm of way is too steep: lengths run "
                     "along the slope, and {:.0f} % of the way may be height; a step is a hill that "
                     "begins or ends high",
-                    1e3 * heights[i - 1], 1e3 * heights[i], 1e3 * step, 100.0 * kSteepest));
+                    1e3 * from, 1e3 * to, 1e3 * step, 100.0 * kSteepest));
   }
-  return heights;
+  std::vector<double> drawn;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    drawn.push_back(figures.drawn(heights[i], fmt::format("height {}", i)));
+  return drawn;
 }
 
-Hill read_hill(const ConfigValue& item, const Course& course) {
+Hill read_hill(const ConfigValue& item, const Course& course, const Figures& figures) {
   TableReader table(item, "[[hill]]");
   Hill hill;
   static_cast<Patch&>(hill) = read_patch(table, course, "hill");
@@ -65,30 +70,33 @@ Hill read_hill(const ConfigValue& item, const Course& course) {
         "a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for an even ramp, or "
         "seesaw = \"50 mm\", the height at which it turns");
   if (plank && !seesaw) throw InputError(plank->place, "plank is the mass of a seesaw, and this is none");
-  if (heights) hill.heights = read_heights(*heights, length);
+  if (heights) hill.heights = read_heights(*heights, length, figures);
   if (slope) {
-    const double angle = as_quantity(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
-    const double rise = length * unit_vector(angle).y;
-    if (std::fabs(rise) > kMostHeight)
-      throw InputError(slope->place,
-                       fmt::format("this ramp would be {:.4g} m high; a hill is at most {:.4g} m",
-                                   std::fabs(rise), kMostHeight));
+    const Number angle = as_figure(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
+    const double steepest = std::max(angle.most(), -angle.least());
+    if (const double most = length * unit_vector(steepest).y; most > kMostHeight)
+      throw InputError(
+          slope->place,
+          fmt::format("this ramp would be {:.4g} m high; a hill is at most {:.4g} m", most, kMostHeight));
+    const double rise = length * unit_vector(figures.drawn(angle, "slope")).y;
     hill.heights = {std::fmax(-rise, 0.0), std::fmax(rise, 0.0)};
   }
   if (seesaw) {
-    hill.pivot = as_quantity(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
-    if (hill.pivot > kMostTilt * hill.half_length)
+    const Number pivot = as_figure(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
+    if (pivot.most() > kMostTilt * hill.half_length)
       throw InputError(
           seesaw->place,
           fmt::format("a seesaw {:.10g} mm long that turns at {:.10g} mm stands at more than 30 deg",
-                      1e3 * length, 1e3 * hill.pivot));
-    hill.plank_kg = plank ? as_quantity(*plank, "plank", Dimension::mass, kLightest, kHeaviest) : kUsualPlank;
+                      1e3 * length, 1e3 * pivot.most()));
+    hill.pivot = figures.drawn(pivot, "seesaw");
+    hill.plank_kg =
+        plank ? figures.read(*plank, "plank", Dimension::mass, kLightest, kHeaviest) : kUsualPlank;
   }
   table.finish();
   return hill;
 }
 
-Surface read_surface(const ConfigValue& item, const Course& course) {
+Surface read_surface(const ConfigValue& item, const Course& course, const Figures& figures) {
   TableReader table(item, "[[surface]]");
   Surface surface;
   static_cast<Patch&>(surface) = read_patch(table, course, "surface");
@@ -107,8 +115,8 @@ Surface read_surface(const ConfigValue& item, const Course& course) {
     for (const SurfaceKind& one : kSurfaces)
       if (name == one.name) surface.grip = one.grip, surface.rolling = one.rolling;
   }
-  if (grip) surface.grip = as_quantity(*grip, "grip", Dimension::ratio, 0.05, 2.0);
-  if (rolling) surface.rolling = as_quantity(*rolling, "rolling", Dimension::ratio, 0.0, 0.5);
+  if (grip) surface.grip = figures.read(*grip, "grip", Dimension::ratio, 0.05, 2.0);
+  if (rolling) surface.rolling = figures.read(*rolling, "rolling", Dimension::ratio, 0.0, 0.5);
   table.finish();
   return surface;
 }
@@ -122,21 +130,23 @@ double Hill::height_at(Vec2 p) const {
   return std::lerp(heights[before], heights[before + 1], at - static_cast<double>(before));
 }
 
-void read_hills(const ConfigValue& value, Course& course) {
+void read_hills(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "hill")) {
     if (course.hills.size() == kMostHills)
       throw InputError(item.place,
                        fmt::format("this is one [[hill]] too many; a map has at most {}", kMostHills));
-    course.hills.push_back(read_hill(item, course));
+    const Figures figures(draw, fmt::format("[[hill]] {}", course.hills.size() + 1));
+    course.hills.push_back(read_hill(item, course, figures));
   }
 }
 
-void read_surfaces(const ConfigValue& value, Course& course) {
+void read_surfaces(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "surface")) {
     if (course.surfaces.size() == kMostSurfaces)
       throw InputError(item.place,
                        fmt::format("this is one [[surface]] too many; a map has at most {}", kMostSurfaces));
-    course.surfaces.push_back(read_surface(item, course));
+    const Figures figures(draw, fmt::format("[[surface]] {}", course.surfaces.size() + 1));
+    course.surfaces.push_back(read_surface(item, course, figures));
   }
 }
 

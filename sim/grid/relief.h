@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/base/config.h"
+#include "sim/grid/drawn.h"
 #include "sim/grid/patch.h"
 
 namespace robosim::grid {
@@ -45,8 +46,8 @@ struct Surface : Patch {
 
 /// Reads all [[hill]] tables, and all [[surface]] tables; `course` has the paths that they may lie along.
 /// Throw InputError.
-void read_hills(const ConfigValue& value, Course& course);
-void read_surfaces(const ConfigValue& value, Course& course);
+void read_hills(const ConfigValue& value, Course& course, Draw draw = {});
+void read_surfaces(const ConfigValue& value, Course& course, Draw draw = {});
 
 /// Both as they are read. An implementation detail of write_map.
 std::string relief_text(const Course& course);

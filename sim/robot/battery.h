@@ -21,7 +21,7 @@
 #pragma once
 
 #include "sim/base/config.h"
-#include "sim/robot/number.h"
+#include "sim/base/figure.h"
 #include "sim/world/body.h"
 
 namespace robosim::robot {

@@ -10,11 +10,11 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
+#include "sim/base/figure.h"
 #include "sim/base/vec.h"
 #include "sim/robot/battery.h"
 #include "sim/robot/electronics.h"
 #include "sim/robot/netlist.h"
-#include "sim/robot/number.h"
 #include "sim/world/body.h"
 
 namespace robosim::robot {

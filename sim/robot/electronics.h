@@ -19,9 +19,9 @@
 
 #include "hal/board/robot_port.h"
 #include "sim/base/config.h"
+#include "sim/base/figure.h"
 #include "sim/base/kept.h"
 #include "sim/base/noise.h"
-#include "sim/robot/number.h"
 
 namespace robosim::robot {
 

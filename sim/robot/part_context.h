@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "hal/board/robot_port.h"
+#include "sim/base/figure.h"
 #include "sim/base/kept.h"
 #include "sim/base/noise.h"
 #include "sim/robot/electronics.h"
 #include "sim/robot/netlist.h"
-#include "sim/robot/number.h"
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"

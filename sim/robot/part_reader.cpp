@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kFarthest = 0.5;  // m: no part is farther from the axle than this
 
-// A spread: a share of the value ("5 %"), or an amount in the value's unit.
-double as_spread(const ConfigValue& value, const char* key, Dimension dimension, double of) {
-  if (value.kind == ConfigValue::Kind::string && value.string.find('%') != std::string::npos)
-    return std::abs(of) * as_quantity(value, key, Dimension::ratio, 0.0, 10.0);
-  return as_quantity(value, key, dimension, 0.0, 1e12);
-}
-
 std::string analog_pins(const BoardSpec& board) {
   std::vector<std::string> names;
   for (int pin = 0; pin < board.pin_count; ++pin)
@@ -78,38 +71,6 @@ void check_use(const ConfigValue& value, const char* key, const BoardSpec& board
 }
 
 }  // namespace
-
-Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most) {
-  if (value.kind != ConfigValue::Kind::table) return {as_quantity(value, key, dimension, least, most), 0.0};
-  TableReader reader(value, key);
-  Number number;
-  if (const ConfigValue* newer = reader.find("typical@2")) {
-    const Number now = as_figure(*newer, key, dimension, least, most);
-    if (now.typical_2)
-      throw InputError(newer->place, fmt::format("{}: a \"typical@2\" within a \"typical@2\"", key));
-    number.typical_2 = Spread{now.value, now.spread};
-  }
-  number.value = as_quantity(reader.require("value"), key, dimension, least, most);
-  if (const ConfigValue* spread = reader.find("spread")) {
-    number.spread = as_spread(*spread, fmt::format("the spread of {}", key).c_str(), dimension, number.value);
-    const double from = number.value - number.spread, to = number.value + number.spread;
-    if (from < least || to > most) {
-      const WrittenUnit unit = unit_of(reader.require("value"), dimension);
-      throw InputError(spread->place,
-                       fmt::format("the spread of {} reaches from {:g} to {:g}{}{}; allowed is {:g} to {:g}",
-                                   key, from / unit.si, to / unit.si, unit.name.empty() ? "" : " ", unit.name,
-                                   least / unit.si, most / unit.si));
-    }
-  }
-  reader.finish();
-  return number;
-}
-
-Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
-                   double most) {
-  const ConfigValue* value = reader.find(key);
-  return value ? as_figure(*value, key, dimension, least, most) : fallback;
-}
 
 Vec2 as_point(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)

@@ -8,6 +8,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/config.h"
+#include "sim/base/figure.h"
 #include "sim/robot/description.h"
 #include "sim/robot/netlist.h"
 
@@ -29,12 +30,6 @@ struct Terminals {
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the file's order
 };
 
-/// `number` as a figure with an optional spread: "5 V", or { value = "5 V", spread = "2 %" }, and perhaps one
-/// for newer profiles beside it (number.h). The whole range must lie within the inclusive bounds. Throws
-/// InputError.
-Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
-Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
-                   double most);
 /// ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
 /// A pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if there is no

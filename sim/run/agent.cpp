@@ -54,7 +54,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
              static_cast<std::uint32_t>(number)),
       player_(own.scenario,
               {*setup_.map, stage.stripes, robot_, stage.world, body_, executor_, setup_.seed,
-               static_cast<std::uint32_t>(number)},
+               static_cast<std::uint32_t>(number), setup_.profile},
               progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),

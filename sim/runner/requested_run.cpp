@@ -62,7 +62,7 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
-    : request_(request), map_(grid::read_map(request.map)) {
+    : request_(request), map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})) {
   check_several(request);
   if (request.batches) {
     bundler_ = std::make_unique<Bundler>(std::move(tell));

@@ -228,16 +228,56 @@ Action parse_action(ScriptLine& line) {
   return action;
 }
 
-}  // namespace
-
-std::optional<Step> parse_step(std::string_view text, const Place& place) {
-  ScriptLine line(text, place);
+std::optional<Step> parse_step(std::string_view text, const Place& place, const Share& share) {
+  ScriptLine line(text, place, share);
   if (!line.more()) return std::nullopt;
   Step step;
   step.place = {place.file, place.line, 0};
   step.trigger = parse_trigger(line);
   step.action = parse_action(line);
+  if (line.varies()) step.varies = text.substr(0, text.find_last_not_of(" \t\r") + 1);
   return step;
+}
+
+}  // namespace
+
+std::optional<Step> parse_step(std::string_view text, const Place& place) {
+  std::optional<Step> step = parse_step(text, place, [](std::size_t) { return 0.0; });
+  if (step && !step->varies.empty())
+    for (const double end : {-1.0, 1.0}) parse_step(text, place, [end](std::size_t) { return end; });
+  return step;
+}
+
+std::string subject_of(const Action& action) {
+  using enum Action::Verb;
+  switch (action.verb) {
+    case power:
+      return "power";
+    case fault:
+      return "fault " + action.part;
+    case obstacle:
+    case clear:
+      return "obstacle " + action.text;
+    case lift:
+    case lower:
+    case place:
+    case sweep:
+    case tilt:
+      return "body";
+    case paint:
+    case erase:
+      return "floor " + action.text;
+    case door:
+      return "door " + action.text;
+    case light:
+      return "light " + action.text;
+    default:
+      return "";
+  }
+}
+
+Step parse_varied(const Step& step, const Share& share) {
+  return *parse_step(step.varies, {step.place.file, step.place.line, 1}, share);
 }
 
 std::vector<Step> parse_scenario(std::string_view text, const std::string& file) {

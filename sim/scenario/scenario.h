@@ -14,6 +14,7 @@
 #include "hal/board/sim_time.h"
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
+#include "sim/scenario/spread.h"
 
 namespace robosim::scenario {
 
@@ -82,14 +83,20 @@ struct Action {
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };
 
+/// What an action is about, where a later one about the same makes the end of this one void; else empty.
+std::string subject_of(const Action& action);
+
 struct Step {
   Trigger trigger;
   Action action;
-  Place place;  ///< where the script says so
+  Place place;           ///< where the script says so
+  std::string varies{};  ///< the line, if it has figures with a spread (spread.h), which are here as written
 };
 
 /// One line; nothing if it is empty or a comment. Throws as parse_scenario does.
 std::optional<Step> parse_step(std::string_view line, const Place& place);
+/// A line that varies, with such shares of its spreads.
+Step parse_varied(const Step& step, const Share& share);
 
 /// Throws InputError with file and line, naming the triggers or verbs that exist. Names of parts and stations
 /// are checked when the scenario meets a robot and a map.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/base/noise.h"
 #include "sim/scenario/places.h"
 
 namespace robosim::scenario {
@@ -15,35 +16,6 @@ wire::ScriptActed acted(const char* verb, const Action& action) {
   const bool has_bytes =
       action.verb != lift && action.verb != lower && action.verb != sweep && action.verb != tilt;
   return {verb, action.part, has_bytes ? action.text : ""};
-}
-
-/// What an action is about, where a later one about the same makes the end of this one void; else empty.
-std::string subject_of(const Action& action) {
-  using enum Action::Verb;
-  switch (action.verb) {
-    case power:
-      return "power";
-    case fault:
-      return "fault " + action.part;
-    case obstacle:
-    case clear:
-      return "obstacle " + action.text;
-    case lift:
-    case lower:
-    case place:
-    case sweep:
-    case tilt:
-      return "body";
-    case paint:
-    case erase:
-      return "floor " + action.text;
-    case door:
-      return "door " + action.text;
-    case light:
-      return "light " + action.text;
-    default:
-      return "";
-  }
 }
 
 }  // namespace
@@ -87,7 +59,10 @@ void ScenarioPlayer::check_limits(const std::vector<Step>& steps) {
 
 void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progress) {
   std::vector<std::optional<ReadFault>> faults;
-  for (const Step& step : steps) faults.push_back(check(step, progress));
+  for (Step& step : steps) {
+    if (!step.varies.empty()) draw(step, progress);
+    faults.push_back(check(step, progress));
+  }
   check_limits(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Trigger trigger = steps[i].trigger;
@@ -99,6 +74,15 @@ void ScenarioPlayer::add(std::vector<Step> steps, const judge::Progress& progres
     else
       state_.awaiting.push_back(std::move(pending));
   }
+}
+
+void ScenarioPlayer::draw(Step& step, const judge::Progress& progress) const {
+  for (const double end : {-1.0, 1.0})
+    check(parse_varied(step, [end](std::size_t) { return end; }), progress);
+  if (stage_.profile == Profile::ideal) return;
+  // By what it says: lines above it, and below, change nothing of it.
+  const NoiseStream stream(stage_.seed, stage_.number, step.varies, "script");
+  step = parse_varied(step, [&](std::size_t n) { return 2.0 * stream.uniform(n) - 1.0; });
 }
 
 std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/base/profile.h"
 #include "sim/exec/core/executor.h"
 #include "sim/grid/map.h"
 #include "sim/judge/goal.h"
@@ -34,6 +35,7 @@ struct Stage {
   exec::Executor& executor;
   std::uint64_t seed;
   std::uint32_t number;  ///< of the robot in its world
+  Profile profile;       ///< `ideal` leaves each figure of a script in the middle of its spread
 };
 
 /// Limits of a script, so that each of its steps costs the same however many there are: all steps, those that
@@ -130,6 +132,8 @@ class ScenarioPlayer {
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
+  /// Draws what has a spread; throws InputError if not all of it is possible.
+  void draw(Step& step, const judge::Progress& progress) const;
   /// Throws InputError, with the step's place. Gives its fault, if it is one.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;
   /// The arguments begin with the kind.

@@ -60,8 +60,15 @@ std::vector<Word> split(std::string_view line, Place place) {
 
 }  // namespace
 
-ScriptLine::ScriptLine(std::string_view line, Place place)
-    : words_(split(line, place)), place_(std::move(place)) {}
+ScriptLine::ScriptLine(std::string_view line, Place place, const Share& share)
+    : words_(split(line, place)), place_(std::move(place)) {
+  std::size_t figures = 0;
+  for (Word& word : words_) {
+    if (word.quoted || !has_spread(word.text)) continue;
+    word.text = with_shares(word.text, share, figures, {place_.file, place_.line, word.column});
+    varies_ = true;
+  }
+}
 
 bool ScriptLine::next_is(std::string_view word) const {
   return more() && !words_[next_].quoted && words_[next_].text == word;

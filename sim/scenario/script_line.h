@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/base/whole.h"
+#include "sim/scenario/spread.h"
 
 namespace robosim::scenario {
 
@@ -23,8 +24,10 @@ struct Word {
 /// Everything throws InputError, with the place of the word it is about.
 class ScriptLine {
  public:
-  /// Cuts the line up to a comment; `place` is its beginning.
-  ScriptLine(std::string_view line, Place place);
+  /// Cuts the line up to a comment; `place` is its beginning. `share` draws what has a spread.
+  ScriptLine(std::string_view line, Place place, const Share& share);
+  /// Whether something has.
+  bool varies() const { return varies_; }
 
   bool more() const { return next_ < words_.size(); }
   /// Whether the next word is this one, without quotes.
@@ -49,6 +52,7 @@ class ScriptLine {
  private:
   std::vector<Word> words_;
   std::size_t next_ = 0;
+  bool varies_ = false;
   Place place_;
 };
 

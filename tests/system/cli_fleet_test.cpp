@@ -192,6 +192,23 @@ TEST(CliFleet, TwoNavigatorsWaitForEachOtherAndDoNotCollide) {
   EXPECT_THAT(robots[0]["serial"].get<std::string>(), HasSubstr("waiting"));
 }
 
+TEST(CliFleet, WhoLooksAheadStopsBeforeAnotherRobotAndWhoDoesNotDrivesIntoIt) {
+  const std::string stops = ROBOSIM_SAMPLES "/StopsForBox";
+  const auto collisions = [&](const std::string& sketch, bool another) {
+    std::vector<std::string> words{"run",   "A=" + sketch, "--robot", "A=" + stops + "/robot.toml",
+                                   "--map", "oval",        "--goal",  "none",
+                                   "--for", "9s",          "--json"};
+    if (another)
+      words.insert(words.end(), {"B=" + std::string(ROBOSIM_TEST_SKETCHES) + "/NeverDrives", "--robot",
+                                 "B=uno3", "--start", "B=20,14,E"});
+    return json_of(robosim_command(words))["robots"][0]["metrics"]["collisions"].get<int>();
+  };
+  EXPECT_EQ(collisions(stops, false), 0);
+  EXPECT_EQ(collisions("LeftPath", false), 0);
+  EXPECT_EQ(collisions(stops, true), 0);
+  EXPECT_EQ(collisions("LeftPath", true), 1);
+}
+
 TEST(CliFleet, TheViewEndsWithWhatAllHaveReached) {
   OnTerminal run(two_with({"--view", "--speed", "0"}), 100, 30);
   ASSERT_TRUE(run.wait_for("press any key")) << run.seen();

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "sim/grid/map.h"
 #include "sim/grid/map_writer.h"
 
@@ -125,6 +129,50 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   for (int i = 0; i <= 256; ++i) surfaces += surface + at + size + "kind = \"wet\"\n";
   EXPECT_THROW(relief_of(hills), InputError);
   EXPECT_THROW(relief_of(surfaces), InputError);
+}
+
+TEST(AHillWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
+  const std::string text =
+      "+++\nsize = [\"2 m\", \"1 m\"]\n"
+      "[[hill]]\nat = [\"1 m\", \"500 mm\"]\nsize = [\"600 mm\", \"300 mm\"]\n"
+      "slope = { value = \"15 deg\", spread = \"5 deg\" }\n"
+      "[[surface]]\nat = [\"1 m\", \"500 mm\"]\nradius = \"100 mm\"\ngrip = { value = 0.5, spread = \"20 %\" "
+      "}\n"
+      "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n+++\n";
+  const auto rise = [&](Draw draw) { return parse_map(text, "m.map", "", draw).course.hills[0].heights[1]; };
+  const auto grip = [&](Draw draw) { return parse_map(text, "m.map", "", draw).course.surfaces[0].grip; };
+  EXPECT_NEAR(rise({7, Profile::ideal}), 0.6 * std::sin(std::numbers::pi / 12), 1e-12);
+  EXPECT_EQ(grip({}), 0.5);
+  double least = 1.0, most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Draw draw{seed, Profile::typical};
+    least = std::min(least, rise(draw));
+    most = std::max(most, rise(draw));
+    EXPECT_NEAR(grip(draw), 0.5, 0.1);
+    EXPECT_EQ(rise(draw), rise(draw));
+  }
+  EXPECT_GT(least, 0.6 * std::sin(std::numbers::pi / 18));
+  EXPECT_LT(least, 0.6 * std::sin(std::numbers::pi / 16));
+  EXPECT_GT(most, 0.6 * std::sin(std::numbers::pi / 10));
+  EXPECT_LT(most, 0.6 * std::sin(std::numbers::pi / 9));
+}
+
+TEST(AHillWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
+  const auto refused = [](const std::string& figure) {
+    try {
+      relief_of("[[hill]]\nat = [\"1 m\", \"500 mm\"]\nsize = [\"600 mm\", \"300 mm\"]\n" + figure);
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_THAT(refused("slope = { value = \"40 deg\", spread = \"6 deg\" }"),
+              HasSubstr("m.map:6:38: the spread of slope reaches from 34 to 46 deg; allowed is -45 to 45"));
+  EXPECT_THAT(refused("seesaw = { value = \"145 mm\", spread = \"10 mm\" }"),
+              HasSubstr("turns at 155 mm stands at more than 30 deg"));
+  EXPECT_THAT(refused("heights = [\"0 mm\", { value = \"440 mm\", spread = \"20 mm\" }]"),
+              HasSubstr("from 0 to 460 mm within 600 mm of way is too steep"));
+  EXPECT_THAT(refused("slope = { value = \"4 deg\", spread = \"6 kg\" }"), HasSubstr("the spread of slope"));
 }
 
 }  // namespace

@@ -170,5 +170,32 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
   EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
 }
 
+TEST(AFigureWithASpread, IsReadAsWrittenAndDrawnByItsShare) {
+  const Step step =
+      *parse_step("at 2s+-500ms obstacle 12±2,3 radius 30mm+-10% for 4s  # a can", {"s.txt", 7, 1});
+  EXPECT_EQ(step.trigger.time, 2 * kSecond);
+  EXPECT_EQ(step.action.text, "12,3");
+  const Step least = parse_varied(step, [](std::size_t) { return -1.0; });
+  EXPECT_EQ(least.trigger.time, 1500 * kMillisecond);
+  EXPECT_EQ(least.action.text, "10,3");
+  EXPECT_NEAR(least.action.radius, 0.027, 1e-9);
+  EXPECT_EQ(*least.action.duration, 4 * kSecond);
+  const Step most = parse_varied(step, [](std::size_t n) { return n == 1 ? 1.0 : 0.0; });
+  EXPECT_EQ(most.trigger.time, 2 * kSecond);
+  EXPECT_EQ(most.action.text, "14,3");
+  EXPECT_TRUE(parse_step("at 1s send \"5+-1\"", {})->varies.empty()) << "a text is a text";
+}
+
+TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
+  EXPECT_THAT(error_of("at 2s+-3s lift"), testing::HasSubstr("s.txt:1:4: \"2s+-3s\" reaches below 0"));
+  EXPECT_THAT(error_of("at 2s+-3mm lift"), testing::HasSubstr("\"2s+-3mm\" is no figure with a spread"));
+  EXPECT_THAT(error_of("at 2s+- lift"), testing::HasSubstr("is no figure with a spread"));
+  EXPECT_THAT(error_of("at 2s obstacle 1+-2,3"), testing::HasSubstr("\"1+-2\" reaches below 0"));
+  EXPECT_THAT(error_of("at 2s obstacle 1,3 radius 499mm+-2mm"),
+              testing::HasSubstr("is not a radius from 5mm to 500mm"));
+  EXPECT_THAT(error_of("at 2s tilt 20deg ahead in 1s+-500ms for 2s+-100ms"),
+              testing::HasSubstr("a tilt takes longer"));
+}
+
 }  // namespace
 }  // namespace robosim::scenario

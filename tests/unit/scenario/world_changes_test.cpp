@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
@@ -28,7 +30,8 @@ class ChangingWorld : public testing::Test, public run::Listener {
                      .listener = this}};
     setup.limit = static_cast<SimTime>(seconds * 1e9);
     setup.samples_every = kTick;
-    setup.profile = robot::Profile::ideal;
+    setup.profile = profile;
+    setup.seed = seed;
     samples.clear();
     happenings.clear();
     values.clear();
@@ -53,6 +56,8 @@ class ChangingWorld : public testing::Test, public run::Listener {
   Vec2 place(double seconds) const { return at(seconds).pose.position; }
 
   grid::Map map = grid::read_map(grid::find_map("oval"));
+  Profile profile = Profile::ideal;
+  std::uint64_t seed = 1;
   std::vector<run::Sample> samples;  // one each millisecond
   std::vector<std::string> happenings, values;
 };
@@ -69,6 +74,25 @@ TEST_F(ChangingWorld, ItsChangesAreToldWithTheirPlaces) {
                            "2 script_acted verb=paint argument=1,1 4,1 box=140,1540,320,20",
                            "2 script_acted verb=erase argument=1,2 4,2 box=135,1435,330,30",
                            "4 script_acted verb=restore argument=1,2 4,2 box=135,1435,330,30"}));
+}
+
+TEST_F(ChangingWorld, EachSeedDrawsWhenAndWhereWithinTheSpreadAndIdealNothing) {
+  const std::string script = "at 5ms+-3ms obstacle 3+-1,16\n";
+  std::set<std::string> told;
+  const auto play_it = [&](const std::string& text) {
+    play(text, 0.01);
+    return values.at(0);
+  };
+  EXPECT_EQ(play_it(script), "5 script_acted verb=obstacle argument=3,16 disc=350,50,33");
+  profile = Profile::typical;
+  for (seed = 1; seed <= 20; ++seed) {
+    told.insert(play_it(script));
+    EXPECT_EQ(play_it("# a line above\n" + script), play_it(script)) << "equal seeds draw equal figures";
+  }
+  EXPECT_GT(told.size(), 8u);
+  for (const std::string& one : told)
+    EXPECT_THAT(one, testing::MatchesRegex("[2-8] script_acted verb=obstacle argument=[234],16 .*"));
+  EXPECT_THAT(error_of("at 5ms obstacle 24+-1,3"), HasSubstr("25,3")) << "whatever the seed";
 }
 
 TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {

@@ -1,12 +1,14 @@
-// Numbers that differ from one robot to the next.
+// Figures that differ from one robot to the next, and from one run to the next.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
+#include "sim/base/config.h"
 #include "sim/base/noise.h"
 #include "sim/base/profile.h"
 
-namespace robosim::robot {
+namespace robosim {
 
 /// A value, and how far that of a robot may be from it.
 struct Spread {
@@ -14,8 +16,9 @@ struct Spread {
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
 };
 
-/// A figure of a robot file: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was found to
-/// be another keeps what it was for `ideal` and older profiles, so that their runs stay what they were:
+/// A figure of a robot file or a map: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was
+/// found to be another keeps what it was for `ideal` and older profiles, so that their runs stay what they
+/// were:
 /// `{ value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
 struct Number {
   double value = 0.0;                              ///< SI
@@ -25,6 +28,13 @@ struct Number {
   /// What holds in a profile.
   Spread in(Profile profile) const {
     return typical_2 && profile >= Profile::typical_2 ? *typical_2 : Spread{value, spread};
+  }
+  /// The least and the most that it may be, in any profile.
+  double least() const {
+    return std::min(value - spread, typical_2 ? typical_2->value - typical_2->spread : value);
+  }
+  double most() const {
+    return std::max(value + spread, typical_2 ? typical_2->value + typical_2->spread : value);
   }
   /// The value for the robot that this noise stream belongs to.
   double drawn(Profile profile, const NoiseStream& stream) const {
@@ -39,4 +49,9 @@ struct Number {
   }
 };
 
-}  // namespace robosim::robot
+/// `value` as a figure: its whole range must lie within the inclusive bounds. Throws InputError.
+Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
+Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
+                   double most);
+
+}  // namespace robosim
