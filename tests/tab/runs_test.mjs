@@ -1,12 +1,14 @@
-// node runs_test.mjs FOLDER COMMAND [SECONDS]: every stock sketch on every map, in the module and by the command of this
-// machine, for so many simulated seconds: the trace hash, the verdict with its sentence, and the image's hash must be equal.
+// node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: every stock sketch on every map with these seeds, in the module and
+// by the command of this machine, for so many simulated seconds: the trace hash, the verdict with its sentence, and the
+// image's hash must be equal.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { bench, stock } from './bench.mjs';
 
-const [folder, command, seconds = '60'] = process.argv.slice(2);
+const [folder, command, seconds = '60', ...seeds] = process.argv.slice(2);
+if (!seeds.length) seeds.push('1');
 const SCRIPT = { AiNavigator: 'at 1s press start 100ms\n', PonyNavigator: 'at 1s press scan 100ms\n' };
 
 const tab = await bench(folder), { sketches, maps } = stock(folder);
@@ -16,14 +18,14 @@ for (const [sketch, { robot, hex }] of Object.entries(sketches)) {
   const script = SCRIPT[sketch] ?? '';
   writeFileSync(join(work, `${sketch}.hex`), hex);
   writeFileSync(join(work, 'script'), script);
-  for (const [map, text] of Object.entries(maps)) {
+  for (const [map, text, seed] of Object.entries(maps).flatMap(([map, text]) => seeds.map((seed) => [map, text, seed]))) {
     writeFileSync(join(work, `${map}.map`), text);
     const files = { [`${sketch}.hex`]: hex, [`${map}.map`]: text };
     const began = performance.now();
-    const { result, error } = tab.run(files, { image: `${sketch}.hex`, map: `${map}.map`, robot, for_ns: seconds * 1e9, ...(script && { script }) });
+    const { result, error } = tab.run(files, { image: `${sketch}.hex`, map: `${map}.map`, robot, seed: Number(seed), for_ns: seconds * 1e9, ...(script && { script }) });
     took += (performance.now() - began) / 1000;
     let told;
-    const words = ['run', `${sketch}.hex`, '--map', `${map}.map`, '--robot', robot, '--for', `${seconds}s`, '--script', 'script', '--json'];
+    const words = ['run', `${sketch}.hex`, '--map', `${map}.map`, '--robot', robot, '--for', `${seconds}s`, '--seed', seed, '--script', 'script', '--json'];
     try {
       told = execFileSync(command, words, { cwd: work, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
     } catch (ended) {  // a goal that is not reached has a status of its own
@@ -36,7 +38,7 @@ for (const [sketch, { robot, hex }] of Object.entries(sketches)) {
     simulated += result?.time_s ?? 0;
     if (here === there) continue;
     different++;
-    console.log(`${sketch} on ${map} differs.\nin the tab:\n  ${here}\nby the command:\n  ${there}`);
+    console.log(`${sketch} on ${map}, seed ${seed}, differs.\nin the tab:\n  ${here}\nby the command:\n  ${there}`);
   }
 }
 rmSync(work, { recursive: true });
