@@ -247,7 +247,7 @@ void Agent::act(SimTime t) {
 bool Agent::run_firmware(SimTime end) {
   executor_.run_until(end);
   const bool steered = robot_.end_tick(end);
-  return std::exchange(state_.stirred, false) || steered || executor_.crash();
+  return std::exchange(state_.stirred, false) || steered;
 }
 
 bool Agent::look(SimTime end) {

@@ -59,6 +59,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
   void begin_rest(SimTime t) { robot_.begin_tick(t); }
+  bool has_crashed() const { return executor_.crash().has_value(); }
   /// 4, at the end of one.
   void rest(SimTime end);
   /// Behind such ticks, before anything else happens at `t`: as if it had looked all the time.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "sim/run/agent.h"
 #include "sim/world/world.h"
@@ -33,7 +32,9 @@ struct Simulation::Inside final : Standstill {
   }
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
-  bool tick(SimTime t, bool rests);
+  bool tick(SimTime t);
+  bool rest(SimTime t);
+  bool look(SimTime end);
   void catch_up(SimTime t);
   SimTime rest_from(SimTime end) const;
   bool wants_to_stop() const {
@@ -122,22 +123,41 @@ inline bool Simulation::Inside::leg_ends(SimTime t) {
   return ends;
 }
 
-// Whether somebody left while others go on. `rests`: agents are at rest.
-inline bool Simulation::Inside::tick(SimTime t, bool rests) {
+// Whether somebody left while others go on.
+inline bool Simulation::Inside::tick(SimTime t) {
   const SimTime end = t + kTick;
-  if (!rests) catch_up(t);
-  for (const auto& agent : agents) rests ? agent->begin_rest(t) : agent->act(t);
-  bool happens = !rests;
+  if (rested) catch_up(t);
+  for (const auto& agent : agents) agent->act(t);
   for (std::size_t i = 0; i < agents.size(); ++i) {
     note_acting(i);
-    happens |= agents[i]->run_firmware(end);
+    agents[i]->run_firmware(end);
+  }
+  const bool left = look(end);
+  if (end % kRestSpan == 0) rests_until = rest_from(end);
+  return left;
+}
+
+// The same, of agents at rest.
+bool Simulation::Inside::rest(SimTime t) {
+  const SimTime end = t + kTick;
+  for (const auto& agent : agents) agent->begin_rest(t);
+  bool happens = false;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    note_acting(i);
+    happens |= agents[i]->run_firmware(end) || agents[i]->has_crashed();
   }
   if (!happens) {
     for (const auto& agent : agents) agent->rest(end);
     rested = true;
     return false;
   }
-  catch_up(t);
+  if (rested) catch_up(t);
+  const bool left = look(end);
+  if (!world.is_still()) rests_until = end;
+  return left;
+}
+
+inline bool Simulation::Inside::look(SimTime end) {
   world.step();
   bool left = false;
   for (const auto& agent : agents) {
@@ -145,16 +165,11 @@ inline bool Simulation::Inside::tick(SimTime t, bool rests) {
     agent->leave(end);
     left = true;
   }
-  if (end % kRestSpan == 0) {
-    rests_until = rest_from(end);
-  } else if (rests && !world.is_still()) {
-    rests_until = end;
-  }
   return left;
 }
 
 void Simulation::Inside::catch_up(SimTime t) {
-  if (!std::exchange(rested, false)) return;
+  rested = false;
   for (const auto& agent : agents) agent->catch_up(t);
 }
 
@@ -178,7 +193,7 @@ void Simulation::Inside::run_until(SimTime end) {
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
     // The last one is a whole one: whoever looks at the state then finds all of it.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
-    const bool left = tick(clock.t, clock.t < rests_until);
+    const bool left = clock.t < rests_until ? rest(clock.t) : tick(clock.t);
     if (wants_to_stop() && clock.t >= rests_until) interrupt(clock.t + kTick);
     clock.leg_over = setup.controller && (leg_ends(clock.t + kTick) || left);
   }
