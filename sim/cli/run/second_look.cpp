@@ -80,7 +80,7 @@ std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunReques
   const client::Interrupts interrupts(runner);
   const wire::RunResult second = runner.run(request);
   std::vector<wire::Detected> all = second.detected;
-  if (sketch.target != "avr" || second.verdict == "interrupted") return all;
+  if (!sketch.sanitize || sketch.target != "avr" || second.verdict == "interrupted") return all;
   for (wire::Detected& seen : look_at_wrap(runner, request, second)) all.push_back(std::move(seen));
   return all;
 }
