@@ -46,7 +46,7 @@ TEST_F(DetectorsTest, AFloatThatPassesANumberByTheNumbersLine) {
 
 TEST_F(DetectorsTest, WhatIsMetOrOnlySparesAStepOrWatchesForAChangeIsNone) {
   start(
-      "volatile float x, last, error = 0.5, sign = -0.9, n, big;\n"
+      "volatile float x, last = 5, error = 0.5, sign = -0.9, n, big;\n"
       "void setup() {}\n"
       "void loop() {\n"
       "  x += 0.25;\n"
