@@ -18,6 +18,7 @@
 #include "sim/cli/options.h"
 #include "sim/cli/report/report_arguments.h"
 #include "sim/cli/run/fleet_arguments.h"
+#include "sim/cli/run/why_arguments.h"
 #include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
@@ -26,9 +27,9 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{"run",     "replay",    "sweep", "report", "compare", "play",
-                                         "classic", "build",     "flash", "wire",   "map",     "robot",
-                                         "serve",   "calibrate", "test",  "mutate", "hunt",    "new"};
+const std::vector<std::string> kCommands{
+    "run",  "why", "replay", "sweep", "report",    "compare", "play",   "classic", "build", "flash",
+    "wire", "map", "robot",  "serve", "calibrate", "test",    "mutate", "hunt",    "new"};
 
 double view_speed(const std::string& text) {
   double value = 0.0;
@@ -350,6 +351,7 @@ Command parse_arguments(const std::vector<std::string>& words) {
   if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
   if (first == "run") return parse_run(rest);
+  if (first == "why") return parse_why(rest);
   if (first == "replay") return parse_replay(rest);
   if (first == "sweep") return parse_sweep(rest);
   if (first == "report") return parse_report(rest);

@@ -31,6 +31,11 @@ struct RunArguments : launch::Launch {
   bool timing = false;
 };
 
+/// `robosim why`
+struct WhyArguments {
+  RunArguments run;
+};
+
 /// `robosim replay`
 struct ReplayArguments {
   std::string file;
@@ -246,11 +251,11 @@ struct PrintText {
   std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, ReplayArguments, SweepArguments, ReportArguments, CompareArguments,
-                 PlayArguments, ClassicArguments, BuildArguments, FlashArguments, WireArguments, MapArguments,
-                 GenerateArguments, ImportArguments, PrintArguments, RobotArguments, CalibrateArguments,
-                 ServeArguments, TestArguments, MutateArguments, HuntArguments, NewArguments, PrintText>;
+using Command = std::variant<RunArguments, WhyArguments, ReplayArguments, SweepArguments, ReportArguments,
+                             CompareArguments, PlayArguments, ClassicArguments, BuildArguments,
+                             FlashArguments, WireArguments, MapArguments, GenerateArguments, ImportArguments,
+                             PrintArguments, RobotArguments, CalibrateArguments, ServeArguments,
+                             TestArguments, MutateArguments, HuntArguments, NewArguments, PrintText>;
 
 /// `words` without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);

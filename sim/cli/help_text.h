@@ -20,6 +20,7 @@ robosim --help lists the commands, robosim run --help the options.
 inline constexpr const char* kHelp = R"(robosim COMMAND …
 
   run [SKETCH]                run a sketch on a robot on a map, and judge it
+  why [SKETCH]                the same, and back from the verdict to the lines of the sketch that caused it
   replay FILE                 play what run --record has written, in the terminal; hold it against another
   serve [FOLDER]              the same in the browser, for all sketches, robots and maps of a folder
   sweep SKETCH…               many runs, by seed, map, robot and target: how often do they succeed?

@@ -25,6 +25,7 @@
 #include "sim/cli/run/play_command.h"
 #include "sim/cli/run/replay_command.h"
 #include "sim/cli/run/run_command.h"
+#include "sim/cli/run/why_command.h"
 #include "sim/cli/serve/serve_command.h"
 #include "sim/cli/sweep/sweep_command.h"
 #include "sim/cli/wire/wire_command.h"
@@ -35,6 +36,7 @@ namespace {
 
 struct Perform {
   int operator()(const RunArguments& arguments) const { return run_command(arguments); }
+  int operator()(const WhyArguments& arguments) const { return why_command(arguments); }
   int operator()(const ReplayArguments& arguments) const { return replay_command(arguments); }
   int operator()(const SweepArguments& arguments) const { return sweep_command(arguments); }
   int operator()(const ReportArguments& arguments) const { return report_command(arguments); }

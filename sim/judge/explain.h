@@ -52,5 +52,6 @@ struct Evidence {
 /// One sentence that says why the run ended as it did.
 std::string explain(const Evidence& evidence);
 NextStep next_step(const Evidence& evidence);
+Decisive decisive_moment(const Evidence& evidence);
 
 }  // namespace robosim::judge

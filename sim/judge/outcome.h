@@ -41,10 +41,20 @@ struct NextStep {
   By by = By::none;
 };
 
+/// The moment at which it went wrong, for those who ask why.
+struct Decisive {
+  SimTime t = 0;
+  std::string text;     ///< "the robot left the line near column 20, row 4"; empty = there is none
+  bool motors = false;  ///< it is to be asked why they were driven as they were
+  bool place = false;   ///< why the firmware is where it is
+};
+
 struct Outcome {
   Verdict verdict = Verdict::timeout;
   std::string why;  ///< one sentence a first-year student understands
   NextStep next;
+  Decisive decisive;
+  std::vector<wire::Cause> because;  ///< back from the verdict, where somebody asks
   Goal goal;
   SimTime time = 0;  ///< simulated, at the end
   Metrics metrics;

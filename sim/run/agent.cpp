@@ -373,6 +373,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.verdict = verdict;
   outcome.why = explain(e);
   outcome.next = next_step(e);
+  outcome.decisive = decisive_moment(e);
   outcome.goal = goal_;
   outcome.time = t;
   outcome.crash = e.crash;

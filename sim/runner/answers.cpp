@@ -6,7 +6,6 @@
 namespace robosim::runner {
 namespace {
 
-double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 double millimetres(double metres) { return metres * 1e3; }
 
 }  // namespace
@@ -89,6 +88,7 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   result.detected = outcome.detected;
   result.resources = outcome.resources;
   result.usage = outcome.usage;
+  result.because = outcome.because;
   for (const wire::RunEvent& event : outcome.events)
     result.events.push_back({seconds(event.t_ns), wire::text_of(event)});
   result.serial = outcome.serial;

@@ -7,6 +7,8 @@
 
 namespace robosim::runner {
 
+inline double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
+
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
 /// The same into one that was there before, whose memory serves again. Its robot's number stays.

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "sim/judge/goal.h"
+#include "sim/robot/describe.h"
 #include "sim/runner/answers.h"
+#include "sim/runner/inquiry.h"
 #include "sim/runner/known_hash.h"
 #include "sim/scenario/scenario.h"
 
@@ -28,6 +30,13 @@ void check_several(const wire::RunRequest& request) {
   if (request.gdb_port > 0)
     throw InputError("a debugger halts one robot's chip, not the others'; debug a robot in a run of its own");
   if (!request.counters.empty()) throw InputError("lines are counted in runs of one robot only");
+}
+
+void check_why(const wire::RunRequest& request) {
+  if (!request.why) return;
+  if (!request.agents.empty()) throw InputError("what caused a verdict is told of runs of one robot only");
+  if (request.interactive || request.gdb_port > 0)
+    throw InputError("a run whose cause is asked for goes on to its verdict by itself");
 }
 
 /// Says of which of several robots it is true.
@@ -64,6 +73,7 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
     : request_(request), map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})) {
   check_several(request);
+  check_why(request);
   if (request.batches) {
     bundler_ = std::make_unique<Bundler>(std::move(tell));
     tell = [bundler = bundler_.get()](wire::Event event) { bundler->tell(std::move(event)); };
@@ -122,7 +132,16 @@ void RequestedRun::flush(SimTime t) {
   if (bundler_) bundler_->flush();
 }
 
+judge::Outcome RequestedRun::inquire() const {
+  const Member& member = members_.front();
+  std::vector<robot::WiredPin> wiring;
+  for (const robot::PartSummary& part : robot::describe(*member.robot).parts)
+    for (const auto& [role, pin] : part.pins) wiring.push_back({part.name, part.type, role, pin});
+  return Inquiry(setup_, *member.robot->board, std::move(wiring)).go();
+}
+
 std::vector<judge::Outcome> RequestedRun::simulate() const {
+  if (request_.why) return {inquire()};
   const auto name = [&](int number) { return members_[static_cast<std::size_t>(number)].asked.name; };
   try {
     return run::simulate(setup_);

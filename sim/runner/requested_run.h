@@ -66,6 +66,7 @@ class RequestedRun {
   void add(const MakeExecutor& make, wire::AgentRequest asked, const Tell& tell);
   const robot::Description& robot_named(const std::string& name);
   std::vector<judge::Outcome> simulate() const;
+  judge::Outcome inquire() const;
 
   const wire::RunRequest& request_;
   const grid::Map map_;

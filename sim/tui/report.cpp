@@ -221,6 +221,11 @@ void write_figures(Writer& out, const Report& report) {
   }
 }
 
+/// Whether there is something that `robosim why` can follow back.
+bool has_causes(const std::string& verdict) {
+  return verdict != "reached" && verdict != "interrupted" && verdict != "over_budget";
+}
+
 std::string chip_hint(const std::string& chip_target) {
   if (chip_target == "stm32")
     return "this ran on the target host, where memory is plenty. A Blue Pill's chip has 20 KB of it, and its "
@@ -309,6 +314,10 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
   }
   out.line();
   if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
+  if (report.target == "avr" && has_causes(r.verdict))
+    out.labelled(
+        "why:", "robosim why, with the same arguments, goes back from this to the lines that caused it",
+        Ink::faint);
   if (report.target == "host") out.labelled("chip:", chip_hint(report.chip_target), Ink::faint);
   return out.take();
 }

@@ -85,6 +85,7 @@ struct RunRequest {
   bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
   bool interactive = false;  ///< driven step by step: see driven_run.h
   bool detect = false;       ///< detectors watch the sketches (docs/sanitizers.md)
+  bool why = false;          ///< follow its verdict back to what caused it
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
   std::string name;          ///< of the robot, where there are several
   std::string target;        ///< whose firmware it is, where there are several; empty = the runner's own
@@ -113,6 +114,11 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "
     "only (else an `input` error)",
     {.presence = when(r.gdb_port > 0), .least = 0, .most = 65535});
+  v("why", r.why,
+    "`true`: the answer has the key `because`; a run of one robot on the target avr only, which is not "
+    "driven, and of which "
+    "nothing is streamed",
+    {.presence = when(r.why)});
   v("script", r.script, "text of a scenario", {.otherwise = "empty", .presence = when(!r.script.empty())});
   v("script_file", r.script_file, "its name, for messages", {.presence = when(!r.script.empty())});
   v("samples_every_ns", r.samples_every_ns,

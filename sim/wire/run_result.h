@@ -225,6 +225,20 @@ void fields(V& v, Same<V, Pose>& p) {
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
+/// A link of the chain that leads back from a verdict.
+struct Cause {
+  double t_s = 0.0;
+  std::string text;               ///< "read S1 0.31 V"
+  std::vector<SourceLine> lines;  ///< of the sketch, the nearest first
+};
+
+template <class V>
+void fields(V& v, Same<V, Cause>& c) {
+  v("t_s", c.t_s, "when; 0 of what has been so from the beginning", {.unit = "s"});
+  v("text", c.text, "what was done then: `\"read S1 0.31 V\"`");
+  v("lines", c.lines, "the lines of the sketch that have done it, the nearest first");
+}
+
 struct RunResult {
   struct Entry {
     double t_s = 0.0;
@@ -244,7 +258,8 @@ struct RunResult {
   std::vector<Detected> detected;      ///< where the request has asked for detectors
   std::optional<Resources> resources;  ///< on a chip
   Usage usage;
-  std::vector<Entry> events;  ///< the last ones
+  std::vector<Cause> because;  ///< back from the verdict; empty = nobody asked, or there is nothing to tell
+  std::vector<Entry> events;   ///< the last ones
   std::string serial;
   std::string shown;
   Pose end;                         ///< where the robot is
@@ -285,6 +300,8 @@ void fields(V& v, Same<V, RunResult>& r) {
     {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");
   v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
+  v("because", r.because, "back from the verdict what caused it ([why.md](why.md)); absent unless asked for",
+    {.presence = when(!r.because.empty())});
   v("events", r.events, "the last ones, at most 8");
   v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
   v("shown", r.shown,

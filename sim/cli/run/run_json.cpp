@@ -32,6 +32,7 @@ Json object_of(const RunInputs& in, const wire::RunResult& r, const std::optiona
                     {"robot_sha256", r.robot_sha256},
                     {"compiler", in.compiler}};
   if (in.sanitize) json["inputs"]["sanitize"] = true;
+  take("because");
   take("metrics");
   take("crash");
   if (finding) json["finding"] = wire::to_json(*finding);

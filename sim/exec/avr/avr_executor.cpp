@@ -1,5 +1,6 @@
 #include "sim/exec/avr/avr_executor.h"
 
+#include "sim/exec/avr/causes.h"
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
@@ -25,19 +26,22 @@ struct AvrExecutor::Image {
 
 class AvrExecutor::Running final : public RunningChip {
  public:
-  Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger,
+  Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger, avr::Causes* causes,
           robosim::avr::Chip*& chip)
       : image_(image),
         board_(board.spec()),
         machine_(image.firmware, image.loop, board, t),
         debugger_(debugger),
+        causes_(causes),
         chip_(chip) {
     chip_ = &machine_.chip().chip();
     if (debugger) machine_.set_debug_port(debugger);
+    if (causes) causes->plug_into(machine_);
     if (image.firmware.needs_larger_chip()) machine_.chip().look_for_tearing(image.debug);
   }
   ~Running() override {
     if (debugger_) debugger_->unplug();
+    if (causes_) causes_->unplug();
     if (chip_ == &machine_.chip().chip()) chip_ = nullptr;
   }
 
@@ -96,6 +100,7 @@ class AvrExecutor::Running final : public RunningChip {
   std::vector<std::unique_ptr<avr::Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< nothing = nobody asks
   avr::DebugPort* debugger_;               ///< null = nobody debugs
+  avr::Causes* causes_;                    ///< null = nobody asks
   robosim::avr::Chip*& chip_;              ///< who else wants to know that there is one
 };
 
@@ -117,7 +122,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
     debugger_ = std::make_unique<avr::DebugPort>(server, image_.firmware, board);
   }
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
-    auto running = std::make_unique<Running>(image_, board, t, debugger_.get(), chip);
+    auto running = std::make_unique<Running>(image_, board, t, debugger_.get(), causes_.get(), chip);
     chip->idle().allow(!runs_waiting_loops);
     if (lines) running->count(*lines);
     if (traces_drives) running->trace_drives();
@@ -131,6 +136,11 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   }
   void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
   bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
+  CauseFinder* find_causes(ClockedBoard& board) override {
+    if (!image_.debug.is_there()) return nullptr;
+    causes_ = std::make_unique<avr::Causes>(image_.firmware, image_.debug, board);
+    return causes_.get();
+  }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
 
   robosim::avr::Chip* chip = nullptr;  ///< null while the power is off
@@ -143,6 +153,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   const Image image_;
   std::vector<Pin> counted_;  ///< by detectors
   std::unique_ptr<avr::DebugPort> debugger_;
+  std::unique_ptr<avr::Causes> causes_;
 };
 
 AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/exec/avr/debug_port.h"
+#include "sim/exec/avr/instruction_log.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -65,6 +66,11 @@ void Machine::loop_began() {
 void Machine::set_debug_port(DebugPort* port) {
   debug_port_ = port;
   if (port) port->plug_into(*this);
+}
+
+void Machine::log_into(InstructionLog* log) {
+  log_ = log;
+  chip_.step_singly(log != nullptr);
 }
 
 std::uint8_t Machine::peek(reg::Address address) {
@@ -137,7 +143,9 @@ void Machine::run_until(SimTime t) {
   Cycle end = link().cycle_at(t);
   if (chip_.cycle() < end) take_inputs(chip_.cycle());
   for (; chip_.cycle() < end && !chip_.fault() && !chip_.is_off(); end = link().cycle_at(t)) {
+    if (log_) log_->before();
     chip_.run_to(end);
+    if (log_) log_->after();
     const unsigned traps = chip_.take_traps();
     if (traps & (WatchedChip::kLoopTrap | WatchedChip::kFirstLoopTrap)) loop_began();
     if (traps & WatchedChip::kMainTrap) start_clock();

@@ -11,6 +11,7 @@
 namespace robosim::exec::avr {
 
 class DebugPort;
+class InstructionLog;
 
 class Machine final : Outside {
  public:
@@ -21,6 +22,8 @@ class Machine final : Outside {
   void run_until(SimTime t);
   /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
+  /// From now on each instruction is noted there, which outlives this; null = no longer.
+  void log_into(InstructionLog* log);
   /// What the firmware prints is told to `bytes`, which outlives this.
   void trace_bytes(WrittenBytes& bytes);
   /// millis() begins with `start` when main() begins.
@@ -70,6 +73,7 @@ class Machine final : Outside {
   robosim::avr::Events::Id look_ = 0;
   State state_;
   DebugPort* debug_port_ = nullptr;
+  InstructionLog* log_ = nullptr;
   WrittenBytes* written_ = nullptr;
 };
 

@@ -22,6 +22,8 @@ class Outside : public robosim::avr::Surroundings {
   const Link& link() const { return state_.link; }
   /// The chip's pin that is led to the board's; -1 = none.
   int chip_pin(Pin pin) const { return chip_pins_[pin]; }
+  /// The other way round; kNoPin = none.
+  Pin board_pin(int pin) const { return pins_[static_cast<std::size_t>(pin)]; }
   /// The board's pin that the firmware read last, and when; kNoPin = none yet.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }

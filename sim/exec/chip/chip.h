@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/exec/core/causes.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/core/written_bytes.h"
@@ -82,6 +83,8 @@ class ChipFirmware {
   virtual bool trace_drives() { return false; }
   /// From the next power-on, detectors watch; as Executor has it.
   virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
+  /// As Executor has it. `board` outlives this.
+  virtual CauseFinder* find_causes(ClockedBoard& board) { return static_cast<void>(board), nullptr; }
   /// As LineCounts has it; empty where nothing is counted.
   virtual std::string line_counts() const = 0;
   /// One at a time; it ends before `board` and this do.

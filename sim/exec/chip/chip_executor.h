@@ -43,6 +43,7 @@ class ChipExecutor : public Executor {
   SourceLine sketch_source() override { return chip_ ? chip_->sketch_line() : SourceLine{}; }
   SourceLine source() override { return chip_ ? chip_->where_now() : SourceLine{}; }
   bool trace_drives() override { return firmware_->trace_drives(); }
+  CauseFinder* find_causes() override { return firmware_->find_causes(clocked_); }
   const SourceLine& driving(Pin pin, const PinDrive& drive) override {
     return chip_ ? chip_->driving(pin, drive) : Executor::driving(pin, drive);
   }

@@ -11,6 +11,7 @@
 #include "sim/base/bundle.h"
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
+#include "sim/exec/core/causes.h"
 #include "sim/wire/run_result.h"
 
 namespace robosim::exec {
@@ -120,6 +121,10 @@ class Executor {
     static const SourceLine unknown;
     return static_cast<void>(pin), static_cast<void>(drive), unknown;
   }
+
+  /// Before the first power-on: who can tell why the firmware did what it did, as long as this is there.
+  /// Null where nobody can.
+  virtual CauseFinder* find_causes() { return nullptr; }
 
   /// Whether the firmware's EEPROM is the board's, so that scripts can break and follow it.
   virtual bool has_boards_eeprom() const { return false; }

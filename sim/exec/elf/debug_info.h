@@ -54,6 +54,14 @@ class DebugInfo {
   /// Addresses of the global and static variables that are one number, enumerator or pointer each.
   std::vector<std::uint32_t> numbers() const;
 
+  /// A variable, or constant, of the user's that has a place of its own.
+  struct Variable {
+    std::string name;  ///< with that of the member: "motors.left"
+    SourceLine where;  ///< its declaration
+  };
+  /// That which holds this address; empty where none is known.
+  Variable variable_at(std::uint32_t address) const;
+
   /// But for those of core files.
   std::vector<CodeLine> lines() const;
 

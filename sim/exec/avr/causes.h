@@ -1,0 +1,97 @@
+// exec::CauseFinder for an AVR: a backward slice of the instructions that ran.
+//
+//   wanted      registers, flags and bytes whose value at this moment matters
+//   an instruction that has made something of what is wanted belongs to it; now what it read is wanted
+//   a branch that decided that an instruction of it ran belongs to it, too
+//   what was read from outside (pins, converter, clock, received bytes) is where it ends
+//
+// Each goes back to the line of the sketch that it stands in, or that has called what it stands in, and to
+// the lines that have called that. How far it is from what was asked is counted in lines.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/exec/avr/branches.h"
+#include "sim/exec/avr/instruction_log.h"
+#include "sim/exec/avr/machine.h"
+#include "sim/exec/avr/sketch_lines.h"
+#include "sim/exec/core/causes.h"
+
+namespace robosim::exec::avr {
+
+class Causes final : public CauseFinder {
+ public:
+  /// All three outlive this.
+  Causes(const Firmware& firmware, const DebugInfo& debug, ClockedBoard& board)
+      : firmware_(firmware), sketch_(debug), board_(board) {}
+
+  /// At power-on and power-off.
+  void plug_into(Machine& machine);
+  void unplug();
+
+  void begin() override;
+  void end() override;
+  void ask(const std::vector<Pin>& pins, SimTime t) override;
+  void ask_place(SimTime t) override;
+  void follow(bool adjoins) override;
+  std::vector<std::uint16_t> open_bytes() const override;
+  void give_up(const std::vector<std::uint16_t>& bytes) override;
+  bool open_registers() const override;
+  std::uint8_t byte(std::uint16_t address) const override { return machine_->chip().data(address); }
+  void close() override;
+  std::vector<CauseStep> steps() const override;
+  SourceLine busiest(SimTime from, SimTime to) const override;
+
+ private:
+  using Index = std::int32_t;  ///< of an entry of the log
+  static constexpr Index kNone = -1;
+  using Line = SketchLines::Line;  ///< null = none of the sketch's
+  struct Want {
+    int far = 0;
+    Line line = nullptr;
+  };
+  /// An instruction whose branch is looked for.
+  struct Pending {
+    std::uint32_t pc = 0;  ///< kAnywhere = the last branch of all
+    Want want;
+  };
+  void forget();
+  void find_frames();
+  void set_out(SimTime t);
+  SimTime time_of(Index index) const;
+  std::vector<Line> lines_of(Index index) const;
+  void visit(Index index);
+  void visit_branch(Index index);
+  std::optional<Want> take_wanted(Index index);
+  void take(Index index, Want want, CauseStep::Kind kind);
+  void want_operands(Index index, Want want);
+  void want_branch(Index index, Want want);
+  bool comes_from_outside(Index index, Want want);
+  void note(Line line, int far, CauseStep::Kind kind, SimTime t, Pin pin = kNoPin);
+  void note_variable(std::uint32_t address, Want want);
+
+  const Firmware& firmware_;
+  const SketchLines sketch_;
+  ClockedBoard& board_;
+  Machine* machine_ = nullptr;
+  std::optional<InstructionLog> log_;
+  std::optional<Branches> branches_;
+  std::vector<std::uint32_t> calls_before_;  ///< that were open when the log began, innermost first; in words
+  std::vector<Index> frames_;  ///< by entry: the call, or first of a handler, that it runs in; kNone = older
+  Index from_ = kNone;         ///< where the next follow() sets out
+
+  std::array<std::optional<Want>, 32> registers_;
+  std::array<std::optional<Want>, 8> flags_;
+  std::map<std::uint16_t, Want> bytes_;
+  std::map<std::uint16_t, std::uint8_t> bits_;       ///< of registers of I/O: those that matter
+  std::map<Index, std::vector<Pending>> pending_;    ///< by what they run in
+  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that it has read
+};
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,69 @@
+// The instructions that have run, one by one, with what each touched in data memory.
+//
+// The chip steps singly meanwhile, and leaves no waiting loop out; what it does is the same.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/exec/avr/outside.h"
+#include "sim/exec/avr/watched_chip.h"
+
+namespace robosim::exec::avr {
+
+class InstructionLog {
+ public:
+  enum class Touch : std::uint8_t { nothing, load, store, flash };
+  struct Entry {
+    std::uint32_t pc = 0;       ///< in words
+    std::uint32_t began = 0;    ///< cycles after began()
+    std::uint16_t address = 0;  ///< in data memory, or in flash, the lowest of `bytes`
+    std::uint16_t sp = 0;       ///< before it
+    std::uint8_t bytes = 0;
+    Touch touch = Touch::nothing;
+    bool interrupts = false;   ///< it is the first of a handler, a jump; `pc` is 0
+    std::uint8_t changed = 0;  ///< bits of the byte at `address` that it has changed
+  };
+  static_assert(sizeof(Entry) == 16);
+
+  /// Both outlive its use.
+  InstructionLog(WatchedChip& chip, const Outside& outside) : chip_(chip), outside_(outside) {}
+
+  void begin();
+  // Around what runs next.
+  void before();
+  void after();
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  Cycle began() const { return began_; }
+  /// The board's pin that the load `index` has looked at, by the converter or its port; kNoPin = none.
+  Pin pin_of(std::size_t index) const;
+
+ private:
+  struct Looked {
+    std::size_t index = 0;
+    Pin pin = kNoPin;
+  };
+  Pin pin_looked_at(const Entry& entry);
+  void find_mask();
+
+  WatchedChip& chip_;
+  const Outside& outside_;
+  std::vector<Entry> entries_;
+  std::vector<Looked> looked_;  ///< in the order of entries
+  Cycle began_ = 0;
+  Entry next_;
+  std::uint8_t byte_before_ = 0;
+  Cycle cycle_before_ = 0;
+  bool asleep_before_ = false;
+  int handlers_before_ = 0;
+  /// All of a port was read, and it is not known yet for which pin.
+  struct Port {
+    int number = -1;        ///< of the chip; -1 = it is known
+    std::size_t index = 0;  ///< of the load
+    std::uint8_t reg = 0;   ///< that has it
+  };
+  Port port_;
+};
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,30 @@
+#include "sim/exec/avr/sketch_lines.h"
+
+namespace robosim::exec::avr {
+
+SketchLines::Line SketchLines::line(const SourceLine& where) const {
+  return &lines_.try_emplace({where.file, where.line}, where).first->second;
+}
+
+const SketchLines::Place& SketchLines::at(std::uint32_t pc) const {
+  const auto [known, fresh] = places_.try_emplace(pc);
+  if (!fresh) return known->second;
+  for (const SourceLine& frame : debug_.frames(2 * pc)) {
+    known->second.is_described = true;
+    if (!is_core_file(frame.file))
+      known->second.lines.push_back(line(frame));
+    else if (frame.function == "delay" || frame.function == "micros")
+      known->second.is_pause = true;
+  }
+  return known->second;
+}
+
+SketchLines::Line SketchLines::declaration(std::uint32_t address) const {
+  const auto [known, fresh] = declarations_.try_emplace(address);
+  if (!fresh) return known->second;
+  const DebugInfo::Variable variable = debug_.variable_at(address);
+  if (!variable.where.file.empty()) known->second = line(variable.where);
+  return known->second;
+}
+
+}  // namespace robosim::exec::avr

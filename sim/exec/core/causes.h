@@ -1,0 +1,68 @@
+// Back from what firmware did to what made it do so: a value is followed through the instructions that made
+// it, down to what was read from outside.
+//
+//   begin()            from now on each instruction that runs is noted
+//   ask()              what drives these pins, or why firmware is where it is
+//   follow()           back through all that was noted, to its beginning
+//   open_bytes()       were made before that: restore an earlier moment, begin() there, run on, follow()
+//   again
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/wire/run_result.h"
+
+namespace robosim::exec {
+
+/// A line of the sketch that had its part in it.
+struct CauseStep {
+  enum class Kind : std::uint8_t {
+    computes,  ///< it has computed a value, or stored it
+    decides,   ///< it has decided that another line runs
+    reads,     ///< it has looked at a pin
+    asks_time,
+    receives,  ///< a byte
+    keeps,     ///< a variable, or a constant, that has what it began with; the line declares it
+  };
+  Kind kind = Kind::computes;
+  wire::SourceLine where;
+  SimTime t = 0;     ///< when it last did, by the world's clock
+  int far = 0;       ///< how many lines lie between
+  Pin pin = kNoPin;  ///< that it has looked at
+};
+
+class CauseFinder {
+ public:
+  virtual ~CauseFinder() = default;
+
+  /// Forgets what was noted, and notes from now on. The chip is slower meanwhile.
+  virtual void begin() = 0;
+  virtual void end() = 0;
+
+  /// Forgets what was asked, and asks why the chip drives these pins as it does at `t`, which is noted.
+  virtual void ask(const std::vector<Pin>& pins, SimTime t) = 0;
+  /// Why the firmware was at `t` where it was.
+  virtual void ask_place(SimTime t) = 0;
+  /// Back to the beginning of what is noted. `adjoins`: what was followed before began where this ends.
+  virtual void follow(bool adjoins) = 0;
+  /// Of data memory: what was made before, the nearest first.
+  virtual std::vector<std::uint16_t> open_bytes() const = 0;
+  /// These of them are followed no further.
+  virtual void give_up(const std::vector<std::uint16_t>& bytes) = 0;
+  /// Whether something is open that registers held.
+  virtual bool open_registers() const = 0;
+  /// As data memory is now.
+  virtual std::uint8_t byte(std::uint16_t address) const = 0;
+  /// Nothing lies further back: what is open has the value that the program began with.
+  virtual void close() = 0;
+
+  /// The nearest first.
+  virtual std::vector<CauseStep> steps() const = 0;
+  /// The line of the sketch that most of the time between was spent in, with what it called.
+  virtual wire::SourceLine busiest(SimTime from, SimTime to) const = 0;
+};
+
+}  // namespace robosim::exec

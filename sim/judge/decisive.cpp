@@ -1,0 +1,42 @@
+// Where those begin who ask why.
+#include "sim/judge/explain.h"
+
+namespace robosim::judge {
+
+Decisive decisive_moment(const Evidence& e) {
+  constexpr SimTime kJustNow = kSecond / 2, kPause = kSecond;
+  const auto& seen = e.judge->line_last_seen();
+  const auto left_line = [&](SimTime before) { return e.moved && seen && before - seen->at >= kJustNow; };
+  const Decisive leaves_line{seen ? seen->at : 0, "the robot left the line", true, false};
+  switch (e.verdict) {
+    case Verdict::lost:
+      return seen ? leaves_line
+                  : Decisive{e.t, "the robot drove, and no sensor has seen a line", true, false};
+    case Verdict::stuck:
+      if (left_line(e.judge->stuck_since())) return leaves_line;
+      return {e.judge->stuck_since(),
+              e.in_contact ? "from here on it pushed against " + e.stopped_by
+                           : "its motors were driven from here on, and it did not move",
+              true, false};
+    case Verdict::toppled:
+      return {e.t, "the robot toppled", true, false};
+    case Verdict::crashed:
+      return {e.t, "the sketch crashed", false, true};
+    case Verdict::hung:
+    case Verdict::ended:
+      return {e.t, "the sketch goes round here, and calls nothing any more", false, true};
+    case Verdict::timeout:
+      if (left_line(e.t)) return leaves_line;
+      if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", false, true};
+      if (e.t - e.judge->last_driven() >= kPause)
+        return {e.judge->last_driven(), "its motors stopped, and were off from here on", true, true};
+      return {e.judge->in_one_place_since(), "the robot drove in one place from here on", true, false};
+    case Verdict::reached:
+    case Verdict::over_budget:
+    case Verdict::interrupted:
+      break;
+  }
+  return {};
+}
+
+}  // namespace robosim::judge

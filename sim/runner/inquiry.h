@@ -1,0 +1,76 @@
+// A run, and then back from its verdict to what caused it.
+//
+//   the run is saved now and then
+//   the verdict's decisive moment is run again, with each instruction noted (exec::CauseFinder)
+//   bytes that were made long before: the last two snapshots between which one changed are found, and what
+//   lies between them is run again in the same way
+//   the lines that were met become links: one for a file, one for all that was read, one for all that
+//   was set long before
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/exec/core/causes.h"
+#include "sim/run/simulation.h"
+
+namespace robosim::runner {
+
+class Inquiry final : run::Listener {
+ public:
+  /// Of a run of one robot. All outlive this. Throws InputError where nobody can tell.
+  Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<robot::WiredPin> wiring);
+
+  /// The run's outcome, with what caused it.
+  judge::Outcome go();
+
+ private:
+  struct Moment {
+    SimTime t = 0;
+    run::Simulation::Snapshot snapshot;
+  };
+  struct Command {
+    SimTime t = 0;
+    double left = 0.0, right = 0.0;
+  };
+  using Steps = std::vector<exec::CauseStep>;
+
+  bool wants_inputs() const override { return true; }
+  void sampled(const run::Sample& sample) override;
+  void level_seen(Pin pin, bool level, SimTime t) override;
+  void volts_seen(Pin pin, double volts, SimTime t) override;
+
+  void run_and_save();
+  std::size_t moment_before(SimTime t) const;
+  void run_again(std::size_t from, SimTime until);
+  template <typename Ask>
+  Steps trace(SimTime t, SimTime until, Ask ask);
+  void save_between(std::size_t moment);
+  std::vector<std::uint8_t> bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses);
+  void give_up_what_changes(std::size_t from);
+  bool go_back(std::size_t& from, bool for_registers);
+  std::pair<SimTime, SimTime> blind_around(SimTime t) const;
+
+  std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
+  std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most) const;
+  wire::Cause motors_at(SimTime t, const std::string& text) const;
+  std::string name_of(Pin pin) const;
+  std::string read_at(const exec::CauseStep& step) const;
+
+  run::Setup setup_;
+  const BoardSpec& board_;
+  const std::vector<robot::WiredPin> wiring_;
+  exec::CauseFinder& causes_;
+  run::Simulation simulation_;
+  std::vector<Moment> moments_;
+  SimTime every_;  ///< between two of them
+  bool looks_again_ = false;
+
+  std::vector<Command> commands_;                                     ///< of the motors
+  std::vector<SimTime> looks_;                                        ///< at line sensors
+  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< while it looks again
+};
+
+}  // namespace robosim::runner

@@ -1,0 +1,88 @@
+// `robosim why`: from a verdict back to the lines of the sketch.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/command.h"
+#include "tests/system/system_test.h"
+
+namespace robosim::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+// It looks at the line once, and drives on with that for ever.
+constexpr const char* kLooksOnce = R"(const int MIDDLE = A2;
+const int FAST = 200;
+int left, right;
+void drive() {
+  digitalWrite(7, HIGH);
+  digitalWrite(9, HIGH);
+  analogWrite(5, left);
+  analogWrite(6, right);
+}
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  int seen = analogRead(MIDDLE);
+  left = FAST;
+  right = FAST - seen / 32;
+}
+void loop() {
+  drive();
+  delay(5);
+}
+)";
+
+class CliWhy : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("avr");
+    folder_.write("Once/Once.ino", kLooksOnce);
+  }
+  Folder folder_;
+};
+
+TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
+  const Ended why = robosim_command({"why", "./Once", "--map", "oval"}, folder_.path());
+  EXPECT_EQ(why.status, 1) << why.err;
+  EXPECT_THAT(why.out, AllOf(StartsWith("lost: The robot lost the line"),
+                             HasSubstr("the robot left the line; motors: left 79 %, right 68 %"),
+                             HasSubstr("Once.ino:7 "), HasSubstr("analogWrite(5, left);"),
+                             HasSubstr("Once.ino:14 "), HasSubstr("read S3 (A2) "), HasSubstr("Once.ino:12 "),
+                             HasSubstr("Once.ino:2                  const int FAST = 200;")));
+
+  const Ended json = robosim_command({"why", "./Once", "--map", "oval", "--json"}, folder_.path());
+  const auto chain = nlohmann::json::parse(json.out);
+  EXPECT_EQ(chain["verdict"], "lost");
+  ASSERT_GE(chain["because"].size(), 3u);
+  EXPECT_THAT(chain["because"][0]["text"].get<std::string>(), StartsWith("the robot left the line"));
+  const Ended run =
+      robosim_command({"run", "./Once", "--map", "oval", "--target", "avr", "--json"}, folder_.path());
+  const auto plain = nlohmann::json::parse(run.out);
+  EXPECT_EQ(plain["trace_hash"], chain["trace_hash"]) << "it is the same run";
+  EXPECT_FALSE(plain.contains("because"));
+}
+
+TEST_F(CliWhy, HasNothingToTellOfASuccess) {
+  const Ended why = robosim_command({"why", "./Once", "--goal", "none", "--for", "100ms"}, folder_.path());
+  EXPECT_EQ(why.status, 0) << why.err;
+  EXPECT_THAT(why.out, AllOf(StartsWith("reached: "), Not(HasSubstr("←"))));
+}
+
+TEST_F(CliWhy, IsOfTheAvrOnly) {
+  wire::RunRequest request = request_of({.sketch = "PidFollower", .for_s = 0.01});
+  request.why = true;
+  try {
+    runner_of("host").run(request);
+    FAIL() << "the host cannot tell";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("on the target avr only"));
+  }
+}
+
+}  // namespace
+}  // namespace robosim::test

@@ -1,0 +1,166 @@
+#include <map>
+
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::IsSupersetOf;
+using testing::Key;
+using testing::Not;
+
+constexpr Pin kA2 = 16;
+
+constexpr const char* kSketch = R"(volatile int scale = 3;
+volatile int raw, turn, shown;
+void steer() {
+  analogWrite(5, turn);
+}
+void setup() {
+  pinMode(5, OUTPUT);
+}
+void loop() {
+  raw = analogRead(A2);
+  turn = scale;
+  if (raw > 300)
+    turn = raw / 8;
+
+  shown = analogRead(A3);
+  steer();
+  delay(1);
+})";
+
+class CausesTest : public AvrTest {
+ protected:
+  void before_power_on() override {
+    causes_ = avr_->find_causes();
+    ASSERT_NE(causes_, nullptr);
+  }
+  /// Of what pin 5 is driven with at the end, by lines of the sketch.
+  std::map<int, CauseStep> lines_behind_pin_5() {
+    causes_->end();
+    causes_->ask({5}, now_);
+    causes_->follow(true);
+    causes_->close();
+    return by_line();
+  }
+  /// Of several at one line that which reads.
+  std::map<int, CauseStep> by_line() const {
+    std::map<int, CauseStep> lines;
+    for (const CauseStep& step : causes_->steps()) {
+      const auto [known, fresh] = lines.try_emplace(step.where.line, step);
+      if (step.kind == CauseStep::Kind::reads) known->second = step;
+    }
+    return lines;
+  }
+
+  CauseFinder* causes_ = nullptr;
+};
+
+std::vector<int> numbers_of(const std::map<int, CauseStep>& lines) {
+  std::vector<int> numbers;
+  for (const auto& [line, step] : lines) numbers.push_back(line);
+  return numbers;
+}
+
+TEST_F(CausesTest, LeadFromThePinToTheReading) {
+  FixedSource sensor(3.0);
+  start(kSketch);
+  board().connect(kA2, sensor);
+  causes_->begin();
+  run(8 * kMillisecond);
+  const auto lines = lines_behind_pin_5();
+  EXPECT_THAT(numbers_of(lines), IsSupersetOf({4, 10, 12, 13, 16}));
+  EXPECT_THAT(lines, AllOf(Not(Contains(Key(11))), Not(Contains(Key(15))), Not(Contains(Key(1)))))
+      << "what was overwritten, and what the pin does not depend on";
+  EXPECT_EQ(lines.at(10).kind, CauseStep::Kind::reads);
+  EXPECT_EQ(lines.at(10).pin, kA2);
+  EXPECT_EQ(lines.at(12).kind, CauseStep::Kind::decides);
+  EXPECT_LT(lines.at(4).far, lines.at(13).far);
+  EXPECT_GT(lines.at(13).t, 5 * kMillisecond) << "the last time";
+}
+
+TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
+  FixedSource sensor(0.5);
+  start(kSketch);
+  board().connect(kA2, sensor);
+  causes_->begin();
+  run(8 * kMillisecond);
+  const auto lines = lines_behind_pin_5();
+  EXPECT_THAT(numbers_of(lines), IsSupersetOf({1, 4, 11, 16}));
+  EXPECT_THAT(lines, Not(Contains(Key(13))));
+  EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
+}
+
+// As a simulation does it that has saved the moments in between.
+TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
+  FixedSource sensor(3.0);
+  start(R"(volatile int gain;
+void setup() {
+  pinMode(5, OUTPUT);
+  gain = analogRead(A2) / 16;
+}
+void loop() {
+  analogWrite(5, gain);
+  delay(1);
+})");
+  board().connect(kA2, sensor);
+  const std::any beginning = avr_->save();
+  run(10 * kMillisecond);
+  causes_->begin();
+  run(10 * kMillisecond);
+  causes_->end();
+  causes_->ask({5}, now_);
+  causes_->follow(true);
+  ASSERT_FALSE(causes_->open_bytes().empty());
+  for (const CauseStep& step : causes_->steps()) EXPECT_NE(step.where.line, 4);
+
+  avr_->restore(beginning);
+  now_ = 0;
+  causes_->begin();
+  run(10 * kMillisecond);
+  causes_->end();
+  causes_->follow(false);
+  const auto lines = by_line();
+  ASSERT_THAT(lines, AllOf(Contains(Key(4)), Contains(Key(7))));
+  EXPECT_EQ(lines.at(4).pin, kA2);
+}
+
+TEST_F(CausesTest, OfAPlaceAreTheBranchesThatLedThere) {
+  start(R"(void setup() {
+  pinMode(4, INPUT_PULLUP);
+}
+void loop() {
+  while (digitalRead(4) == HIGH) {
+  }
+  digitalWrite(13, HIGH);
+})");
+  run(5 * kMillisecond);
+  causes_->begin();
+  run(5 * kMillisecond);
+  causes_->end();
+  causes_->ask_place(now_);
+  causes_->follow(true);
+  const auto lines = by_line();
+  EXPECT_FALSE(lines.contains(7));
+  ASSERT_TRUE(lines.contains(5));
+  EXPECT_EQ(lines.at(5).pin, 4);
+}
+
+TEST_F(CausesTest, NotingThemChangesNothing) {
+  start(kSketch);
+  run(20 * kMillisecond);
+  const std::vector<SimTime> plain = changes(5);
+  start(kSketch);
+  run(3 * kMillisecond);
+  causes_->begin();
+  run(5 * kMillisecond);
+  causes_->end();
+  run(12 * kMillisecond);
+  EXPECT_EQ(changes(5), plain);
+}
+
+}  // namespace
+}  // namespace robosim::exec
