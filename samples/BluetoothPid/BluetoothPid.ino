@@ -17,7 +17,7 @@ int baseSpeed = 110;
 const int maxSpeed = 200;
 
 bool running = false;
-int P, I, D, previousError = 0;
+int P, D, previousError = 0;
 int minimo[6], maximo[6];
 
 void calibrate() {
@@ -109,7 +109,6 @@ void loop() {
   if (!running) return;
   int error = readLine() - 2500;
   P = error;
-  I = I + error;
   D = error - previousError;
   previousError = error;
   int turn = Kp * P + Kd * D;
