@@ -15,11 +15,13 @@ double share_between(double least, double most, double at, double width) {
 }  // namespace
 
 int Patches::add(Vec2 least, Vec2 most, bool line) {
+  ++state_.changes;
   state_.patches.push_back({state_.next_id, least, most, line});
   return state_.next_id++;
 }
 
 void Patches::remove(int id) {
+  ++state_.changes;
   std::erase_if(state_.patches, [id](const Patch& patch) { return patch.id == id; });
 }
 

@@ -19,9 +19,12 @@ class Patches {
   struct State {
     std::vector<Patch> patches;
     int next_id = 1;
+    int changes = 0;
   };
 
   bool empty() const { return state_.patches.empty(); }
+  /// So often the floor has changed: what was read of it before may no longer hold.
+  int changes() const { return state_.changes; }
   int add(Vec2 least, Vec2 most, bool line);
   /// Does nothing if there is no such patch.
   void remove(int id);

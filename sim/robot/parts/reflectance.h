@@ -107,10 +107,7 @@ class Sensor : public Breakable {
   double coverage() {
     if (context_.view.body->lifted()) return 0.0;
     const Vec2 p = context_.view.body->pose().to_world(state_.at);
-    if (p.x != state_.line_sought.x || p.y != state_.line_sought.y) {
-      state_.line_sought = p;
-      state_.coverage = context_.view.floor->on_line(p, footprint_);
-    }
+    if (is_new(p, state_.line_sought)) state_.coverage = context_.view.floor->on_line(p, footprint_);
     return state_.coverage;
   }
   /// The share of it that is dark.
@@ -159,11 +156,19 @@ class Sensor : public Breakable {
   }
   /// Of the floor there; asked once where the robot stands still.
   double darkness_at(Vec2 p, double footprint) {
-    if (p.x != state_.looked_at.x || p.y != state_.looked_at.y) {
-      state_.looked_at = p;
-      state_.darkness = context_.view.floor->darkness(p, footprint);
-    }
+    if (is_new(p, state_.looked_at)) state_.darkness = context_.view.floor->darkness(p, footprint);
     return state_.darkness;
+  }
+  /// A place on the floor, as it was after so many changes of the floor.
+  struct Glance {
+    Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
+    int changes = 0;
+  };
+  bool is_new(Vec2 p, Glance& last) const {
+    const int changes = context_.view.floor->patches().changes();
+    if (p.x == last.at.x && p.y == last.at.y && changes == last.changes) return false;
+    last = {p, changes};
+    return true;
   }
   /// What its height does: as it is mounted, or on hills as it is there.
   struct Optics {
@@ -190,9 +195,9 @@ class Sensor : public Breakable {
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
-    Vec2 looked_at = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the floor, and its darkness
+    Glance looked_at;  ///< of its darkness
     double darkness = 0.0;
-    Vec2 line_sought = looked_at;  ///< where its footprint's share on the line was
+    Glance line_sought;  ///< of its footprint's share on the line
     double coverage = 0.0;
   };
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "sim/robot/description.h"
@@ -35,6 +36,7 @@ class ChangingWorld : public testing::Test, public run::Listener {
     samples.clear();
     happenings.clear();
     values.clear();
+    volts.clear();
     return simulate(setup).front();
   }
   std::string error_of(const std::string& script) {
@@ -46,6 +48,8 @@ class ChangingWorld : public testing::Test, public run::Listener {
     return "no error";
   }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
+  bool wants_inputs() const override { return true; }
+  void volts_seen(Pin pin, double seen, SimTime) override { volts[pin].push_back(seen); }
   void happened(const wire::RunEvent& event) override {
     happenings.push_back(wire::text_of(event));
     values.push_back(test::values_of(event));
@@ -60,7 +64,21 @@ class ChangingWorld : public testing::Test, public run::Listener {
   std::uint64_t seed = 1;
   std::vector<run::Sample> samples;  // one each millisecond
   std::vector<std::string> happenings, values;
+  std::map<Pin, std::vector<double>> volts;  // as the firmware read them, every 5 ms
 };
+
+TEST_F(ChangingWorld, ASensorThatStandsStillSeesTheLineGoAndCome) {
+  play(
+      "at 0ms fault left dead\nat 0ms fault right dead\nat 300ms erase 3,14 20,14\nat 600ms paint 3,14 "
+      "20,14\n",
+      0.9);
+  EXPECT_EQ(place(0.0), place(0.9 - 0.001));
+  const std::vector<double>& middle = volts[16];  // A2
+  const auto seen = [&](double seconds) { return middle.at(static_cast<std::size_t>(seconds / 0.005)); };
+  EXPECT_GT(seen(0.2), 4.0);
+  EXPECT_LT(seen(0.5), 1.0);
+  EXPECT_GT(seen(0.8), 4.0);
+}
 
 TEST_F(ChangingWorld, ItsChangesAreToldWithTheirPlaces) {
   play(
