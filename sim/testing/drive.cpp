@@ -130,6 +130,13 @@ std::string Drive::epilogue(Duration until) const {
   text += told.empty() ? "\n  before that: nothing was said or done" : "\n  before that:";
   for (const RunLog::Entry* entry : told)
     text += fmt::format("\n    {:>10}  {}", seconds(entry->t_ns), entry->text);
+  if (const auto all = moments(); !all.empty()) {
+    const Moment& last = all.back();
+    text += fmt::format("\n  at {} it is at {}, ", seconds(end_), place_of(last.pose));
+    text += last.left == 0.0 && last.right == 0.0
+                ? "its motors off"
+                : fmt::format("driving at {} mm/s", std::lround(last.speed.mm_per_s));
+  }
   if (log_->result && log_->result->verdict != "interrupted")
     text += fmt::format("\n  the run ended at {} as {}: {}", seconds(log_->legs.back().end_ns),
                         log_->result->verdict, log_->result->why);

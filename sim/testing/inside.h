@@ -9,6 +9,7 @@
 #include "sim/client/driven_run.h"
 #include "sim/testing/run_log.h"
 #include "sim/testing/stage.h"
+#include "sim/testing/standing.h"
 
 namespace robosim::testing {
 
@@ -57,6 +58,7 @@ struct Simulation::Inside {
   void complain_unasked(const wire::RunResult& result) const;
 
   std::shared_ptr<RunLog> log = std::make_shared<RunLog>();
+  Standing standing{log};
   Stage stage;
   std::shared_ptr<SharedRun> shared;
   std::size_t number = 0;  ///< among the robots

@@ -19,7 +19,12 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
     return;
   }
   if (writes == 0) {
-    ADD_FAILURE_AT(file, line) << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
+    const auto complain = [&](Simulation& robot) {
+      body(robot);
+      ADD_FAILURE_AT(file, line)
+          << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
+    };
+    run_for_all_to_see(trial, complain, "this was without any power cut", file, line);
     return;
   }
   for (const client::PowerCut& cut : client::all_power_cuts(writes)) {

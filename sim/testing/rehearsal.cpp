@@ -56,7 +56,11 @@ void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&
     const ::testing::ScopedTrace where(
         file, line,
         kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");
-    body(robot);
+    try {
+      body(robot);
+    } catch (const std::exception& problem) {  // while there is a robot whose run can be told and kept
+      ADD_FAILURE_AT(file, line) << problem.what();
+    }
   } catch (const std::exception& problem) {
     ADD_FAILURE_AT(file, line) << problem.what();
   }

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <string>
 
+#include "sim/testing/standing.h"
+
 namespace robosim::testing {
 namespace {
 
@@ -62,8 +64,10 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
   void OnTestPartResult(const ::testing::TestPartResult& part) override {
     if (!part.failed()) return;
     // Google Test holds a lock here: it must not be asked which test this is.
+    const std::string then = robots_then(part);
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
-               part.line_number() > 0 ? part.line_number() : 1, test_, annotation(part.message()));
+               part.line_number() > 0 ? part.line_number() : 1, test_,
+               annotation(std::string(part.message()) + (then.empty() ? "" : "\n" + then)));
     std::fflush(stdout);
     rows_ += fmt::format("| `{}` | {} |\n", test_, in_cell(essence(part.message())));
   }

@@ -76,10 +76,7 @@ Drive Simulation::run_until(const Event& event, Within<Duration> within, const c
     if (!awaited)
       drive.fail_with(fmt::format("the run was over at {} before {}", seconds(now()), event.clause()));
   } else if (stop < 0) {
-    const Moment here = moment();
-    drive.fail_with(fmt::format("it did not happen within {} that {}; the robot is now at {}{}",
-                                seconds(within.most), event.clause(), place_of(here.pose),
-                                here.left == 0.0 && here.right == 0.0 ? ", its motors off" : ""));
+    drive.fail_with(fmt::format("it did not happen within {} that {}", seconds(within.most), event.clause()));
   } else {
     in_->read_on(*stopping[static_cast<std::size_t>(stop)]);
   }

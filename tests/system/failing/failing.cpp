@@ -39,4 +39,18 @@ TEST(InTheWay, NobodyIsTouched) {
   EXPECT_THAT(both.robot("A").run_for(5_s), NeverCollides());
 }
 
+TEST(PassesBy, StopsAtAStation) {
+  Simulation robot({.sketch = "./TooFast", .map = "oval", .seed = 3});
+  robot.run_for(1_s);
+  EXPECT_EQ(robot.station(), "3");
+  EXPECT_EQ(robot.verdict(), "reached");
+}
+
+TEST(Diary, StartsAfreshAtEveryPowerCut) {
+  AtEveryPowerCut({.sketch = "../sketches/Diary"}, [](Simulation& robot) {
+    robot.run_for(100_ms);
+    EXPECT_EQ(robot.serial().find("was 0"), std::string::npos);
+  });
+}
+
 }  // namespace

@@ -60,6 +60,37 @@ TEST_F(FailedTests, SayWhatHappenedWhenAndWhere) {
             HasSubstr("the run ended at"), HasSubstr("Forgetful.ino:")));
 }
 
+/// What Google Test has between a test's first line and its last.
+std::string part_of(const std::string& test, const std::string& out) {
+  const std::size_t begin = out.find("[ RUN      ] " + test + "\n");
+  if (begin == std::string::npos) return "";
+  return out.substr(begin, out.find("[  FAILED  ] " + test, begin) - begin);
+}
+
+TEST_F(FailedTests, TellOfTheRobotThoughTheExpectationKnowsNothingOfIt) {
+  const std::string said = part_of("PassesBy.StopsAtAStation", text("out.txt"));
+  const std::string told =
+      "  TooFast on oval (uno5, target host, seed 3), 0.00 s to 1.00 s\n  before that:\n";
+  const std::size_t at = said.find(told);
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_LT(said.find("robot.station()"), at);
+  EXPECT_EQ(said.find(told, at + 1), std::string::npos) << "the second failure is of the same moment";
+  EXPECT_THAT(said.substr(at),
+              AllOf(HasSubstr("the sketch says \"go\\r\\n\""), HasSubstr("\n  at 1.00 s it is at column "),
+                    HasSubstr("\n  replay: " + text("kept/PassesBy.StopsAtAStation/command.txt")),
+                    HasSubstr("robot.verdict()")));
+}
+
+TEST_F(FailedTests, OfPowerCutsTellOfTheRobotToo) {
+  const std::string test = "Diary.StartsAfreshAtEveryPowerCut";
+  EXPECT_THAT(part_of(test, text("out.txt")),
+              AllOf(HasSubstr("this was with a power cut during write 1"), HasSubstr("\n  Diary on oval"),
+                    HasSubstr("power off, while byte 0 of the EEPROM was being written"),
+                    HasSubstr("the sketch says \"was 0 255\\r\\n\"\n  at 0.10 s it is at column "),
+                    HasSubstr("\n  replay: " + text("kept/" + test + "/command.txt"))));
+  EXPECT_THAT(text("kept/" + test + "/script.txt"), HasSubstr("after eeprom 1 power off"));
+}
+
 // A script's step is told at the end of its tick, in which the sketch may have answered already.
 TEST(RunLog, HasACauseBeforeItsEffect) {
   testing::RunLog log;
@@ -134,9 +165,10 @@ TEST_F(FailedTests, OfSeveralRobotsKeepAFileOfThemThatRunsAgain) {
 TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
   EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
   EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
+  EXPECT_THAT(text("out.txt"), HasSubstr("%0A  at 1.00 s it is at column ")) << "of robot.station()";
   EXPECT_THAT(
       text("summary.md"),
-      AllOf(HasSubstr("### Robosim: 0 passed, 5 failed, 0 skipped"), HasSubstr("| `WrongButton."),
+      AllOf(HasSubstr("### Robosim: 0 passed, 7 failed, 0 skipped"), HasSubstr("| `WrongButton."),
             HasSubstr("| `Forgetful.VisitsTheStations` | Forgetful on d (uno3, target host, seed 1), "),
             HasSubstr(": it did not come to 2 and 3 until "),
             HasSubstr(" s as crashed: The sketch crashed")));

@@ -66,12 +66,14 @@ TEST(AtEveryPowerCut, FailsWithoutACutIfTheBodyDoes) {
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_THAT(failures[0], HasSubstr("nose"));
   EXPECT_THAT(failures[0], HasSubstr("this was without any power cut"));
+  EXPECT_THAT(failures[0], HasSubstr(", with the command that replays it"));
 }
 
 TEST(AtEveryPowerCut, FailsIfNothingIsWritten) {
   const std::vector<std::string> failures = caught_failures(
       [] { AtEveryPowerCut({.sketch = "PidFollower"}, [](Simulation& robot) { robot.run_for(10_ms); }); });
-  EXPECT_THAT(failures, ElementsAre(HasSubstr("the sketch wrote nothing to its EEPROM")));
+  EXPECT_THAT(failures, ElementsAre(AllOf(HasSubstr("the sketch wrote nothing to its EEPROM"),
+                                          HasSubstr(", with the command that replays it"))));
 }
 
 }  // namespace

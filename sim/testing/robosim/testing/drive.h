@@ -92,7 +92,8 @@ class Drive {
   /// On a chip: until now.
   std::optional<Usage> usage() const;
 
-  /// Lines for messages: the last events before `until`, and the command that replays the run.
+  /// Lines for messages: the last events before `until`, where the robot is at the end, and the command that
+  /// replays the run.
   std::string epilogue(Duration until) const;
   /// "PidFollower on oval, seed 3, host, from 0 s to 20 s"
   std::string title() const;
