@@ -149,18 +149,6 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   return text + ". A chip goes on there with a number that means nothing, and so did this run.";
 }
 
-// "the robot drove … In loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
-std::string detected_text(const wire::Detected& seen) {
-  const wire::SourceLine& where = seen.where;
-  const std::string place =
-      where.file.empty() ? ""
-                         : fmt::format("{}, {}:{}", where.function.empty() ? "" : " in " + where.function,
-                                       where.file, where.line);
-  return fmt::format("{}{} ({}{}). {}", seen.what, place,
-                     seen.times == 1 ? "at " : fmt::format("{} times, first at ", seen.times),
-                     time_text(seen.first_s), seen.mend);
-}
-
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
 
 // "35 points · 2 × gap 20, 3 × tile 15"; empty where nothing has counted.
@@ -235,6 +223,17 @@ std::string chip_hint(const std::string& chip_target) {
 }
 
 }  // namespace
+
+std::string detected_text(const wire::Detected& seen) {
+  const wire::SourceLine& where = seen.where;
+  const std::string place =
+      where.file.empty() ? ""
+                         : fmt::format("{}, {}:{}", where.function.empty() ? "" : " in " + where.function,
+                                       where.file, where.line);
+  return fmt::format("{}{} ({}{}). {}", seen.what, place,
+                     seen.times == 1 ? "at " : fmt::format("{} times, first at ", seen.times),
+                     time_text(seen.first_s), seen.mend);
+}
 
 std::int64_t trail_every_ns(std::int64_t for_ns) {
   constexpr std::int64_t kEvery_ns = 50'000'000, kTick_ns = 1'000'000, kMostSamples = 20'000;

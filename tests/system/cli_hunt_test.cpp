@@ -90,6 +90,22 @@ TEST_F(CliHunt, TellsOnceWhatSeveralMachinesHaveFound) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
 }
 
+TEST_F(CliHunt, TellsWhatADetectorSeesAndLeavesACheckOfIt) {
+  const auto saves_by = [&](const char* call) {
+    folder_.write("Tries/Tries.ino", "#include <EEPROM.h>\nvoid setup() {}\nvoid loop() {\n  EEPROM." +
+                                         std::string(call) + "(0, 7);\n  delay(5);\n}\n");
+  };
+  saves_by("write");
+  const Ended ended = hunt({}, "12");
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("in loop, Tries.ino:4"), HasSubstr("EEPROM"),
+                               HasSubstr("nothing else is needed"), HasSubstr("--sanitize\n")));
+  const std::vector<std::string> test{"test", "./Tries", "--checks", "hunt-Tries/checks.toml"};
+  EXPECT_THAT(command(test).out, HasSubstr("why: detected: "));
+  saves_by("update");
+  EXPECT_EQ(command(test).status, 0);
+}
+
 TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {
   sketch("  if (digitalRead(4) == LOW) Serial.println(Serial.read());");
   const Ended ended = hunt();

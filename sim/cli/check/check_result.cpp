@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/tui/report.h"
+
 namespace robosim::cli {
 namespace {
 
@@ -65,6 +67,7 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
   for (const FigureLimit& limit : check.limits) {
     if (const auto why = why_beyond(limit, result)) return why;
   }
+  if (!result.detected.empty()) return "detected: " + tui::detected_text(result.detected.front());
   for (const Promise& promise : check.promises)
     if (const std::string why = why_broken(promise, result); !why.empty()) return why;
   return std::nullopt;

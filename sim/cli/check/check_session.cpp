@@ -159,6 +159,7 @@ void CheckSession::plan(const Check& check) {
   try {
     Planned planned{
         sketches_.size() - 1, sketch.results.size() - 1, check, planner_.plan(check.sweep), {}, true, {}, {}};
+    for (Combination& combination : planned.plan.combinations) combination.task.request.detect = check.detect;
     result.where = where_text(planned.plan);
     const auto seeds = static_cast<std::int64_t>(planned.plan.seeds);
     planned.tallies.assign(planned.plan.combinations.size(), analysis::Tally(seeds, demand_of(check)));

@@ -106,6 +106,14 @@ class CheckReader {
     }
     if (check.expect.empty()) check.expect = {"reached"};
     for (const Figure& figure : figures()) add_limit(figure, check);
+    if (const ConfigValue* value = reader_.find("detect")) {
+      check.detect = as_boolean(*value, "detect");
+      if (check.detect && check.sweep.each.sanitize)
+        throw InputError(
+            value->place,
+            "detect watches the sketch as it is flashed, without the checks of sanitize; make two "
+            "checks of it");
+    }
     check.serial = words_at(reader_, "serial");
     check.shows = words_at(reader_, "shows");
     check.stations = words_at(reader_, "stations");

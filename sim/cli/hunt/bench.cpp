@@ -203,6 +203,7 @@ void HuntBench::keep_maps(const std::vector<std::size_t>& maps) {
 wire::RunRequest HuntBench::request_of(const HuntWorld& world, const std::string& folder) const {
   wire::RunRequest request = prepared_[world.build].request;
   request.seed = world.seed;
+  request.detect = !space_.builds[world.build].checked;  // checks change the timing of what they watch
   request.clock_ns = world.clock_ms * 1'000'000;
   request.for_ns = static_cast<std::int64_t>(world.for_s * 1000.0) * 1'000'000;
   request.script = script_of(world);

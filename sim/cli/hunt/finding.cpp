@@ -69,7 +69,7 @@ std::string replay_of(const Shown& shown, const fs::path& folder) {
   std::string command = "robosim run " + shell_word(shown.sketch);
   for (const Shown::Option& option : shown.options)
     command += fmt::format(" --{} {}", option.name, shell_word(option.value_in(folder)));
-  return command + (shown.checked ? " --sanitize" : "");
+  return command + (shown.checked || shown.detected ? " --sanitize" : "");
 }
 
 }  // namespace
@@ -88,6 +88,7 @@ std::string hunt_check(const HuntFinding& finding, std::size_t number) {
     text += fmt::format("{} = {}\n", option.name, option.name == "seed" ? value : in_quotes(value));
   }
   if (finding.shown.checked) text += "sanitize = true\n";
+  if (finding.shown.detected) text += "detect = true\n";
   if (symptom.kind == "collision") text += "collisions = { max = 0 }\n";
   return text;
 }
@@ -119,7 +120,8 @@ void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, cons
   finding.shown = {
       fmt::format("{}{}, {}", build.target, build.checked ? " with checks" : "",
                   finding.world.drawn() ? "a drawn map" : bench.space().maps[finding.world.map].name),
-      run.sketch.name, options_of(finding, bench, arguments), build.checked};
+      run.sketch.name, options_of(finding, bench, arguments), build.checked,
+      finding.symptom.kind == kDetected};
 
   record::Recorders page({(folder / "run.html").string()});
   page.ask(request);

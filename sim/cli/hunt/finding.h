@@ -24,7 +24,8 @@ struct Shown {
   std::string where;            ///< "avr with checks, oval"
   std::string sketch;           ///< as the command names it
   std::vector<Option> options;  ///< that are not as usual
-  bool checked = false;
+  bool checked = false;         ///< by --sanitize
+  bool detected = false;        ///< by a detector
 };
 
 struct HuntFinding {

@@ -100,11 +100,30 @@ bool Hunt::find_plain() {
   return true;
 }
 
-std::optional<Symptom> Hunt::symptom(const wire::RunResult& result, const HuntWorld& world) const {
-  if (auto broken = broken_promise(result, bench_.space().promises)) return broken;
-  auto found = symptom_of(result, world, bench_.space(), plain_);
-  if (found && found->is_behaviour && !tells_behaviour(world, bench_.space())) return std::nullopt;
-  return found;
+/// What went wrong first, then what detectors have seen.
+std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWorld& world) const {
+  std::vector<Symptom> all;
+  if (const auto broken = broken_promise(result, bench_.space().promises))
+    all.push_back(*broken);
+  else if (const auto found = symptom_of(result, world, bench_.space(), plain_);
+           found && (!found->is_behaviour || tells_behaviour(world, bench_.space())))
+    all.push_back(*found);
+  for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
+  return all;
+}
+
+/// Whether it would be a finding of its own.
+bool Hunt::is_news(const Symptom& symptom, const std::set<std::string>& needs) const {
+  return !has_enough_of(symptom) &&
+         std::none_of(findings_.begin(), findings_.end(),
+                      [&](const HuntFinding& known) { return known.explains(symptom, needs); });
+}
+
+bool Hunt::has_enough_of(const Symptom& symptom) const {
+  const auto alike = std::count_if(findings_.begin(), findings_.end(), [&](const HuntFinding& known) {
+    return known.symptom.is_behaviour && known.symptom.kind == symptom.kind;
+  });
+  return symptom.is_behaviour && alike >= static_cast<std::ptrdiff_t>(kMostAlike);
 }
 
 bool Hunt::is_known(const HuntFinding& finding, HuntRow& row) const {
@@ -118,10 +137,7 @@ bool Hunt::is_known(const HuntFinding& finding, HuntRow& row) const {
 
 bool Hunt::add(HuntFinding finding, HuntRow& row) {
   if (is_known(finding, row)) return true;
-  const auto alike = std::count_if(findings_.begin(), findings_.end(), [&](const HuntFinding& known) {
-    return known.symptom.is_behaviour && known.symptom.kind == finding.symptom.kind;
-  });
-  if (finding.symptom.is_behaviour && alike >= static_cast<std::ptrdiff_t>(kMostAlike)) return true;
+  if (has_enough_of(finding.symptom)) return true;
   if (!shrink(finding)) return false;
   // As small as it is now it may be one that is known.
   if (is_known(finding, row)) return true;
@@ -150,8 +166,11 @@ bool Hunt::shrink(HuntFinding& finding) {
       tries += some.size();
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (!results[i]) continue;
-        const auto same = symptom(*results[i], some[i]);
-        if (!same || same->group != finding.symptom.group) continue;
+        const std::vector<Symptom> found = symptoms(*results[i], some[i]);
+        const auto same = std::find_if(found.begin(), found.end(), [&](const Symptom& one) {
+          return one.group == finding.symptom.group;
+        });
+        if (same == found.end()) continue;
         finding.world = some[i];
         finding.symptom = *same;
         finding.time_s = results[i]->time_s;
@@ -183,8 +202,11 @@ std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult&
     if (!traits_.contains(trait)) row.traits.push_back(trait);
   for (const std::string& heard : kept_promises(result, bench_.space().promises))
     if (!heard_.contains(heard)) row.heard.push_back(heard);
-  const auto found = symptom(result, world);
-  if (found && !add({*found, world, needs_of(world, bench_.space()), result.time_s}, row))
+  const std::vector<Symptom> found = symptoms(result, world);
+  const std::set<std::string> needs = needs_of(world, bench_.space());
+  const auto news =
+      std::find_if(found.begin(), found.end(), [&](const Symptom& one) { return is_news(one, needs); });
+  if (!found.empty() && !add({news == found.end() ? found.front() : *news, world, needs, result.time_s}, row))
     return std::nullopt;
   return row;
 }

@@ -46,7 +46,9 @@ class Hunt {
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  std::optional<Symptom> symptom(const wire::RunResult& result, const HuntWorld& world) const;
+  std::vector<Symptom> symptoms(const wire::RunResult& result, const HuntWorld& world) const;
+  bool has_enough_of(const Symptom& symptom) const;
+  bool is_news(const Symptom& symptom, const std::set<std::string>& needs) const;
   void adopt(HuntRow& row, const std::filesystem::path& files);
   void tell(const HuntFinding& finding);
   void look_back();

@@ -36,7 +36,8 @@ std::string line_of(const HuntRow& row) {
                      {"where", f.shown.where},
                      {"sketch", f.shown.sketch},
                      {"options", options},
-                     {"checked", f.shown.checked}};
+                     {"checked", f.shown.checked},
+                     {"detected", f.shown.detected}};
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -51,7 +52,7 @@ HuntRow row_of(const Json& json) {
     fresh.symptom = {f.at("kind"), f.at("group"), f.at("sentence"), f.at("is_behaviour")};
     fresh.needs = f.at("needs").get<std::set<std::string>>();
     fresh.time_s = f.at("time_s");
-    fresh.shown = {f.at("where"), f.at("sketch"), {}, f.at("checked")};
+    fresh.shown = {f.at("where"), f.at("sketch"), {}, f.at("checked"), f.at("detected")};
     for (const Json& option : f.at("options"))
       fresh.shown.options.push_back({option.at("name"), option.at("value"), option.at("own_file")});
   }

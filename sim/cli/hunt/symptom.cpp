@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "sim/tui/report.h"
+
 namespace robosim::cli {
 namespace {
 
@@ -84,6 +86,17 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
     if (limit > 0.0 && result.time_s >= limit) return Symptom{"late", "late", result.why, true};
   }
   return std::nullopt;
+}
+
+std::vector<Symptom> detected_in(const wire::RunResult& result) {
+  std::vector<Symptom> all;
+  for (const wire::Detected& seen : result.detected) {
+    std::string sentence = tui::detected_text(seen);
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    all.push_back({kDetected, fmt::format("{} {}:{}", seen.detector, seen.where.file, seen.where.line),
+                   sentence, false});
+  }
+  return all;
 }
 
 std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises) {

@@ -21,6 +21,9 @@ struct Plain {
 /// Whether the sketch looks at the line at all.
 bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot);
 
+/// The kind of what a detector has seen.
+inline constexpr const char* kDetected = "detected";
+
 struct Symptom {
   std::string kind;      ///< "crashed", "lost", "late" …
   std::string group;     ///< equal where the cause is taken to be one: the kind, and where in the sketch
@@ -39,6 +42,8 @@ bool tells_behaviour(const HuntWorld& world, const HuntSpace& space);
 
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
                                   const HuntSpace& space, const Plain& plain);
+/// What detectors have seen, each for itself.
+std::vector<Symptom> detected_in(const wire::RunResult& result);
 
 /// What must never come, or must always, as checks.toml has it.
 std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises);
