@@ -11,6 +11,7 @@
 #include "sim/exec/avr/losses.h"
 #include "sim/exec/avr/lost_pwm.h"
 #include "sim/exec/avr/reference_change.h"
+#include "sim/exec/avr/stack_margin.h"
 #include "sim/exec/avr/watchdog_margin.h"
 
 namespace robosim::exec {
@@ -56,6 +57,7 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(std::make_unique<avr::FloatEquality>(machine_, program));
     detectors_.push_back(std::make_unique<avr::LostPwm>(machine_, program));
     detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::StackMargin>(machine_, program));
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;

@@ -99,6 +99,8 @@ class WatchedChip final : robosim::avr::Visitor {
   /// holds it; null = it lies in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
+  /// Not between the writes of its two halves.
+  bool is_stack_pointer_whole() const { return state_.pointer_written == 0; }
   /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
 

@@ -1,0 +1,200 @@
+#include "sim/exec/avr/stack_margin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace robosim::exec::avr {
+namespace {
+
+using robosim::avr::Cpu;
+using robosim::avr::Op;
+
+constexpr int kLeast = 16;
+
+std::uint64_t bit(int vector) { return std::uint64_t{1} << vector; }
+
+}  // namespace
+
+StackMargin::StackMargin(Machine& machine, const Program& program)
+    : machine_(machine),
+      firmware_(program.firmware),
+      debug_(program.debug),
+      cpu_(machine.chip().chip().cpu()),
+      main_(program.firmware.find("main").value_or(0)),
+      heap_(program.firmware.find_variable("__brkval").value_or(0)),
+      low_(std::exchange(cpu_.on_sp_low, Cpu::call<&StackMargin::went_low>(this))),
+      written_(std::exchange(cpu_.on_sp_written, Cpu::call<&StackMargin::pointer_written>(this))),
+      handlers_(machine.chip().spec().vectors) {
+  nearest_.room = program.firmware.last_ram + 1;
+  WatchedChip& chip = machine.chip();
+  for (int vector = 1; vector < chip.spec().vectors; ++vector) chip.show(*this, 2 * cpu_.entry_of(vector));
+  if (main_ != 0) chip.show(*this, main_);
+  for (std::uint32_t pc = cpu_.entry_of(chip.spec().vectors); 2 * pc < firmware_.code_end; ++pc)
+    if (cpu_.instruction(pc).op == Op::reti) chip.show(*this, 2 * pc);
+}
+
+StackMargin::~StackMargin() {
+  cpu_.on_sp_low = low_;
+  cpu_.on_sp_written = written_;
+}
+
+int StackMargin::heap_end() const {
+  const int end = heap_ != 0 ? cpu_.pair(heap_) : 0;
+  return std::max<int>(end, firmware_.globals_end);
+}
+
+/// The user's line at `pc`, or that which has called it; calls behind the return to `until` are others'.
+SourceLine StackMargin::place(std::uint32_t pc, std::uint32_t until) const {
+  const SourceLine* where = &debug_.place(pc);
+  if (where->file.empty())
+    machine_.stack().each_call(until, [&](const Stack::Call& call) {
+      where = &debug_.place(call.pc);
+      return !where->file.empty();
+    });
+  return *where;
+}
+
+void StackMargin::went_low() {
+  low_();
+  look();
+}
+
+void StackMargin::pointer_written() {
+  written_();
+  look();
+}
+
+void StackMargin::look() {
+  const WatchedChip& chip = machine_.chip();
+  has_own_stacks_ = has_own_stacks_ || chip.has_own_stack();
+  if (has_own_stacks_ || !chip.is_stack_pointer_whole()) return;
+  const auto open = static_cast<std::size_t>(chip.open_handlers());
+  if (open == 0) {
+    open_.clear();
+    if (cpu_.interrupts_enabled()) look_at_main();
+  } else if (open == open_.size()) {  // else one is about to begin
+    look_at_handler();
+  }
+  await_deeper();
+}
+
+void StackMargin::look_at_main() {
+  const int end = heap_end(), room = cpu_.sp() + 1 - end;
+  if (room > nearest_.room || room < 0) return;
+  if (room < nearest_.room)
+    nearest_ = {room, end > firmware_.globals_end, 0, place(machine_.chip().last_pc(), 0), machine_.now()};
+  nearest_.may_come |= machine_.chip().chip().may_interrupt();
+}
+
+void StackMargin::look_at_handler() {
+  const Open& open = open_.back();
+  Handler& handler = handlers_[static_cast<std::size_t>(open.vector)];
+  handler.nests = handler.nests || cpu_.interrupts_enabled();
+  const int bytes = open.began - cpu_.sp();
+  if (bytes <= handler.bytes) return;
+  handler.bytes = bytes;
+  handler.pc = machine_.chip().last_pc();
+  handler.where = place(handler.pc, open.interrupted);
+}
+
+void StackMargin::visited(std::uint32_t pc, Cycle) {
+  if (has_own_stacks_) return;
+  if (pc == main_) {
+    look();
+  } else if (cpu_.instruction(pc / 2).op == Op::reti) {
+    leaves();
+  } else {
+    entered(static_cast<int>(pc / (2 * cpu_.entry_of(1))));
+  }
+}
+
+void StackMargin::entered(int vector) {
+  const int open = machine_.chip().open_handlers();
+  if (open == 0) return;  // by a jump
+  const auto began = static_cast<std::uint16_t>(cpu_.sp() + cpu_.chip().return_address_bytes);
+  open_.resize(static_cast<std::size_t>(open - 1));
+  if (open > 1) handlers_[static_cast<std::size_t>(open_.back().vector)].nests = true;
+  open_.push_back({vector, began, machine_.chip().interrupted_pc()});
+  ran_ |= bit(vector);
+  Handler& handler = handlers_[static_cast<std::size_t>(vector)];
+  if (handler.bytes == 0) {
+    handler.bytes = cpu_.chip().return_address_bytes;
+    handler.pc = 2 * cpu_.entry_of(vector);
+  }
+  await_deeper();
+}
+
+void StackMargin::leaves() {
+  if (open_.empty()) return;
+  look_at_handler();
+  open_.pop_back();
+  await_deeper();
+}
+
+/// look() is called when the stack is deeper than it was; or, of the main program, as deep, while handlers
+/// are known that were not enabled there.
+void StackMargin::await_deeper() {
+  int watch = 0;
+  if (open_.empty()) {
+    watch = heap_end() + nearest_.room - ((ran_ & ~nearest_.may_come) == 0 ? 1 : 0);
+  } else {
+    watch = open_.back().began - handlers_[static_cast<std::size_t>(open_.back().vector)].bytes;
+  }
+  // Who watches the stack itself wants to know of what is deeper than ever.
+  watch = std::clamp<int>(watch, machine_.chip().lowest_sp(), 0xFFFF);
+  cpu_.state.sp_watch = static_cast<std::uint16_t>(watch);
+}
+
+/// "the handler at Count.ino:3"; "the core's handler __vector_16, in wiring.c"
+std::string StackMargin::name(int vector) const {
+  const Handler& handler = handlers_[static_cast<std::size_t>(vector)];
+  if (!handler.where.file.empty())
+    return fmt::format("the handler at {}:{}", handler.where.file, handler.where.line);
+  const auto frames = debug_.frames(handler.pc);
+  const std::string file =
+      frames.empty() ? "" : std::filesystem::path(frames.back().file).filename().string();
+  return fmt::format("the core's handler __vector_{}{}", vector, file.empty() ? "" : ", in " + file);
+}
+
+std::vector<Detected> StackMargin::found() const {
+  if (has_own_stacks_ || !firmware_.named) return {};
+  int deepest = 0, bytes = 0;  // of those that do not nest
+  std::string names;
+  const auto take = [&](int vector) {
+    const int its = handlers_[static_cast<std::size_t>(vector)].bytes;
+    names += fmt::format("{}{} takes {} bytes of stack", names.empty() ? "" : ", and within it ",
+                         name(vector), its);
+    bytes += its;
+  };
+  for (int vector = 1; vector < static_cast<int>(handlers_.size()); ++vector) {
+    const Handler& handler = handlers_[static_cast<std::size_t>(vector)];
+    if (handler.bytes == 0 || !(nearest_.may_come & bit(vector))) continue;
+    if (handler.nests)
+      take(vector);
+    else if (handler.bytes > handlers_[static_cast<std::size_t>(deepest)].bytes || deepest == 0)
+      deepest = vector;
+  }
+  if (deepest != 0) take(deepest);
+  const int left = nearest_.room - bytes;
+  if (bytes == 0 || left >= kLeast) return {};
+  Detected seen;
+  seen.detector = "stack_margin";
+  const char* const next = nearest_.has_heap ? "the heap" : "variables";
+  const std::string end =
+      left < 0 ? fmt::format("overwrites {} bytes of {}, now and then", -left, next)
+               : fmt::format("leaves {} bytes of RAM; with one call more it overwrites {}, now and then",
+                             left, next);
+  seen.what = fmt::format(
+      "an interrupt at the wrong moment {}: {}, and only {} are free where the main program is deepest", end,
+      names, nearest_.room);
+  seen.mend =
+      "Keep texts in flash (F(\"…\"), PROGMEM), make buffers and arrays smaller, and do without recursion.";
+  seen.where = nearest_.where;
+  seen.first_s = 1e-9 * static_cast<double>(nearest_.at);
+  return {seen};
+}
+
+}  // namespace robosim::exec::avr
