@@ -131,6 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedChecks{"[[check]]\nname = 'x'\nfor = 60\n",
                       "3:7: for: “60” is not possible; it must be a time"},
         RefusedChecks{"[[check]]\nname = 'x'\nmap = ''\n", "3:7: map is empty"},
+        RefusedChecks{"[[check]]\nname = 'x'\nsanitize = true\ndetect = true\n",
+                      "4:10: detect watches the sketch as it is flashed"},
         RefusedChecks{"[[check]]\nname = 'x'\nsanitize = 1\n", "3:12: sanitize is a whole number"},
         RefusedChecks{"[[check]]\nname = 'x'\nseed = -1\n", "3:8: seed: “-1” is not possible"},
         RefusedChecks{"[[check]]\nname = 'x'\nseed = 1\nseeds = '1..2'\n", "3:8: seed is one"},
