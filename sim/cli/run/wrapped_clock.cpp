@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -92,6 +94,27 @@ bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
 }
 
+/// Whether it has sent what millis() or micros() gave: ten digits that are one behind 0, so that all that
+/// waits for the serial port then takes less.
+bool prints_clock(const Look& look, std::int64_t clock) {
+  const auto lasted = static_cast<std::int64_t>(look.result.time_s * 1e9);
+  const auto is_of = [&](std::uint64_t number, std::int64_t unit) {
+    const auto since = static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(clock / unit);
+    return static_cast<std::int64_t>(since) * unit <= lasted;
+  };
+  const std::string& text = look.result.serial;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    if (end - at == 10) {
+      const std::uint64_t number = std::strtoull(text.substr(at, 10).c_str(), nullptr, 10);
+      if (is_of(number, kMillisecond) || is_of(number, 1000)) return true;
+    }
+    at = std::max(end, at + 1);
+  }
+  return false;
+}
+
 /// Shortly after the sketch has driven a pin, before it drives none for long: there it may wait.
 std::vector<std::int64_t> moments_in(const Look& usual) {
   std::vector<std::int64_t> changes;
@@ -162,7 +185,7 @@ std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunReques
   if (request.clock_ns != 0 || lasted < kShortest || lasted > kLongest) return {};
   request.detect = false;
   const Look some = run(runner, request, kMillisWrap - kLower);
-  if (!is_alike(some.result, first)) return {};
+  if (!is_alike(some.result, first) || prints_clock(some, kMillisWrap - kLower)) return {};
   for (const std::int64_t moment : moments_in(some)) {
     const std::int64_t clock = kMillisWrap - moment;
     const Look wrapped = run(runner, request, clock);

@@ -13,7 +13,8 @@
 //
 // The moments that are tried are the middle of the run, and those at which the sketch has just driven a pin
 // and then drives none for long, as while it waits. What it cannot see: deadlines that are pending at none of
-// them; variables of 16 bits; sketches that look at how long they have been on.
+// them; variables of 16 bits; sketches that look at how long they have been on, or print their clock, whose
+// digits are fewer from there on.
 //
 // Mended by comparing durations, which are right across 0: millis() - start >= 50, both `unsigned long`.
 #pragma once
