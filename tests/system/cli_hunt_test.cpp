@@ -101,7 +101,7 @@ TEST_F(CliHunt, TellsWhatADetectorSeesAndLeavesACheckOfIt) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("in loop, Tries.ino:4"), HasSubstr("EEPROM"),
                                HasSubstr("nothing else is needed"), HasSubstr("--sanitize\n")));
   const std::vector<std::string> test{"test", "./Tries", "--checks", "hunt-Tries/checks.toml"};
-  EXPECT_THAT(command(test).out, HasSubstr("why: detected: "));
+  EXPECT_THAT(command(test).out, AllOf(HasSubstr("why: detected: "), HasSubstr("--sanitize --view")));
   saves_by("update");
   EXPECT_EQ(command(test).status, 0);
 }

@@ -224,6 +224,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   planned.first_name = run_text(planned.plan, run);
   result.serial = run_result.serial;
   result.replay = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
+  if (planned.check.detect) result.replay += " --sanitize";  // that is how run asks detectors
 }
 
 void CheckSession::finish(Planned& planned) {
