@@ -1,18 +1,18 @@
 #include "sim/exec/avr/avr_executor.h"
 
-#include "sim/exec/avr/causes.h"
 #include "sim/exec/avr/debug_port.h"
+#include "sim/exec/avr/detect/float_equality.h"
+#include "sim/exec/avr/detect/heap.h"
+#include "sim/exec/avr/detect/losses.h"
+#include "sim/exec/avr/detect/lost_pwm.h"
+#include "sim/exec/avr/detect/reference_change.h"
+#include "sim/exec/avr/detect/stack_margin.h"
+#include "sim/exec/avr/detect/watchdog_margin.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
-#include "sim/exec/avr/float_equality.h"
 #include "sim/exec/avr/hang.h"
-#include "sim/exec/avr/heap.h"
 #include "sim/exec/avr/loop.h"
-#include "sim/exec/avr/losses.h"
-#include "sim/exec/avr/lost_pwm.h"
-#include "sim/exec/avr/reference_change.h"
-#include "sim/exec/avr/stack_margin.h"
-#include "sim/exec/avr/watchdog_margin.h"
+#include "sim/exec/avr/why/causes.h"
 
 namespace robosim::exec {
 

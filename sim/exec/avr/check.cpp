@@ -7,7 +7,6 @@ namespace robosim::exec::avr {
 namespace {
 
 constexpr reg::Address kWord = 2, kLocation = 3 * kWord;
-constexpr reg::Address kData = 24, kValue = 22, kOther = 20;  // registers that hand them over (avr-gcc's ABI)
 
 /// The chip's memory, as gcc's data lies in it.
 class Memory {
@@ -89,7 +88,7 @@ std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChi
   if (const auto end = check.find("_abort"); end != check.npos) check.erase(end);
 
   const Memory memory(chip);
-  const unsigned data = memory.word(kData);
+  const unsigned data = memory.word(kArgument[0]);
   const bool placed = check != "float_cast_overflow" || !lacks_location(memory, data);
   const unsigned types = data + (placed ? kLocation : 0);
   const bool is_index = check == "out_of_bounds";
@@ -97,8 +96,8 @@ std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChi
   const Type second(memory, memory.word(types + kWord), Type::Of::value);
   const Type& of_value = is_index ? second : first;
   const Type& of_other = check == "shift_out_of_bounds" ? second : first;
-  const std::uint64_t value = of_value.value(memory, memory.word(kValue));
-  const std::uint64_t other = of_other.value(memory, memory.word(kOther));
+  const std::uint64_t value = of_value.value(memory, memory.word(kArgument[1]));
+  const std::uint64_t other = of_other.value(memory, memory.word(kArgument[2]));
 
   const std::string file = placed ? memory.text(memory.word(data)) : "";
   const std::uint32_t line = placed ? memory.word(data + kWord) : 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/exec/avr/debug_port.h"
-#include "sim/exec/avr/instruction_log.h"
+#include "sim/exec/avr/why/instruction_log.h"
 
 namespace robosim::exec::avr {
 namespace {

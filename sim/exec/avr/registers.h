@@ -1,4 +1,4 @@
-// The registers' names inside the emulated chip.
+// The registers' names inside the emulated chip, and which of them calls use.
 #pragma once
 
 #include "hal/board/avr_registers.h"
@@ -6,5 +6,9 @@
 namespace robosim::exec::avr {
 
 namespace reg = robosim::avr::reg;
+
+/// The lower of the two registers that hand a function its first, second and third argument of up to 16 bits;
+/// a result comes back in the first. Source: avr-gcc's ABI, https://gcc.gnu.org/wiki/avr-gcc.
+inline constexpr reg::Address kArgument[] = {24, 22, 20};
 
 }  // namespace robosim::exec::avr

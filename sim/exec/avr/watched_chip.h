@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "sim/avr/chip.h"
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
+#include "sim/exec/avr/detect/tearing.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/link.h"
-#include "sim/exec/avr/tearing.h"
 #include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/round_counter.h"
 

@@ -6,8 +6,8 @@
 // here it comes out of a variable. What is found is a call with a value between 1 and 254 on such a pin. 0
 // and 255 do there what they say. Mended by wiring the part to a pin with PWM, or by SoftPWM.
 //
-// Two look for it: sim/exec/avr/lost_pwm.h at the function's call on the chip, sim/judge/lost_pwm.h at the
-// pin on the host.
+// Two look for it: sim/exec/avr/detect/lost_pwm.h at the function's call on the chip, sim/judge/lost_pwm.h at
+// the pin on the host.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A heap that grows, and memory that was not there (sim/exec/avr/heap.h).
+// A heap that grows, and memory that was not there (sim/exec/avr/detect/heap.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

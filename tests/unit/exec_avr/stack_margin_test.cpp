@@ -1,4 +1,4 @@
-// A stack that has room until an interrupt comes at the wrong moment (sim/exec/avr/stack_margin.h).
+// A stack that has room until an interrupt comes at the wrong moment (sim/exec/avr/detect/stack_margin.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

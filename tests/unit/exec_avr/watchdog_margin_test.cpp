@@ -1,4 +1,4 @@
-// A watchdog that is fed too late to be sure of it (sim/exec/avr/watchdog_margin.h).
+// A watchdog that is fed too late to be sure of it (sim/exec/avr/detect/watchdog_margin.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,4 +1,4 @@
-#include "sim/exec/avr/heap.h"
+#include "sim/exec/avr/detect/heap.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,6 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr reg::Address kFirst = 24,
-                       kSecond16 = 22;  // where avr-gcc passes numbers of 16 bits, and returns one
 constexpr SimTime kSettled = kSecond;
 constexpr std::size_t kMostGrowths = 4096;
 // What a leak does in each third of a run.
@@ -39,7 +37,7 @@ void Heap::visited(std::uint32_t pc, Cycle) {
   // reset.
   const bool is_within =
       asked_ && machine_.chip().sp() + machine_.chip().spec().return_address_bytes < asked_->sp;
-  if (!is_within && (pc == malloc_ || pc == realloc_)) asked(word(pc == realloc_ ? kSecond16 : kFirst));
+  if (!is_within && (pc == malloc_ || pc == realloc_)) asked(word(kArgument[pc == realloc_ ? 1 : 0]));
 }
 
 void Heap::asked(std::uint16_t bytes) {
@@ -54,7 +52,7 @@ void Heap::asked(std::uint16_t bytes) {
 
 void Heap::answered() {
   const Asked asked = *std::exchange(asked_, std::nullopt);
-  if (word(kFirst) == 0 && asked.bytes > 0) {
+  if (word(kArgument[0]) == 0 && asked.bytes > 0) {
     seen_.add(
         {"no_memory",
          fmt::format("there was no memory for {} bytes: a String silently becomes empty, or stays as it "

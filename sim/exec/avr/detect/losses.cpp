@@ -1,4 +1,4 @@
-#include "sim/exec/avr/losses.h"
+#include "sim/exec/avr/detect/losses.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,12 @@
-#include "sim/exec/avr/reference_change.h"
+#include "sim/exec/avr/detect/reference_change.h"
 
 #include <fmt/format.h>
 
-#include "sim/exec/avr/call_site.h"
+#include "sim/exec/avr/detect/call_site.h"
 
 namespace robosim::exec::avr {
 namespace {
 
-constexpr unsigned kPinRead = 24;          // register
 constexpr std::uint8_t kReference = 0xC0;  // REFS1 and REFS0
 constexpr int kManyChanges = 4, kManyUsed = 3;
 constexpr SimTime kAgain = 50 * kMillisecond;  // in which a second reading makes the first one void
@@ -21,7 +20,7 @@ ReferenceChange::ReferenceChange(Machine& machine, const Program& program)
 
 void ReferenceChange::visited(std::uint32_t, robosim::avr::Cycle) {
   const robosim::avr::Cpu& cpu = machine_.chip().chip().cpu();
-  const Read now{cpu.data[kPinRead], machine_.now(), call_site(cpu), std::nullopt};
+  const Read now{cpu.data[kArgument[0]], machine_.now(), call_site(cpu), std::nullopt};
   if (has_read_) {
     last_.reference = cpu.data[cpu.chip().at.adc_multiplexer] & kReference;
     if (before_.reference && before_.reference != last_.reference) {

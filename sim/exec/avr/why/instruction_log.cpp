@@ -1,4 +1,4 @@
-#include "sim/exec/avr/instruction_log.h"
+#include "sim/exec/avr/why/instruction_log.h"
 
 #include <algorithm>
 

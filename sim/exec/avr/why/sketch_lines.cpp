@@ -1,4 +1,4 @@
-#include "sim/exec/avr/sketch_lines.h"
+#include "sim/exec/avr/why/sketch_lines.h"
 
 namespace robosim::exec::avr {
 

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "sim/avr/cpu.h"
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 
 namespace robosim::exec::avr {

@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "sim/avr/cpu.h"
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 
 namespace robosim::exec::avr {

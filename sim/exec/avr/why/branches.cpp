@@ -1,4 +1,4 @@
-#include "sim/exec/avr/branches.h"
+#include "sim/exec/avr/why/branches.h"
 
 #include <bit>
 #include <set>

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 
 namespace robosim::exec::avr {

@@ -1,4 +1,4 @@
-#include "sim/exec/avr/causes.h"
+#include "sim/exec/avr/why/causes.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sim/exec/avr/stack_margin.h"
+#include "sim/exec/avr/detect/stack_margin.h"
 
 #include <fmt/format.h>
 

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 #include "sim/exec/elf/debug_info.h"
 

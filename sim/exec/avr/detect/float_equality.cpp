@@ -1,4 +1,4 @@
-#include "sim/exec/avr/float_equality.h"
+#include "sim/exec/avr/detect/float_equality.h"
 
 #include <fmt/format.h>
 

@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "sim/exec/avr/branches.h"
-#include "sim/exec/avr/instruction_log.h"
 #include "sim/exec/avr/machine.h"
-#include "sim/exec/avr/sketch_lines.h"
+#include "sim/exec/avr/why/branches.h"
+#include "sim/exec/avr/why/instruction_log.h"
+#include "sim/exec/avr/why/sketch_lines.h"
 #include "sim/exec/core/causes.h"
 
 namespace robosim::exec::avr {

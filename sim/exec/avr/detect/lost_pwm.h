@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 #include "sim/exec/core/lost_pwm.h"
 

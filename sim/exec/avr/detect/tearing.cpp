@@ -1,4 +1,4 @@
-#include "sim/exec/avr/tearing.h"
+#include "sim/exec/avr/detect/tearing.h"
 
 #include <algorithm>
 #include <bit>

@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 
 namespace robosim::exec::avr {

@@ -1,4 +1,4 @@
-#include "sim/exec/avr/watchdog_margin.h"
+#include "sim/exec/avr/detect/watchdog_margin.h"
 
 #include <fmt/format.h>
 

@@ -20,7 +20,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/exec/avr/detector.h"
+#include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
 
 namespace robosim::exec::avr {
