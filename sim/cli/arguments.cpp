@@ -19,6 +19,7 @@
 #include "sim/cli/report/report_arguments.h"
 #include "sim/cli/run/fleet_arguments.h"
 #include "sim/cli/run/why_arguments.h"
+#include "sim/cli/run_options.h"
 #include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/grid/generator.h"
@@ -44,17 +45,14 @@ using Words = std::vector<std::string>;
 
 Command parse_run(const Words& words) {
   RunArguments run;
-  std::string duration, clock, number, speed, port;
+  std::string speed, port;
   Options options("run", "Runs a sketch on a robot on a map, and judges it.");
   options.text("--map", run.map, "MAP", "file, or name of a sample map");
   FleetOptions robots(options, run);
-  options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
-  options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
-  options.text("--seed", number, "N", "of all noise and spread; default: 1");
-  options.text("--profile", run.request.profile, "PROFILE", kProfiles);
-  options.texts("--send", run.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
-  options.text("--env", run.environment, "NAME", kEnvironment);
-  options.texts("--libraries", run.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  RunOptions shared(options, run);
+  shared.time();
+  shared.seed();
+  shared.common();
   options.texts("--record", run.record, "FILE",
                 "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
   options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg or .png");
@@ -70,12 +68,9 @@ Command parse_run(const Words& words) {
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
   if (const auto help = options.parse(words)) return PrintText{*help};
-  if (!duration.empty()) run.request.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) run.request.clock_ns = simulated_time("--clock", clock);
-  if (!number.empty()) run.request.seed = seed_number(number);
+  shared.finish();
   if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
-  check_profile(run.request.profile);
   if (run.view + run.json + run.serial + run.live > 1)
     throw InputError("--view, --live, --json and --serial want the standard output; give one of them");
   robots.finish();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
-#include "sim/cli/options.h"
+#include "sim/cli/run_options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/launch/fleet.h"
 
@@ -11,7 +11,7 @@ namespace robosim::cli {
 
 Command parse_compare(const std::vector<std::string>& words) {
   CompareArguments compare;
-  std::string seed, seeds, duration, clock;
+  std::string seed, seeds;
   Options options("compare",
                   "Runs a sketch on several targets side by side, and finds the first thing that they do "
                   "differently.");
@@ -22,18 +22,10 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.lists("--target", compare.targets, "TARGET...", "two or more; default: host,avr,stm32");
   options.text("--seed", seed, "N", "of all noise and spread; default: 1");
   options.text("--seeds", seeds, "A..B", "one after the other, until they differ");
-  options.text("--start", compare.each.request.start, "X,Y,DIR",
-               "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", compare.each.request.goal, "GOAL",
-               "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
-  options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
-  options.text("--clock", clock, "TIME", "what millis() begins with on the chips, as in 49.7d");
-  options.text("--profile", compare.each.request.profile, "PROFILE", kProfiles);
-  options.text("--script", compare.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
-  options.texts("--send", compare.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
-  options.text("--env", compare.each.environment, "NAME", kEnvironment);
-  options.texts("--libraries", compare.each.libraries, "DIR",
-                "a folder of Arduino libraries; may be repeated");
+  RunOptions shared(options, compare.each);
+  shared.task();
+  shared.time();
+  shared.common();
   options.flag("--untrusted", compare.each.untrusted, kUntrusted);
   options.flag("--json", compare.json, "print the result as JSON, a line for each seed");
   if (const auto help = options.parse(words)) return PrintText{*help};
@@ -45,9 +37,7 @@ Command parse_compare(const std::vector<std::string>& words) {
   if (!seed.empty() && !seeds.empty()) throw InputError("--seed is one, --seeds are many; give one of them");
   compare.first_seed = compare.last_seed = seed.empty() ? 1 : seed_number(seed);
   if (!seeds.empty()) read_seeds(seeds, compare.first_seed, compare.last_seed);
-  if (!duration.empty()) compare.each.request.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) compare.each.request.clock_ns = simulated_time("--clock", clock);
-  check_profile(compare.each.request.profile);
+  shared.finish();
   compare.targets = split_at_commas(compare.targets);
   if (compare.targets.empty()) compare.targets = {"host", "avr", "stm32"};
   if (compare.targets.size() < 2) throw InputError("--target: give two or more to compare, as in host,avr");

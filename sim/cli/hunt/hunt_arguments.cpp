@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "sim/cli/options.h"
+#include "sim/cli/run_options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 
 namespace robosim::cli {
@@ -51,11 +51,9 @@ Command parse_hunt(const std::vector<std::string>& words) {
   options.text("--start", hunt.each.request.start, "X,Y,DIR",
                "start cell and heading; then no maps are drawn");
   options.text("--goal", hunt.each.request.goal, "GOAL", "as of run; default: the map's");
-  options.text("--profile", hunt.each.request.profile, "PROFILE", kProfiles);
   options.text("--script", hunt.each.script, "FILE", "what happens in every run");
-  options.texts("--send", hunt.each.send, "TEXT", "sent to the serial port at 1 s, in every run");
-  options.text("--env", hunt.each.environment, "NAME", kEnvironment);
-  options.texts("--libraries", hunt.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  RunOptions shared(options, hunt.each);
+  shared.common();
   if (const auto help = options.parse(words)) return PrintText{*help};
   hunt.jobs = number_of_jobs(jobs);
   if (!shard.empty()) hunt.shard = read_shard(shard);
@@ -65,7 +63,7 @@ Command parse_hunt(const std::vector<std::string>& words) {
   if (!minutes.empty()) hunt.minutes = minutes_of(minutes), hunt.runs = kMostRuns;
   if (!runs.empty()) hunt.runs = whole_number("--runs", runs, 1, kMostRuns);
   hunt.each.request.for_ns = duration.empty() ? kUsual_ns : simulated_time("--for", duration);
-  check_profile(hunt.each.request.profile);
+  shared.finish();
   hunt.targets = split_at_commas(hunt.targets);
   return hunt;
 }

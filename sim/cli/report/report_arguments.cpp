@@ -1,7 +1,7 @@
 #include "sim/cli/report/report_arguments.h"
 
 #include "sim/base/error.h"
-#include "sim/cli/options.h"
+#include "sim/cli/run_options.h"
 
 namespace robosim::cli {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::uint64_t kMostRuns = 10'000;
 
 Command parse_report(const std::vector<std::string>& words) {
   ReportArguments report;
-  std::string duration, clock, runs;
+  std::string runs;
   Options options(
       "report",
       "Makes a page of a sweep's table, or of test results in JUnit's XML. Runs of the table that failed are "
@@ -22,25 +22,18 @@ Command parse_report(const std::vector<std::string>& words) {
                "the page; default: report.html; replays are put into a folder beside it");
   options.text("--runs", runs, "N", "runs that are made again, at most; default: 40; 0: none");
   RunArguments& each = report.each;
-  options.text("--start", each.request.start, "X,Y,DIR", "of the sweep; so are all that follow");
-  options.text("--goal", each.request.goal, "GOAL", "");
-  options.text("--for", duration, "TIME", "");
-  options.text("--clock", clock, "TIME", "");
-  options.text("--profile", each.request.profile, "PROFILE", kProfiles);
-  options.text("--script", each.script, "FILE", "");
-  options.texts("--send", each.send, "TEXT", "");
-  options.text("--env", each.environment, "NAME", kEnvironment);
-  options.texts("--libraries", each.libraries, "DIR", "may be repeated");
-  options.flag("--sanitize", each.sanitize, "");
+  RunOptions shared(options, each);
+  shared.task();
+  shared.time();
+  shared.common();
+  options.flag("--sanitize", each.sanitize, "if the sweep had it");
   options.flag("--untrusted", each.untrusted, kUntrusted);
   if (const auto help = options.parse(words)) return PrintText{*help};
   if (report.file.empty())
     throw InputError("robosim report needs a table or an XML file, as in robosim report runs.csv");
   if (!report.out.ends_with(".html")) refuse_value("--out", report.out, "a name that ends in .html");
   if (!runs.empty()) report.runs = whole_number("--runs", runs, 0, kMostRuns);
-  if (!duration.empty()) each.request.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) each.request.clock_ns = simulated_time("--clock", clock);
-  check_profile(each.request.profile);
+  shared.finish();
   return report;
 }
 

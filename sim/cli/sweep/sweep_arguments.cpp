@@ -11,7 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/build/sketch.h"
-#include "sim/cli/options.h"
+#include "sim/cli/run_options.h"
 
 namespace robosim::cli {
 namespace {
@@ -93,7 +93,7 @@ std::size_t number_of_jobs(const std::string& text) {
 
 Command parse_sweep(const std::vector<std::string>& words) {
   SweepArguments sweep;
-  std::string seeds, jobs, shard, min_rate, duration, clock;
+  std::string seeds, jobs, shard, min_rate;
   Options options(
       "sweep",
       "Runs each sketch on each map with each robot on each target, with all seeds. The result is "
@@ -115,17 +115,10 @@ Command parse_sweep(const std::vector<std::string>& words) {
   options.flag("--stop-early", sweep.stop_early,
                "leave out runs that cannot change whether --min-rate is met");
   options.flag("--json", sweep.json, "print a line of JSON for each run");
-  options.text("--start", sweep.each.request.start, "X,Y,DIR",
-               "start cell (column, row) and heading: N, S, E or W");
-  options.text("--goal", sweep.each.request.goal, "GOAL",
-               "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
-  options.text("--for", duration, "TIME", "simulated time at most, as in 60s; default: 10 min");
-  options.text("--clock", clock, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
-  options.text("--profile", sweep.each.request.profile, "PROFILE", kProfiles);
-  options.text("--script", sweep.each.script, "FILE", "what happens meanwhile: buttons, serial, faults");
-  options.texts("--send", sweep.each.send, "TEXT", "sent to the serial port at 1 s; \\n is a new line");
-  options.text("--env", sweep.each.environment, "NAME", kEnvironment);
-  options.texts("--libraries", sweep.each.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  RunOptions shared(options, sweep.each);
+  shared.task();
+  shared.time();
+  shared.common();
   options.flag("--sanitize", sweep.each.sanitize,
                "the sketch checks itself, as with run --sanitize (host only)");
   options.flag("--untrusted", sweep.each.untrusted, kUntrusted);
@@ -134,9 +127,7 @@ Command parse_sweep(const std::vector<std::string>& words) {
   sweep.jobs = number_of_jobs(jobs);
   if (!shard.empty()) sweep.shard = read_shard(shard);
   if (!min_rate.empty()) sweep.min_rate = rate(min_rate);
-  if (!duration.empty()) sweep.each.request.for_ns = simulated_time("--for", duration);
-  if (!clock.empty()) sweep.each.request.clock_ns = simulated_time("--clock", clock);
-  check_profile(sweep.each.request.profile);
+  shared.finish();
   sweep.targets = split_at_commas(sweep.targets);
   refuse_sketches("--map", sweep.maps);
   refuse_sketches("--robot", sweep.robots);

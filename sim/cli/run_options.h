@@ -1,0 +1,32 @@
+// The options of a run that several commands have. Each command adds those groups that mean something to it.
+#pragma once
+
+#include <string>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/options.h"
+
+namespace robosim::cli {
+
+class RunOptions {
+ public:
+  /// Both outlive this.
+  RunOptions(Options& options, RunArguments& run) : options_(options), run_(run) {}
+  RunOptions(const RunOptions&) = delete;
+  RunOptions& operator=(const RunOptions&) = delete;
+
+  void task();    ///< --start, --goal, --script
+  void time();    ///< --for, --clock
+  void seed();    ///< --seed
+  void common();  ///< --profile, --send, --env, --libraries: what every command that runs sketches has
+
+  /// Puts what was given into the run, once the options are parsed. Throws InputError.
+  void finish();
+
+ private:
+  Options& options_;
+  RunArguments& run_;
+  std::string duration_, clock_, seed_;
+};
+
+}  // namespace robosim::cli
