@@ -119,15 +119,8 @@ std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   return points;
 }
 
-}  // namespace
-
-Network trace_network(const Map& map, const Start& start) {
-  if (start.on_path) {
-    Network network;
-    network.lap = lap_of(map, *start.on_path);
-    return network;
-  }
-  const Walk walk(map, start);
+// Stations, junctions and loop.
+Network network_of(const Map& map, const Start& start, const Walk& walk) {
   Network network;
   const auto add = [&](CellAt cell, std::string name) {
     const int id = static_cast<int>(network.stations.size()) + 1;
@@ -140,17 +133,34 @@ Network trace_network(const Map& map, const Start& start) {
     return named == names.end() ? std::string() : named->second;
   };
   for (const CellAt cell : walk.dead_ends()) add(cell, name_at(cell));
-  network.unreachable = unreached_dead_ends(map, walk);
-  for (const NamedStation& named : map.stations) {
-    if (is_dead_end(map, named.cell)) continue;
-    if (walk.reached(named.cell))
-      add(named.cell, named.name);
-    else
-      network.unreachable.push_back(named.cell);
-  }
+  for (const NamedStation& named : map.stations)
+    if (!is_dead_end(map, named.cell) && walk.reached(named.cell)) add(named.cell, named.name);
   network.junctions = walk.junctions();
   network.loop = walk.loop(start);
   return network;
+}
+
+Network lap_network(const Map& map, const OnPath& on) {
+  Network network;
+  network.lap = lap_of(map, on);
+  return network;
+}
+
+}  // namespace
+
+Network trace_network(const Map& map, const Start& start) {
+  if (start.on_path) return lap_network(map, *start.on_path);
+  const Walk walk(map, start);
+  Network network = network_of(map, start, walk);
+  network.unreachable = unreached_dead_ends(map, walk);
+  for (const NamedStation& named : map.stations)
+    if (!is_dead_end(map, named.cell) && !walk.reached(named.cell)) network.unreachable.push_back(named.cell);
+  return network;
+}
+
+Network trace_reachable(const Map& map, const Start& start) {
+  if (start.on_path) return lap_network(map, *start.on_path);
+  return network_of(map, start, Walk(map, start));
 }
 
 }  // namespace robosim::grid

@@ -30,4 +30,7 @@ struct Network {
 
 Network trace_network(const Map& map, const Start& start);
 
+/// The same without `unreachable`, for which the whole map is looked through: for many starts on one map.
+Network trace_reachable(const Map& map, const Start& start);
+
 }  // namespace robosim::grid

@@ -41,7 +41,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
       number_(number),
       executor_(*own.executor),
       start_(own.start ? *own.start : grid::default_start(*setup_.map)),
-      network_(grid::trace_network(*setup_.map, start_)),
+      network_(grid::trace_reachable(*setup_.map, start_)),
       goal_(own.goal ? *own.goal : judge::default_goal(*setup_.map, network_)),
       progress_(goal_, *setup_.map, stage.stripes, network_, start_),
       world_(stage.world),

@@ -54,8 +54,8 @@ std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request) {
   return all;
 }
 
-Inputs inputs_of(const wire::RunRequest& request, const std::string& image, const robot::Description& robot) {
-  return {grid::sha256_of_map(request.map), robot.sha256, known_sha256(image)};
+Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot) {
+  return {map_sha256, robot.sha256, known_sha256(image)};
 }
 
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
@@ -71,7 +71,9 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
-    : request_(request), map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})) {
+    : request_(request),
+      map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})),
+      map_sha256_(grid::sha256_of(map_)) {
   check_several(request);
   check_why(request);
   if (request.batches) {
@@ -108,7 +110,7 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   member.robot = &robot_named(agent.robot);
   const BoardSpec& board = *member.robot->board;
   member.executor = make(agent.target, board, agent.image);
-  member.inputs = inputs_of(request_, agent.image, *member.robot);
+  member.inputs = inputs_of(map_sha256_, agent.image, *member.robot);
   member.narrator =
       std::make_unique<Narrator>(request_, number, board, *member.executor, tell, bundler_.get());
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);

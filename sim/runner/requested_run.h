@@ -32,7 +32,7 @@ std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request);
 struct Inputs {
   std::string map_sha256, robot_sha256, image_sha256;
 };
-Inputs inputs_of(const wire::RunRequest& request, const std::string& image, const robot::Description& robot);
+Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot);
 
 /// An outcome, together with what it rests on.
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
@@ -70,6 +70,7 @@ class RequestedRun {
 
   const wire::RunRequest& request_;
   const grid::Map map_;
+  const std::string map_sha256_;
   std::map<std::string, robot::Description> robots_;
   std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
   std::deque<Member> members_;

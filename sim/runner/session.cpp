@@ -150,8 +150,9 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   if (request.interactive) run.setup().controller = &controller;
   if (relay) {
     if (!request.agents.empty()) run.setup().acting = &relay->acting();
+    const std::vector<wire::AgentRequest> agents = agents_of(request);
     for (const std::size_t agent : to_confine(factory, request))
-      factory_of(factory, agents_of(request)[agent].target)
+      factory_of(factory, agents[agent].target)
           .prepare_for_confinement(run.executor(agent), [relay, agent](const auto&, const auto& offsets) {
             return relay->ask(kAskLines, text_of(agent, offsets));
           });
@@ -206,6 +207,7 @@ judge::Outcome ended_by(const wire::AgentRequest& other) {
 wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
                                 const std::string& check, std::size_t guilty) {
   const std::vector<wire::AgentRequest> agents = agents_of(request);
+  const std::string map_sha256 = grid::sha256_of_map(request.map);
   std::vector<wire::RunResult> results;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     judge::Outcome outcome;
@@ -218,8 +220,8 @@ wire::RunResult result_of_death(const wire::RunRequest& request, const std::stri
       outcome = ended_by(agents[guilty]);
     }
     if (!agents[i].goal.empty()) outcome.goal = judge::parse_goal(agents[i].goal);
-    results.push_back(result_of(
-        outcome, request, inputs_of(request, agents[i].image, robot::load_description(agents[i].robot))));
+    const robot::Description robot = robot::load_description(agents[i].robot);
+    results.push_back(result_of(outcome, request, inputs_of(map_sha256, agents[i].image, robot)));
   }
   wire::RunResult result = std::move(results.front());
   result.others.assign(std::make_move_iterator(results.begin() + 1), std::make_move_iterator(results.end()));

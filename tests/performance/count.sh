@@ -64,6 +64,14 @@ swept() {  # SEEDS
                        { sum += $2 } END { printf "%.0f\n", sum }'
 }
 
+# Command, runner and run of so many robots, each on a line of its own, on a map of 24,000 cells.
+fleet_of() {  # ROBOTS
+  { printf '+++\n+++\n'; for _ in {1..40}; do printf '%.0s_' {1..200}; echo; printf '%.0s.' {1..200}; echo; printf '%.0s_' {1..200}; echo; done; } >"$work/lines.map"
+  { echo 'map = "lines.map"'; for ((i = 0; i < $1; ++i)); do printf '[[agent]]\nname = "R%d"\nsketch = "PidFollower"\nstart = "9,%d,E"\n' $i $((3 * i + 1)); done; } >"$work/fleet.toml"
+  trace $(robosim run "$work/fleet.toml" --robot uno5 --goal none --for 1ms) |
+    awk '$2 > most[$1] { most[$1] = $2 } END { for (name in most) sum += most[name]; printf "%.0f\n", sum }'
+}
+
 workload() {  # the table's first column
   case $1 in
     '`robosim --help`') command_ --help ;;
@@ -71,6 +79,7 @@ workload() {  # the table's first column
     '`robosim run`: the command') command_ run PidFollower --map oval --robot uno5 --goal none --for 1ms ;;
     '`robosim run`: the runner') run_for robosim-host 1ms PidFollower ;;
     'a run of a sweep') each "$(swept 2)" "$(swept 12)" 10 ;;
+    'a further robot') each "$(fleet_of 8)" "$(fleet_of 40)" 32 ;;
     'host: PidFollower') simulated robosim-host PidFollower ;;
     'host: reads and drives') simulated robosim-host ReadsAndDrives ;;
     'host: polls `millis()`') simulated robosim-host PollsMillis ;;
