@@ -12,15 +12,16 @@ constexpr std::size_t kMostAreas = 1000;
 
 }  // namespace
 
-void read_areas(const ConfigValue& value, double gloss, Course& course) {
+void read_areas(const ConfigValue& value, double gloss, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "area")) {
     if (course.areas.size() == kMostAreas)
       throw InputError(item.place,
                        fmt::format("this is one [[area]] too many; a map has at most {}", kMostAreas));
     TableReader table(item, "[[area]]");
+    const Figures figures(draw, fmt::format("[[area]] {}", course.areas.size() + 1));
     Area area;
     area.colour = read_colour(table.require("colour"));
-    static_cast<Patch&>(area) = read_patch(table, course, "area");
+    static_cast<Patch&>(area) = read_patch(table, course, "area", figures);
     area.over_lines = table.boolean("over_lines", false);
     area.gloss = read_share(table, "gloss", gloss);
     table.finish();

@@ -14,7 +14,7 @@ void read_paths(const ConfigValue& value, const Paint& usual, Course& course);
 void read_marks(const ConfigValue& value, double line_m, const Paint& usual, Course& course);
 
 /// Reads all [[area]] tables, of `gloss` where they say no other. Throws InputError.
-void read_areas(const ConfigValue& value, double gloss, Course& course);
+void read_areas(const ConfigValue& value, double gloss, Course& course, Draw draw = {});
 
 /// Reads [rescue]. Throws InputError.
 void read_rescue(const ConfigValue& value, Course& course);

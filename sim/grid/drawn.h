@@ -2,10 +2,12 @@
 // own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "sim/base/figure.h"
+#include "sim/base/vec.h"
 
 namespace robosim::grid {
 
@@ -25,10 +27,24 @@ class Figures {
     if (draw_.profile == Profile::ideal) return number.value;
     return number.drawn(draw_.profile, NoiseStream(draw_.seed, 0, table_, key));
   }
+  double read(TableReader& table, const char* key, Dimension dimension, double usual, double least,
+              double most) const {
+    return drawn(read_figure(table, key, dimension, {usual, 0.0}, least, most), key);
+  }
   /// Throws InputError if its whole range is not within the bounds.
   double read(const ConfigValue& value, const char* key, Dimension dimension, double least,
               double most) const {
     return drawn(as_figure(value, key, dimension, least, most), key);
+  }
+  /// Of an array of two.
+  Vec2 read_pair(const ConfigValue& value, const char* key, Dimension dimension, double least,
+                 double most) const {
+    return drawn({as_figure(value.items[0], key, dimension, least, most),
+                  as_figure(value.items[1], key, dimension, least, most)},
+                 key);
+  }
+  Vec2 drawn(const std::array<Number, 2>& pair, const std::string& key) const {
+    return {drawn(pair[0], key + " x"), drawn(pair[1], key + " y")};
   }
 
  private:

@@ -214,7 +214,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, usual, map.course);
   if (const ConfigValue* marks = table.find("mark")) read_marks(*marks, map.line_m, usual, map.course);
   if (const ConfigValue* lights = table.find("light")) map.lights = read_lights(*lights, draw);
-  if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.gloss, map.course);
+  if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.gloss, map.course, draw);
   if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course, draw);
   if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course, draw);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);

@@ -14,14 +14,27 @@ const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* 
   return value.items;
 }
 
-Vec2 read_point(const ConfigValue& value, const char* key) {
+namespace {
+
+void check_point(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
     throw InputError(value.place,
                      fmt::format("{} must be [\"X\", \"Y\"], metres to the right and up from the map's lower "
                                  "left corner, such as [\"300 mm\", \"1.2 m\"]",
                                  key));
+}
+
+}  // namespace
+
+Vec2 read_point(const ConfigValue& value, const char* key) {
+  check_point(value, key);
   return {as_quantity(value.items[0], key, Dimension::length, 0.0, Path::kMost),
           as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
+}
+
+Vec2 read_point(const ConfigValue& value, const char* key, const Figures& figures) {
+  check_point(value, key);
+  return figures.read_pair(value, key, Dimension::length, 0.0, Path::kMost);
 }
 
 Colour read_colour(const ConfigValue& value) {
@@ -44,12 +57,12 @@ double read_share(TableReader& table, const char* key, double usual) {
   return table.quantity(key, Dimension::ratio, usual, 0.0, 1.0);
 }
 
-Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most) {
+Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
+                 const Figures& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
     throw InputError(value.place, fmt::format("{} must be [X, Y], to the right and up, each in {}", key,
                                               unit_names(dimension)));
-  return {as_quantity(value.items[0], key, dimension, -most, most),
-          as_quantity(value.items[1], key, dimension, -most, most)};
+  return figures.read_pair(value, key, dimension, -most, most);
 }
 
 }  // namespace robosim::grid

@@ -20,17 +20,17 @@ Light read_light(const ConfigValue& value, const Figures& figures) {
   TableReader table(value, "[[light]]");
   Light light;
   light.level = figures.read(table.require("level"), "level", Dimension::ratio, 0.0, kMostLevel);
-  if (const ConfigValue* at = table.find("at")) light.at = read_point(*at, "at");
+  if (const ConfigValue* at = table.find("at")) light.at = read_point(*at, "at", figures);
   const ConfigValue* const height = table.find("height");
   const ConfigValue* const radius = table.find("radius");
   const ConfigValue* const moves = table.find("moves");
   if (height) light.height = figures.read(*height, "height", Dimension::length, kLeastHeight, kMostHeight);
-  if (radius) light.radius = as_quantity(*radius, "radius", Dimension::length, 1e-3, kMostPatch);
-  if (moves) light.moves = read_vector(*moves, "moves", Dimension::speed, kMostSpeed);
+  if (radius) light.radius = figures.read(*radius, "radius", Dimension::length, 1e-3, kMostPatch);
+  if (moves) light.moves = read_vector(*moves, "moves", Dimension::speed, kMostSpeed, figures);
   if (const ConfigValue* flicker = table.find("flicker"))
     light.flicker = figures.read(*flicker, "flicker", Dimension::ratio, 0.0, 1.0);
   light.frequency =
-      table.quantity("frequency", Dimension::frequency, kMains, kLeastFrequency, kMostFrequency);
+      figures.read(table, "frequency", Dimension::frequency, kMains, kLeastFrequency, kMostFrequency);
   table.finish();
   const bool is_one = light.at ? (height != nullptr) != (radius != nullptr) : !height && !radius;
   if (!is_one || (moves && !radius))

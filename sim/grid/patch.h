@@ -6,6 +6,7 @@
 #include "sim/base/config.h"
 #include "sim/base/error.h"
 #include "sim/base/vec.h"
+#include "sim/grid/drawn.h"
 
 namespace robosim::grid {
 
@@ -18,6 +19,7 @@ struct Patch {
   double half_width = 0.0;   ///< m, of a rectangle
   double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
   Place place;               ///< where the map's file has it
+  Vec2 least, most;          ///< m, corners of where its middle may be, whatever is drawn
 
   /// From its middle to its farthest point, m.
   double reach() const {
@@ -31,10 +33,13 @@ struct Patch {
 };
 
 /// Reads at, or along, path, away and side, and size and angle, or radius, of a table that messages call
-/// "[[NAME]]", and its thing "a NAME". `course`: paths that have been read. Throws InputError.
-Patch read_patch(TableReader& table, const Course& course, const char* name);
+/// "[[NAME]]", and its thing "a NAME". `course`: paths that have been read. `length`, if asked for: what a
+/// rectangle's may be. Throws InputError.
+Patch read_patch(TableReader& table, const Course& course, const char* name, const Figures& figures,
+                 Number* length = nullptr);
 
-/// That all middles of a map's areas, hills and surfaces are on its floor. Throws InputError.
+/// That all middles of a map's areas, hills and surfaces are on its floor, whatever is drawn. Throws
+/// InputError.
 void check_patches(const Map& map);
 
 /// at and size, angle, or radius as read_patch reads them.

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
 
 #include "sim/base/angle.h"
@@ -18,15 +22,52 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 const char* article(std::string_view name) { return name.front() == 'a' ? "an" : "a"; }
 
-Vec2 read_pair(const ConfigValue& value, const char* key, const char* example, double least, double most) {
+using Numbers = std::array<Number, 2>;
+
+Numbers read_pair(const ConfigValue& value, const char* key, const char* example, double least, double most) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
     throw InputError(value.place, fmt::format("{} must be two lengths, as in {}", key, example));
-  return {as_quantity(value.items[0], key, Dimension::length, least, most),
-          as_quantity(value.items[1], key, Dimension::length, least, most)};
+  return {as_figure(value.items[0], key, Dimension::length, least, most),
+          as_figure(value.items[1], key, Dimension::length, least, most)};
 }
 
+// Beside a path, `along` it and `away` to its left.
+class Beside {
+ public:
+  Beside(TableReader& table, const Path& path, const ConfigValue& along)
+      : path_(path),
+        along_(as_figure(along, "along", Dimension::length, 0.0, path.length())),
+        away_(read_figure(table, "away", Dimension::length, {}, 0.0, kMostAway)),
+        to_left_(table.choice("side", "left", {"left", "right"}) == "left" ? 1.0 : -1.0) {}
+
+  void place(Patch& patch, const Figures& figures) const {
+    patch.middle = at(figures.drawn(along_, "along"), figures.drawn(away_, "away"));
+    patch.least = patch.most = patch.middle.position;
+    constexpr int kLooks = 8;
+    for (int i = 0; i <= kLooks; ++i) {
+      const double along = std::lerp(along_.least(), along_.most(), static_cast<double>(i) / kLooks);
+      for (const double away : {away_.least(), away_.most()}) {
+        const Vec2 p = at(along, away).position;
+        patch.least = {std::min(patch.least.x, p.x), std::min(patch.least.y, p.y)};
+        patch.most = {std::max(patch.most.x, p.x), std::max(patch.most.y, p.y)};
+      }
+    }
+  }
+
+ private:
+  Pose at(double along, double away) const {
+    const Pose on = path_.at(along, false);
+    return {on.position + left_of(on.heading) * (to_left_ * away), on.heading};
+  }
+
+  const Path& path_;
+  const Number along_, away_;
+  const double to_left_;
+};
+
 // Where it is: `at`, or `along` a path, and beside it.
-Pose read_middle(TableReader& table, const Course& course, const char* name) {
+void read_middle(Patch& patch, TableReader& table, const Course& course, const char* name,
+                 const Figures& figures) {
   const ConfigValue* const at = table.find("at");
   const ConfigValue* const along = table.find("along");
   if ((at == nullptr) == (along == nullptr))
@@ -35,25 +76,30 @@ Pose read_middle(TableReader& table, const Course& course, const char* name) {
         fmt::format("{} {} has a middle: either at = [\"X\", \"Y\"], to the right and up from the floor's "
                     "lower left corner, or along = \"500 mm\", on a path",
                     article(name), name));
-  if (at) return {read_pair(*at, "at", "[\"300 mm\", \"1.2 m\"]", 0.0, Path::kMost), {1.0, 0.0}};
+  if (at) {
+    const Numbers pair = read_pair(*at, "at", "[\"300 mm\", \"1.2 m\"]", 0.0, Path::kMost);
+    patch.middle = {figures.drawn(pair, "at"), {1.0, 0.0}};
+    patch.least = {pair[0].least(), pair[1].least()};
+    patch.most = {pair[0].most(), pair[1].most()};
+    return;
+  }
   const auto paths = static_cast<std::int64_t>(course.paths.size());
   if (paths == 0)
     throw InputError(along->place, fmt::format("[[{}]] has along, and there is no [[path]]", name));
   const Path& path = course.paths[static_cast<std::size_t>(table.integer("path", 1, 1, paths) - 1)];
-  const Pose on = path.at(as_quantity(*along, "along", Dimension::length, 0.0, path.length()), false);
-  const double away = table.quantity("away", Dimension::length, 0.0, 0.0, kMostAway);
-  const bool left = table.choice("side", "left", {"left", "right"}) == "left";
-  return {on.position + left_of(on.heading) * (left ? away : -away), on.heading};
+  Beside(table, path, *along).place(patch, figures);
 }
 
 void check_middle(const Map& map, const Patch& patch, const char* name) {
   const double wide = map.width * map.cell_m, high = map.height * map.cell_m;
-  const Vec2 p = patch.middle.position;
-  if (p.x < 0.0 || p.y < 0.0 || p.x > wide || p.y > high)
+  for (const Vec2 p : {patch.least, patch.most}) {
+    if (p.x >= 0.0 && p.y >= 0.0 && p.x <= wide && p.y <= high) continue;
     throw InputError(patch.place,
-                     fmt::format("the middle of this {}, {:.0f} mm, {:.0f} mm, is beside the floor, which is "
+                     fmt::format("the middle of this {}, {:.0f} mm, {:.0f} mm, {} beside the floor, which is "
                                  "{:.10g} x {:.10g} mm",
-                                 name, 1e3 * p.x, 1e3 * p.y, 1e3 * wide, 1e3 * high));
+                                 name, 1e3 * p.x, 1e3 * p.y, patch.least == patch.most ? "is" : "may be",
+                                 1e3 * wide, 1e3 * high));
+  }
 }
 
 }  // namespace
@@ -64,10 +110,11 @@ void check_patches(const Map& map) {
   for (const Surface& surface : map.course.surfaces) check_middle(map, surface, "surface");
 }
 
-Patch read_patch(TableReader& table, const Course& course, const char* name) {
+Patch read_patch(TableReader& table, const Course& course, const char* name, const Figures& figures,
+                 Number* length) {
   Patch patch;
   patch.place = table.table().place;
-  patch.middle = read_middle(table, course, name);
+  read_middle(patch, table, course, name, figures);
   const ConfigValue* const size = table.find("size");
   const ConfigValue* const radius = table.find("radius");
   if ((size == nullptr) == (radius == nullptr))
@@ -76,15 +123,17 @@ Patch read_patch(TableReader& table, const Course& course, const char* name) {
                                  "radius = \"50 mm\"",
                                  article(name), name));
   if (radius) {
-    patch.radius = as_quantity(*radius, "radius", Dimension::length, kLeastSide, kMostSide);
+    patch.radius = figures.read(*radius, "radius", Dimension::length, kLeastSide, kMostSide);
     if (const ConfigValue* const angle = table.find("angle"))
       throw InputError(angle->place, "a disc has no angle");
     return patch;
   }
-  const Vec2 sides = read_pair(*size, "size", "[\"25 mm\", \"250 mm\"]", kLeastSide, kMostSide);
-  patch.half_length = 0.5 * sides.x;
-  patch.half_width = 0.5 * sides.y;
-  const double angle = table.quantity("angle", Dimension::angle, 0.0, -kFullTurn, kFullTurn);
+  const Numbers sides = read_pair(*size, "size", "[\"25 mm\", \"250 mm\"]", kLeastSide, kMostSide);
+  if (length) *length = sides[0];
+  const Vec2 drawn = figures.drawn(sides, "size");
+  patch.half_length = 0.5 * drawn.x;
+  patch.half_width = 0.5 * drawn.y;
+  const double angle = figures.read(table, "angle", Dimension::angle, 0.0, -kFullTurn, kFullTurn);
   if (angle != 0.0) patch.middle.heading = turned(patch.middle.heading, unit_vector(angle));
   return patch;
 }

@@ -23,7 +23,8 @@ constexpr double kMostTilt = 0.5;                       // sine, of a seesaw: 30
 constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
-std::vector<double> read_heights(const ConfigValue& value, double length, const Figures& figures) {
+// `shortest`: the least that its length may be, m.
+std::vector<double> read_heights(const ConfigValue& value, double shortest, const Figures& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
     throw InputError(
         value.place,
@@ -33,7 +34,7 @@ std::vector<double> read_heights(const ConfigValue& value, double length, const 
   std::vector<Number> heights;
   for (const ConfigValue& item : value.items)
     heights.push_back(as_figure(item, "a height", Dimension::length, 0.0, kMostHeight));
-  const double step = length / static_cast<double>(heights.size() - 1);
+  const double step = shortest / static_cast<double>(heights.size() - 1);
   for (std::size_t i = 1; i < heights.size(); ++i) {
     const bool up = heights[i].value > heights[i - 1].value;
     const double from = up ? heights[i - 1].least() : heights[i - 1].most();
@@ -55,11 +56,11 @@ std::vector<double> read_heights(const ConfigValue& value, double length, const 
 Hill read_hill(const ConfigValue& item, const Course& course, const Figures& figures) {
   TableReader table(item, "[[hill]]");
   Hill hill;
-  static_cast<Patch&>(hill) = read_patch(table, course, "hill");
+  Number length;
+  static_cast<Patch&>(hill) = read_patch(table, course, "hill", figures, &length);
   if (hill.radius > 0.0)
     throw InputError(table.require("radius").place,
                      "a hill is a rectangle: size = [\"600 mm\", \"300 mm\"], its length and its width");
-  const double length = 2.0 * hill.half_length;
   const ConfigValue* const heights = table.find("heights");
   const ConfigValue* const slope = table.find("slope");
   const ConfigValue* const seesaw = table.find("seesaw");
@@ -70,24 +71,24 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
         "a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for an even ramp, or "
         "seesaw = \"50 mm\", the height at which it turns");
   if (plank && !seesaw) throw InputError(plank->place, "plank is the mass of a seesaw, and this is none");
-  if (heights) hill.heights = read_heights(*heights, length, figures);
+  if (heights) hill.heights = read_heights(*heights, length.least(), figures);
   if (slope) {
     const Number angle = as_figure(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
     const double steepest = std::max(angle.most(), -angle.least());
-    if (const double most = length * unit_vector(steepest).y; most > kMostHeight)
+    if (const double most = length.most() * unit_vector(steepest).y; most > kMostHeight)
       throw InputError(
           slope->place,
           fmt::format("this ramp would be {:.4g} m high; a hill is at most {:.4g} m", most, kMostHeight));
-    const double rise = length * unit_vector(figures.drawn(angle, "slope")).y;
+    const double rise = 2.0 * hill.half_length * unit_vector(figures.drawn(angle, "slope")).y;
     hill.heights = {std::fmax(-rise, 0.0), std::fmax(rise, 0.0)};
   }
   if (seesaw) {
     const Number pivot = as_figure(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
-    if (pivot.most() > kMostTilt * hill.half_length)
+    if (pivot.most() > 0.5 * kMostTilt * length.least())
       throw InputError(
           seesaw->place,
           fmt::format("a seesaw {:.10g} mm long that turns at {:.10g} mm stands at more than 30 deg",
-                      1e3 * length, 1e3 * pivot.most()));
+                      1e3 * length.least(), 1e3 * pivot.most()));
     hill.pivot = figures.drawn(pivot, "seesaw");
     hill.plank_kg =
         plank ? figures.read(*plank, "plank", Dimension::mass, kLightest, kHeaviest) : kUsualPlank;
@@ -99,7 +100,7 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
 Surface read_surface(const ConfigValue& item, const Course& course, const Figures& figures) {
   TableReader table(item, "[[surface]]");
   Surface surface;
-  static_cast<Patch&>(surface) = read_patch(table, course, "surface");
+  static_cast<Patch&>(surface) = read_patch(table, course, "surface", figures);
   const ConfigValue* const kind = table.find("kind");
   const ConfigValue* const grip = table.find("grip");
   const ConfigValue* const rolling = table.find("rolling");

@@ -8,6 +8,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/markup.h"
+#include "sim/base/profile.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/record/floor_shapes.h"
@@ -218,11 +219,11 @@ class Drawing {
 };
 
 /// Of a map that is too large to be drawn: no more than its size.
-FloorShapes shapes_of(const std::string& file, const wire::Started& started) {
+FloorShapes shapes_of(const wire::RunRequest& request, const wire::Started& started) {
   std::error_code error;
-  const auto bytes = std::filesystem::file_size(file, error);
+  const auto bytes = std::filesystem::file_size(request.map, error);
   if (!error && bytes <= kLargestDrawnMap_bytes) {
-    const grid::Map map = grid::read_map(file);
+    const grid::Map map = grid::read_map(request.map, {request.seed, profile_of(request.profile)});
     if (!map.image || map.image->png().size() <= kLargestPicture_bytes) return floor_shapes(map, started);
   }
   FloorShapes shapes;
@@ -265,7 +266,7 @@ void SvgRecorder::add(const wire::Event& event) {
 }
 
 void SvgRecorder::finish(const wire::RunResult& result) {
-  const FloorShapes floor = shapes_of(run_.request.map, started_);
+  const FloorShapes floor = shapes_of(run_.request, started_);
   double fastest = 1.0;
   for (const Drive& drive : drives_)
     for (const Point& p : drive.trail) fastest = std::max(fastest, std::fabs(p.speed_mm_s));

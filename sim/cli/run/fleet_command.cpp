@@ -67,7 +67,7 @@ wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, 
                       const RunArguments& arguments, const wire::OnEvent& on_event) {
   runner.keep_close();
   const launch::Prepared& first = run.members.front();
-  const grid::Map floor = grid::read_map(first.map.path);
+  const grid::Map floor = map_of(run.request);
   std::vector<std::string> names;
   for (const launch::Member& member : fleet.members) names.push_back(member.name);
   tui::LiveScene scene(fmt::format("{} robots on {}; below: {}", names.size(), first.map.name, names.front()),
@@ -163,7 +163,7 @@ int fleet_command(const RunArguments& arguments) {
   } else if (!arguments.live) {
     for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
     const ScreenSize screen = screen_size();
-    const auto drawn = map_to_draw(run.members.front().map.path);
+    const auto drawn = map_to_draw(run.request);
     print(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)

@@ -183,7 +183,8 @@ int replay_command(const ReplayArguments& arguments) {
   const bool has_picture = header.floor && header.floor->picture;
   if (!header.map_text.empty())
     map = grid::parse_map(header.map_text, header.map,
-                          has_picture ? from_base64(header.floor->picture->png) : "");
+                          has_picture ? from_base64(header.floor->picture->png) : "",
+                          {header.result.seed, profile_of(header.result.profile)});
   const bool on_terminal = ::isatty(STDOUT_FILENO) != 0;
   if (on_terminal && map) watch(recording, *map, arguments.speed);
 

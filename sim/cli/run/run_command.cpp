@@ -133,7 +133,7 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
   if (!arguments.view) return runner.run(run.request, on_event);
 
   runner.keep_close();
-  const grid::Map floor = grid::read_map(run.map.path);
+  const grid::Map floor = map_of(run.request);
   const std::string title =
       fmt::format("{} · {} on {}", launch::title_of(run.sketch), run.robot.name, run.map.name);
   tui::LiveScene scene(title, floor, run.robot_info);
@@ -228,7 +228,7 @@ int run_command(const RunArguments& arguments) {
     print(json(wall_s));
   } else if (!arguments.live) {
     const ScreenSize screen = screen_size();
-    const auto drawn = map_to_draw(run.map.path);
+    const auto drawn = map_to_draw(run.request);
     const auto free = free_bytes(result, board);
     (arguments.serial ? complain : print)(tui::end_screen(
         {sketch, run.map.name, run.robot.name, run.target, listeners.started(), result, listeners.trail(),

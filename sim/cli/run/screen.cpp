@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <system_error>
 
 #include "sim/base/error.h"
+#include "sim/base/profile.h"
 #include "sim/tui/terminal.h"
 
 namespace robosim::cli {
@@ -30,11 +32,15 @@ void check_view(const RunArguments& arguments) {
   }
 }
 
-std::unique_ptr<grid::Map> map_to_draw(const std::filesystem::path& path) {
+grid::Map map_of(const wire::RunRequest& request) {
+  return grid::read_map(request.map, {request.seed, profile_of(request.profile)});
+}
+
+std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request) {
   std::error_code error;
-  const auto bytes = std::filesystem::file_size(path, error);
+  const auto bytes = std::filesystem::file_size(request.map, error);
   if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
-  return std::make_unique<grid::Map>(grid::read_map(path));
+  return std::make_unique<grid::Map>(map_of(request));
 }
 
 }  // namespace robosim::cli

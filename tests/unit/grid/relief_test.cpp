@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numbers>
 
 #include "sim/grid/map.h"
@@ -155,6 +157,75 @@ TEST(AHillWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
   EXPECT_LT(least, 0.6 * std::sin(std::numbers::pi / 16));
   EXPECT_GT(most, 0.6 * std::sin(std::numbers::pi / 10));
   EXPECT_LT(most, 0.6 * std::sin(std::numbers::pi / 9));
+}
+
+// What places and sizes are, on a floor of 2 x 1 m with a straight path along y = 500 mm, in 40 seeds.
+TEST(APlaceWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
+  const std::string text =
+      "+++\nsize = [\"2 m\", \"1 m\"]\n"
+      "[[hill]]\nalong = { value = \"600 mm\", spread = \"100 mm\" }\naway = { value = \"50 mm\", spread = "
+      "\"20 mm\" }\nside = \"right\"\nsize = [{ value = \"600 mm\", spread = \"10 %\" }, \"300 "
+      "mm\"]\nangle = { value = \"0 deg\", spread = \"30 deg\" }\nheights = [\"0 mm\", \"50 mm\"]\n"
+      "[[surface]]\nat = [{ value = \"1 m\", spread = \"200 mm\" }, \"500 mm\"]\nradius = { value = "
+      "\"100 mm\", spread = \"20 mm\" }\nkind = \"wet\"\n"
+      "[[light]]\nlevel = 0.5\nat = [\"1 m\", { value = \"500 mm\", spread = \"100 mm\" }]\nradius = "
+      "\"150 mm\"\nmoves = [{ value = \"2 mm/s\", spread = \"2 mm/s\" }, \"0 mm/s\"]\n"
+      "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n+++\n";
+  using Figure = std::function<double(const Map&)>;
+  const auto middle = [](const Map& map) { return map.course.hills[0].middle; };
+  const struct {
+    const char* name;
+    double value, spread;
+    Figure of;
+  } figures[] = {
+      {"along", 0.8, 0.1, [&](const Map& map) { return middle(map).position.x; }},
+      {"away", 0.45, 0.02, [&](const Map& map) { return middle(map).position.y; }},
+      {"size", 0.3, 0.03, [](const Map& map) { return map.course.hills[0].half_length; }},
+      {"angle", 0.0, 0.5, [&](const Map& map) { return middle(map).heading.y; }},
+      {"at", 1.0, 0.2, [](const Map& map) { return map.course.surfaces[0].middle.position.x; }},
+      {"radius", 0.1, 0.02, [](const Map& map) { return map.course.surfaces[0].radius; }},
+      {"a light's at", 0.5, 0.1, [](const Map& map) { return map.lights[0].at->y; }},
+      {"moves", 0.002, 0.002, [](const Map& map) { return map.lights[0].moves.x; }},
+  };
+  for (const auto& [name, value, spread, of] : figures) {
+    EXPECT_NEAR(of(parse_map(text, "m.map")), value, 1e-12) << name;
+    double least = 1e9, most = -1e9;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const double drawn = of(parse_map(text, "m.map", "", {seed, Profile::typical}));
+      least = std::min(least, drawn), most = std::max(most, drawn);
+    }
+    EXPECT_GE(least, value - spread - 1e-12) << name;
+    EXPECT_LT(least, value - 0.7 * spread) << name;
+    EXPECT_LE(most, value + spread + 1e-12) << name;
+    EXPECT_GT(most, value + 0.7 * spread) << name;
+  }
+}
+
+TEST(APlaceWithASpread, IsRefusedWhereNotAllOfItIsAllowedWhateverTheSeed) {
+  const auto refused = [](const std::string& table) {
+    try {
+      relief_of(table);
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string size = "size = [\"600 mm\", \"300 mm\"]\n", at = "at = [\"1 m\", \"500 mm\"]\n";
+  EXPECT_THAT(
+      refused("[[surface]]\nat = [\"1 m\", { value = \"900 mm\", spread = \"200 mm\" }]\nradius = \"9 mm\"\n"
+              "kind = \"wet\"\n"),
+      HasSubstr("the middle of this surface, 1000 mm, 1100 mm, may be beside the floor"));
+  EXPECT_THAT(refused("[[hill]]\nat = [{ value = \"50 mm\", spread = \"60 mm\" }, \"500 mm\"]\n" + size +
+                      "slope = \"9 deg\"\n"),
+              HasSubstr("the spread of at reaches from -10 to 110 mm"));
+  EXPECT_THAT(refused("[[hill]]\n" + at +
+                      "size = [{ value = \"600 mm\", spread = \"50 mm\" }, \"300 mm\"]\n"
+                      "heights = [\"0 mm\", \"440 mm\"]\n"),
+              HasSubstr("from 0 to 440 mm within 550 mm of way is too steep"));
+  EXPECT_THAT(
+      refused("[[hill]]\n" + at +
+              "size = [{ value = \"700 mm\", spread = \"100 mm\" }, \"300 mm\"]\nslope = \"44 deg\"\n"),
+      HasSubstr("this ramp would be 0.5557 m high"));
 }
 
 TEST(AHillWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
