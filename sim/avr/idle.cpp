@@ -39,9 +39,7 @@ Idle::Head* Idle::find(std::uint32_t pc) {
   return nullptr;
 }
 
-bool Idle::watches() {
-  if (recorded_ || exploring_ > 0) return true;
-  if (executed() < explore_at_ || !allowed_) return false;
+bool Idle::begins_to_explore() {
   if (explore_every_ == 0) explore_every_ = kFirstExplored;
   exploring_ = kExplored;
   landings_.clear();

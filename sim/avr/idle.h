@@ -32,7 +32,9 @@ class Idle {
   Cycle skipped() const { return skipped_; }
 
   /// Before instructions run: whether they shall run one by one, with before() and after() around each.
-  bool watches();
+  bool watches() {
+    return recorded_ || exploring_ > 0 || (executed() >= explore_at_ && allowed_ && begins_to_explore());
+  }
   void before();
   void after();
   /// The processor is at a head; what happens before `horizon` is known to it alone.
@@ -41,8 +43,11 @@ class Idle {
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
-  /// The chip has slept for so long.
-  void slept(Cycle cycles) { slept_ += cycles; }
+  /// The chip has slept for so long. A loop with sleep in it is none that waits.
+  void slept(Cycle cycles) {
+    slept_ += cycles;
+    if (exploring_ > 0) landings_.clear();
+  }
   /// Something came in between: an interrupt, a reset, an input.
   void interrupted() { recorded_ = nullptr; }
   /// It is another cycle now, maybe an earlier one.
@@ -63,6 +68,7 @@ class Idle {
     int count = 0;
   };
 
+  bool begins_to_explore();
   Head* find(std::uint32_t pc);
   void explored();
   void mark(Head& head, bool marked);
