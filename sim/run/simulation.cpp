@@ -34,6 +34,7 @@ struct Simulation::Inside final : Standstill {
   bool leg_ends(SimTime t);
   bool tick(SimTime t);
   bool rest(SimTime t);
+  void rest_on(SimTime end);
   bool look(SimTime end);
   void catch_up(SimTime t);
   SimTime rest_from(SimTime end) const;
@@ -185,6 +186,15 @@ void Simulation::Inside::interrupt(SimTime t) {
     if (!agent->finished()) agent->finish(judge::Verdict::interrupted, t);
 }
 
+// The ticks behind a tick of rest, as long as they are of rest, too.
+void Simulation::Inside::rest_on(SimTime end) {
+  while (rested && clock.t + kTick < rests_until && clock.t + 2 * kTick < end && !wants_to_stop()) {
+    clock.t += kTick;
+    if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
+    rest(clock.t);
+  }
+}
+
 void Simulation::Inside::run_until(SimTime end) {
   end = std::min(end, setup.limit);
   for (; clock.t < end && !over(); clock.t += kTick) {
@@ -194,6 +204,7 @@ void Simulation::Inside::run_until(SimTime end) {
     // The last one is a whole one: whoever looks at the state then finds all of it.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
     const bool left = clock.t < rests_until ? rest(clock.t) : tick(clock.t);
+    if (rested) rest_on(end);
     if (wants_to_stop() && clock.t >= rests_until) interrupt(clock.t + kTick);
     clock.leg_over = setup.controller && (leg_ends(clock.t + kTick) || left);
   }
