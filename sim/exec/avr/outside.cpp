@@ -31,9 +31,7 @@ Pin Outside::last_read() const {
   return pin < 0 ? kNoPin : pins_[static_cast<std::size_t>(pin)];
 }
 
-void Outside::take_inputs(Cycle now) {
-  state_.expected = kNever;
-  if (board_.next_input() == kNever) return;
+void Outside::take_waiting(Cycle now) {
   BoardInput input;
   while (board_.take_input(state_.link.time_of(now), input)) {
     if (input.kind == BoardInput::Kind::byte) {

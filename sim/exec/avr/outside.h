@@ -17,7 +17,10 @@ class Outside : public robosim::avr::Surroundings {
   /// Before anything else: the chip whose surroundings these are.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
   /// What has arrived by now reaches the chip, and it is called when the next input will have.
-  void take_inputs(Cycle now);
+  void take_inputs(Cycle now) {
+    state_.expected = kNever;
+    if (board_.next_input() != kNever) take_waiting(now);
+  }
 
   const Link& link() const { return state_.link; }
   /// The chip's pin that is led to the board's; -1 = none.
@@ -60,6 +63,7 @@ class Outside : public robosim::avr::Surroundings {
   void called(Cycle at) override { take_inputs(at); }
   void clock_divided(int divisor, Cycle at) override;
 
+  void take_waiting(Cycle now);
   void expect_input();
 
   ClockedBoard& board_;

@@ -206,8 +206,14 @@ void WatchedChip::restore(const Saved& saved) {
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
-  const unsigned traps = traps_at(2 * pc),
-                 others = traps & ~unsigned{kLineTrap | kTearingTrap | kDetectorTrap};
+  const unsigned traps = traps_at(2 * pc);
+  if (traps != kLoopTrap || !rounds_ || !rounds_->is_running()) return others_visited(pc, at, traps);
+  rounds_->began(at);
+  return true;
+}
+
+bool WatchedChip::others_visited(std::uint32_t pc, Cycle at, unsigned traps) {
+  const unsigned others = traps & ~unsigned{kLineTrap | kTearingTrap | kDetectorTrap};
   if (traps & kLineTrap) lines_->ran(2 * pc);
   if (traps & kDetectorTrap)
     for (auto [each, end] = shown_.equal_range(2 * pc); each != end; ++each)
@@ -230,8 +236,6 @@ void WatchedChip::left_out(std::uint32_t pc, Cycle first, Cycle period, std::uin
   if (traps & kLoopTrap) rounds_->began(first, period, count);
   if (traps & kLineTrap) lines_->ran(2 * pc, count);
 }
-
-unsigned WatchedChip::take_traps() { return std::exchange(state_.trapped, 0); }
 
 // --- the stack
 

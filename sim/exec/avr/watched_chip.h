@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/avr/chip.h"
@@ -83,7 +84,7 @@ class WatchedChip final : robosim::avr::Visitor {
   void show(Detector& detector, std::uint32_t pc);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
-  unsigned take_traps();
+  unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
   /// run_to() returns after every instruction, and after every jump of time while the chip sleeps.
@@ -148,6 +149,7 @@ class WatchedChip final : robosim::avr::Visitor {
 
  private:
   bool visited(std::uint32_t pc, Cycle at) override;
+  bool others_visited(std::uint32_t pc, Cycle at, unsigned traps);
   void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) override;
 
   const robosim::avr::Cpu& cpu() const { return chip_.cpu(); }
