@@ -30,6 +30,7 @@ Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address la
            std::int64_t oscillator_hz)
     : core_(spec, flash, last_ram, around, oscillator_hz), pins_(core_), power_(core_), idle_(core_) {
   core_.cpu.on_time = Cpu::call<&Chip::do_due>(this);
+  core_.cpu.on_mark<&Chip::may_pass_mark>(this);
   core_.reset = [](void* self, std::uint8_t flags) { static_cast<Chip*>(self)->reset_later(flags); };
   core_.reset_self = this;
   core_.keep(reset_flags_);
@@ -130,6 +131,12 @@ void Chip::reset_later(std::uint8_t flags) {
   core_.cpu.look_up();
 }
 
+bool Chip::may_pass_mark() {
+  if (!core_.visitor || !core_.visitor->visited(core_.cpu.pc(), core_.now())) return false;
+  idle_.visited(core_.cpu.pc());
+  return true;
+}
+
 void Chip::do_due() { core_.events.run(core_.now()); }
 
 std::uint64_t Chip::may_interrupt() const {
@@ -172,12 +179,9 @@ Chip::Stop Chip::run_to(Cycle until) {
     const Stop why = cpu.run(one || watched ? cpu.cycle() + 1 : horizon);
     if (watched) idle_.after();
     if (why == Stop::mark) {
-      if (!one && cpu.is_head(cpu.pc())) idle_.at_head(std::min(until, core_.events.next_urgent()));
-      if (!cpu.has_mark(cpu.pc())) continue;
-      if (core_.visitor && core_.visitor->visited(cpu.pc(), cpu.cycle())) {
-        idle_.visited(cpu.pc());
-        continue;
-      }
+      const bool is_head = cpu.is_head(cpu.pc());
+      if (is_head && !one) idle_.at_head(std::min(until, core_.events.next_urgent()));
+      if (!cpu.has_mark(cpu.pc()) || (is_head && may_pass_mark())) continue;
     }
     if (why == Stop::sleep) {
       power_.sleep(cpu.cycle());

@@ -74,6 +74,7 @@ class Chip {
   void make_peripherals();
   void power_on();
   void do_due();
+  bool may_pass_mark();
   void called(Cycle at) { core_.outside.called(at); }
   void reset_later(std::uint8_t flags);
 

@@ -82,10 +82,13 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       flash_(flash.begin(), flash.end()),
       ram_begin_(static_cast<Address>(chip.ram_address)),
       last_ram_(last_ram),
-      hooks_(chip.ram_address) {
+      hooks_(chip.ram_address),
+      plain_(chip.ram_address, kPlainRead | kPlainWrite) {
+  for (const Address elsewhere : {reg::kSreg, reg::kSpL, reg::kSpH}) plain_[elsewhere] = 0;
   flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
   // Most of a flash is erased, and alike: it is not looked at word by word.
   const std::size_t words = flash_.size() / 2;
+  words_ = static_cast<std::uint32_t>(words);
   std::size_t used = words;
   while (used > 0 && flash_[2 * used - 1] == kErased && flash_[2 * used - 2] == kErased) --used;
   used = std::min(used + 1, words);  // the second word of an instruction may look erased
@@ -168,7 +171,7 @@ std::uint8_t Cpu::load_elsewhere(Address address) {
       break;
   }
   touch();
-  on_time();
+  if (state.cycle >= horizon_) on_time();
   const Hook& hook = hooks_[address];
   return hook.read ? hook.read(hook.read_self, address) : data[address];
 }
@@ -198,7 +201,7 @@ void Cpu::store_elsewhere(Address address, std::uint8_t value) {
       break;
   }
   touch();
-  on_time();
+  if (state.cycle >= horizon_) on_time();
   const Hook& hook = hooks_[address];
   if (hook.write) {
     hook.write(hook.write_self, address, value);
@@ -215,6 +218,14 @@ void Cpu::push(std::uint8_t value) {
 std::uint8_t Cpu::pop() { return load(++state.sp); }
 
 void Cpu::push_pc(std::uint32_t pc) {
+  const std::uint16_t sp = state.sp;
+  if (chip_.return_address_bytes == 2 && sp > ram_begin_ && sp <= last_ram_ && sp - 2 >= state.sp_watch)
+      [[likely]] {
+    data[sp] = static_cast<std::uint8_t>(pc);
+    data[sp - 1u] = static_cast<std::uint8_t>(pc >> 8);
+    state.sp = static_cast<std::uint16_t>(sp - 2);
+    return;
+  }
   for (int i = 0; i < chip_.return_address_bytes; ++i, pc >>= 8) push(static_cast<std::uint8_t>(pc));
 }
 
@@ -239,11 +250,6 @@ std::uint32_t Cpu::entry_of(int vector) const {
   return static_cast<std::uint32_t>(vector) * (chip_.flash_bytes > kFlashOfRelativeJumps ? 2 : 1);
 }
 
-void Cpu::leave_handler() {
-  if (state.open_handlers == 0 || --state.open_handlers > 0) return;
-  state.handler_cycles += state.cycle - state.handler_began;
-}
-
 void Cpu::set_open_handlers(int count) {
   if (state.open_handlers > 0) state.handler_cycles += state.cycle - state.handler_began;
   state.open_handlers = count;
@@ -262,7 +268,7 @@ void Cpu::write_bit(Address address, std::uint8_t bit, bool set) {
   const Hook& hook = hooks_[address];
   if (!hook.write_bit) return store(address, changed(load(address)));
   touch();
-  on_time();
+  if (state.cycle >= horizon_) on_time();
   hook.write_bit(hook.write_bit_self, address, changed(data[address]), bit);
 }
 
@@ -276,19 +282,34 @@ void Cpu::skip_if(bool taken) {
 Op Cpu::alone(std::uint32_t pc) const {
   const Instruction& i = original_[pc];
   if (is_count(pc)) return Op::count_down;
+  if (i.op == Op::in && i.k == reg::kSreg) return Op::in_sreg;
+  if (i.op == Op::out && i.k == reg::kSreg) return is_in_prologue(pc) ? Op::prologue_out_sreg : Op::out_sreg;
   if (i.op != Op::lds && i.op != Op::sts) return quick(i);
   if (i.k < ram_begin_ || i.k > last_ram_) return i.op;
   return i.op == Op::lds ? Op::lds_ram : Op::sts_ram;
 }
 
+bool Cpu::reads_number(std::uint32_t pc) const {
+  if (pc + kWordsOfNumberRead > original_.size() || alone(pc) != Op::in_sreg) return false;
+  const Instruction &disables = original_[pc + 1], &last = original_[pc + kWordsOfNumberRead - 1];
+  const std::uint8_t kept = original_[pc].a;
+  if (disables.op != Op::bclr || disables.b != kI || last.op != Op::out || last.k != reg::kSreg ||
+      last.a != kept)
+    return false;
+  for (std::uint32_t i = 0; i < 4; ++i)
+    if (alone(pc + 2 + 2 * i) != Op::lds_ram || original_[pc + 2 + 2 * i].a == kept) return false;
+  return true;
+}
+
 // Not as one with what has a mark: run() stops there.
 Op Cpu::unmarked(std::uint32_t pc) const {
   const Op first = alone(pc);
-  if (is_in_time_count(pc) && pc == time_count_pc_) {
+  const auto none_marked = [&](std::uint32_t words) {
     const auto begin = marks_.begin() + pc + 1;
-    if (std::none_of(begin, begin + TimeCount::kWords - 1, [](std::uint8_t mark) { return mark != 0; }))
-      return Op::count_time;
-  }
+    return std::none_of(begin, begin + words - 1, [](std::uint8_t mark) { return mark != 0; });
+  };
+  if (is_in_time_count(pc) && pc == time_count_pc_ && none_marked(TimeCount::kWords)) return Op::count_time;
+  if (reads_number(pc) && none_marked(kWordsOfNumberRead)) return Op::read_number;
   const std::size_t behind = pc + original_[pc].words;
   if (behind >= original_.size() || marks_[behind]) return first;
   return both_of(first, alone(static_cast<std::uint32_t>(behind)));
@@ -303,7 +324,8 @@ bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(origin
 
 void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
   marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
-  for (std::uint32_t before = std::min(pc, 2u); before > 0; --before) prepare(pc - before);
+  for (std::uint32_t before = std::min(pc, kWordsOfNumberRead - 1); before > 0; --before)
+    prepare(pc - before);
   prepare(pc);
   if (is_in_time_count(pc)) prepare(time_count_pc_);
 }

@@ -129,6 +129,7 @@ class Cpu {
     Hook& hook = hooks_[address];
     hook.read = [](void* self, Address at) { return (static_cast<Owner*>(self)->*Method)(at); };
     hook.read_self = owner;
+    plain_[address] &= static_cast<std::uint8_t>(~kPlainRead);
   }
   /// void Owner::Method(Address, uint8_t value)
   template <auto Method, typename Owner>
@@ -138,6 +139,7 @@ class Cpu {
       (static_cast<Owner*>(self)->*Method)(at, value);
     };
     hook.write_self = owner;
+    plain_[address] &= static_cast<std::uint8_t>(~kPlainWrite);
   }
   /// The same for a register that has an owner already: `owner` is called behind it. Both keep the register
   /// as the first has left it, but for bits of their own.
@@ -184,7 +186,7 @@ class Cpu {
     };
     hook.write_bit_self = owner;
   }
-  /// Called before each hook: what was due by this cycle is to be done first.
+  /// Called before a hook, where something may be due by this cycle: that is to be done first.
   Call on_time;
 
   /// As firmware reads and writes, with all that follows.
@@ -224,6 +226,13 @@ class Cpu {
   /// Those of loops, which are told in the same way.
   void set_head(std::uint32_t pc, bool set);
   bool is_head(std::uint32_t pc) const { return marks_[pc] & kHead; }
+  /// bool Owner::Method() is asked at a mark that is no head, with all of `state` as it is there: whether
+  /// run() runs on.
+  template <auto Method, typename Owner>
+  void on_mark(Owner* owner) {
+    may_pass_ = [](void* self) { return (static_cast<Owner*>(self)->*Method)(); };
+    may_pass_self_ = owner;
+  }
 
   // --- the stack
   /// When the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever firmware
@@ -266,11 +275,14 @@ class Cpu {
 
  private:
   static constexpr std::uint8_t kMark = 1, kHead = 2;
+  static constexpr std::uint8_t kPlainRead = 1, kPlainWrite = 2;
+  static constexpr std::uint32_t kWordsOfNumberRead = 11;
 
   void find_time_count(std::size_t words);
   bool is_in_time_count(std::uint32_t pc) const {
     return time_count_ && pc - time_count_pc_ < TimeCount::kWords;
   }
+  bool reads_number(std::uint32_t pc) const;
   Op unmarked(std::uint32_t pc) const;
   Op alone(std::uint32_t pc) const;
   void prepare(std::uint32_t pc);
@@ -294,13 +306,15 @@ class Cpu {
   std::uint8_t pop();
   void push_pc(std::uint32_t pc);
   std::uint32_t pop_pc();
-  void leave_handler();
+  void leave_handler() {
+    if (state.open_handlers == 0 || --state.open_handlers > 0) return;
+    state.handler_cycles += state.cycle - state.handler_began;
+  }
   /// Where the program counter goes on: behind the flash, if `pc` is.
   std::uint32_t target_of(std::uint32_t pc) {
-    const auto words = static_cast<std::uint32_t>(code_.size() - 2);
-    if (pc < words) return pc;
+    if (pc < words_) return pc;
     state.outside_pc = pc;
-    return words;
+    return words_;
   }
   std::uint8_t signature_row(std::uint32_t address) const;
   void write_bit(Address address, std::uint8_t bit, bool set);
@@ -308,13 +322,15 @@ class Cpu {
 
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
+  std::uint32_t words_ = 0;                   ///< of flash; a power of two
   std::vector<Instruction> original_, code_;  ///< code_: as run() has it
   std::vector<Op> unmarked_;                  ///< by word: what code_ would have without marks in front of it
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   std::optional<TimeCount> time_count_;
   std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
-  std::vector<Hook> hooks_;  ///< by address
+  std::vector<Hook> hooks_;          ///< by address
+  std::vector<std::uint8_t> plain_;  ///< by address: which accesses are those of memory
   struct Shared {
     void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
     void* first_self = nullptr;
@@ -328,6 +344,8 @@ class Cpu {
     void* self;
   };
   std::deque<Early> early_;  ///< by whom somebody is told first
+  bool (*may_pass_)(void* self) = [](void*) { return false; };
+  void* may_pass_self_ = nullptr;
   Cycle horizon_ = 0;
   Stop stop_ = Stop::reached;
 };

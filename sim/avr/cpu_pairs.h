@@ -116,6 +116,13 @@
   TWICE(ldi, r[i->a] = i->b)                                                                      \
   TWICE(mov, r[i->a] = r[i->b])                                                                   \
   TWICE(movw, r[i->a] = r[i->b]; r[i->a + 1] = r[i->b + 1])                                       \
+  PAIR(movw, lpm, 1) {                                                                            \
+    r[i->a] = r[i->b];                                                                            \
+    r[i->a + 1] = r[i->b + 1];                                                                    \
+    SECOND(3);                                                                                    \
+    r[i->a] = program(pair(kZLow));                                                               \
+    NEXT(1);                                                                                      \
+  }                                                                                               \
   PAIR(push, push, 2) {                                                                           \
     if (!IS_RAM(sp) || !IS_RAM(sp - 1) || sp - 2 < watch) [[unlikely]] {                          \
       left += 2;                                                                                  \

@@ -1,6 +1,4 @@
 // The interpreter's loop: each operation ends with a jump to the next one's code.
-#include <bit>
-
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_pairs.h"
 #include "sim/avr/cpu_steps.h"
@@ -8,18 +6,13 @@
 
 namespace robosim::avr {
 Cpu::Stop Cpu::run(Cycle until) {
-  if (code_[state.pc].op == Op::mark && state.passing != state.pc) {
-    state.passing = state.pc;
-    return Stop::mark;
-  }
   stop_ = Stop::reached;
   horizon_ = until;
 
   // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
   std::uint8_t* const r = data.data();
   const Instruction* const code = code_.data();
-  const auto words_of_flash = static_cast<std::uint32_t>(code_.size() - 2);
-  const std::uint32_t wrap = std::bit_ceil(words_of_flash) - 1;
+  const std::uint32_t words_of_flash = words_, wrap = words_ - 1;
   const Address ram_begin = ram_begin_, ram_span = static_cast<Address>(last_ram_ - ram_begin_);
   const unsigned pc_bytes = chip_.return_address_bytes;
   const Instruction* i = nullptr;
@@ -43,7 +36,7 @@ Cpu::Stop Cpu::run(Cycle until) {
   const auto program = [&](std::uint32_t address) INLINE {
     if (state.reads_signature) [[unlikely]]
       return signature_row(address);
-    return address < flash_.size() ? flash_[address] : std::uint8_t{0xFF};
+    return address / 2 < words_of_flash ? flash_[address] : std::uint8_t{0xFF};
   };
 #undef INLINE
 
@@ -227,12 +220,8 @@ choose:
   }
 
   OPERATION(in, 1) {
-    if (i->k == reg::kSreg) {
-      r[i->a] = flags.pack();
-      NEXT(1);
-    }
-    if (IS_PLAIN(read)) {
-      NOTE_PLAIN;
+    if (IS_PLAIN(kPlainRead)) {
+      NOTE_IO;
       r[i->a] = r[i->k];
       NEXT(1);
     }
@@ -240,23 +229,13 @@ choose:
     r[i->a] = load_elsewhere(static_cast<Address>(i->k));
     RESUME_WITH_FLAGS;
   }
+  OPERATION(in_sreg, 1) r[i->a] = flags.pack();
+  NEXT(1);
+  OPERATION(out_sreg, 1) OUT_SREG(NOTE_IO);
+  OPERATION(prologue_out_sreg, 1) OUT_SREG();
   OPERATION(out, 1) {
-    if (i->k == reg::kSreg) {
-      const std::uint8_t value = r[i->a];
-      const bool rises = value & ~flags.others & kI;
-      if (!rises || (waiting && !*waiting)) [[likely]] {
-        const Cycle now = end - static_cast<Cycle>(left);
-        state.last_pc = static_cast<std::uint32_t>(i - code);
-        if (rises) state.held_at = now;
-        if (state.open_handlers == 0 && !is_in_prologue(state.last_pc)) {
-          state.last_io = now;
-          state.last_io_pc = state.last_pc;
-        }
-        flags.unpack(value);
-        NEXT(1);
-      }
-    } else if (IS_PLAIN(write)) {
-      NOTE_PLAIN;
+    if (IS_PLAIN(kPlainWrite)) {
+      NOTE_IO;
       r[i->k] = r[i->a];
       NEXT(1);
     }
@@ -286,6 +265,19 @@ choose:
     PUT_PLACE(1);
     skip_if(load_elsewhere(static_cast<Address>(i->k)) & i->b);
     RESUME_WITH_FLAGS;
+  }
+
+  OPERATION(read_number, 0) {
+    constexpr std::int64_t kCycles = 11;
+    if (left <= kCycles || !waiting || *waiting) [[unlikely]]
+      goto L_in_sreg;
+    r[i->a] = flags.pack();
+    for (int n = 0; n < 4; ++n) r[i[2 + 2 * n].a] = r[i[2 + 2 * n].k];
+    left -= kCycles;
+    i += kWordsOfNumberRead - 1;
+    if (flags.others & kI) state.held_at = end - static_cast<Cycle>(left);
+    NOTE_IO;
+    NEXT(1);
   }
 
   OPERATION(rjmp, 2) i = code + RELATIVE(i->k);
@@ -381,8 +373,15 @@ choose:
       GO_TO_OPERATION(unmarked_[pc]);
     }
     state.passing = pc;
-    stop_ = Stop::mark;
-    goto leave;
+    state.cycle = end - static_cast<Cycle>(left);
+    state.pc = pc;
+    state.sreg = flags.pack();
+    state.sp = sp;
+    if (marks_[pc] & kHead || !may_pass_(may_pass_self_)) return Stop::mark;
+    if (horizon_ != end) return Stop::reached;
+    state.passing = ~0u;
+    watch = state.sp_watch;
+    GO_TO_OPERATION(unmarked_[pc]);
   }
   OPERATION(illegal, 0) STOP(Stop::illegal, 0);
   OPERATION(outside, 0) STOP(Stop::outside, 0);

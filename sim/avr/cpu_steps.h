@@ -61,13 +61,27 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sp = sp
 #define RESUME_WITH_FLAGS goto resume_with_flags
 // Registers without a hook for this (`read`, `write`), where no event is due: memory, but that last_io knows.
-#define IS_PLAIN(way) \
-  (left > 0 && !hooks_[static_cast<std::size_t>(i->k)].way && i->k != reg::kSpL && i->k != reg::kSpH)
-#define NOTE_PLAIN                                      \
+#define IS_PLAIN(way) (left > 0 && plain_[static_cast<std::size_t>(i->k)] & (way))
+#define NOTE_IO                                         \
   state.last_pc = static_cast<std::uint32_t>(i - code); \
   if (state.open_handlers == 0) {                       \
     state.last_io = end - static_cast<Cycle>(left);     \
     state.last_io_pc = state.last_pc;                   \
+  }
+// Where it sets I while an interrupt waits, that is entered behind the next instruction.
+#define OUT_SREG(note)                                         \
+  {                                                            \
+    const std::uint8_t value = r[i->a];                        \
+    const bool rises = value & ~flags.others & kI;             \
+    if (rises && (!waiting || *waiting)) [[unlikely]] {        \
+      left += 1;                                               \
+      goto L_out;                                              \
+    }                                                          \
+    state.last_pc = static_cast<std::uint32_t>(i - code);      \
+    if (rises) state.held_at = end - static_cast<Cycle>(left); \
+    note;                                                      \
+    flags.unpack(value);                                       \
+    NEXT(1);                                                   \
   }
 #define IS_RAM(address) (static_cast<Address>((address)-ram_begin) <= ram_span)
 

@@ -21,7 +21,7 @@ namespace robosim::avr {
   ONE(X, cpc, brcs) ONE(X, cpc, brcc) ONE(X, cpc, breq) ONE(X, cpc, brne) ONE(X, cpc, brlt) ONE(X, cpc, brge) \
   ONE(X, cpi, brcs) ONE(X, cpi, brcc) ONE(X, cpi, breq) ONE(X, cpi, brne) ONE(X, dec, brne) ONE(X, subi, brne) \
   /* values on their way */ \
-  ONE(X, ldi, ldi) ONE(X, mov, mov) ONE(X, movw, movw) ONE(X, push, push) ONE(X, pop, pop) \
+  ONE(X, ldi, ldi) ONE(X, mov, mov) ONE(X, movw, movw) ONE(X, movw, lpm) ONE(X, push, push) ONE(X, pop, pop) \
   ONE(X, lds_ram, lds_ram) ONE(X, sts_ram, sts_ram) \
   ONE(X, ldd_y, ldd_y) ONE(X, ldd_z, ldd_z) ONE(X, std_y, std_y) ONE(X, std_z, std_z)
 #define ROBOSIM_AVR_AS_ONE(X, first, second) X(first##_##second)
@@ -54,6 +54,10 @@ namespace robosim::avr {
   X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
   /* LDS and STS of RAM */ \
   X(lds_ram) X(sts_ram) \
+  /* IN and OUT of SREG; OUT also between the halves of the stack pointer */ \
+  X(in_sreg) X(out_sreg) X(prologue_out_sreg) \
+  /* what stands around four LDS: IN Rd,SREG; CLI; LDS ...; OUT SREG,Rd, as millis() reads its number */ \
+  X(read_number) \
   /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
   X(count_down) \
   /* all of a TimeCount, but for its RETI */ \

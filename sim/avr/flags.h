@@ -128,6 +128,14 @@ inline constexpr std::array<Flags, 256> kFlagsOf = [] {
   return all;
 }();
 
-inline void Flags::unpack(std::uint8_t sreg) { *this = kFlagsOf[sreg]; }
+inline void Flags::unpack(std::uint8_t sreg) {
+  const Flags& of = kFlagsOf[sreg];  // one by one: they are kept in registers
+  carry = of.carry;
+  zero = of.zero;
+  negative = of.negative;
+  overflow = of.overflow;
+  half = of.half;
+  others = of.others;
+}
 
 }  // namespace robosim::avr

@@ -227,6 +227,7 @@ void Timer::find_beat(std::uint8_t flag, Cycle at) {
       state_.watched || control_a() & kConnections || next_edge() != kNoCycle || !counter.is_regular())
     return;
   state_.beat = flag;
+  state_.beat_vector = vector_of(flag);
   state_.beat_at = at;
   state_.beat_period = (counter.top() + Cycle{1}) << state_.shift;
 }
@@ -241,7 +242,7 @@ bool Timer::beat() {
   state_.at = now;
   state_.flags &= static_cast<std::uint8_t>(~state_.beat);
   state_.requested = 0;
-  core_.request(vector_of(state_.beat), false);
+  core_.request(state_.beat_vector, false);
   state_.beat_at = next;
   core_.schedule(due_, next);
   return true;

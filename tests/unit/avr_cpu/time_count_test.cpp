@@ -1,7 +1,9 @@
-// The core's handler of timer 0, done at once, leaves what its instructions leave, one after the other.
+// The core's handler of timer 0, and millis() where it reads its number, done at once, leave what their
+// instructions leave, one after the other.
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 #include "hal/board/atmega328p.h"
 #include "sim/avr/cpu.h"
@@ -19,12 +21,15 @@ constexpr std::uint16_t kTimeProgram[] = {
     0x91B0, 0x0103, 0x9601, 0x1DA1, 0x1DB1, 0x9380, 0x0100, 0x9390, 0x0101, 0x93A0, 0x0102, 0x93B0, 0x0103,
     0x91BF, 0x91AF, 0x919F, 0x918F, 0x913F, 0x912F, 0x900F, 0xBE0F, 0x900F, 0x901F, 0x9518};
 constexpr std::uint32_t kTimeHandler = 2;
+// in r18,SREG; cli; lds r22 to r25; out SREG,r18; rjmp back
+constexpr std::uint16_t kNumberProgram[] = {0xB72F, 0x94F8, 0x9160, 0x0105, 0x9170, 0x0106,
+                                            0x9180, 0x0107, 0x9190, 0x0108, 0xBF2F, 0xCFF4};
 constexpr Address kRamEnd = 0x8FF;
 
 class CountsTime : public testing::Test {
  protected:
-  CountsTime() {
-    for (const std::uint16_t word : kTimeProgram) {
+  explicit CountsTime(std::span<const std::uint16_t> program = kTimeProgram) {
+    for (const std::uint16_t word : program) {
       flash_.push_back(static_cast<std::uint8_t>(word));
       flash_.push_back(static_cast<std::uint8_t>(word >> 8));
     }
@@ -96,6 +101,37 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
     one.state.sp_watch = 0x200;
     one.set_mark(place, true);
     ASSERT_EQ(one.run(2000), Cpu::Stop::mark);
+    EXPECT_EQ(one.pc(), place);
+  }
+}
+
+class ReadsNumber : public CountsTime {
+ protected:
+  ReadsNumber() : CountsTime(kNumberProgram) {}
+};
+
+TEST_F(ReadsNumber, AtOnceAsItsInstructionsDo) {
+  Cpu whole = cpu(), single = cpu();
+  for (int i = 0; i < 5'000; ++i) {
+    shuffle(whole);
+    whole.state.pc = 0;
+    const std::uint64_t waiting = random_() % 4 == 0;
+    single.data = whole.data;
+    single.state = whole.state;
+    whole.waiting = single.waiting = &waiting;
+    const Cycle until = whole.cycle() + random_() % 40;
+    while (whole.cycle() < until) ASSERT_EQ(whole.run(until), Cpu::Stop::reached);
+    while (single.cycle() < until) ASSERT_EQ(single.run(single.cycle() + 1), Cpu::Stop::reached);
+    expect_same(whole, single);
+    ASSERT_FALSE(HasFailure()) << "run " << i;
+  }
+}
+
+TEST_F(ReadsNumber, AndStopsAtAMarkInTheMiddle) {
+  for (std::uint32_t place : {0u, 1u, 4u, 10u}) {
+    Cpu one = cpu();
+    one.set_mark(place, true);
+    ASSERT_EQ(one.run(100), Cpu::Stop::mark);
     EXPECT_EQ(one.pc(), place);
   }
 }
