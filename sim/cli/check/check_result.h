@@ -19,6 +19,8 @@ struct CheckResult {
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence, of a failure
   std::string replay;  ///< the command that makes the first failed run again; empty = there is none
+  /// `run` with the options of that run, and the trace that it came to.
+  std::string again, again_trace_hash;
   std::string serial;  ///< what the sketch sent in that run
   std::size_t runs = 0;
   std::size_t passed = 0;

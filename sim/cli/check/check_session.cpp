@@ -223,7 +223,9 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   planned.first_failure = *why;
   planned.first_name = run_text(planned.plan, run);
   result.serial = run_result.serial;
-  result.replay = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
+  result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
+  result.again_trace_hash = run_result.trace_hash;
+  result.replay = result.again;
   if (planned.check.detect) result.replay += " --sanitize";  // that is how run asks detectors
 }
 
