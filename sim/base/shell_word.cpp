@@ -10,4 +10,24 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::optional<std::vector<std::string>> shell_words(const std::string& command) {
+  std::vector<std::string> words;
+  bool quoted = false, open = false;  // a word
+  for (std::size_t i = 0; i < command.size(); ++i) {
+    const char c = command[i];
+    if (!quoted && c == ' ') {
+      open = false;
+      continue;
+    }
+    if (!open) words.emplace_back();
+    open = true;
+    if (c == '\'')
+      quoted = !quoted;
+    else
+      words.back() += !quoted && c == '\\' && i + 1 < command.size() ? command[++i] : c;
+  }
+  if (quoted) return std::nullopt;
+  return words;
+}
+
 }  // namespace robosim

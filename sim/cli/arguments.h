@@ -69,7 +69,7 @@ struct ReportArguments {
   std::string file;  ///< of sweep --csv, or JUnit's XML
   std::string out = "report.html";
   std::size_t runs = 40;  ///< that are made again, at most
-  RunArguments each;      ///< as of SweepArguments
+  RunArguments each;      ///< of a table: as of SweepArguments
 };
 
 /// `robosim compare`

@@ -1,10 +1,13 @@
-// From a command line to a launch, and what is said on standard error while it is prepared.
+// From a command line to a launch, what is said on standard error while it is prepared, and what recordings
+// say of it.
 #pragma once
 
 #include <string>
 
 #include "sim/cli/arguments.h"
+#include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
+#include "sim/record/recorder.h"
 #include "sim/tui/progress.h"
 
 namespace robosim::cli {
@@ -24,5 +27,10 @@ struct Says {
   bool warnings = true;  ///< of the compiler
 };
 launch::Listener listener_of(tui::Progress& progress, Says says = {});
+
+/// What recordings say of a run. `version`: the runner's.
+record::RecordedRun recorded(const launch::Prepared& run, const std::string& version);
+record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
+                             const std::string& version);
 
 }  // namespace robosim::cli

@@ -128,6 +128,15 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   EXPECT_THAT(xml, HasSubstr("<failure message=\"distance_m was 0, and it must be 1 at least\">"));
   EXPECT_THAT(xml, HasSubstr("</failure>\n      <system-out>hello\n</system-out>\n    </testcase>"));
   EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "of failures only";
+
+  EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out,
+            "report.html is written, and a replay beside it\n");
+  EXPECT_THAT(read_file(folder / "Greets/report.html"),
+              AllOf(HasSubstr("<a href=\"report-runs/Greets-fails.html\">fails</a>"),
+                    HasSubstr("<b>oval</b>: the line was left 0 times in one run")));
+  folder.write("Greets/Greets.ino", "void setup() {}\nvoid loop() { delay(1); }\n");
+  EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out, "report.html is written\n");
+  EXPECT_THAT(read_file(folder / "Greets/report.html"), HasSubstr("1 of the runs came out otherwise"));
 }
 
 /// Sets a variable of the environment, and takes it back.

@@ -3,6 +3,7 @@
 #include <expat.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <type_traits>
@@ -12,11 +13,34 @@
 namespace robosim::cli {
 namespace {
 
+constexpr std::size_t kMostMessage_bytes = 4000;
+
+/// Of what a test has printed that which says why it failed: of GoogleTest what stands between the case's
+/// begin and its end, else the end of it.
+std::string why_in(std::string_view printed) {
+  const std::size_t failed = printed.find("\n[  FAILED  ]");
+  if (failed != printed.npos) {
+    printed = printed.substr(0, failed);
+    const std::size_t run = printed.rfind("[ RUN      ]");
+    if (run != printed.npos) printed.remove_prefix(std::min(printed.find('\n', run), printed.size()));
+  } else if (printed.size() > kMostMessage_bytes) {
+    printed.remove_prefix(printed.size() - kMostMessage_bytes);
+    printed.remove_prefix(std::min(printed.find('\n'), printed.size()));
+  }
+  const std::size_t first = printed.find_first_not_of(" \r\n"), last = printed.find_last_not_of(" \r\n");
+  return first == printed.npos ? std::string() : std::string(printed.substr(first, last + 1 - first));
+}
+
 class Reader {
  public:
   Reader() : parser_(XML_ParserCreate(nullptr)) {
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), begin, end);
+    XML_SetCharacterDataHandler(parser_.get(), [](void* self, const XML_Char* text, int size) {
+      Reader& reader = *static_cast<Reader*>(self);
+      if (reader.text_ && reader.text_->size() < kMostText)
+        reader.text_->append(text, static_cast<std::size_t>(size));
+    });
     // What a document type may declare could make a small file a huge one.
     XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, auto...) {
       static_cast<Reader*>(self)->refused_ = "a document type is not allowed here";
@@ -39,13 +63,15 @@ class Reader {
   }
 
  private:
-  static constexpr std::size_t kMost = std::size_t{256} << 20;
+  static constexpr std::size_t kMost = std::size_t{256} << 20, kMostText = std::size_t{1} << 20;
 
   static void begin(void* self, const XML_Char* name, const XML_Char** attributes) {
     static_cast<Reader*>(self)->begin(name, attributes);
   }
   static void end(void* self, const XML_Char* name) {
-    if (std::string_view(name) == "testcase") static_cast<Reader*>(self)->open_ = false;
+    Reader& reader = *static_cast<Reader*>(self);
+    reader.text_ = nullptr;
+    if (std::string_view(name) == "testcase") reader.end_case();
   }
 
   void begin(std::string_view name, const XML_Char** attributes) {
@@ -60,16 +86,45 @@ class Reader {
       one.name = attribute("name");
       const std::string_view owner = attribute("classname");
       one.group = !owner.empty() && owner != one.name ? owner : one.name.substr(0, one.name.find('.'));
-      const std::string_view time = attribute("time"), status = attribute("status");
-      std::from_chars(time.data(), time.data() + time.size(), one.time_s);
+      number(attribute("time"), one.time_s);
+      const std::string_view status = attribute("status");
       if (status == "fail") one.ending = JunitCase::Ending::failed;
       if (status == "notrun" || status == "disabled") one.ending = JunitCase::Ending::skipped;
-    } else if (open_ && (name == "failure" || name == "error")) {
-      cases_.back().ending = JunitCase::Ending::failed;
-      if (cases_.back().message.empty()) cases_.back().message = attribute("message");
-    } else if (open_ && name == "skipped") {
+    } else if (!open_) {
+      return;
+    } else if (name == "failure" || name == "error") {
+      JunitCase& one = cases_.back();
+      one.ending = JunitCase::Ending::failed;
+      const std::string_view message = attribute("message");
+      if (message.empty()) text_ = &failure_;
+      one.message += one.message.empty() || message.empty() ? message : "\n" + std::string(message);
+    } else if (name == "skipped") {
       cases_.back().ending = JunitCase::Ending::skipped;
+    } else if (name == "system-out") {
+      text_ = &printed_;
+    } else if (name == "property") {
+      property(attribute("name"), attribute("value"));
     }
+  }
+
+  void property(std::string_view name, std::string_view value) {
+    JunitCase& one = cases_.back();
+    if (name == "failed_run") one.again = value;
+    if (name == "failed_trace_hash") one.trace_hash = value;
+    if (name == "cross_track_max_mm") number(value, one.off_line_mm.emplace());
+  }
+
+  void end_case() {
+    JunitCase& one = cases_.back();
+    if (one.ending == JunitCase::Ending::failed && one.message.empty()) one.message = why_in(failure_);
+    if (one.ending == JunitCase::Ending::failed && one.message.empty()) one.message = why_in(printed_);
+    failure_.clear();
+    printed_.clear();
+    open_ = false;
+  }
+
+  static void number(std::string_view text, double& value) {
+    std::from_chars(text.data(), text.data() + text.size(), value);
   }
 
   struct Free {
@@ -78,13 +133,27 @@ class Reader {
   std::unique_ptr<std::remove_pointer_t<XML_Parser>, Free> parser_;
   std::vector<JunitCase> cases_;
   std::string refused_;
-  bool open_ = false;  // a case
+  bool open_ = false;              ///< a case
+  std::string failure_, printed_;  ///< of the case
+  std::string* text_ = nullptr;    ///< where the text goes that stands here
 };
 
 }  // namespace
 
 std::vector<JunitCase> read_junit(std::string_view text, const std::string& file) {
   return Reader().read(text, file);
+}
+
+std::string kept_page(const std::string& message) {
+  constexpr std::string_view kBefore = "\n  kept:   ", kBetween = "; open its ", kBehind = " in a browser";
+  std::size_t begin = message.find(kBefore);
+  if (begin == message.npos) return {};
+  begin += kBefore.size();
+  const std::string line = message.substr(begin, message.find('\n', begin) - begin);
+  const std::size_t between = line.rfind(kBetween), behind = line.rfind(kBehind);
+  if (between == line.npos || behind == line.npos || behind < between) return {};
+  const std::size_t name = between + kBetween.size();
+  return line.substr(0, between) + "/" + line.substr(name, behind - name);
 }
 
 }  // namespace robosim::cli

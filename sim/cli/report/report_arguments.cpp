@@ -15,8 +15,8 @@ Command parse_report(const std::vector<std::string>& words) {
   std::string runs;
   Options options(
       "report",
-      "Makes a page of a sweep's table, or of test results in JUnit's XML. Runs of the table that failed are "
-      "made again, to show where the line was left: for that it needs the options that the sweep had.");
+      "Makes a page of a sweep's table, or of test results in JUnit's XML. Runs that failed are made again, "
+      "to show where the line was left: those of a table need the options that the sweep had.");
   options.positional("FILE", report.file, "of sweep --csv, test --junit, or ctest --output-junit");
   options.text("--out", report.out, "FILE",
                "the page; default: report.html; replays are put into a folder beside it");

@@ -47,21 +47,6 @@ std::vector<wire::RunResult> results_of(wire::RunResult first) {
   return all;
 }
 
-record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
-                             const std::string& version) {
-  const launch::Prepared& first = run.members.front();
-  record::RecordedRun all{version,        launch::title_of(first.sketch),
-                          first.map.name, first.robot.name,
-                          first.target,   first.robot_info,
-                          run.request};
-  for (std::size_t i = 0; i < run.members.size(); ++i) {
-    const launch::Prepared& one = run.members[i];
-    all.robots.push_back(
-        {fleet.members[i].name, launch::title_of(one.sketch), one.robot.name, one.target, one.robot_info});
-  }
-  return all;
-}
-
 /// Runs in the live view.
 wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
                       const RunArguments& arguments, const wire::OnEvent& on_event) {

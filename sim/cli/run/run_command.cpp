@@ -185,9 +185,8 @@ int run_command(const RunArguments& arguments) {
   const bool is_built = run.sketch.elf_target.empty();
   const std::string sketch = launch::title_of(run.sketch);
 
-  const record::RecordedRun recorded{
-      runner.hello().version, sketch, run.map.name, run.robot.name, run.target, run.robot_info, run.request};
-  recorders.begin(recorded);
+  const record::RecordedRun told = recorded(run, runner.hello().version);
+  recorders.begin(told);
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
   if (has_samples_in_columns) listeners.take_samples_from_columns(trail_every_ns);
@@ -195,7 +194,7 @@ int run_command(const RunArguments& arguments) {
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));
   const double began_s = wall_now_s();
-  wire::RunResult result = simulate(runner, run, recorded, arguments, listeners);
+  wire::RunResult result = simulate(runner, run, told, arguments, listeners);
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
@@ -37,8 +38,13 @@ TEST(AReportsXml, IsWhatRobosimCtestAndGoogleTestWrite) {
 <testsuites><testsuite name="all" tests="5">
   <testcase classname="Ada" name="drives &quot;two&quot; laps &lt;3&#10;" time="1.5"/>
   <testcase classname="Bo &amp; Co" name="drives" time="0.5"><properties><property name="x" value="1"/></properties>
-    <failure message="lost&#x21;">text with <![CDATA[<testcase name="no">]]></failure></testcase>
-  <testcase classname='Suite.Test' name='Suite.Test' status="fail"><failure message=""></failure></testcase>
+    <failure message="lost&#x21;"/><failure message="and slow">text with <![CDATA[<testcase name="no">]]></failure></testcase>
+  <testcase classname='Suite.Test' name='Suite.Test' status="fail"><failure message=""></failure><system-out>Running
+[ RUN      ] Suite.Test
+a.cpp:7: Failure
+  kept:   artifacts/Suite.Test; open its run.html in a browser
+[  FAILED  ] Suite.Test (2 ms)
+[==========] 1 test</system-out></testcase>
   <testcase name="Suite.Other" classname="Suite.Other" status="notrun"/>
   <testcase classname="Ada" name="waits"><skipped/></testcase>
 </testsuite></testsuites>)",
@@ -48,9 +54,12 @@ TEST(AReportsXml, IsWhatRobosimCtestAndGoogleTestWrite) {
   EXPECT_EQ(cases[0].time_s, 1.5);
   EXPECT_EQ(cases[1].group, "Bo & Co");
   EXPECT_EQ(cases[1].ending, JunitCase::Ending::failed);
-  EXPECT_EQ(cases[1].message, "lost!");
+  EXPECT_EQ(cases[1].message, "lost!\nand slow");
   EXPECT_EQ(cases[2].group, "Suite") << "of ctest's tests, which have no class";
   EXPECT_EQ(cases[2].ending, JunitCase::Ending::failed);
+  EXPECT_THAT(cases[2].message, AllOf(StartsWith("a.cpp:7: Failure"), EndsWith("in a browser")))
+      << "ctest's failures say nothing; what the test has printed does";
+  EXPECT_EQ(kept_page(cases[2].message), "artifacts/Suite.Test/run.html");
   EXPECT_EQ(cases[3].ending, JunitCase::Ending::skipped);
   EXPECT_EQ(cases[4].ending, JunitCase::Ending::skipped);
 }
@@ -89,7 +98,7 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
   record::FloorShapes floor;
   floor.width_mm = 1000;
   floor.height_mm = 500;
-  shown.left["m"] = {floor, {{100.0, 200.0}}, 1};
+  shown.add({"m", "its text", floor, {{100.0, 200.0}}});
   const std::string page = sweep_page("runs.csv", runs, shown);
   EXPECT_THAT(
       page, AllOf(HasSubstr("4 runs, 3 reached their goal"), HasSubstr("</span>2/2"), HasSubstr("</span>1/2"),
@@ -102,13 +111,20 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
 
 TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
   using Ending = JunitCase::Ending;
-  const std::string page = junit_page("class.xml", {{"Ada", "starts", Ending::passed, 0.1, ""},
-                                                    {"Ada", "laps", Ending::passed, 0.2, ""},
-                                                    {"Bo", "starts", Ending::passed, 0.1, ""},
-                                                    {"Bo", "laps", Ending::failed, 0.2, "lost \"it\""}});
-  EXPECT_THAT(page, AllOf(HasSubstr("4 checks: 3 passed, 1 failed, 0 left out"),
-                          HasSubstr("<th>starts</th><th>laps</th>"),
-                          HasSubstr("title=\"lost &quot;it&quot;\">✗"), HasSubstr("</span>1/2")));
+  Shown shown;
+  shown.replays[3] = "class-runs/Bo-laps.html";
+  const std::string page = junit_page("class.xml",
+                                      {{"Ada", "starts", Ending::passed, 0.1, ""},
+                                       {"Ada", "laps", Ending::passed, 0.2, ""},
+                                       {"Bo", "starts", Ending::passed, 0.1, ""},
+                                       {"Bo", "laps", Ending::failed, 0.2, "lost \"it\""}},
+                                      shown);
+  EXPECT_THAT(
+      page,
+      AllOf(HasSubstr("4 checks: 3 passed, 1 failed, 0 left out"), HasSubstr("<th>starts</th><th>laps</th>"),
+            HasSubstr("Without a failure: 1 of 2"), HasSubstr("</span>1/2"),
+            HasSubstr("title=\"lost &quot;it&quot;\"><a href=\"class-runs/Bo-laps.html\">✗"),
+            HasSubstr("<a href=\"class-runs/Bo-laps.html\">laps</a></td><td class=\"good\">✓")));
 }
 
 }  // namespace
