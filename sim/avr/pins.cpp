@@ -68,8 +68,17 @@ bool Pins::is_output(int pin) const {
   return core_.cpu.data[direction_register(place.port)] & mask_of(place.bit);
 }
 
+bool Pins::is_wave(int pin) const {
+  const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  return taken.taken && taken.drive.pwm && waves_[static_cast<std::size_t>(pin)].level;
+}
+
 bool Pins::output_level(int pin) const {
   const Taken& taken = state_.taken[static_cast<std::size_t>(pin)];
+  if (is_wave(pin)) {
+    const Wave& wave = waves_[static_cast<std::size_t>(pin)];
+    return wave.level(wave.self, pin);
+  }
   if (taken.taken && !taken.drive.pwm) return taken.drive.level;
   const ChipPin& place = core_.chip.pins[pin];
   return core_.cpu.data[latch_register(place.port)] & mask_of(place.bit);
@@ -169,6 +178,7 @@ Outlook Pins::outlook(Address address, std::uint8_t bits) {
       outlook.value |= pin < 0 ? port.seen & mask : 0;
       continue;
     }
+    if (is_wave(pin)) return {};
     if (!is_output(pin)) outlook.until = std::min(outlook.until, core_.outside.level_until(pin, now));
     if (outlook.until <= now) return {};
     if (level(pin)) outlook.value |= mask;
@@ -238,7 +248,7 @@ void Pins::tell_drive(int pin) {
 void Pins::take(int pin, const PinDrive& drive, bool even_input) {
   state_.taken[static_cast<std::size_t>(pin)] = {true, even_input, drive};
   tell_drive(pin);
-  if (is_heard(pin)) tell_listeners(pin, level(pin), core_.now());
+  if (is_heard(pin) && !is_wave(pin)) tell_listeners(pin, level(pin), core_.now());
 }
 
 void Pins::give_back(int pin) {
@@ -265,6 +275,7 @@ void Pins::listen(int listener, bool on) {
   if (before == now) return;
   const bool found = core_.outside.wants_edges(pin, now, core_.now());
   if (now) state_.heard_level[static_cast<std::size_t>(pin)] = is_output(pin) ? output_level(pin) : found;
+  if (const Wave& wave = waves_[static_cast<std::size_t>(pin)]; wave.heard) wave.heard(wave.self, pin, now);
 }
 
 void Pins::edge(int pin, bool level, Cycle at) {

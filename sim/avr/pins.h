@@ -8,7 +8,8 @@
 //
 // A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to
 // PINx toggles PORTx. PUD switches all pull-ups off; a pin whose digital input DIDR0 or DIDR1 switches off
-// reads 0. PWM is told as a duty, never as edges: a listener at such a pin hears nothing.
+// reads 0. The world is told PWM and tones as a duty, never as edges; what PINx reads there, and listeners
+// hear, its timer says (Wave).
 #pragma once
 
 #include <array>
@@ -31,6 +32,25 @@ class Pins final : public Peripheral {
   /// UART's transmitter); otherwise only while it says output (timers).
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
+
+  /// Of a timer that may drive a pin so that the world is told a duty in place of edges.
+  struct Wave {
+    bool (*level)(void* self, int pin) = nullptr;  ///< now
+    void (*heard)(void* self, int pin,
+                  bool heard) = nullptr;  ///< each edge is to be told from now on, or no more
+    void* self = nullptr;
+  };
+  template <auto Level, auto Heard, typename Owner>
+  void add_wave(int pin, Owner* owner) {
+    waves_[static_cast<std::size_t>(pin)] = {
+        [](void* self, int number) { return (static_cast<Owner*>(self)->*Level)(number); },
+        [](void* self, int number, bool heard) { (static_cast<Owner*>(self)->*Heard)(number, heard); },
+        owner};
+  }
+  /// The level of a pin that is taken for a wave may have changed.
+  void wave_edge(int pin, bool level) {
+    if (is_output(pin)) tell_listeners(pin, level, core_.now());
+  }
 
   // --- for peripherals that listen to pins
   struct Listener {
@@ -113,6 +133,7 @@ class Pins final : public Peripheral {
   bool is_heard(int pin) const;
   bool is_output(int pin) const;
   bool is_pulled_up(int pin) const;
+  bool is_wave(int pin) const;
   bool output_level(int pin) const;
   void tell_drive(int pin);
   void tell_listeners(int pin, bool level, Cycle at);
@@ -126,6 +147,7 @@ class Pins final : public Peripheral {
   std::array<std::array<int, 8>, kMostPorts> pin_at_{};  ///< by port and bit; -1 = none
   std::array<int, kMostChannels> analog_at_{};           ///< by channel; -1 = none
   std::vector<Heard> listeners_;
+  std::array<Wave, kMostPins> waves_{};
   State state_;
 };
 

@@ -30,6 +30,8 @@ Timer::Timer(Core& core, Pins& pins, Prescalers& prescalers, int index)
   }
   for (std::size_t channel = 0; channel < std::size(spec_.pins); ++channel)
     if (spec_.pins[channel]) output_pins_[channel] = pins.named(spec_.pins[channel]);
+  for (const int pin : output_pins_)
+    if (pin >= 0) pins.add_wave<&Timer::wave_level, &Timer::wave_heard>(pin, this);
   core.on_clock_change<&Timer::clock_changed>(this);
   due_ = core.events.add<&Timer::due>(this);
   prescalers.add(*this);
@@ -90,6 +92,7 @@ void Timer::count_ticks(Cycle to) {
   if (ticks_come()) {
     const Cycle began = prescalers_.began(prescaler_);
     const Cycle ticks = ((to - began) >> state_.shift) - ((state_.at - began) >> state_.shift);
+    if (ticks > 0 && state_.tones) toggle_tones(ticks);
     if (ticks > 0) set_flags(state_.counter.advance(ticks), to);
   }
   state_.at = to;
@@ -185,6 +188,7 @@ void Timer::due(Cycle at) {
   count_to(at - 1);
   request((state_.flags | coming(at)) & enables() & ~state_.requested);
   if (state_.drives_stale) tell_drives();
+  if (state_.heard) tell_waves();
   schedule();
 }
 
@@ -201,6 +205,7 @@ void Timer::settle() {
   state_.requested &= state_.flags & enables();
   request(state_.flags & enables() & ~state_.requested);
   if (state_.drives_stale) tell_drives();
+  if (state_.heard) tell_waves();
   schedule();
 }
 
@@ -212,6 +217,7 @@ std::uint8_t Timer::wanted() const {
   for (std::size_t channel = 0; channel < channels_; ++channel) {
     if (!drives(channel)) continue;
     if (counter.waits()) wanted |= Counter::kTakenOver;
+    if (is_followed(channel)) wanted |= Counter::kOverflow | Counter::kMatch[channel];
     const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
     if (changes_at_match(channel) && (com == 1 || state_.outputs[channel].level != (com == 3)))
       wanted |= Counter::kMatch[channel];

@@ -15,14 +15,15 @@
 //
 // Pins: PWM is told as a duty, a pin that is toggled (COM = 1) as a tone of its frequency, but for one that
 // is too slow to be heard: its level changes at each match, as by COM = 2 and 3 in modes without PWM. A
-// counter without a clock holds its pin at the level that it has.
+// counter without a clock holds its pin at the level that it has. PINx reads the level of the moment, and
+// edges are events while somebody in the chip listens to the pin.
 //
 // Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
 // at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator takes its place.
 //
 // PRR: without a clock the registers read 0 and are not written (10.10).
 //
-// Not modelled: timer 2's crystal (ASSR), the level of a pin while it is told as a tone.
+// Not modelled: timer 2's crystal (ASSR).
 #pragma once
 
 #include <algorithm>
@@ -75,7 +76,7 @@ class Timer final : public Peripheral {
 
   struct Output {
     bool taken = false;
-    bool level = false;  ///< as the last match left it, where each match is looked at
+    bool level = false;  ///< as the last match left it; not of PWM
     PinDrive drive;
   };
   struct State {
@@ -88,6 +89,8 @@ class Timer final : public Peripheral {
     bool runs = true;       ///< it has a clock: PRR, sleep
     int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no clock from it
     bool drives_stale = false;
+    std::uint8_t tones = 0,
+                 heard = 0;  ///< bits of channels: told as a tone; listened to by somebody in the chip
     std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
@@ -183,6 +186,13 @@ class Timer final : public Peripheral {
   void match(std::size_t channel);
   void force(std::uint8_t control);
   bool pwm_level(std::size_t channel) const;
+  std::size_t channel_of(int pin) const;
+  bool wave_level(int pin);
+  void wave_heard(int pin, bool heard);
+  bool level_of(std::size_t channel) const;
+  bool is_followed(std::size_t channel) const;
+  void toggle_tones(Cycle ticks);
+  void tell_waves();
   bool changes_at_match(std::size_t channel) const;
   PinDrive drive_of(std::size_t channel) const;
   void tell_drives();

@@ -142,6 +142,23 @@ std::uint8_t Counter::advance(Cycle ticks) {
   return hits | run(ticks, 0, kManyTurns).hits;
 }
 
+Cycle Counter::matches(std::size_t channel, Cycle ticks) const {
+  if (is_regular()) {
+    const Cycle period = top() + Cycle{1}, match = compare_[channel];
+    if (match >= period) return 0;
+    const Cycle ahead = match >= value_ ? match - value_ : period - value_ + match;
+    return ticks > ahead ? 1 + (ticks - ahead - 1) / period : 0;
+  }
+  Counter one = *this;
+  Cycle count = 0;
+  for (Cycle to = one.ticks_to(kMatch[channel]); to <= ticks; to = one.ticks_to(kMatch[channel])) {
+    one.advance(to);
+    ticks -= to;
+    ++count;
+  }
+  return count;
+}
+
 Cycle Counter::ticks_to(std::uint8_t wanted) const {
   if (is_regular()) {
     const unsigned end = top(), to_end = end - value_;

@@ -78,6 +78,8 @@ class Counter {
                                         : value < 2 * period ? value - period
                                                              : value % period);
   }
+  /// How often a channel matches in so many ticks.
+  Cycle matches(std::size_t channel, Cycle ticks) const;
   /// What the next tick will return.
   std::uint8_t next_hits() const;
   /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.

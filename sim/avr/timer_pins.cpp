@@ -69,8 +69,47 @@ PinDrive Timer::drive_of(std::size_t channel) const {
   return drive;
 }
 
+std::size_t Timer::channel_of(int pin) const {
+  return static_cast<std::size_t>(std::find(output_pins_.begin(), output_pins_.end(), pin) -
+                                  output_pins_.begin());
+}
+
+// Of a pin that is told as PWM or as a tone.
+bool Timer::level_of(std::size_t channel) const {
+  return state_.tones >> channel & 1 ? state_.outputs[channel].level : pwm_level(channel);
+}
+
+bool Timer::wave_level(int pin) {
+  count_to(before_now());
+  return level_of(channel_of(pin));
+}
+
+void Timer::wave_heard(int pin, bool heard) {
+  const auto bit = static_cast<std::uint8_t>(1u << channel_of(pin));
+  count_to(before_now());
+  state_.heard = static_cast<std::uint8_t>(heard ? state_.heard | bit : state_.heard & ~bit);
+  settle();
+}
+
+bool Timer::is_followed(std::size_t channel) const {
+  const Output& output = state_.outputs[channel];
+  return state_.heard >> channel & 1 && output.taken && output.drive.pwm;
+}
+
+void Timer::toggle_tones(Cycle ticks) {
+  for (std::size_t channel = 0; channel < channels_; ++channel)
+    if (state_.tones >> channel & 1 && state_.counter.matches(channel, ticks) % 2 == 1)
+      state_.outputs[channel].level = !state_.outputs[channel].level;
+}
+
+void Timer::tell_waves() {
+  for (std::size_t channel = 0; channel < channels_; ++channel)
+    if (is_followed(channel)) pins_.wave_edge(output_pins_[channel], level_of(channel));
+}
+
 void Timer::tell_drives() {
   state_.drives_stale = false;
+  state_.tones = 0;
   for (std::size_t channel = 0; channel < channels_; ++channel) {
     Output& output = state_.outputs[channel];
     if (!drives(channel)) {
@@ -79,6 +118,7 @@ void Timer::tell_drives() {
       continue;
     }
     const PinDrive drive = drive_of(channel);
+    if (drive.tone_hz > 0) state_.tones |= static_cast<std::uint8_t>(1u << channel);
     if (output.taken && drive == output.drive) continue;
     output.taken = true;
     output.drive = drive;
