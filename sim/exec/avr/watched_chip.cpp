@@ -45,6 +45,7 @@ WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
     : firmware_(firmware),
       spec_(*board.chip),
       clock_hz_(board.clock_hz),
+      has_boot_loader_(board.flash_bytes < board.chip->flash_bytes),
       chip_(spec_, flash_of(firmware), firmware.last_ram, outside, board.clock_hz) {
   using robosim::avr::Cpu;
   state_.lowest_sp = firmware.last_ram;
@@ -134,9 +135,11 @@ void WatchedChip::was_reset() {
           : 1;
   state_.last_bite = now;
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
-  chip_.core().at(reg::kMcusr) = 0;
-  chip_.cpu().store(chip_.core().chip.at.watchdog, kWatchdogUnlocked);
-  chip_.cpu().store(chip_.core().chip.at.watchdog, 0);
+  if (has_boot_loader_) {
+    chip_.core().at(reg::kMcusr) = 0;
+    chip_.cpu().store(chip_.core().chip.at.watchdog, kWatchdogUnlocked);
+    chip_.cpu().store(chip_.core().chip.at.watchdog, 0);
+  }
   state_.own_stack = false;
   state_.handlers_of_stacks.clear();
   chip_.cpu().state.sp_watch = state_.lowest_sp;

@@ -2,7 +2,8 @@
 // that outgrows its place, a watchdog that bites again and again. sim/avr has the chip itself.
 //
 // It starts where the boot loader would jump to, and takes the watchdog's resets as the Uno's boot loader
-// does (optiboot): MCUSR is cleared, and the watchdog is off.
+// does (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader WDRF is set, and the
+// watchdog bites again in 16 ms unless the sketch switches it off.
 #pragma once
 
 #include <cstdint>
@@ -170,6 +171,7 @@ class WatchedChip final : robosim::avr::Visitor {
   const Firmware& firmware_;
   const ChipSpec& spec_;
   const std::uint32_t clock_hz_;
+  const bool has_boot_loader_;  ///< the sketch may not have all of the flash
   RoundCounter<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<Tearing> tearing_;

@@ -175,6 +175,40 @@ void loop() {}
     EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
 }
 
+// Pin 1 rises where the sketch begins behind the watchdog, pin 0 where it begins at all.
+constexpr const char* kLooksWhoResetIt = R"(
+#include <avr/wdt.h>
+void setup() {
+  pinMode(0, OUTPUT);
+  pinMode(1, OUTPUT);
+  digitalWrite(0, HIGH);
+  digitalWrite(1, MCUSR & _BV(WDRF) ? HIGH : LOW);
+  if (MCUSR & _BV(WDRF)) { MCUSR = 0; wdt_disable(); for (;;) {} }
+  MCUSR = 0;
+  wdt_enable(WDTO_60MS);
+}
+void loop() {}
+)";
+
+TEST_F(Boards, ABareChipSaysThatItsWatchdogHasBitten) {
+  board_name_ = "attiny85";
+  start(kLooksWhoResetIt);
+  run(50 * kMillisecond);
+  EXPECT_FALSE(board().drive(1).level);
+  run(250 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_TRUE(board().drive(1).level);
+}
+
+TEST_F(Boards, ABootLoaderHidesThatTheWatchdogHasBitten) {
+  board_name_ = "digispark";
+  start(kLooksWhoResetIt);
+  run(150 * kMillisecond);
+  ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  EXPECT_FALSE(board().drive(1).level);
+  EXPECT_GE(changes(0).size(), 5u) << "it has begun again";
+}
+
 TEST_F(Boards, AnAttiny85HasPwmOnThreePinsOfTwoTimersAndNoSerial) {
   board_name_ = "digispark";
   start(R"(
