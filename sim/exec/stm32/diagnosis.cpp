@@ -36,6 +36,10 @@ SourceLine Diagnosis::where_now() const {
 }
 
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
+  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // as many of these chips have it in fact
+  if (address >= kFlash && address < kFlash + kTwice)
+    return fmt::format("{} address 0x{:08X}, behind the {} KB of flash that the chip's data sheet promises",
+                       kind, address, kStm32f103c8.flash_bytes / 1024);
   return fmt::format("{} address 0x{:08X}{}, where the chip has no memory (its RAM ends at 0x{:08X})", kind,
                      address, address < 256 ? " (null pointer)" : "", kRam + kRamBytes - 1);
 }
