@@ -199,7 +199,7 @@ void Adc::reset(Address) {
 }
 
 std::uint32_t Adc::read(Address address) {
-  update();
+  if (link_.clock.now >= next_event()) update();
   address = address - base_ + kAdc1;
   const auto place = [&](Address first) { return static_cast<std::size_t>((address - first) / 4); };
   if (address >= kAdcJofr1 && address < kAdcHtr) return offsets_[place(kAdcJofr1)];

@@ -46,6 +46,7 @@ class Adc final : public Peripheral, AdcRegisters {
     return address == base_ + robosim::stm32::kAdcDr - robosim::stm32::kAdc1 ? 0 : next_event();
   }
   void update() override;
+  bool acts_alone() const override { return true; }
   unsigned dma_requests() const override;
   Signals listens() const override;
   void heard(Signals signal) override;

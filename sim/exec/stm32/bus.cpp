@@ -95,13 +95,18 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
   place(crc_, kCrc);
   place(ports_, kAfio);
   place(ports_, kExti);
-  peripherals_.push_back(&systick_);
+  add(systick_);
 }
 
 void Bus::place(Peripheral& peripheral, Address block) {
   blocks_[(block - kPeripherals) / kBlockBytes] = {&peripheral, clocks_.gate(block)};
-  if (std::find(peripherals_.begin(), peripherals_.end(), &peripheral) == peripherals_.end())
-    peripherals_.push_back(&peripheral);
+  if (std::find(peripherals_.begin(), peripherals_.end(), &peripheral) == peripherals_.end()) add(peripheral);
+}
+
+void Bus::add(Peripheral& peripheral) {
+  peripheral.bus_index = peripherals_.size();
+  peripherals_.push_back(&peripheral);
+  events_.push_back(kNoCycle);
 }
 
 Bus::Block* Bus::block_at(Address address) {
@@ -182,19 +187,22 @@ void Bus::signal(Signals signals) {
 }
 
 void Bus::note_event(Peripheral& peripheral) {
-  const Cycle before = std::exchange(peripheral.noted_event, peripheral.next_event());
-  if (peripheral.noted_event < next_event_)
-    next_event_ = peripheral.noted_event;
-  else if (before == next_event_ && before != peripheral.noted_event)
-    note_all_events();
+  const Cycle event = peripheral.next_event(), before = std::exchange(events_[peripheral.bus_index], event);
+  if (event < next_event_)
+    next_event_ = event;
+  else if (before == next_event_ && before != event)
+    find_next_event();
+}
+
+void Bus::find_next_event() {
+  Cycle next = link_.reset_cause == Reset::none ? kNoCycle : 0;
+  for (const Cycle event : events_) next = std::min(next, event);
+  next_event_ = next;
 }
 
 void Bus::note_all_events() {
-  next_event_ = link_.reset_cause == Reset::none ? kNoCycle : 0;
-  for (Peripheral* peripheral : peripherals_) {
-    peripheral->noted_event = peripheral->next_event();
-    next_event_ = std::min(next_event_, peripheral->noted_event);
-  }
+  for (const Peripheral* peripheral : peripherals_) events_[peripheral->bus_index] = peripheral->next_event();
+  find_next_event();
 }
 
 void Bus::reset() {
@@ -332,6 +340,7 @@ bool Bus::store_bit(Address address, std::uint32_t value) {
 
 std::uint32_t Bus::load(Address address, unsigned size) {
   last_address_ = address;
+  if (size == 4 && block_at(address)) return load_word(address & ~3u);
   if (Flash::owns_memory(address)) return flash_.read_memory(address, size);
   std::uint32_t value = 0;
   if (load_bit(address, value)) return value;
@@ -364,13 +373,24 @@ void Bus::store_part(Address address, std::uint32_t value, unsigned size) {
 void Bus::update() {
   const Cycle now = link_.clock.now;
   if (now < next_event_) return;
-  for (Peripheral* peripheral : peripherals_)
-    if (peripheral->noted_event <= now) peripheral->update();
+  bool concerns_others = false;
+  for (std::size_t i = 0; i < peripherals_.size(); ++i) {
+    if (events_[i] > now) continue;
+    peripherals_[i]->update();
+    if (peripherals_[i]->acts_alone())
+      events_[i] = peripherals_[i]->next_event();
+    else
+      concerns_others = true;
+  }
   serve_dma();
-  note_all_events();
+  if (concerns_others)
+    note_all_events();
+  else
+    find_next_event();
 }
 
 void Bus::take_inputs() {
+  if (link_.board.next_input() == kNever) return;
   BoardInput input;
   while (link_.board.take_input(link_.clock.time_of(link_.clock.now), input)) {
     if (input.kind == BoardInput::Kind::edge)

@@ -90,6 +90,7 @@ class Bus : DmaBus {
   };
 
   void place(Peripheral& peripheral, Address block);
+  void add(Peripheral& peripheral);
   Block* block_at(Address address);
   PinDrive alternate(ChipPin pin) const;
   bool watched(ChipPin pin) const;
@@ -101,6 +102,7 @@ class Bus : DmaBus {
   void signal(Signals signals);
   void note_event(Peripheral& peripheral);
   void note_all_events();
+  void find_next_event();
   void clocks_changed();
   void reset_held();
   std::uint32_t load_word(Address address);
@@ -134,7 +136,8 @@ class Bus : DmaBus {
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
   std::vector<Peripheral*> peripherals_;  ///< each once; who comes first has a pin
-  Cycle next_event_ = kNoCycle;           ///< the least of theirs
+  std::vector<Cycle> events_;             ///< their next_event(), as far as it is known
+  Cycle next_event_ = kNoCycle;           ///< the least of those
   std::optional<Unmodelled> unmodelled_;
   Address last_address_ = 0;
   bool serves_dma_ = false, storing_ = false;

@@ -146,7 +146,9 @@ class Cpu {
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
          breaks = false, head = false;
     Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
-    bool is_set() const { return starts || loop || call || sets || watched || counted || breaks || head; }
+    /// Whether somebody wants to know, before the instruction runs.
+    bool is_told() const { return starts || loop || call || sets || watched || counted; }
+    bool is_set() const { return is_told() || breaks || head; }
   };
   struct Handler {
     Exception exception;
@@ -227,7 +229,8 @@ class Cpu {
   /// Of code outside of flash: an instruction, and what leads on behind it. Those made last are kept.
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
-  std::vector<Mark> marks_;  ///< by their addresses
+  std::vector<Mark> marks_;                     ///< by their addresses
+  std::array<std::uint16_t, 8> known_marks_{};  ///< where among them those are that were sought last
   LineCounts* lines_ = nullptr;
   Idle idle_{*this};
   std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write by itself

@@ -24,11 +24,13 @@ const std::uint8_t* Cpu::memory(Address address, unsigned bytes) const {
 
 std::optional<std::uint32_t> Cpu::load_elsewhere(Address address, unsigned bytes) {
   std::uint32_t value = 0;
-  if (const std::uint8_t* const from = memory(address, bytes)) {
+  if (!has_registers(address)) {
+    const std::uint8_t* const from = memory(address, bytes);
+    if (!from) return std::nullopt;
     std::memcpy(&value, from, bytes);
     return value;
   }
-  if (address % bytes != 0 || !has_registers(address)) return std::nullopt;
+  if (address % bytes != 0) return std::nullopt;
   const Cycle until = idle_.is_recording() ? bus_.same_until(address) : 0;
   value = bus_.load(address, bytes);
   accessed();
@@ -58,7 +60,9 @@ void Cpu::accessed() {
   }
   if (bus_.unmodelled()) return fail(Fault::Kind::unmodelled, pc_, bus_.unmodelled()->address);
   if (nvic_.any_pending()) stop_ = 0;
-  stop_ = std::min({stop_, bus_.next_event(), clock_.cycle_at(bus_.link().board.next_input())});
+  stop_ = std::min(stop_, bus_.next_event());
+  if (const SimTime input = bus_.link().board.next_input(); input != kNever)
+    stop_ = std::min(stop_, clock_.cycle_at(input));
 }
 
 bool Cpu::load_target(Address address, std::uint32_t& target) const {

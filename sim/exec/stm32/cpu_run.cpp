@@ -335,19 +335,21 @@ L_fetch:
   GO_TO_STEP(in_block ? i->within : i->kind);
 
 L_mark : {
-  if (held == 0 && halts_at(i->pc)) goto out;
   const Mark mark = *mark_at(i->pc);
-  clock_.now = NOW;
+  if (held == 0 && (halting_ || mark.breaks) && halts_at(i->pc)) goto out;
   if (mark.head && held == 0) {
+    clock_.now = NOW;
     flags_ = flags;
     idle_.at_head(i->pc);
     RESUME_TIME;
   }
-  PUT;
-  clock_.now += i->cycles;
-  reached(mark);
-  clock_.now -= i->cycles;
-  RESUME_TIME;
+  if (mark.is_told()) {
+    PUT;
+    clock_.now += i->cycles;
+    reached(mark);
+    clock_.now -= i->cycles;
+    RESUME_TIME;
+  }
   GO_TO_STEP(in_block ? mark.within : mark.kind);
 }
 

@@ -174,8 +174,12 @@ void Cpu::emulate() {
 }
 
 Cpu::Mark* Cpu::mark_at(std::uint32_t pc) {
+  std::uint16_t& known = known_marks_[pc / 2 % known_marks_.size()];
+  if (known < marks_.size() && marks_[known].pc == pc) return &marks_[known];
   const auto at = std::ranges::lower_bound(marks_, pc, {}, &Mark::pc);
-  return at != marks_.end() && at->pc == pc ? &*at : nullptr;
+  if (at == marks_.end() || at->pc != pc) return nullptr;
+  known = static_cast<std::uint16_t>(at - marks_.begin());
+  return &*at;
 }
 
 void Cpu::mark(std::uint32_t pc, bool Mark::*flag, bool set) {

@@ -2,9 +2,23 @@
 // at one makes it (ARMv7-M ARM, A2.2.1, A7.3).
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace robosim::exec::stm32 {
+
+/// By the number of a condition: a bit for each N, Z, C, V, by which it passes.
+inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
+  std::array<std::uint16_t, 16> all{};
+  for (unsigned flags = 0; flags < 16; ++flags) {
+    const bool n = flags & 8, z = flags & 4, c = flags & 2, v = flags & 1;
+    const bool holds[] = {z, c, n, v, c && !z, n == v, n == v && !z, true};
+    for (unsigned condition = 0; condition < 16; ++condition)
+      if (condition >= 14 || holds[condition >> 1] != (condition & 1))
+        all[condition] = static_cast<std::uint16_t>(all[condition] | 1u << flags);
+  }
+  return all;
+}();
 
 struct Flags {
   std::int64_t sign = 1;       ///< N is set where it is negative, Z where its lower 32 bits are 0
@@ -27,35 +41,7 @@ struct Flags {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(sign >> 32) ^ overflow) < 0;
   }
   /// By the number of a condition (A7.3).
-  bool passes(unsigned condition) const {
-    bool holds = true;
-    switch (condition >> 1) {
-      case 0:
-        holds = zero();
-        break;
-      case 1:
-        holds = carry;
-        break;
-      case 2:
-        holds = sign < 0;
-        break;
-      case 3:
-        holds = overflow >> 31;
-        break;
-      case 4:
-        holds = carry && !zero();
-        break;
-      case 5:
-        holds = !less();
-        break;
-      case 6:
-        holds = !less() && !zero();
-        break;
-      default:
-        return true;
-    }
-    return holds != (condition & 1);
-  }
+  bool passes(unsigned condition) const { return kPasses[condition] >> (pack() >> 28) & 1; }
 
   std::uint32_t logic(std::uint32_t result) {
     sign = static_cast<std::int32_t>(result);

@@ -180,7 +180,10 @@ void Idle::skip(Cycle passes, Cycle cycles) {
   }
   const std::uint32_t jumps = cpu_.jump_count_ - jumps_before_;
   const auto kept = static_cast<std::uint32_t>(cpu_.jumps_.size());
-  if (jumps > 0 && jumps < kept) {
+  if (jumps == 1) {
+    const std::uint32_t from = cpu_.jumps_[(cpu_.jump_count_ - 1) % kept];
+    for (Cycle i = std::min<Cycle>(passes, kept); i > 0; --i) cpu_.jumps_[cpu_.jump_count_++ % kept] = from;
+  } else if (jumps > 0 && jumps < kept) {
     const Cycle repeated = std::min<Cycle>(passes, (kept + jumps - 1) / jumps) * jumps;
     for (Cycle i = 0; i < repeated; ++i) {
       cpu_.jumps_[cpu_.jump_count_ % kept] = cpu_.jumps_[(cpu_.jump_count_ - jumps) % kept];

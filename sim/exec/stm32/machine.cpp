@@ -78,7 +78,7 @@ void Machine::run_until(SimTime t) {
   clock.limit = t;
   look_at_heap();
   if (debug_port_) debug_port_->begin_tick();
-  while (clock.time_of(clock.now) < t && !cpu_.fault() && !off_) {
+  while (clock.now < clock.cycle_at(t) && !cpu_.fault() && !off_) {
     bus_.update();
     bus_.take_inputs();
     if (bus_.link().reset_cause != Reset::none) restart();

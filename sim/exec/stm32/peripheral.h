@@ -30,6 +30,8 @@ class Peripheral {
   virtual Cycle same_until(Address) const { return 0; }
   /// Brings it up to the present time.
   virtual void update() {}
+  /// Whether what update() does changes no other's next_event(), but by a signal or a DMA request.
+  virtual bool acts_alone() const { return false; }
 
   /// The DMA channels whose service it asks for: dma_channel() of each.
   virtual unsigned dma_requests() const { return 0; }
@@ -46,8 +48,8 @@ class Peripheral {
   virtual bool watches(ChipPin) const { return false; }
   virtual void edge(ChipPin, bool, Cycle) {}
 
-  Cycle noted_event = kNoCycle;  ///< next_event() as the bus knows it
-  Signals noted_signals = 0;     ///< listens(), likewise
+  std::size_t bus_index = 0;  ///< among the bus's
+  Signals noted_signals = 0;  ///< listens(), as the bus knows it
 };
 
 }  // namespace robosim::exec::stm32
