@@ -58,6 +58,9 @@ constexpr Unit kUnits[] = {
     {Dimension::frequency, "MHz", 1e6},
     {Dimension::resistance, "ohm", 1.0},
     {Dimension::resistance, "kohm", 1e3},
+    {Dimension::inductance, "uH", 1e-6},
+    {Dimension::inductance, "mH", 1e-3},
+    {Dimension::inductance, "H", 1.0},
     {Dimension::ratio, "%", 1e-2},
 };
 

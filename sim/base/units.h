@@ -23,6 +23,7 @@ enum class Dimension {
   speed,          ///< m/s      m/s mm/s cm/s
   frequency,      ///< Hz       Hz kHz MHz
   resistance,     ///< ohm      ohm kohm
+  inductance,     ///< H        uH mH H
   ratio,          ///< 1        a bare number, or "%"
 };
 

@@ -249,7 +249,7 @@ wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& 
   whole.serial.clear();
   whole.shown.clear();
   wire::Metrics& sum = whole.metrics;
-  sum.distance_m = sum.energy_j = 0.0;
+  sum.distance_m = sum.energy_j = sum.energy_back_j = 0.0;
   sum.collisions = 0;
   for (const wire::RunResult* one : all) {
     whole.time_s = std::max(whole.time_s, one->time_s);
@@ -257,6 +257,7 @@ wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& 
     whole.shown += one->shown;
     sum.distance_m += one->metrics.distance_m;
     sum.energy_j += one->metrics.energy_j;
+    sum.energy_back_j += one->metrics.energy_back_j;
     sum.collisions += one->metrics.collisions;
   }
   return whole;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstring>
 
 #include "sim/base/units.h"
 #include "sim/robot/describe.h"
@@ -65,11 +66,13 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
     wheel.static_friction = each(m.static_friction, "static_friction");
     wheel.gear_ratio = individual.draw(m.gear, "motors", "gear");
     wheel.rotor_inertia_kgm2 = individual.draw(m.rotor_inertia, "motors", "rotor_inertia");
+    wheel.inductance_h = each(m.inductance, "inductance");
     if (differential) {
       wheel.no_load_current *= 0.5;
       wheel.stall_torque *= 0.5;
       wheel.stall_current *= 0.5;
       wheel.rotor_inertia_kgm2 *= 0.5;
+      wheel.inductance_h *= 2.0;
     }
     wheel.wheel_inertia_kgm2 = chassis(c.wheel_inertia, "wheel_inertia");
     wheel.radius_m =
@@ -78,6 +81,9 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   params.supply_volts = individual.draw(m.supply, "motors", "supply");
   params.driver_drop_volts = individual.draw(robot.driver.drop, "driver", "drop");
   params.driver_ohms = individual.draw(robot.driver.resistance, "driver", "resistance");
+  params.driver_diode_volts = individual.draw(robot.driver.diode, "driver", "diode");
+  params.driver_both_ways = robot.driver.chip->both_ways;
+  params.driver_single = std::strcmp(robot.driver.chip->name, "transistor") == 0;
   params.track_m = chassis(c.track, "track");
   params.mass_kg = chassis(c.mass, "mass");
   params.yaw_inertia_kgm2 =

@@ -110,22 +110,54 @@ const std::vector<DriverChip>& driver_chips() {
   // Sources: the makers' datasheets. L298N (ST DS0218): 2.55 V at 1 A, 3.7 V at 2 A, typical; L293D (TI
   // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
   // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two are bipolar: the drop is there at
-  // any current.
+  // any current. A diode that carries on the winding's current: L298N's modules, 1N5822 or FR107 of at
+  // most 1.2 V, as ST's sheet asks for; L293D's own clamp, 1.3 V; TB6612FNG's, 1 V typical; the others a
+  // MOSFET's body diode, 0.8 V, an estimate.
   static const std::vector<DriverChip> chips = {
       // EN low: open. EN high: the two half bridges follow IN1 and IN2.
-      {"l298n", 1.4, 1.15, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
-      {"l293d", 1.9, 1.2, {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
+      {"l298n",
+       1.4,
+       1.15,
+       1.0,
+       false,
+       {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
+      {"l293d",
+       1.9,
+       1.2,
+       1.3,
+       false,
+       {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
       // "EN" is PWM. PWM low brakes, unless both inputs are low, which opens the bridge.
-      {"tb6612", 0.0, 0.5, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
+      {"tb6612",
+       0.0,
+       0.5,
+       1.0,
+       true,
+       {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
       // IN/IN only; "EN" is nSLEEP.
-      {"drv8833", 0.0, 0.36, {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
+      {"drv8833",
+       0.0,
+       0.36,
+       0.8,
+       true,
+       {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
       // PHASE/ENABLE: ENABLE low brakes. IN/IN: as drv8833.
-      {"drv8835", 0.0, 0.305, {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
+      {"drv8835",
+       0.0,
+       0.305,
+       0.8,
+       true,
+       {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
       // One transistor a motor, with a diode: no reverse, no brake.
-      {"transistor", 0.1, 0.1, {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
+      {"transistor",
+       0.1,
+       0.1,
+       0.8,
+       true,
+       {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
       // What a wheel-servo has inside: the figures of its data sheet are those of the whole. Other motors
       // have none.
-      {"servo", 0.0, 0.0, {{{open, open}, {open, open}}, {{open, open}, {open, open}}}},
+      {"servo", 0.0, 0.0, 0.8, true, {{{open, open}, {open, open}}, {{open, open}, {open, open}}}},
   };
   return chips;
 }

@@ -144,6 +144,7 @@ Motors read_motors(const ConfigValue& table) {
   motors.static_friction = read_figure(reader, "static_friction", Dimension::ratio, {1.5, 0.0}, 1.0, 10.0);
   motors.gear = read_figure(reader, "gear", Dimension::ratio, {1.0, 0.0}, 0.1, 2000.0);
   motors.rotor_inertia = read_figure(reader, "rotor_inertia", Dimension::inertia, {1e-8, 0.0}, 0.0, 1e-3);
+  motors.inductance = read_figure(reader, "inductance", Dimension::inductance, {0.0, 0.0}, 0.0, 0.1);
   motors.supply = read_figure(reader, "supply", Dimension::voltage, {}, 1.0, 30.0);
   reader.finish();
   const double most_friction = motors.no_load_current.value + motors.no_load_current.spread;
@@ -177,6 +178,7 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   driver.drop = read_figure(reader, "drop", Dimension::voltage, {driver.chip->drop, 0.0}, 0.0, 10.0);
   driver.resistance =
       read_figure(reader, "resistance", Dimension::resistance, {driver.chip->resistance, 0.0}, 0.0, 100.0);
+  driver.diode = read_figure(reader, "diode", Dimension::voltage, {driver.chip->diode, 0.0}, 0.0, 10.0);
   if (const ConfigValue* standby = reader.find("standby")) {
     driver.standby = as_pin(*standby, "standby", terminals, PinUse::driven);
     wires.push_back({"standby", driver.standby, standby->place});

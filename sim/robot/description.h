@@ -70,6 +70,7 @@ struct Motors {
   Number static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
   Number gear;             ///< motor turns for each turn of the wheel
   Number rotor_inertia;    ///< kg m2 of the motor's rotor
+  Number inductance;       ///< H of the winding, drawn for each motor; 0 = it does not matter
   Number supply;           ///< V of the battery
 };
 
@@ -81,6 +82,8 @@ struct DriverChip {
   const char* name;   ///< as robot files write it
   double drop;        ///< V lost in the bridge at small currents
   double resistance;  ///< ohm of the bridge, in series with the motor
+  double diode;       ///< V lost in a diode that carries on the winding's current
+  bool both_ways;     ///< its switches conduct both ways, as MOSFETs do
   Bridge action[2][2][2];
 };
 
@@ -89,6 +92,7 @@ struct Driver {
   const DriverChip* chip = nullptr;
   Number drop;           ///< V
   Number resistance;     ///< ohm
+  Number diode;          ///< V
   Pin standby = kNoPin;  ///< high = working; kNoPin = tied to the supply
 };
 

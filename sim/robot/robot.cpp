@@ -234,7 +234,7 @@ bool Robot::end_tick(SimTime t) {
     if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in_->view.tick_start, t);
     world::WheelCommand& last = in_->state.command[side];
-    if (command.drive == last.drive && command.brake == last.brake) continue;
+    if (command == last) continue;
     changed = true;
     last = command;
     in_->body.command(side, command);

@@ -358,6 +358,7 @@ judge::Metrics Agent::metrics() const {
   m.off_line_s = 1e-9 * static_cast<double>(state_.off_line_ticks * kTick);
   m.collisions = body_.collisions();
   m.energy_j = body_.energy();
+  m.energy_back_j = body_.energy_back();
   for (const int i : progress_.visited())
     m.stations.push_back(progress_.stations()[static_cast<std::size_t>(i)].name);
   m.junctions = progress_.junctions_visited();

@@ -166,8 +166,9 @@ void write_figures(Writer& out, const Report& report) {
   const wire::RunResult& r = report.result;
   const wire::Metrics& m = r.metrics;
   const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
-  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean {:.2f} m/s · energy {:.1f} J",
-                                           time_text(r.time_s), m.distance_m, mean, m.energy_j));
+  const std::string back = m.energy_back_j > 0.0 ? fmt::format(", {:.1f} J of it back", m.energy_back_j) : "";
+  out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean {:.2f} m/s · energy {:.1f} J{}",
+                                           time_text(r.time_s), m.distance_m, mean, m.energy_j, back));
   if (!m.laps_s.empty()) {
     std::string laps;
     const std::size_t first = m.laps_s.size() > 8 ? m.laps_s.size() - 8 : 0;

@@ -147,6 +147,7 @@ struct Metrics {
   std::string score_unit;             ///< "s" or "points"; empty = no competition
   double run_s = kNone;               ///< what its clock shows
   std::vector<ScorePart> score_parts;
+  double energy_back_j = 0.0;  ///< that the motors gave back
 
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
@@ -163,6 +164,10 @@ void fields(V& v, Same<V, Metrics>& m) {
   v("off_line_s", m.off_line_s, "time with no sensor over a line", {.unit = "s"});
   v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting one counts once");
   v("energy_j", m.energy_j, "drawn from the battery by the motors", {.unit = "J"});
+  v("energy_back_j", m.energy_back_j,
+    "given back to the battery by motors that brake; absent if nothing was, as without `inductance` of "
+    "[motors](robots.md#motors)",
+    {.unit = "J", .presence = when(m.energy_back_j != 0.0)});
   v("stations", m.stations, "names of the visited ones, in the order of the first visit");
   v("junctions", m.junctions, "how many different ones were visited");
   v("score", m.score,

@@ -25,6 +25,7 @@ void Body::command(Side side, WheelCommand command) {
   Unit& unit = unit_[side];
   unit.drive = bounded(command.drive, 1.0);
   unit.brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(unit.drive));
+  if (winds_) set_winding(side, command);
 }
 
 void Body::place(const Pose& pose) {
@@ -58,6 +59,7 @@ double Body::kinetic_energy() const {
 }
 
 Body::Motor Body::motor(Side side) const {
+  if (winds_) return pull_of_winding(side);
   const Unit& unit = unit_[side];
   const double speed = surface_[side];
   Motor m{0.0, 0.0};
@@ -72,6 +74,7 @@ Body::Motor Body::motor(Side side) const {
 }
 
 void Body::draw_energy() {
+  if (winds_) return draw_by_windings();
   for (int side = 0; side < 2; ++side) {
     const Unit& unit = unit_[side];
     const double speed = std::copysign(1.0, unit.drive) * surface_[side];
@@ -202,6 +205,7 @@ void Body::accelerate() {
 // Picked up: each wheel turns by itself.
 void Body::spin() {
   advance(kDt);
+  if (winds_) find_currents();
   for (const Side side : {left, right}) {
     const Motor m = motor(side);
     const Unit& unit = unit_[side];
@@ -215,6 +219,7 @@ void Body::spin() {
 
 void Body::step(const Walls& walls, Ground* ground) {
   if (lifted_ || stance_.toppled != Toppled::no) return spin();
+  if (winds_) find_currents();
   const bool rough = ground || params_.centre_height_m > 0.0;
   if ((!rough || stance_.eases) && v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 &&
       surface_[1] == 0.0 && std::fabs(motor(left).push) <= unit_[left].friction[1] &&

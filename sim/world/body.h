@@ -19,6 +19,7 @@
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
 //   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
 //   open (the rest):                     i = 0
+// or, where the winding's inductance is given, as winding.h has it (body_winding.cpp);
 //   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
 // F is what the wheel exerts on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
@@ -33,6 +34,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
+#include "sim/world/winding.h"
 
 namespace robosim::world {
 
@@ -45,6 +47,11 @@ struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
+  // What a winding with inductance minds.
+  double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; twice that is part of `brake`
+  double period_s = 0.0;  ///< of PWM; 0 = none, or not known
+
+  bool operator==(const WheelCommand&) const = default;
 };
 
 enum Side { left = 0, right = 1 };
@@ -61,6 +68,7 @@ struct WheelParams {
   double rotor_inertia_kgm2 = 0.0;  ///< of the motor's rotor
   double wheel_inertia_kgm2 = 0.0;  ///< of the wheel about its axle
   double radius_m = 0.0;            ///< of the wheel
+  double inductance_h = 0.0;        ///< H of the winding; 0 = it does not matter
 };
 
 /// Everything about a body. Zero is not a value: start from default_body_params() or set every field.
@@ -69,9 +77,12 @@ struct BodyParams {
   double supply_volts = 0.0;       ///< V at the driver's supply pin, until supply() says otherwise
   double driver_drop_volts = 0.0;  ///< V lost in bipolar switches whatever the current (L298N 1.4; MOSFETs 0)
   double driver_ohms = 0.0;        ///< ohm of both switches in the motor's way (L298N 1.15, TB6612 0.5)
-  double track_m = 0.0;            ///< m between the wheels' contact points
-  double mass_kg = 0.0;            ///< kg, all; its centre is taken to be the axle's centre
-  double yaw_inertia_kgm2 = 0.0;   ///< kg m2 about the axle's centre, without the wheels' own spin
+  double driver_diode_volts = 0.0;  ///< V lost in each diode that carries on a winding's current
+  bool driver_both_ways = true;     ///< its switches conduct both ways (MOSFETs); else one, and diodes
+  bool driver_single = false;       ///< it is one switch, with a diode across the motor
+  double track_m = 0.0;             ///< m between the wheels' contact points
+  double mass_kg = 0.0;             ///< kg, all; its centre is taken to be the axle's centre
+  double yaw_inertia_kgm2 = 0.0;    ///< kg m2 about the axle's centre, without the wheels' own spin
   double load_share = 0.0;  ///< 0..1 of the weight on the driven wheels, half on each; the rest on the caster
   double rolling_resistance = 0.0;  ///< force / weight: tyres and caster
   double grip = 0.0;                ///< friction coefficient between tyre and floor
@@ -143,7 +154,8 @@ class Body {
   double distance() const { return distance_; }  ///< m travelled by the axle's centre, always growing
   /// m the wheels have turned through, mean of both, always growing: also when they slip or spin.
   double wheel_travel() const { return wheel_travel_; }
-  double energy() const { return energy_; }  ///< J drawn from the battery by the motors
+  double energy() const { return energy_; }            ///< J drawn from the battery by the motors
+  double energy_back() const { return energy_back_; }  ///< J that they gave back to it
   /// Contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
   int collisions() const { return collisions_; }
   /// Whether the last of them was with another body.
@@ -214,6 +226,19 @@ class Body {
     double drive, brake;  // the command
     double per_ohm, volts_per_speed;
   };
+  // Of a motor whose winding has inductance.
+  struct Winding {
+    double seconds = 0.0;  // L / R
+    double tau = 0.0;      // the same as a multiple of the command's period
+    double against = 0.0;  // the command's
+    int phases = 0;
+    struct {
+      int what;
+      double share, decay;
+    } phase[4] = {};
+    MeanCurrent current;  // with the speeds at the tick's beginning
+    double emf = 0.0;     // of these
+  };
   struct Motor {
     double push, drag;
   };
@@ -252,6 +277,11 @@ class Body {
   void accelerate();
   void accelerate_steered();
   Motor motor(Side) const;
+  void set_winding(Side, const WheelCommand&);
+  MeanCurrent current_of(int side, double supply_volts) const;
+  void find_currents();
+  Motor pull_of_winding(Side) const;
+  void draw_by_windings();
   void solve_friction(double* speed, const double* impulse, const double* friction, const Motor* m) const;
   void solve_slip(const Motor* m, const double* friction, const double* limit);
   void draw_energy();
@@ -292,7 +322,10 @@ class Body {
   bool touched_body_ = false, collided_with_body_ = false;
   double distance_ = 0.0;
   double wheel_travel_ = 0.0;
-  double energy_ = 0.0;
+  double energy_ = 0.0, energy_back_ = 0.0;
+  bool winds_ = false;   // inductance matters
+  double supply_ = 0.0;  // V
+  Winding winding_[2];
   double steered_ = 0.0, steer_cosine_ = 1.0, steer_sine_ = 0.0;  // rad, of the steered wheels
   double curvature_ = 0.0;                                        // 1/m, that they ask for
   double steer_limit_ = 0.0;                                      // N s of a tick: their grip

@@ -128,9 +128,14 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     unit.per_radius = 1.0 / w.radius_m;
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
     unit.inertia = inertia * unit.per_radius * unit.per_radius;
+    winds_ |= w.inductance_h > 0.0;
   }
   set_grip();
   supply(params_.supply_volts);
+  for (const Side side : {left, right}) {
+    winding_[side].seconds = params_.wheel[side].inductance_h * unit_[side].per_ohm;
+    if (winds_) set_winding(side, {});
+  }
   half_track_ = params_.track_m * 0.5;
   per_track_ = 1.0 / params_.track_m;
   const double turning = params_.yaw_inertia_kgm2 * per_track_ * per_track_;
@@ -165,6 +170,7 @@ void Body::rub(Side side) {
 }
 
 void Body::supply(double supply_volts) {
+  supply_ = supply_volts;
   for (int side = 0; side < 2; ++side) {
     const WheelParams& w = params_.wheel[side];
     Unit& unit = unit_[side];
@@ -189,6 +195,13 @@ void Body::supply(double supply_volts) {
 
 Body::Draw Body::draw(double supply_volts) const {
   Draw draw;
+  if (winds_) {
+    for (const int side : {0, 1}) {
+      draw.amps += current_of(side, supply_volts).drawn;
+      draw.amps_per_volt += (std::fabs(unit_[side].drive) + winding_[side].against) * unit_[side].per_ohm;
+    }
+    return draw;
+  }
   const double volts = supply_volts - params_.driver_drop_volts;
   for (int side = 0; side < 2; ++side) {
     const Unit& unit = unit_[side];

@@ -23,7 +23,8 @@ class Power : public testing::Test {
                                            .goal = "none",
                                            .script = "at 50ms send \"" + letter + "\"\n",
                                            .seed = 1,
-                                           .for_s = seconds});
+                                           .for_s = seconds,
+                                           .target = target});
     request.profile = "ideal";
     return runner_of(target).run(request, {});
   }
@@ -58,6 +59,57 @@ TEST_F(Power, ThatTwoMotorsTakeAtOnceResetsTheChip) {
   const wire::RunResult rises = run("r", alkaline("0.6"), 3.0);
   EXPECT_EQ(rises.serial, "boot\r\n");
   EXPECT_GT(rises.metrics.distance_m, 0.3);
+}
+
+// Pulses on an empty floor, with PWM on the enable pins of such a driver, and motors of such an inductance.
+wire::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
+                       const std::string& target = "host") {
+  TemporaryFolder folder;
+  const std::filesystem::path map = folder.path() / "floor.map", robot = folder.path() / "wound.toml";
+  std::ofstream(map) << "+++\nsize = [\"6 m\", \"1 m\"]\n[start]\nalong = \"300 mm\"\n[[path]]\n"
+                        "from = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"5 m\" }]\n+++\n";
+  std::ofstream(robot)
+      << "base = \"uno5\"\nremove = \"all\"\n[driver]\nchip = \"" << chip << "\"\n[motors]\ninductance = \""
+      << inductance
+      << "\"\n[[part]]\nname = \"left\"\ntype = \"motor\"\npins = { en = 9, in1 = 7, in2 = 8 }\n"
+         "[[part]]\nname = \"right\"\ntype = \"motor\"\npins = { en = 10, in1 = 12, in2 = 13 }\n";
+  wire::RunRequest request = request_of({.sketch = "Pulses",
+                                         .map = map.string(),
+                                         .robot = robot.string(),
+                                         .goal = "none",
+                                         .script = "at 50ms send \"" + letter + "\"\n",
+                                         .seed = 1,
+                                         .for_s = 2.0,
+                                         .target = target});
+  request.profile = "ideal";
+  return runner_of(target).run(request, {});
+}
+
+// With EN low an L298N is open, and the current of the winding is soon over.
+TEST(Windings, OnAnL298nLetShortPulsesDoNothing) {
+  const double without = pulses("f", "l298n", "0 mH").metrics.distance_m;
+  EXPECT_NEAR(without, pulses("s", "l298n", "0 mH").metrics.distance_m, 1e-6);
+  EXPECT_GT(without, 1.0);
+  EXPECT_GT(pulses("s", "l298n", "1 mH").metrics.distance_m, 0.8 * without);
+  EXPECT_EQ(pulses("f", "l298n", "1 mH").metrics.distance_m, 0.0);
+  ROBOSIM_NEEDS_TARGET("avr");
+  EXPECT_GT(pulses("s", "l298n", "1 mH", "avr").metrics.distance_m, 0.8 * without);
+  EXPECT_EQ(pulses("f", "l298n", "1 mH", "avr").metrics.distance_m, 0.0);
+}
+
+TEST(Windings, OnATb6612TakeLessTheShorterThePulsesAre) {
+  const wire::RunResult none = pulses("s", "tb6612", "0 mH"), slow = pulses("s", "tb6612", "1 mH"),
+                        fast = pulses("f", "tb6612", "1 mH");
+  EXPECT_NEAR(slow.metrics.distance_m, none.metrics.distance_m, 0.001);
+  EXPECT_NEAR(fast.metrics.distance_m, none.metrics.distance_m, 0.001);
+  EXPECT_LT(slow.metrics.energy_j, 0.7 * none.metrics.energy_j);
+  EXPECT_LT(fast.metrics.energy_j, 0.2 * none.metrics.energy_j);
+}
+
+TEST(Windings, GiveBackWhatASlowerDutyTakesAndBurnWhatAShortDoes) {
+  EXPECT_EQ(pulses("d", "tb6612", "0 mH").metrics.energy_back_j, 0.0);
+  EXPECT_GT(pulses("d", "tb6612", "1 mH").metrics.energy_back_j, 0.02);
+  EXPECT_EQ(pulses("b", "tb6612", "1 mH").metrics.energy_back_j, 0.0);
 }
 
 }  // namespace

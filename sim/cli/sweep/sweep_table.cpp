@@ -31,13 +31,15 @@ enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTi
 constexpr const char* kScore = "score";
 
 /// Those of a run that have a column of their own, under their names, one behind another. Laps have others,
-/// the score's stands behind the stations', and the tables that are made so far hold no junctions.
+/// the score's stands behind the stations', and the tables that are made so far hold neither junctions nor
+/// energy that came back.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
     for (const Figure& figure : figures()) {
       const std::string_view name = figure.name;
-      if (!figure.chip_only && name != "laps_s" && name != "junctions" && name != kScore && name != "run_s")
+      if (!figure.chip_only && name != "laps_s" && name != "junctions" && name != kScore && name != "run_s" &&
+          name != "energy_back_j")
         chosen.push_back(figure);
     }
     return chosen;

@@ -43,8 +43,9 @@ void CurrentSensorPart::join(Roster& roster) {
 void CurrentSensorPart::begin_tick(SimTime) {
   const world::Body& body = *context_.view.body;
   const double volts = body.params().supply_volts * context_.view.battery;
-  state_.amps = volts > 0.0 ? (body.energy() - state_.energy) / (volts * 1e-9 * kTick) : 0.0;
-  state_.energy = body.energy();
+  const double energy = body.energy() - body.energy_back();
+  state_.amps = volts > 0.0 ? (energy - state_.energy) / (volts * 1e-9 * kTick) : 0.0;
+  state_.energy = energy;
 }
 
 double CurrentSensorPart::volts(SimTime) {

@@ -18,6 +18,12 @@ double high_share(const PinDrive& drive) {
   return drive.level ? 1.0 : 0.0;
 }
 
+double period_of(const PinDrive& drive) {
+  if (drive.mode != PinMode::output) return 0.0;
+  if (drive.tone_hz) return 1.0 / drive.tone_hz;
+  return drive.pwm && drive.duty > 0.0 && drive.duty < 1.0 ? 1e-6 * drive.period_us : 0.0;
+}
+
 world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {
   double ends[4] = {inputs.en, inputs.in1, inputs.in2, 1.0};
   std::sort(ends, ends + 3);
@@ -33,7 +39,8 @@ world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& i
   const double forward = share[static_cast<int>(Bridge::forward)];
   const double reverse = share[static_cast<int>(Bridge::reverse)];
   const double shorted = share[static_cast<int>(Bridge::shorted)];
-  return {forward - reverse, shorted + 2.0 * std::min(forward, reverse)};
+  const double against = std::min(forward, reverse);
+  return {forward - reverse, shorted + 2.0 * against, against, inputs.period_s};
 }
 
 }  // namespace robosim::robot

@@ -35,6 +35,8 @@ void WheelMotor::account(SimTime t) {
   const auto lasted = static_cast<double>(std::max<SimTime>(t - state_.since, 0));
   state_.sum.drive += state_.now.drive * lasted;
   state_.sum.brake += state_.now.brake * lasted;
+  state_.sum.against += state_.now.against * lasted;
+  if (state_.now.period_s > 0.0) state_.sum.period_s = state_.now.period_s;
   state_.since = std::max(state_.since, t);
 }
 
@@ -42,7 +44,7 @@ world::WheelCommand WheelMotor::average(SimTime tick_start, SimTime t) {
   account(t);
   state_.changed = false;
   const auto tick = static_cast<double>(std::max<SimTime>(t - tick_start, 1));
-  return {state_.sum.drive / tick, state_.sum.brake / tick};
+  return {state_.sum.drive / tick, state_.sum.brake / tick, state_.sum.against / tick, state_.sum.period_s};
 }
 
 void WheelMotor::spoil(world::WheelCommand& command) const {

@@ -30,6 +30,94 @@ void expect_command(const world::WheelCommand& command, double drive, double bra
   EXPECT_NEAR(command.brake, brake, 1e-12);
 }
 
+std::string refusal(const std::string& from, const std::string& to) {
+  std::string text = kBareRobot;
+  text.replace(text.find(from), from.size(), to);
+  try {
+    parse_description(text, "bench.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(MotorDriver, WindingsAndDiodesThatMakeNoSenseAreRefused) {
+  using testing::HasSubstr;
+  const std::string supply = "supply = \"6 V\"", chip = "chip = \"tb6612\"";
+  EXPECT_THAT(refusal(supply, supply + "\ninductance = \"200 mH\""),
+              HasSubstr("bench.toml:14:14: inductance is 200 mH; it must be from 0 to 100 mH"));
+  EXPECT_THAT(refusal(supply, supply + "\ninductance = \"-1 uH\""),
+              HasSubstr("inductance is -1 uH; it must be"));
+  EXPECT_THAT(refusal(supply, supply + "\ninductance = \"1 ohm\""),
+              HasSubstr("inductance is \"1 ohm\"; it must be a number with a unit: uH, mH or H"));
+  EXPECT_THAT(refusal(supply, supply + "\ninductance = 1"), HasSubstr("inductance"));
+  EXPECT_THAT(refusal(supply, supply + "\ninductance = { value = \"1 mH\", spread = \"2 mH\" }"),
+              HasSubstr("inductance"));
+  EXPECT_THAT(refusal(chip, chip + "\ndiode = \"-1 V\""),
+              HasSubstr("diode is -1 V; it must be from 0 to 10 V"));
+  EXPECT_THAT(refusal(chip, chip + "\ndiode = \"11 V\""), HasSubstr("diode is 11 V"));
+  EXPECT_THAT(refusal(chip, chip + "\ndiode = \"1 A\""), HasSubstr("diode is \"1 A\""));
+  EXPECT_THAT(refusal(chip, chip + "\ndiodes = \"1 V\""), HasSubstr("diodes"));
+}
+
+TEST(MotorDriver, TellsHowMuchOfAPeriodIsDrivenAgainstTheRest) {
+  const world::WheelCommand command = bridge_command(chip("drv8835"), {1, 0.7, 0, true, 1e-3});
+  expect_command(command, 0.4, 0.6);
+  EXPECT_NEAR(command.against, 0.3, 1e-12);
+  EXPECT_EQ(command.period_s, 1e-3);
+}
+
+// What 30 % of fast PWM, from 2 ms on, leaves of a speed within 100 ms, and what of it the battery gets.
+TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
+  const auto slowed = [](const char* driver, double en, double in1, double in2) {
+    std::string robot = kBareRobot;
+    robot.replace(robot.find("tb6612"), 6, driver);
+    robot.replace(robot.find("supply"), 6, "inductance = \"0.5 mH\"\nsupply");
+    BenchRobot bench(parse_description(robot + kMotors, "bench.toml"));
+    const auto drive = [&](Pin pin, double duty) {
+      PinDrive told{PinMode::output, duty >= 1.0, duty > 0.0 && duty < 1.0, duty};
+      told.period_us = 50;
+      bench.board.set_drive(pin, told, bench.now);
+    };
+    for (const bool left : {true, false}) {
+      drive(left ? 5 : 6, 1.0);
+      drive(left ? 7 : 9, 1.0);
+      drive(left ? 8 : 10, 0.0);
+    }
+    bench.ticks(500);
+    const double speed = bench.body().speed();
+    for (const bool left : {true, false}) {
+      drive(left ? 5 : 6, en);
+      drive(left ? 7 : 9, in1);
+      drive(left ? 8 : 10, in2);
+    }
+    bench.ticks(100);
+    return std::pair(bench.body().speed() / speed, bench.body().energy_back());
+  };
+  // Slow decay, between pulses on EN or with one input high: 30 % takes speed off, into the battery.
+  for (const auto& [left, back] :
+       {slowed("tb6612", 0.3, 1, 0), slowed("drv8833", 1, 1, 0.7), slowed("drv8835", 0.3, 1, 0)}) {
+    EXPECT_LT(left, 0.6);
+    EXPECT_GT(back, 0.005);
+  }
+  // Fast decay: it rolls on, and drives only where a pulse makes more current than the diodes stop.
+  for (const auto& [left, back] : {slowed("l298n", 0.3, 1, 0), slowed("drv8833", 1, 0.3, 0)}) {
+    EXPECT_GT(left, 0.8);
+    EXPECT_LT(back, 1e-4);
+  }
+  // Both inputs alike: shorted, or open.
+  for (const auto& [left, back] : {slowed("l298n", 1, 1, 1), slowed("l298n", 1, 0, 0),
+                                   slowed("tb6612", 1, 1, 1), slowed("drv8833", 1, 1, 1)}) {
+    EXPECT_LT(left, 0.5);
+    EXPECT_EQ(back, 0.0);
+  }
+  for (const auto& [left, back] :
+       {slowed("l298n", 0, 1, 1), slowed("tb6612", 1, 0, 0), slowed("drv8833", 1, 0, 0)}) {
+    EXPECT_GT(left, 0.8);
+    EXPECT_EQ(back, 0.0);
+  }
+}
+
 TEST(MotorDriver, L298nCoastsBetweenPulsesOnEnable) {
   expect_command(bridge_command(chip("l298n"), {0.3, 1, 0}), 0.3, 0.0);
   expect_command(bridge_command(chip("l298n"), {0.3, 0, 1}), -0.3, 0.0);
