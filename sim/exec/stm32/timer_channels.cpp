@@ -70,6 +70,12 @@ double Timer::share_of(int channel) const {
   return std::min(share, 1.0);
 }
 
+std::uint32_t Timer::period_us() const {
+  const std::uint64_t cycles =
+      static_cast<std::uint64_t>(period()) * (prescaler_ + 1) * clocks_.timer_divider(base_);
+  return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
+}
+
 PinDrive Timer::drive_of(int channel, bool complement) const {
   PinDrive drive;
   drive.mode = PinMode::output;
@@ -89,6 +95,7 @@ PinDrive Timer::drive_of(int channel, bool complement) const {
   drive.duty = (how == 7) != inverted ? 1.0 - share : share;
   drive.pwm = enabled();
   if (!drive.pwm) drive.duty = 0.0;
+  if (drive.pwm) drive.period_us = period_us();
   return drive;
 }
 

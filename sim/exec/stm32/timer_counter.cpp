@@ -141,7 +141,7 @@ void Timer::overflow(Cycle at) {
 }
 
 void Timer::load_waiting() {
-  const bool same = top_ == waiting_top_ && compare_ == waiting_compare_;
+  const bool same = top_ == waiting_top_ && compare_ == waiting_compare_ && prescaler_ == waiting_prescaler_;
   prescaler_ = waiting_prescaler_;
   top_ = waiting_top_;
   compare_ = waiting_compare_;

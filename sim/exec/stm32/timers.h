@@ -103,6 +103,7 @@ class Timer final : public Peripheral, TimerRegisters {
   void capture(int channel, Cycle at);
   void captured_or_compared(int channel);
   double share_of(int channel) const;
+  std::uint32_t period_us() const;
   PinDrive drive_of(int channel, bool complement) const;
   void trigger(Cycle at);
   /// Whether TRGO is the OCxREF of a channel that becomes active at an update.
