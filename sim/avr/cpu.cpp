@@ -238,6 +238,7 @@ std::uint32_t Cpu::pop_pc() {
 void Cpu::enter(int vector) {
   note_jump(state.pc);
   state.interrupted_pc = state.pc;
+  state.vector = static_cast<std::uint8_t>(vector);
   if (state.open_handlers++ == 0) state.handler_began = state.cycle;
   state.last_pc = state.pc;
   push_pc(state.pc);

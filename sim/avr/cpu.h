@@ -266,6 +266,7 @@ class Cpu {
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
     std::uint32_t interrupted_pc = 0;  ///< where the open handler, or the last one, interrupted the firmware
+    std::uint8_t vector = 0;           ///< of that handler
     Cycle last_io = 0;                 ///< last access to a register of I/O outside of handlers
     std::uint32_t last_io_pc = 0;
     std::array<std::uint32_t, 32> jumps{};

@@ -14,6 +14,7 @@ namespace robosim::exec::avr {
 namespace {
 
 constexpr std::size_t kMostCalls = 10;
+constexpr int kRet = 0x9508, kReti = 0x9518;
 
 bool is_jump(const Fault& fault) {
   return fault.kind == Fault::Kind::bad_jump || fault.kind == Fault::Kind::restart;
@@ -60,7 +61,32 @@ SourceLine Diagnosis::sketch_line() const {
   return where->file.empty() ? where_now() : *where;
 }
 
+std::optional<std::uint32_t> Diagnosis::jump_target(std::uint32_t pc) const {
+  const auto size = static_cast<std::uint32_t>(firmware_.flash.size());
+  if (pc + 3 >= size) return std::nullopt;
+  const auto word = static_cast<std::uint32_t>(firmware_.word(pc));
+  if ((word & 0xFE0E) == 0x940C)
+    return 2 * ((word & 0x1F0) << 13 | (word & 1) << 16 | static_cast<std::uint32_t>(firmware_.word(pc + 2)));
+  if ((word & 0xF000) != 0xC000) return std::nullopt;
+  const std::uint32_t words = word & 0x800 ? word | 0xFFFFF000 : word & 0x7FF;
+  return (pc + 2 + 2 * words) % firmware_.chip->flash_bytes;
+}
+
+std::optional<int> Diagnosis::unhandled(const Fault& fault) const {
+  const WatchedChip& chip = machine_.chip();
+  if (fault.kind != Fault::Kind::restart || !chip.in_handler()) return std::nullopt;
+  std::optional<std::uint32_t> to = jump_target(chip.vector_address());
+  if (to && *to != 0) to = jump_target(*to);
+  if (to != 0u) return std::nullopt;
+  return chip.vector();
+}
+
 std::string Diagnosis::jump_text(const Fault& fault) const {
+  if (const auto vector = unhandled(fault))
+    return fmt::format(
+        "interrupt {} has come, and there is no ISR(...) for it: is its name misspelt, or an enable bit "
+        "set that nobody needs? The sketch would start again",
+        *vector);
   const std::string target =
       fault.kind == Fault::Kind::restart
           ? "address 0, where a reset begins: the sketch would start again"
@@ -69,7 +95,9 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
                 fault.pc < firmware_.chip->flash_bytes ? "where there is no code" : "behind the flash");
   const auto calls = machine_.stack().open_calls();
   if (!calls.empty() && calls[0].by_pointer) return "call through a wrong function pointer to " + target;
-  if (machine_.stack().last_return() == fault.pc)
+  const auto jumps = machine_.chip().last_jumps();
+  const int last = jumps.empty() ? 0 : firmware_.word(jumps[0]);
+  if ((last == kRet || last == kReti) && machine_.stack().last_return() == fault.pc)
     return "return to " + target + " (the return address on the stack was overwritten)";
   return "jump to " + target;
 }

@@ -23,6 +23,10 @@ class Diagnosis {
 
  private:
   SourceLine place_of_check(const Undefined& found) const;
+  /// Where the jump at `pc` leads (`jmp`, `rjmp`); none of any other instruction.
+  std::optional<std::uint32_t> jump_target(std::uint32_t pc) const;
+  /// The interrupt whose vector leads to address 0 at once, as avr-libc's for interrupts without a handler.
+  std::optional<int> unhandled(const Fault& fault) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;
   std::string torn_text(const Tearing::Found& found) const;

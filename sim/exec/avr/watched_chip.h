@@ -113,6 +113,10 @@ class WatchedChip final : robosim::avr::Visitor {
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
   /// Where the firmware was when the handler that runs now, or ran last, interrupted it.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
+  /// The number of that handler's interrupt, as avr-libc has it (`TIMER0_OVF_vect_num`), and where its vector
+  /// is.
+  int vector() const { return cpu().state.vector; }
+  std::uint32_t vector_address() const { return 2 * cpu().entry_of(cpu().state.vector); }
 
   // --- snapshots
   struct TrapPlace {

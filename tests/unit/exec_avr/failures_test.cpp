@@ -68,6 +68,43 @@ TEST_F(FailuresTest, TheyAreToldWhereReturnAddressesHaveThreeBytes) {
   }
 }
 
+TEST_F(FailuresTest, AnInterruptWithoutAHandlerIsNoStackThatWasOverwritten) {
+  for (const char* board : {"uno", "attiny85"}) {
+    board_name_ = board;
+    start(R"(
+void setup() {}
+void loop() {
+  delay(5);
+#ifdef TIMSK1
+  TCCR1B = 1;
+  TIMSK1 = _BV(OCIE1B);
+#else
+  TCCR1 = 1;
+  TIMSK |= _BV(OCIE1B);
+#endif
+  for (;;) {}
+}
+)");
+    run(20 * kMillisecond);
+    ASSERT_TRUE(avr_->crash()) << board;
+    EXPECT_THAT(avr_->crash()->reason, HasSubstr(board[0] == 'u' ? "interrupt 12 has" : "interrupt 9 has"));
+    EXPECT_EQ(avr_->crash()->where.function, "loop") << board;
+  }
+}
+
+TEST_F(FailuresTest, AJumpThroughAPointerIsNoReturn) {
+  start(R"(
+typedef void (*Step)();
+volatile Step step;
+void __attribute__((noinline)) go() { step(); }
+void setup() {}
+void loop() { delay(1); go(); }
+)");
+  run(20 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_THAT(avr_->crash()->reason, testing::StartsWith("jump to address 0"));
+}
+
 TEST_F(FailuresTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_FALSE(crash_of("ChipHang"));
   const Activity activity = avr_->activity();
