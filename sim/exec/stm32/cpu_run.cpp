@@ -343,13 +343,7 @@ L_mark : {
     idle_.at_head(i->pc);
     RESUME_TIME;
   }
-  if (mark.is_told()) {
-    PUT;
-    clock_.now += i->cycles;
-    reached(mark);
-    clock_.now -= i->cycles;
-    RESUME_TIME;
-  }
+  if (mark.is_told()) TELL_OF_MARK;
   GO_TO_STEP(in_block ? mark.within : mark.kind);
 }
 

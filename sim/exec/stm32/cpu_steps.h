@@ -151,6 +151,14 @@
     N = moved;                                \
     NEXT;                                     \
   }
+#define TELL_OF_MARK         \
+  {                          \
+    PUT;                     \
+    clock_.now += i->cycles; \
+    reached(mark);           \
+    clock_.now -= i->cycles; \
+    RESUME_TIME;             \
+  }
 #define CHECK_STACK                         \
   if (r[kSp] < stack_watch_) [[unlikely]] { \
     PUT;                                    \
