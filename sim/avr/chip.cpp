@@ -170,6 +170,7 @@ Chip::Stop Chip::run_to(Cycle until) {
       core_.interrupts.entered(vector);
       idle_.interrupted();
       cpu.enter(vector);
+      if (!singly_) cpu.count_time(std::min(until, core_.events.next()));
       continue;
     }
     if (cpu.cycle() >= until) return Stop::reached;

@@ -247,6 +247,26 @@ void Cpu::enter(int vector) {
   state.cycle += chip_.return_address_bytes == 3 ? 5 : 4;
 }
 
+void Cpu::count_time(Cycle until) {
+  constexpr Cycle kJump = 3, kReturn = 4;
+  const Instruction& jump = code_[state.pc];
+  if (!time_count_ || jump.op != Op::jmp || static_cast<std::uint32_t>(jump.k) != time_count_pc_ ||
+      code_[time_count_pc_].op != Op::count_time)
+    return;
+  const int sp = state.sp, deepest = sp - TimeCount::kPushes;
+  if (state.cycle + kJump + TimeCount::kCycles + 1 >= until || chip_.return_address_bytes != 2 || !waiting ||
+      *waiting || sp + 2 > last_ram_ || deepest < time_count_->last || deepest < state.sp_watch)
+    return;
+  state.cycle += kJump + static_cast<Cycle>(time_count_->count(data.data(), state.sp, state.sreg)) + kReturn;
+  state.last_pc = time_count_pc_ + TimeCount::kWords - 1;
+  note_jump(state.last_pc);
+  leave_handler();
+  state.held_at = state.cycle;
+  state.sreg |= kI;
+  state.pc = target_of(static_cast<std::uint32_t>(data[state.sp + 1u] << 8 | data[state.sp + 2u]));
+  state.sp = static_cast<std::uint16_t>(sp + 2);
+}
+
 std::uint32_t Cpu::entry_of(int vector) const {
   return static_cast<std::uint32_t>(vector) * (chip_.flash_bytes > kFlashOfRelativeJumps ? 2 : 1);
 }

@@ -77,6 +77,9 @@ class Cpu {
   // --- interrupts
   /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
   void enter(int vector);
+  /// Behind enter(): all of the handler at once, if it is the core's of timer 0 and nothing comes before
+  /// `until` that it must wait for (time_count.h).
+  void count_time(Cycle until);
   /// Where the processor goes on then, in words.
   std::uint32_t entry_of(int vector) const;
   /// Whether an interrupt may be taken now: I is set, and not by the instruction that has just run, behind

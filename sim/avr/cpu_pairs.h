@@ -81,18 +81,15 @@
   }
 
 // In a handler that nothing interrupts, with room for its stack behind its variables.
-#define CODE_OF_TIME_COUNT                                                                                 \
-  OPERATION(count_time, 0) {                                                                               \
-    constexpr int kPushes = TimeCount::kPushes;                                                            \
-    if (left <= TimeCount::kCycles + 1 || flags.others & kI || state.open_handlers == 0 || !IS_RAM(sp) ||  \
-        sp - kPushes < time_count_->last || sp - kPushes < watch) [[unlikely]]                             \
-      goto L_push_push;                                                                                    \
-    std::uint8_t* to = r + sp;                                                                             \
-    for (const std::uint8_t pushed : {r[1], r[0], flags.pack(), r[18], r[19], r[24], r[25], r[26], r[27]}) \
-      *to-- = pushed;                                                                                      \
-    left -= time_count_->count(r);                                                                         \
-    i += TimeCount::kWords - 1;                                                                            \
-    goto L_reti;                                                                                           \
+#define CODE_OF_TIME_COUNT                                                                                \
+  OPERATION(count_time, 0) {                                                                              \
+    constexpr int kPushes = TimeCount::kPushes;                                                           \
+    if (left <= TimeCount::kCycles + 1 || flags.others & kI || state.open_handlers == 0 || !IS_RAM(sp) || \
+        sp - kPushes < time_count_->last || sp - kPushes < watch) [[unlikely]]                            \
+      goto L_push_push;                                                                                   \
+    left -= time_count_->count(r, sp, flags.pack());                                                      \
+    i += TimeCount::kWords - 1;                                                                           \
+    goto L_reti;                                                                                          \
   }
 
 #define CODE_OF_PAIRS                                                                             \

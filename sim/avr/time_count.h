@@ -26,8 +26,12 @@ struct TimeCount {
   int last = 0;                                           ///< the last address of them
   std::uint8_t step = 0, limit = 0, carried_step = 0, few = 0, many = 0, one = 0;
 
-  /// Counts in memory. Returns the cycles that all takes up to RETI.
-  std::int64_t count(std::uint8_t* data) const {
+  /// Pushes and counts, in memory. Returns the cycles that all takes up to RETI.
+  std::int64_t count(std::uint8_t* data, std::uint16_t sp, std::uint8_t sreg) const {
+    std::uint8_t* to = data + sp;
+    const auto push = [&](std::uint8_t value) { *to-- = value; };
+    push(data[1]), push(data[0]), push(sreg);
+    push(data[18]), push(data[19]), push(data[24]), push(data[25]), push(data[26]), push(data[27]);
     const auto sum = static_cast<std::uint8_t>(data[fraction] + step);
     const bool carries = sum >= limit;
     data[fraction] = carries ? static_cast<std::uint8_t>(data[fraction] + carried_step) : sum;

@@ -233,6 +233,7 @@ void Timer::find_beat(std::uint8_t flag, Cycle at) {
       state_.watched || control_a() & kConnections || next_edge() != kNoCycle || !counter.is_regular())
     return;
   state_.beat = flag;
+  state_.beat_flags = flags_of_ticks() & flags_there_are();
   state_.beat_vector = vector_of(flag);
   state_.beat_at = at;
   state_.beat_period = (counter.top() + Cycle{1}) << state_.shift;
@@ -241,8 +242,7 @@ void Timer::find_beat(std::uint8_t flag, Cycle at) {
 // The interrupt of the beat is entered. What else the timer has done since then must not matter.
 bool Timer::beat() {
   const Cycle now = core_.now(), next = state_.beat_at + state_.beat_period;
-  const std::uint8_t all = flags_of_ticks() & flags_there_are();
-  if (next <= now || all & ~(state_.flags | state_.beat)) return false;
+  if (next <= now || state_.beat_flags & ~(state_.flags | state_.beat)) return false;
   const Cycle began = prescalers_.began(prescaler_);
   state_.counter.pass(((now - began) >> state_.shift) - ((state_.at - began) >> state_.shift));
   state_.at = now;

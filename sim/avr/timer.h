@@ -100,6 +100,7 @@ class Timer final : public Peripheral {
     /// A flag that comes again and again, its interrupt enabled, and nobody wants to know anything else; 0 =
     /// none.
     std::uint8_t beat = 0;
+    std::uint8_t beat_flags = 0;  ///< all that it may set
     int beat_vector = 0;
     Cycle beat_at = 0, beat_period = 0;
   };

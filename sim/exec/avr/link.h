@@ -27,13 +27,17 @@ class Link {
     began_ = time_of(at);
     first_ = at;
     cycles_ = CycleTime(clock_hz_ / divisor);
+    ++divisions_;
   }
+  /// How often it was divided anew.
+  int divisions() const { return divisions_; }
 
  private:
   std::int64_t clock_hz_;
   CycleTime cycles_;
   SimTime began_;
   Cycle first_ = 0;
+  int divisions_ = 0;
 };
 
 }  // namespace robosim::exec::avr

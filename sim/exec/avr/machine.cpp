@@ -141,8 +141,9 @@ Resources Machine::resources() const {
 void Machine::run_until(SimTime t) {
   if (debug_port_) debug_port_->begin_tick();
   Cycle end = link().cycle_at(t);
+  int divisions = link().divisions();
   if (chip_.cycle() < end) take_inputs(chip_.cycle());
-  for (; chip_.cycle() < end && !chip_.fault() && !chip_.is_off(); end = link().cycle_at(t)) {
+  while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
     if (log_) log_->before();
     chip_.run_to(end);
     if (log_) log_->after();
@@ -151,6 +152,9 @@ void Machine::run_until(SimTime t) {
     if (traps & WatchedChip::kMainTrap) start_clock();
     if (traps & WatchedChip::kWriteTrap) write_called();
     if (debug_port_) debug_port_->ran(traps & WatchedChip::kBreakpoint);
+    if (link().divisions() == divisions) continue;
+    divisions = link().divisions();
+    end = link().cycle_at(t);
   }
 }
 

@@ -105,6 +105,42 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
+// The same behind a vector: sei; rjmp .-4; nop; nop; jmp 6.
+const std::vector<std::uint16_t> kVectorProgram = [] {
+  std::vector<std::uint16_t> words{0x9478, 0xCFFE, 0, 0, 0x940C, 6};
+  words.insert(words.end(), std::begin(kTimeProgram) + kTimeHandler, std::end(kTimeProgram));
+  return words;
+}();
+
+class CountsTimeByInterrupt : public CountsTime {
+ protected:
+  CountsTimeByInterrupt() : CountsTime(kVectorProgram) {}
+};
+
+TEST_F(CountsTimeByInterrupt, AtOnceAsItsInstructionsDo) {
+  Cpu whole = cpu(), single = cpu();
+  int counted = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    shuffle(whole);
+    whole.state.pc = static_cast<std::uint32_t>(random_() % 2);
+    single.data = whole.data;
+    single.state = whole.state;
+    const Cycle until = whole.cycle() + 85 + random_() % 60;
+    const std::uint8_t overflows = whole.data[0x100];
+    whole.enter(2);
+    whole.count_time(until);
+    counted += whole.data[0x100] != overflows;
+    Cpu::Stop stop = Cpu::Stop::reached, one = stop;
+    while (whole.cycle() < until && stop == Cpu::Stop::reached) stop = whole.run(until);
+    single.enter(2);
+    while (single.cycle() < until && one == Cpu::Stop::reached) one = single.run(single.cycle() + 1);
+    EXPECT_EQ(stop, one);
+    expect_same(whole, single);
+    ASSERT_FALSE(HasFailure()) << "run " << i;
+  }
+  EXPECT_GT(counted, 1'000);
+}
+
 class ReadsNumber : public CountsTime {
  protected:
   ReadsNumber() : CountsTime(kNumberProgram) {}
