@@ -57,8 +57,10 @@ world::WheelCommand MotorPart::told() const {
   const double awake = share(driver.standby, 1.0);
   if (awake <= 0.0) return {};
   double period = 0.0;
-  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2})
-    if (pin != kNoPin) period = std::max(period, period_of(context_.netlist.drive(pin)));
+  if (context_.description.motors.inductance.value > 0.0) {
+    for (const Pin pin : {spec_.en, spec_.in1, spec_.in2})
+      if (pin != kNoPin) period = std::max(period, period_of(context_.netlist.drive(pin)));
+  }
   world::WheelCommand command = bridge_command(*driver.chip, {share(spec_.en, 1.0), share(spec_.in1, 0.0),
                                                               share(spec_.in2, 0.0), spec_.phase, period});
   command.drive *= spec_.reversed ? -awake : awake;
