@@ -11,15 +11,20 @@
 namespace robosim::testing {
 
 /// AiNavigator's map, from the EEPROM; empty if there is none, or a damaged one.
-inline Graph explored(const std::vector<std::uint8_t>& eeprom) {
+inline nav::FixedNetwork<60> map_in(const std::vector<std::uint8_t>& eeprom) {
   struct Source {
     const std::vector<std::uint8_t>& bytes;
     std::size_t at = 0;
     std::uint8_t get() { return bytes[at++]; }
   } source{eeprom};
   nav::FixedNetwork<60> network;
+  network.load(source);
+  return network;
+}
+
+inline Graph explored(const std::vector<std::uint8_t>& eeprom) {
+  const nav::FixedNetwork<60> network = map_in(eeprom);
   Graph graph;
-  if (!network.load(source)) return graph;
   graph.nodes.resize(network.size());
   for (std::uint8_t node = 0; node < network.size(); ++node) {
     for (std::uint8_t slot = 0; slot < nav::slots(network, node); ++slot) {

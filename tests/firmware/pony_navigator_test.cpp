@@ -1,6 +1,8 @@
 // PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and is sent about by radio.
 #include <robosim/testing.h>
 
+#include <algorithm>
+
 #include "tests/firmware/maps.h"
 
 namespace {
@@ -109,6 +111,26 @@ TEST_P(PonyNavigator, GivesUpBeforeAnObstacleThatStays) {
   robot().press("bumper", 6_s);
   ASSERT_TRUE(robot().run_until(serial_says("no way: there is an obstacle"), within(1_min)));
   go_to(1);
+}
+
+TEST(PonyNavigatorsObstacle, LeavesItRoomToTurnBack) {
+  Simulation robot({.sketch = "PonyNavigator", .map = kTee, .robot = "pony"});
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
+  robot.press("scan");
+  ASSERT_TRUE(robot.run_until(serial_matches("^scan complete"), within(5_min)));
+  robot.act("obstacle 9,3");
+  robot.act("send radio 3");
+  const Drive way = robot.run_until(serial_says("no way: there is an obstacle"), within(1_min));
+  ASSERT_TRUE(way);
+  double met = 0, turned = 0;  // how far along, at most
+  for (const Moment& moment : way.moments()) {
+    met = std::max(met, moment.pose.x_mm);
+    if (moment.left * moment.right < 0) turned = std::max(turned, moment.pose.x_mm);
+  }
+  EXPECT_LT(turned, met - 25);
+  robot.act("clear 9,3");
+  robot.act("send radio 2");
+  ASSERT_TRUE(robot.run_until(serial_says("at station 2"), within(2_min)));
 }
 
 TEST(PonyNavigatorsDigits, ShowTheTensToo) {

@@ -34,6 +34,7 @@ TEST(PidController, TakesLimitsInEitherOrder) {
   PidController pid(100, 0, 0);
   pid.setLimits(50, -50);
   EXPECT_FLOAT_EQ(pid.update(2.0f, 0.01f), 50.0f);
+  EXPECT_FLOAT_EQ(pid.update(-2.0f, 0.01f), -50.0f);
 }
 
 TEST(PidController, DoesNotWindUpWhileItsOutputIsAtTheLimit) {

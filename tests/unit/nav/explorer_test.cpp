@@ -260,6 +260,15 @@ TEST(Explorer, KnowsALoopWithoutAnyNodeAndALineBetweenTwoObstacles) {
   EXPECT_EQ(map.size(), 0);
 }
 
+TEST(Explorer, SaysThatTheStorageIsFullIfItCannotKeepTheFirstJunction) {
+  Map map;
+  const Landmark line{LandmarkKind::line, 0, 0, {0, 0}, 0},
+      far{LandmarkKind::junction, 0b1110, 0, {40000, 0}, 9};
+  EXPECT_EQ(scripted({far}, map), ScanState::full) << "begun on it";
+  EXPECT_EQ(scripted({line, far}, map), ScanState::full) << "begun on a line to it";
+  EXPECT_EQ(map.size(), 0);
+}
+
 TEST(Explorer, IsLostRatherThanLedAstray) {
   Map map;
   const Landmark start{LandmarkKind::end, 1, 0, {0, 0}, 0},

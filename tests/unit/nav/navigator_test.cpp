@@ -291,9 +291,10 @@ TEST(Navigator, SaysWhenItIsTrappedOrLost) {
   EXPECT_EQ(scripted({blocked, end}), NavState::no_way);
   EXPECT_EQ(scripted({junction, blocked, junction}), NavState::lost) << "comes back facing as before";
   EXPECT_EQ(scripted({end}), NavState::lost) << "a station instead of the junction";
-  EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 1, {100, 0}, 10}}), NavState::lost)
+  EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 1, {100, 0}, 10}, end}), NavState::lost)
       << "facing wrongly";
-  EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 0, {170, 0}, 10}}), NavState::lost) << "elsewhere";
+  EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 0, {170, 0}, 10}, end}), NavState::lost)
+      << "elsewhere";
   EXPECT_EQ(scripted({}), NavState::lost);
 }
 
