@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kMostSeconds = "600";
 constexpr int kTimeIsUp = 124;  // timeout's
 
 /// "On/PidFollower" and "StartsAtOnce/host" are PidFollower.StartsAtOnce.
@@ -46,12 +45,13 @@ TestRun read_report(const std::string& report) {
 
 }  // namespace
 
-TestRun run_tests(const fs::path& program, const std::string& filter, const fs::path& scratch) {
+TestRun run_tests(const fs::path& program, const std::string& filter, const fs::path& scratch,
+                  int most_seconds) {
   const fs::path timeout = build::find_program("timeout");
   if (timeout.empty()) throw ToolMissing("timeout is missing; the Debian package coreutils brings it");
   const fs::path report = scratch / "report.json";
   fs::remove(report);
-  std::vector<std::string> words = {timeout.string(),  kMostSeconds,
+  std::vector<std::string> words = {timeout.string(),  std::to_string(most_seconds),
                                     program.string(),  "--gtest_fail_fast",
                                     "--gtest_brief=1", "--gtest_output=json:" + report.string()};
   if (!filter.empty()) words.push_back("--gtest_filter=" + filter);

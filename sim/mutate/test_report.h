@@ -20,7 +20,7 @@ struct CouldNotRun : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The program itself failed; it took ten minutes where `late`.
+/// The program itself failed; its time was up where `late`.
 struct ProgramBroke : std::runtime_error {
   ProgramBroke(const std::string& what, bool took_long) : std::runtime_error(what), late(took_long) {}
   bool late;
@@ -29,6 +29,6 @@ struct ProgramBroke : std::runtime_error {
 /// Runs a program until its first test fails; `filter` is GoogleTest's; empty = what GTEST_FILTER says.
 /// Throws CouldNotRun or ProgramBroke where it was not a test that failed.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
-                  const std::filesystem::path& scratch);
+                  const std::filesystem::path& scratch, int most_seconds = 600);
 
 }  // namespace robosim::mutate

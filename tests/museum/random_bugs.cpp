@@ -72,9 +72,9 @@ const char* word(Attempt::Ending ending) {
   return "";
 }
 
-Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std::string>& targets,
-                const TestRun& unchanged) {
-  Attempt result{bug, Attempt::Ending::unobserved, ""};
+Attempt attempt(Stage& stage, const LibraryTests& library, const mutate::Mutation& bug,
+                const std::vector<std::string>& targets, const TestRun& unchanged) {
+  Attempt result{bug, Attempt::Ending::unobserved, "", ""};
   stage.restore();
   stage.spoil(bug.edits);
   try {
@@ -87,6 +87,7 @@ Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std
       }
       if (target == "host" && run.traces != unchanged.traces) result.ending = Attempt::Ending::survived;
     }
+    result.library = library.failure(stage, bug.edits.front().file);
   } catch (const mutate::CouldNotRun&) {
     result.ending = Attempt::Ending::not_compiled;
   } catch (const mutate::ProgramBroke& broken) {
@@ -98,27 +99,41 @@ Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std
 
 std::string summary_of(const std::vector<Attempt>& attempts, std::uint64_t seed, std::size_t places,
                        const std::string& targets) {
+  using enum Attempt::Ending;
   const auto count = [&](Attempt::Ending ending) {
     return std::count_if(attempts.begin(), attempts.end(),
                          [&](const Attempt& one) { return one.ending == ending; });
   };
-  const auto killed = count(Attempt::Ending::found) + count(Attempt::Ending::late);
-  const auto survived = count(Attempt::Ending::survived), unobserved = count(Attempt::Ending::unobserved);
+  const auto by_library = [&](Attempt::Ending ending) {
+    return std::count_if(attempts.begin(), attempts.end(),
+                         [&](const Attempt& one) { return one.ending == ending && !one.library.empty(); });
+  };
+  const auto percent = [](auto part, auto whole) {
+    return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+  };
+  const auto killed = count(found) + count(late), all = killed + count(survived);
+  const auto more = by_library(survived), unseen = by_library(unobserved);
   std::string text = fmt::format(
-      "Of {} bugs that compile, drawn by seed {} from {} in `firmware/`, {} changed no run; of the other {} "
+      "Of {} bugs that compile, drawn by seed {} from {} in `firmware/`, {} changed no run of a sketch. Of "
       "the "
-      "suite found {} ({:.0f} %) on {}, {} of them since its time was up.\n",
-      killed + survived + unobserved, seed, places, unobserved, killed + survived, killed,
-      killed + survived > 0 ? 100.0 * static_cast<double>(killed) / static_cast<double>(killed + survived)
-                            : 0.0,
-      targets, count(Attempt::Ending::late));
-  for (const auto& [ending, heading] : {std::pair{Attempt::Ending::survived, "No test minds:"},
-                                        std::pair{Attempt::Ending::unobserved, "Without a trace:"}}) {
-    if (count(ending) == 0) continue;
+      "other {} the sketches' tests found {} ({:.0f} %) on {}, {} of them since their time was up, and the "
+      "library's unit tests {} more: {} ({:.0f} %). Of those that changed no run the unit tests found {}; "
+      "with them it is {} of {} ({:.0f} %).\n",
+      all + count(unobserved), seed, places, count(unobserved), all, killed, percent(killed, all), targets,
+      count(late), more, killed + more, percent(killed + more, all), unseen, killed + more + unseen,
+      all + unseen, percent(killed + more + unseen, all + unseen));
+  const auto list = [&](const char* heading, const auto& belongs) {
+    if (std::none_of(attempts.begin(), attempts.end(), belongs)) return;
     text += fmt::format("\n{}\n\n", heading);
     for (const Attempt& one : attempts)
-      if (one.ending == ending) text += "- " + mutate::described(one.bug) + "\n";
-  }
+      if (belongs(one))
+        text += fmt::format("- {}{}\n", mutate::described(one.bug),
+                            one.library.empty() ? "" : ": " + one.library);
+  };
+  list("No test minds:", [](const Attempt& one) { return one.ending == survived && one.library.empty(); });
+  list("Only the unit tests mind:", [](const Attempt& one) { return !one.library.empty(); });
+  list("Without a trace:",
+       [](const Attempt& one) { return one.ending == unobserved && one.library.empty(); });
   return text;
 }
 

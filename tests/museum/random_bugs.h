@@ -1,4 +1,5 @@
-// Small bugs drawn at random over the firmware, and what the suite of tests/firmware makes of them.
+// Small bugs drawn at random over the firmware, and what the suite of tests/firmware makes of them; then, of
+// those that it does not find, what the library's unit tests make of them.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "sim/mutate/mutation.h"
+#include "tests/museum/library_tests.h"
 #include "tests/museum/stage.h"
 
 namespace robosim::museum {
@@ -25,17 +27,18 @@ struct Attempt {
   };
   mutate::Mutation bug;
   Ending ending = Ending::survived;
-  std::string by;  ///< "host: PidFollower.StartsAtOnce"
+  std::string by;       ///< "host: PidFollower.StartsAtOnce"
+  std::string library;  ///< of `survived` and `unobserved`: the unit test that finds it; empty = none
 };
 
 const char* word(Attempt::Ending ending);
 
-/// Puts one bug in, and asks the targets until one finds it. `unchanged`: what the suite did without it, on
-/// the host.
-Attempt attempt(Stage& stage, const mutate::Mutation& bug, const std::vector<std::string>& targets,
-                const TestRun& unchanged);
+/// Puts one bug in, and asks the targets, and then the library's tests, until one finds it. `unchanged`: what
+/// the suite did without it, on the host.
+Attempt attempt(Stage& stage, const LibraryTests& library, const mutate::Mutation& bug,
+                const std::vector<std::string>& targets, const TestRun& unchanged);
 
-/// The sums, and each that survived.
+/// The sums, and each that no test found.
 std::string summary_of(const std::vector<Attempt>& attempts, std::uint64_t seed, std::size_t places,
                        const std::string& targets);
 

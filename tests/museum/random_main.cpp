@@ -4,8 +4,9 @@
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //
 // N bugs that compile and change a run are tried (20): each is put into a copy of the firmware, and the suite
-// runs against it on the host, and where it finds nothing on each of the chips. One line for each as it
-// comes, to standard error; the sums to standard output. The same seed draws the same bugs.
+// runs against it on the host, and where it finds nothing on each of the chips; where that finds nothing
+// either, the library's unit tests. One line for each as it comes, to standard error; the sums to standard
+// output. The same seed draws the same bugs.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -57,7 +58,9 @@ Arguments read_arguments(int argc, char** argv) {
 class Campaign {
  public:
   explicit Campaign(const Arguments& arguments)
-      : arguments_(arguments), bugs_(mutate::shuffled(bugs_of_firmware(), arguments.seed, "bugs")) {
+      : arguments_(arguments),
+        library_(fs::path(ROBOSIM_MUSEUM_WORK) / "library_tests"),
+        bugs_(mutate::shuffled(bugs_of_firmware(), arguments.seed, "bugs")) {
     std::istringstream words(arguments.targets);
     for (std::string word; std::getline(words, word, ',');) targets_.push_back(word);
   }
@@ -106,17 +109,18 @@ class Campaign {
         if (counted_ >= arguments_.count || next_ == bugs_.size()) return;
         number = next_++;
       }
-      Attempt result = attempt(stage, bugs_[number], targets_, unchanged_);
+      Attempt result = attempt(stage, library_, bugs_[number], targets_, unchanged_);
       const std::lock_guard lock(mutex_);
       counted_ += counts(result);
       std::cerr << fmt::format("{} {}: {} {}", number + 1, mutate::described(result.bug), word(result.ending),
-                               result.by)
+                               result.by + result.library)
                 << std::endl;
       attempts_.emplace(number, std::move(result));
     }
   }
 
   Arguments arguments_;
+  LibraryTests library_;
   std::vector<std::string> targets_;
   std::vector<mutate::Mutation> bugs_;
   TestRun unchanged_;

@@ -42,9 +42,12 @@ class Stage {
   /// Runs tests until one fails. Throws as mutate::run_tests does.
   TestRun test(const Choice& choice) const;
 
- private:
+  /// What stands for the source tree: the copies and links.
   std::filesystem::path data() const { return folder_ / "share/robosim"; }
+  /// For files of one's own.
+  const std::filesystem::path& scratch() const { return folder_; }
 
+ private:
   std::filesystem::path folder_;
 };
 

@@ -1,0 +1,35 @@
+// The unit tests of our Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy of
+// it: what its engineer would run beside the suite of sketches.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/museum/stage.h"
+
+namespace robosim::museum {
+
+class LibraryTests {
+ public:
+  /// Compiles them into this folder, against the library as it is. Throws InputError if one fails.
+  explicit LibraryTests(std::filesystem::path folder);
+
+  /// Compiles those anew, against the stage's copy, that include the file that was changed there (named
+  /// relative to the source tree). What fails first: "nav_test: Planners.AgreeOnThousandsOfTrees", or how the
+  /// program ended. Empty if nothing does, or they do not compile with the change.
+  std::string failure(const Stage& stage, const std::string& changed) const;
+
+ private:
+  struct Program {
+    std::string name;
+    std::vector<std::string> sources;  ///< relative to the source tree
+  };
+
+  std::filesystem::path object(const std::string& source) const;
+
+  std::filesystem::path folder_;
+  std::vector<Program> programs_;
+};
+
+}  // namespace robosim::museum
