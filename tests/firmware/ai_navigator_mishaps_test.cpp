@@ -1,6 +1,7 @@
 // AiNavigator where something is not as it was: it is carried away, an obstacle stays, the power fails.
 #include <robosim/testing.h>
 
+#include <chrono>
 #include <optional>
 
 #include "firmware/src/nav/Plan.h"
@@ -205,6 +206,56 @@ TEST_F(AiNavigatorAgain, ScansFromAJunctionOrTheMiddleOfALine) {
     ASSERT_TRUE(go_to("2")) << start;
     EXPECT_EQ(robot().station(), "2");
   }
+}
+
+TEST_F(AiNavigatorAgain, SaysWhatIsWrongWhereThereIsNothingToScan) {
+  for (const auto& [map, said] :
+       {std::pair{"oval", "There is no station and no junction here."}, {kTee, "I have lost the line."}}) {
+    put_on(map);
+    ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+    if (map == kTee) robot().act("erase 3,3 9,3");
+    robot().press("start");
+    ASSERT_TRUE(robot().run_until(serial_says(said), within(1_min)));
+    robot().send("1\n");
+    ASSERT_TRUE(robot().run_until(serial_says("refused: I do not know where I am."), within(1_s)));
+  }
+}
+
+TEST_F(AiNavigatorAgain, KnowsWhatItHasFoundIfAnObstacleCutsItsScanShort) {
+  put_on(kTee);
+  ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+  robot().press("start");
+  ASSERT_TRUE(robot().run_until(serial_says("found station 2"), within(1_min)));
+  robot().act("obstacle 6,4");
+  ASSERT_TRUE(robot().run_until(serial_says("An obstacle has cut the scan short; there is more than I know: "
+                                            "2 stations, 1 junction"),
+                                within(1_min)));
+  ASSERT_TRUE(robot().run_until(serial_says("destination?"), within(1_s)));
+  EXPECT_EQ(robot().station(), "2");
+}
+
+TEST_F(AiNavigatorAgain, StopsAndSaysSoBetweenTwoObstacles) {
+  put_on(kWideRing);
+  scan();
+  robot().send("2\n");
+  ASSERT_TRUE(robot().run_until(turns_on("LED"), within(10_s)));
+  robot().run_for(2_s);
+  robot().act("obstacle 16,3");
+  robot().act("obstacle 7,3");
+  ASSERT_TRUE(robot().run_until(serial_says("There are obstacles before and behind me."), within(1_min)));
+  EXPECT_THAT(robot().run_for(2_s), NeverDrives(at_all()));
+}
+
+TEST_F(AiNavigatorAgain, SaysHowLongItsScanTook) {
+  put_on(kTee);
+  ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+  robot().press("start");
+  ASSERT_TRUE(robot().run_until(serial_says("scanning"), within(1_s)));
+  const Drive scan = robot().run_until(serial_says("scan complete"), within(1_min));
+  ASSERT_TRUE(scan);
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(scan.end() - scan.begin()).count();
+  const std::string said = "3 stations, 1 junction, " + std::to_string(seconds) + " s\r\n";
+  ASSERT_TRUE(robot().run_until(serial_says(said), within(100_ms)));
 }
 
 TEST_F(AiNavigatorAgain, SaysThatItGoesOnWhenItDoes) {

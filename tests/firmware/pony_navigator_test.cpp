@@ -133,6 +133,27 @@ TEST(PonyNavigatorsObstacle, LeavesItRoomToTurnBack) {
   ASSERT_TRUE(robot.run_until(serial_says("at station 2"), within(2_min)));
 }
 
+TEST(PonyNavigatorsRefusals, SayWhy) {
+  Simulation robot({.sketch = "PonyNavigator", .map = kTee, .robot = "pony"});
+  const auto is_told = [&](const char* button, const char* answer) {
+    robot.press(button);
+    return robot.run_until(serial_says(answer), within(1_min));
+  };
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
+  ASSERT_TRUE(is_told("station1", "no map: scan first"));
+  ASSERT_TRUE(is_told("scan", "scan complete, stations: 3"));
+  robot.act("send radio 0b0000001");
+  ASSERT_TRUE(robot.run_until(serial_says("refused: not 8 bits"), within(1_s)));
+  robot.run_for(500_ms);
+  robot.place(6, 3, 'E');
+  ASSERT_TRUE(is_told("station1", "this is not the end of a line"));
+  robot.act("erase 3,3 9,3");
+  robot.act("erase 6,3 6,6");
+  ASSERT_TRUE(is_told("scan", "lost the line"));
+  robot.act("send radio 1");
+  ASSERT_TRUE(robot.run_until(serial_says("refused: where am I?"), within(1_s)));
+}
+
 TEST(PonyNavigatorsDigits, ShowTheTensToo) {
   Simulation robot({.sketch = "PonyNavigator", .map = kComb, .robot = "pony"});
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));

@@ -100,4 +100,26 @@ TEST_F(DriveMotorTest, WakesTheDriver) {
   EXPECT_EQ(pin(10).level, HIGH);
 }
 
+TEST_F(DriveMotorTest, OfAPairAreToldTogether) {
+  DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));
+  motors.begin();
+  motors.drive(100, 100);
+  motors.stop();
+  for (const std::uint8_t input : {7, 8, 9, 10}) EXPECT_EQ(pin(input).level, HIGH) << "both brake";
+  motors.drive(100, 100);
+  motors.coast();
+  for (const std::uint8_t enable : {5, 6}) EXPECT_EQ(pin(enable).duty, -1) << "both run out";
+  motors.setSmallestDuty(60);
+  motors.setReversed(false, true);
+  motors.drive(128, 128);
+  EXPECT_EQ(pin(5).duty, 157);
+  EXPECT_EQ(pin(6).duty, 157);
+  EXPECT_EQ(pin(7).level, HIGH);
+  EXPECT_EQ(pin(9).level, LOW);
+  motors.setReversed(true, false);
+  motors.drive(128, 128);
+  EXPECT_EQ(pin(7).level, LOW);
+  EXPECT_EQ(pin(9).level, HIGH);
+}
+
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace {
 
 constexpr std::uint8_t kFive[] = {14, 15, 16, 17, 18};
@@ -66,6 +68,30 @@ TEST_F(LineSensorsTest, GiveValuesAndPositionFromAnalogPins) {
   EXPECT_EQ(sensors.position(), 666);
 }
 
+TEST_F(LineSensorsTest, TellALineFromWhatIsOnlySeen) {
+  AnalogLineSensors sensors(kFive);
+  sensors.setRange(0, 1000);
+  see(499, 500, 0, 0, 0);
+  sensors.read();
+  EXPECT_FALSE(sensors.onLine(0));
+  EXPECT_TRUE(sensors.onLine(1));
+  for (const int reads : {199, 200}) {
+    see(0, 0, 0, 0, reads);
+    sensors.read();
+    EXPECT_EQ(sensors.seesLine(), reads == 200);
+  }
+}
+
+TEST_F(LineSensorsTest, HaveEachARangeOfTheirOwn) {
+  AnalogLineSensors sensors(kFive);
+  sensors.setRange(0, 1000);
+  sensors.setRange(3, 500, 600);
+  sensors.setRange(5, 1, 2);  // there is none
+  see(550, 550, 550, 550, 550);
+  sensors.read();
+  for (std::uint8_t i = 0; i < 5; ++i) EXPECT_EQ(sensors.value(i), i == 3 ? 500 : 550) << int{i};
+}
+
 TEST_F(LineSensorsTest, RememberOnWhichSideTheLineLeft) {
   AnalogLineSensors sensors(kFive);
   sensors.setRange(0, 1000);
@@ -76,6 +102,20 @@ TEST_F(LineSensorsTest, RememberOnWhichSideTheLineLeft) {
     for (int i = 0; i < 3; ++i) sensors.read();
     EXPECT_FALSE(sensors.seesLine());
     EXPECT_EQ(sensors.position(), left ? -2000 : 2000);
+  }
+}
+
+TEST_F(LineSensorsTest, RememberASideOnlyIfTheLineWasBeyondTheLastSensorButOne) {
+  AnalogLineSensors sensors(kFive);
+  sensors.setRange(0, 1000);
+  for (const auto& [fourth, fifth, then] : {std::array{1000, 0, 0}, {990, 60, 2000}}) {
+    for (const int side : {-1, 1}) {
+      side < 0 ? see(fifth, fourth, 0, 0, 0) : see(0, 0, 0, fourth, fifth);
+      sensors.read();
+      see(0, 0, 0, 0, 0);
+      sensors.read();
+      EXPECT_EQ(sensors.position(), side * then);
+    }
   }
 }
 

@@ -10,6 +10,19 @@ TEST(PidController, WithOnlyAProportionalPartMultipliesTheError) {
   EXPECT_FLOAT_EQ(pid.update(-2.0f, 0.005f), -120.0f);
 }
 
+TEST(PidController, TakesOtherGainsWhileItRuns) {
+  PidController pid(0, 0, 0);
+  pid.setGains(60, 2, 1);
+  EXPECT_FLOAT_EQ(pid.update(1.0f, 0.01f), 60.0f + 2 * 0.01f);
+  EXPECT_NEAR(pid.update(2.0f, 0.01f), 2 * 60.0f + 2 * 0.03f + 100.0f, 1e-3f);
+}
+
+TEST(PidController, HasNoLimitsUntilTheyAreSet) {
+  PidController pid(1, 0, 0);
+  EXPECT_FLOAT_EQ(pid.update(1e30f, 0.01f), 1e30f);
+  EXPECT_FLOAT_EQ(pid.update(-1e30f, 0.01f), -1e30f);
+}
+
 TEST(PidController, HasNoDerivativeInItsFirstStep) {
   PidController pid(0, 0, 1);
   EXPECT_FLOAT_EQ(pid.update(5.0f, 0.01f), 0.0f);

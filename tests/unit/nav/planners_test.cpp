@@ -295,6 +295,8 @@ TEST(Planners, RefuseUnknownNodesAndTooLittleMemory) {
     EXPECT_EQ(planner(map, 3, 3, path, work), Plan::found);
     EXPECT_EQ(path.size(), 1);
     EXPECT_EQ(path[0], 3);
+    EXPECT_EQ(planner(map, unknown, 3, path, work), Plan::unknown_node);
+    EXPECT_EQ(path.size(), 0) << "no way is left of the one before";
   };
   check("bfs", PLANNER(bfs), true);
   check("dfs", PLANNER(dfs), true);
@@ -357,6 +359,7 @@ TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
   EXPECT_EQ(dijkstra.next(ring, 0, 63), 63);
   EXPECT_EQ(dijkstra.next(ring, 0, 31), 1);
   EXPECT_EQ(dijkstra.next(ring, 0, 33), 63);
+  EXPECT_EQ(plan(PLANNER(dijkstra), ring, 0, 63).way, (Way{0, 63})) << "sums that are too large stay so";
 }
 
 }  // namespace
