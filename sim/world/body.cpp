@@ -59,7 +59,8 @@ double Body::kinetic_energy() const {
 }
 
 Body::Motor Body::motor(Side side) const {
-  if (winds_) return pull_of_winding(side);
+  if (winds_) [[unlikely]]
+    return winding_[side].pull;
   const Unit& unit = unit_[side];
   const double speed = surface_[side];
   Motor m{0.0, 0.0};
@@ -74,7 +75,8 @@ Body::Motor Body::motor(Side side) const {
 }
 
 void Body::draw_energy() {
-  if (winds_) return draw_by_windings();
+  if (winds_) [[unlikely]]
+    return draw_by_windings();
   for (int side = 0; side < 2; ++side) {
     const Unit& unit = unit_[side];
     const double speed = std::copysign(1.0, unit.drive) * surface_[side];
@@ -219,7 +221,8 @@ void Body::spin() {
 
 void Body::step(const Walls& walls, Ground* ground) {
   if (lifted_ || stance_.toppled != Toppled::no) return spin();
-  if (winds_) find_currents();
+  if (winds_) [[unlikely]]
+    find_currents();
   const bool rough = ground || params_.centre_height_m > 0.0;
   if ((!rough || stance_.eases) && v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 &&
       surface_[1] == 0.0 && std::fabs(motor(left).push) <= unit_[left].friction[1] &&

@@ -226,6 +226,9 @@ class Body {
     double drive, brake;  // the command
     double per_ohm, volts_per_speed;
   };
+  struct Motor {
+    double push, drag;
+  };
   // Of a motor whose winding has inductance.
   struct Winding {
     double seconds = 0.0;  // L / R
@@ -237,10 +240,8 @@ class Body {
       double share, decay;
     } phase[4] = {};
     MeanCurrent current;  // with the speeds at the tick's beginning
-    double emf = 0.0;     // of these
-  };
-  struct Motor {
-    double push, drag;
+    Motor pull = {0.0, 0.0};
+    double emf = 0.0;  // of these
   };
 
   // How it stands on a floor that is not plane.

@@ -90,6 +90,7 @@ void Body::find_currents() {
   for (const Side side : {left, right}) {
     winding_[side].current = current_of(side, supply_);
     winding_[side].emf = surface_[side] * unit_[side].volts_per_speed;
+    winding_[side].pull = pull_of_winding(side);
   }
 }
 
