@@ -65,10 +65,7 @@ class MemberReader {
     const std::string word = word_at(key);
     return word.empty() || !(always || is_path(word)) ? word : from_folder(word);
   }
-  std::string from_folder(const std::string& word) const {
-    if (folder_.empty() || fs::path(word).is_absolute()) return word;
-    return (folder_ / word).lexically_normal().string();
-  }
+  std::string from_folder(const std::string& word) const { return path_from(folder_, word); }
   std::vector<std::string> libraries() {
     std::vector<std::string> folders;
     const ConfigValue* value = reader_.find("libraries");
@@ -133,8 +130,7 @@ Fleet parse_fleet(std::string_view text, const fs::path& file) {
   Fleet fleet;
   fleet.file = file.string();
   fleet.map = reader.string("map", "");
-  if (is_path(fleet.map) && fs::path(fleet.map).is_relative())
-    fleet.map = (file.parent_path() / fleet.map).lexically_normal().string();
+  if (is_path(fleet.map)) fleet.map = path_from(file.parent_path(), fleet.map);
   const ConfigValue* tables = reader.find("agent");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())

@@ -77,6 +77,12 @@ std::string target_of_elf(const fs::path& file) {
 
 bool is_path(const std::string& name) { return name.find_first_of("/.") != std::string::npos; }
 
+std::string path_from(const fs::path& folder, const std::string& word) {
+  if (folder.empty() || fs::path(word).is_absolute()) return word;
+  const std::string path = (folder / word).lexically_normal().string();
+  return is_path(path) ? path : "./" + path;
+}
+
 std::vector<std::string> names_in(const fs::path& folder, const std::string& ending) {
   std::vector<std::string> names;
   std::error_code error;

@@ -16,6 +16,8 @@ std::string target_of_elf(const std::filesystem::path& file);
 
 /// A name with '/' or '.' is a path.
 bool is_path(const std::string& name);
+/// A path that begins at `folder`. It stays a path, "./Mine", where no folder is left before it.
+std::string path_from(const std::filesystem::path& folder, const std::string& word);
 
 /// Names of the files with that ending in a folder, without the ending, sorted; none if there is no such
 /// folder.

@@ -45,7 +45,7 @@ void RemoteController::add_lines(const wire::Act& act, run::Standstill& standsti
     begin = end + 1;
   }
   standstill.add(scenario::parse_scenario(timed, script_file_), act.agent);
-  answer(wire::Accepted{timed});
+  answer(wire::Accepted{timed, act.agent});
 }
 
 std::optional<run::Leg> RemoteController::serve(const wire::DrivenRequest& request,

@@ -12,5 +12,6 @@ std::string_view watch_js();
 std::string_view editor_js();
 std::string_view drop_js();
 std::string_view hands_js();
+std::string_view scripts_js();
 
 }  // namespace robosim::serve

@@ -1,7 +1,10 @@
 #include "sim/serve/folder.h"
 
 #include <algorithm>
+#include <sstream>
 
+#include "sim/base/error.h"
+#include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/launch/names.h"
 
@@ -12,10 +15,24 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepest = 3;
 constexpr std::size_t kMost = 500;
+constexpr std::size_t kLongestToml = 256 * 1024;
 
 bool is_within(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end();
+}
+
+// Whether a table of it is an [[agent]]; what is too long for TOML has none.
+bool names_robots(const fs::path& file) {
+  try {
+    std::istringstream lines(read_file(file, kLongestToml));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t begin = line.find_first_not_of(" \t");
+      if (begin != line.npos && line.compare(begin, 9, "[[agent]]") == 0) return true;
+    }
+  } catch (const InputError&) {
+  }
+  return false;
 }
 
 void look(const fs::path& folder, const fs::path& root, int depth, Choices& choices) {
@@ -34,7 +51,8 @@ void look(const fs::path& folder, const fs::path& root, int depth, Choices& choi
     if (extension == ".ino" && (choices.sketches.empty() || choices.sketches.back() != below))
       choices.sketches.push_back(below);
     if (is_image(name)) choices.sketches.push_back(path);
-    if (extension == ".toml" && name != "checks.toml") choices.robots.push_back(path);
+    if (extension == ".toml" && name != "checks.toml")
+      (names_robots(entry.path()) ? choices.sketches : choices.robots).push_back(path);
     if (extension == ".map") choices.maps.push_back(path);
   }
 }

@@ -133,6 +133,7 @@ struct Server::Inside {
     give("/editor.js", editor_js(), "text/javascript");
     give("/drop.js", drop_js(), "text/javascript");
     give("/hands.js", hands_js(), "text/javascript");
+    give("/scripts.js", scripts_js(), "text/javascript");
     http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
     http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
     http.Post("/api/live",

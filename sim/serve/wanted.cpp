@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/launch/fleet.h"
 #include "sim/serve/workshop.h"
+#include "sim/wire/run_request.h"
 
 namespace robosim::serve {
 namespace {
@@ -38,13 +40,30 @@ std::string one_in(const Json& json, const char* key, const std::vector<std::str
   return name;
 }
 
+std::map<std::string, std::string> scripts_in(const Json& json) {
+  if (!json.is_object() || json.size() > wire::kMostAgents)
+    throw InputError(fmt::format("scripts must be an object of at most {} texts, by the robots' names",
+                                 wire::kMostAgents));
+  std::map<std::string, std::string> scripts;
+  std::size_t size = 0;
+  for (const auto& [name, script] : json.items()) {
+    launch::check_member_name(name, {"scripts"});
+    scripts[name] = text(json, name.c_str(), "", kLongestScript);
+    size += scripts[name].size();
+  }
+  if (size > kLongestScript)
+    throw InputError(fmt::format("scripts must have at most {} characters in all", kLongestScript));
+  return scripts;
+}
+
 }  // namespace
 
 Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
   const Json json = Json::parse(text_of_it, nullptr, false);
   if (!json.is_object()) throw InputError("what is sent is no JSON object");
   for (const auto& item : json.items()) {
-    const char* const known[] = {"sketch", "robot", "map", "target", "seed", "for_s", "goal", "script"};
+    const char* const known[] = {"sketch", "robot", "map",    "target", "seed",
+                                 "for_s",  "goal",  "script", "scripts"};
     if (std::find(std::begin(known), std::end(known), item.key()) == std::end(known))
       throw InputError("what is sent has a key that Robosim does not know");
   }
@@ -60,6 +79,9 @@ Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
   wanted.goal = text(json, "goal", "", kLongestGoal);
   if (wanted.goal.starts_with("-")) throw InputError("goal must be the name of a goal, such as laps:3");
   wanted.script = text(json, "script", "", kLongestScript);
+  if (json.contains("scripts")) wanted.scripts = scripts_in(json["scripts"]);
+  if (!wanted.scripts.empty() && !launch::is_fleet_file(wanted.sketch))
+    throw InputError("scripts are of several robots, and this is a sketch");
   return wanted;
 }
 

@@ -31,7 +31,10 @@ fs::path new_folder() {
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
-fs::path script_file(const fs::path& folder, int number) { return folder / fmt::format("{}.txt", number); }
+/// `robot`: of several, whose it is.
+fs::path script_file(const fs::path& folder, int number, const std::string& robot = "") {
+  return folder / fmt::format("{}", number) / (robot + ".txt");
+}
 
 }  // namespace
 
@@ -92,10 +95,16 @@ ChildStart Workshop::start_of(const Wanted& wanted, int number) const {
   option("--robot", wanted.robot);
   option("--map", wanted.map);
   option("--goal", wanted.goal);
+  fs::create_directory(script_file(kept_, number).parent_path());
   if (!wanted.script.empty()) {
     const fs::path script = script_file(kept_, number);
     write_file(script, wanted.script);
     option("--script", script.string());
+  }
+  for (const auto& [robot, text] : wanted.scripts) {
+    const fs::path script = script_file(kept_, number, robot);
+    write_file(script, text);
+    option("--script", robot + "=" + script.string());
   }
   start.folder = folder_;
   start.own_group = true;
@@ -140,7 +149,7 @@ Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources
 
 void Workshop::put_away(int number, Done& done) const {
   std::error_code ignored;
-  fs::remove(script_file(kept_, number), ignored);
+  fs::remove_all(script_file(kept_, number).parent_path(), ignored);
   if (fs::exists(page_file(kept_, number), ignored)) done.recording = number;
   fs::remove(page_file(kept_, number - static_cast<int>(kKept)), ignored);
 }

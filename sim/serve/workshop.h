@@ -23,9 +23,10 @@ struct Wanted {
   std::string sketch, robot, map;  ///< of Choices; "" for robot and map: as `robosim run` chooses
   std::string target = "host";     ///< host, avr or stm32
   std::uint64_t seed = 1;
-  double for_s = 60.0;  ///< simulated, 0.001 to 3600
-  std::string goal;     ///< "" = the map's
-  std::string script;
+  double for_s = 60.0;                         ///< simulated, 0.001 to 3600
+  std::string goal;                            ///< "" = the map's
+  std::string script;                          ///< of several robots, of those that have none
+  std::map<std::string, std::string> scripts;  ///< of several robots, by their names
 };
 
 /// Reads the JSON of a request. Throws InputError for what is none, has other keys, or names nothing that can

@@ -179,11 +179,13 @@ void fields(V& v, Same<V, Paused>& p) {
 struct Accepted {
   static constexpr const char* kKey = "accepted";
   std::string lines;
+  int agent = 0;
 };
 
 template <class V>
 void fields(V& v, Same<V, Accepted>& a) {
   v("lines", a.lines, "what was accepted, with its times");
+  agent_field(v, a.agent);
 }
 
 /// Its non-volatile memory.

@@ -115,6 +115,57 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   EXPECT_EQ(seen["kept"], seen["lines"]) << "its recording is shown in the end";
 }
 
+// Two of the library's on one line, in a file; the second one is acted on, then both are watched while they
+// drive.
+TEST_F(Serve, RunsSeveralRobotsAndActsOnTheOneThatIsLookedAt) {
+  folder_.write("two.toml",
+                "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ngoal = \"none\"\n"
+                "[[agent]]\nname = \"B\"\nsketch = \"./Echo\"\ngoal = \"none\"\nstart = \"20,2,W\"\n");
+  const Json seen = in_page("sketch=./two.toml&robot=uno5&seconds=4&run=1", R"(
+    await ready();
+    const before = shown().runs;
+    shown().player.seek(2);
+    shown().chooser.choose(1);
+    const own = $('script').value;
+    $('text').value = 'hello';
+    $('send').requestSubmit();
+    await until(() => shown() && shown().runs !== before);
+    await ready();
+    const again = shown().runs;
+    shown().chooser.choose(1);
+    return { names: before.map((run) => run.name), own, script: $('script').value, whose: $('whose').textContent,
+      lines: again.map((run) => run.lines.map((line) => line.text.trim())), looked: $('replay').contentDocument.getElementById('title').textContent };)");
+  EXPECT_EQ(seen["names"], Json::parse(R"(["A", "B"])"));
+  EXPECT_EQ(seen["own"], "");
+  EXPECT_EQ(seen["whose"], " of B");
+  EXPECT_EQ(seen["script"], "at 2000ms send \"hello\\n\"\n");
+  EXPECT_EQ(seen["lines"][1], Json::parse(R"(["ready", "hello"])"));
+  EXPECT_EQ(seen["looked"], "B: ./Echo");
+  browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve_fleet.png");
+
+  const Json live = in_page("sketch=./two.toml&robot=uno5&seconds=3000&live=1", R"(
+    await until(() => shown()?.run.live && shown().player.playing);
+    const { runs, player } = shown(), now = () => shown().run.duration;
+    await until(() => now() > 0.4);
+    shown().chooser.choose(1);
+    $('text').value = 'hello';
+    $('send').requestSubmit();
+    await until(() => $('script').value.includes('hello'));
+    await until(() => runs[1].lines.some((line) => line.text === 'hello'));
+    const drawn = runs.map((run) => run.pose(now()));
+    shown().player.pause();
+    await until(() => !shown().player.playing);
+    shown().redraw();
+    return { lines: runs.map((run) => run.lines.map((line) => line.text)), apart: Math.hypot(drawn[0].x - drawn[1].x, drawn[0].y - drawn[1].y),
+      driven: Math.hypot(drawn[0].x - runs[0].columns.x_mm[0], drawn[0].y - runs[0].columns.y_mm[0]), script: $('script').value };)");
+  EXPECT_EQ(live["lines"][1], Json::parse(R"(["ready", "hello"])")) << live.dump();
+  EXPECT_EQ(live["lines"][0].size(), 0u) << live.dump();
+  EXPECT_GT(live["apart"], 200.0);
+  EXPECT_GT(live["driven"], 5.0);
+  EXPECT_THAT(live["script"].get<std::string>(), HasSubstr("ms send \"hello\\n\"\n"));
+  browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve_fleet_live.png");
+}
+
 TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
   const Json seen = in_page("sketch=./Echo", R"(
     await until(() => document.documentElement.dataset.ready);

@@ -126,8 +126,7 @@ class CheckReader {
   std::string flag_word(const std::string& word, Text text) const {
     if (text == Text::sent) return escaped(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
-    if (folder_.empty() || fs::path(word).is_absolute()) return word;
-    return (folder_ / word).lexically_normal().string();
+    return launch::path_from(folder_, word);
   }
 
   std::string fleet() {

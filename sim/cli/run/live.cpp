@@ -167,7 +167,7 @@ class Live {
       throw InputError(fmt::format("agent is {}, and the run's robots are 0 to {}", agent, count - 1));
     const std::size_t known = run_.script(agent).size();
     run_.act(act.lines, agent);
-    tell(wire::to_line(kId, wire::Answer(wire::Accepted{run_.script(agent).substr(known)})));
+    tell(wire::to_line(kId, wire::Answer(wire::Accepted{run_.script(agent).substr(known), act.agent})));
   }
   void carry_out(const wire::End&) { run_.end(); }
 

@@ -5,9 +5,11 @@
 import { put } from '/drop.js';
 import { Editor } from '/editor.js';
 import { buttonsOf, onClicks, sending, withLine } from '/hands.js';
+import { Scripts } from '/scripts.js';
 import { post, Watch } from '/watch.js';
 
 const $ = (id) => document.getElementById(id);
+const scripts = new Scripts($('script'), $('whose'));
 let running = null;   // its AbortController
 let watching = null;  // a Watch
 let isLost = false;   // nobody answers
@@ -59,17 +61,22 @@ function show(recording, moment) {
   if (matchMedia('(max-width: 700px)').matches) frame.scrollIntoView();
 }
 
-/** Its buttons, and what a click on the floor does. */
+/** Its buttons, and what a click on the floor does; of several robots, those of the one that is looked at. */
 function touchable(page) {
-  $('buttons').replaceChildren(...buttonsOf(page, act));
+  scripts.show(page.runs);
+  page.onLookAt = () => {
+    scripts.lookAt(page.run.number);
+    $('buttons').replaceChildren(...buttonsOf(page, act));
+  };
+  page.onLookAt();
   onClicks(page, $('replay').contentDocument.getElementById('floor'), () => $('hand').value, act);
   page.touchable = true;  // for tests
 }
 
 /** At the moment that is shown, and the run again from there; of a run that is watched now. */
 function act(what) {
-  if (watching) return watching.ask({ do: 'script', lines: what });
   const page = shown();
+  if (watching) return watching.ask({ do: 'script', lines: what, agent: page.run.number });
   const t = page ? page.player.t : 0;
   $('script').value = withLine($('script').value, t, what);
   $('script-box').open = true;
@@ -78,7 +85,7 @@ function act(what) {
 
 const wanted = () => ({
   sketch: $('sketch').value, robot: $('robot').value, map: $('map').value, target: $('target').disabled ? 'avr' : $('target').value,
-  seed: Number($('seed').value), for_s: Number($('seconds').value), script: $('script').value,
+  seed: Number($('seed').value), for_s: Number($('seconds').value), ...scripts.wanted(),
 });
 
 const run = (moment) => underWay('building and running …', async (signal) => {
@@ -94,9 +101,7 @@ const live = () => underWay('building …', async (signal) => {
       $('state').textContent = 'live';
       touchable(page);
     },
-    did: (lines) => {
-      $('script').value = `${$('script').value.trimEnd()}\n${lines}`.trimStart();
-    },
+    did: (lines, agent) => scripts.add(agent, lines),
     refused: (sentence) => say(`${sentence}\n`, true),
     gone: () => { gone = true; },
   });
@@ -180,7 +185,7 @@ setInterval(() => {
   if (!document.hidden && !running && !isLost) fetch('/bench.css', { cache: 'no-store' }).catch(lose);
 }, 2000);
 
-$('sketch').addEventListener('change', targets);
+$('sketch').addEventListener('change', () => { targets(); scripts.forget(); });
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
 const editor = new Editor({ listed: list, maps: $('map') });
 $('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));

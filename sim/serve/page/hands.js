@@ -22,9 +22,10 @@ function put(page, what, x, y) {
 /** `what()`: "robot", "obstacle", or nothing. */
 export function onClicks(page, floor, what, act) {
   let from = null;
-  floor.addEventListener('pointerdown', (e) => { from = e; });
+  floor.addEventListener('pointerdown', ({ clientX, clientY }) => { from = { clientX, clientY, run: page.run }; });
   floor.addEventListener('click', (e) => {
     if (!what() || !from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // it was dragged
+    if (from.run !== page.run) return;  // it has chosen another robot
     act(put(page, what(), ...page.view.toFloor(e.offsetX, e.offsetY)));
   });
 }

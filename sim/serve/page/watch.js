@@ -22,7 +22,7 @@ const empty = (frame) => new Promise((done) => {
 });
 
 export class Watch {
-  /** `tell`: { say(text), begun(page), did(lines), refused(sentence), gone() }. */
+  /** `tell`: { say(text), begun(page), did(lines, agent), refused(sentence), gone() }. */
   constructor(frame, tell) {
     Object.assign(this, { frame, tell, page: null, feed: null, header: null, early: [] });
   }
@@ -54,7 +54,7 @@ export class Watch {
 
   take(message, begins) {
     if (message.say) this.tell.say(message.say);
-    if (message.accepted) this.tell.did(message.accepted.lines);
+    if (message.accepted) this.tell.did(message.accepted.lines, message.accepted.agent ?? 0);
     if (message.refused) this.tell.refused(message.refused);
     if (message.recording) this.header = message.recording;
     if (!this.feed && message.paused && this.header) {

@@ -57,6 +57,15 @@ sanitize = true
   EXPECT_TRUE(b.launch.sanitize);
 }
 
+TEST(FleetFile, PathsStayPathsInTheCurrentFolder) {
+  const std::string text = "map = \"./floor\"\n[[agent]]\nname = \"A\"\nsketch = \"./Mine\"\n";
+  for (const char* file : {"robots.toml", "./robots.toml", "there/../robots.toml"}) {
+    const Fleet fleet = parse_fleet(text, file);
+    EXPECT_EQ(fleet.members[0].launch.sketch, "./Mine") << file;
+    EXPECT_EQ(fleet.map, "./floor") << file;
+  }
+}
+
 TEST(FleetFile, NeedsTheRunnerThatHasAllOfItsTargets) {
   EXPECT_EQ(runner_of({"host", "host"}), "host");
   EXPECT_EQ(runner_of({"host", "avr"}), "avr");

@@ -84,6 +84,19 @@ TEST_F(Serving, ListsWhatIsInTheFolderAndWhatIsOursAndNothingThatALinkLeadsTo) {
   EXPECT_THAT(folder["sketches"], Not(Contains("./away/Theirs")));
 }
 
+TEST_F(Serving, RunsAFileOfRobotsWithAScriptForEach) {
+  write(root() / "two.toml", "map = \"oval\"\n  [[agent]]\nname = \"A\"\n");
+  serve("echo \"$@\"; for last; do case \"$last\" in [AB]=*) cat \"${last#*=}\";; esac; done\n");
+  const Json folder = Json::parse(http_->Get("/api/folder")->body);
+  EXPECT_THAT(folder["sketches"], Contains("./two.toml"));
+  EXPECT_THAT(folder["robots"], Not(Contains("./two.toml")));
+  const auto answer =
+      run(R"({"sketch": "./two.toml", "scripts": {"A": "at 1s press start\n", "B": "at 2s press start\n"}})");
+  ASSERT_TRUE(answer);
+  EXPECT_THAT(answer->body, HasSubstr("run ./two.toml --target host"));
+  EXPECT_THAT(answer->body, HasSubstr("say\":\"at 1s press start"));
+}
+
 TEST_F(Serving, RunsWhatIsChosenAndKeepsItsPage) {
   serve(
       "echo \"$@\"; for last; do if [ \"$before\" = --record ]; then echo PAGE > \"$last\"; fi; "
@@ -123,6 +136,10 @@ TEST_F(Serving, RefusesWantsThatMakeNoSense) {
       {R"({"sketch": "./Mine", "for_s": 1e9})", "for_s must be"},
       {R"({"sketch": "./Mine", "goal": "--record=/tmp/x"})", "goal must be"},
       {R"({"sketch": "./Mine", "record": "/tmp/x"})", "key that Robosim does not know"},
+      {R"({"sketch": "./Mine", "scripts": {"A": "at 1s press start"}})", "scripts are of several robots"},
+      {R"({"sketch": "./Mine", "scripts": "at 1s press start"})", "scripts must be an object"},
+      {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "cannot be a robot's name"},
+      {R"({"sketch": "./Mine", "scripts": {"A": 1}})", "A must be a text"},
   };
   for (const auto& [json, sentence] : wrong) {
     const auto answer = run(json);
