@@ -345,6 +345,7 @@ bool Cpu::is_count(std::uint32_t pc) const { return pc > 0 && counts_down(origin
 
 void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
   marks_[pc] = static_cast<std::uint8_t>(set ? marks_[pc] | kind : marks_[pc] & ~kind);
+  if (!marks_[pc] && state.passing == pc) state.passing = ~0u;
   for (std::uint32_t before = std::min(pc, kWordsOfNumberRead - 1); before > 0; --before)
     prepare(pc - before);
   prepare(pc);

@@ -49,6 +49,16 @@ TEST_F(Marks, LeaveNothingBehindWhenTheyAreTakenAway) {
   EXPECT_EQ(cpu.data[16] << 8 | cpu.data[17], 0x1122);
 }
 
+TEST_F(Marks, StopAgainWhereOneWasTakenAwayAndPutBack) {
+  cpu.set_mark(kEnd, true);
+  ASSERT_EQ(cpu.run(100), Cpu::Stop::mark);
+  cpu.set_mark(kEnd, false);
+  for (Cycle until = 100; cpu.pc() != kEnd || cpu.cycle() < 100; ++until) cpu.run(until);
+  cpu.set_mark(kEnd, true);
+  ASSERT_EQ(cpu.run(cpu.cycle() + 1), Cpu::Stop::mark);
+  EXPECT_EQ(cpu.pc(), kEnd);
+}
+
 TEST_F(Marks, MayBePutBehindAnInstructionThatHasRun) {
   for (const Cycle until : {1u, 2u}) cpu.run(until);
   cpu.set_mark(2, true);
