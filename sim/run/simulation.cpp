@@ -249,6 +249,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
   in_->clock = saved.clock;
   in_->rests_until = 0;
+  in_->rested = false;  // a run that was left within a tick may have been at rest
   in_->world.restore(saved.world);
   for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);
 }

@@ -16,8 +16,6 @@ namespace {
 using exec::CauseStep;
 using Kind = exec::CauseStep::Kind;
 
-constexpr SimTime kSnapshotEvery = 100 * kMillisecond;
-constexpr std::size_t kMostMoments = 2048;  // then every other one is dropped
 constexpr SimTime kSampleEvery = 10 * kMillisecond;
 constexpr SimTime kHistory = 30 * kMillisecond;  // the least that is noted before a moment
 constexpr SimTime kBlind = 20 * kMillisecond;    // without a look at a line sensor
@@ -79,8 +77,7 @@ Inquiry::Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<ro
       board_(board),
       wiring_(std::move(wiring)),
       causes_(finder_of(setup)),
-      simulation_(setup_),
-      every_(kSnapshotEvery) {}
+      simulation_(setup_) {}
 
 // --- the run
 
@@ -104,14 +101,8 @@ void Inquiry::volts_seen(Pin pin, double volts, SimTime t) {
 
 void Inquiry::run_and_save() {
   while (!simulation_.is_over()) {
-    moments_.push_back({simulation_.now(), simulation_.save()});
-    if (moments_.size() >= kMostMoments) {
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < moments_.size(); i += 2) moments_[kept++] = std::move(moments_[i]);
-      moments_.resize(kept);
-      every_ *= 2;
-    }
-    simulation_.run_until(moments_.back().t + every_);
+    moments_.add({simulation_.now(), simulation_.save()});
+    simulation_.run_until(moments_.next());
   }
 }
 
@@ -125,12 +116,6 @@ judge::Outcome Inquiry::go() {
 
 // --- again
 
-std::size_t Inquiry::moment_before(SimTime t) const {
-  const auto behind = std::upper_bound(moments_.begin(), moments_.end(), t,
-                                       [](SimTime at, const Moment& moment) { return at < moment.t; });
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, behind - moments_.begin()) - 1);
-}
-
 void Inquiry::run_again(std::size_t from, SimTime until) {
   simulation_.restore(moments_[from].snapshot);
   causes_.begin();
@@ -143,11 +128,11 @@ void Inquiry::save_between(std::size_t moment) {
   const SimTime end = moments_[moment + 1].t;
   simulation_.restore(moments_[moment].snapshot);
   std::vector<Moment> between;
-  for (SimTime t = moments_[moment].t + kSnapshotEvery; t < end; t += kSnapshotEvery) {
+  for (SimTime t = moments_[moment].t + Moments::kEvery; t < end; t += Moments::kEvery) {
     simulation_.run_until(t);
     between.push_back({t, simulation_.save()});
   }
-  moments_.insert(moments_.begin() + static_cast<std::ptrdiff_t>(moment) + 1, between.begin(), between.end());
+  moments_.insert(moment, between);
 }
 
 std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses) {
@@ -179,7 +164,7 @@ bool Inquiry::go_back(std::size_t& from, bool for_registers) {
     const bool adjoins = for_registers && moment + 1 == from && causes_.open_registers();
     if (earlier == later && !adjoins) continue;
     if (const std::size_t before = moments_.size();
-        moments_[moment + 1].t - moments_[moment].t > kSnapshotEvery) {
+        moments_[moment + 1].t - moments_[moment].t > Moments::kEvery) {
       save_between(moment);
       const std::size_t more = moments_.size() - before;
       if (moment < from) from += more;
@@ -197,10 +182,10 @@ bool Inquiry::go_back(std::size_t& from, bool for_registers) {
 template <typename Ask>
 Inquiry::Steps Inquiry::trace(SimTime t, SimTime until, Ask ask) {
   const SimTime began = std::max<SimTime>(0, t - kHistory);
-  std::size_t from = moment_before(began);
-  if (from + 1 < moments_.size() && moments_[from + 1].t - moments_[from].t > kSnapshotEvery) {
+  std::size_t from = moments_.before(began);
+  if (from + 1 < moments_.size() && moments_[from + 1].t - moments_[from].t > Moments::kEvery) {
     save_between(from);
-    from = moment_before(began);
+    from = moments_.before(began);
   }
   run_again(from, until);
   ask();

@@ -15,6 +15,7 @@
 
 #include "sim/exec/core/causes.h"
 #include "sim/run/simulation.h"
+#include "sim/runner/moments.h"
 
 namespace robosim::runner {
 
@@ -27,10 +28,6 @@ class Inquiry final : run::Listener {
   judge::Outcome go();
 
  private:
-  struct Moment {
-    SimTime t = 0;
-    run::Simulation::Snapshot snapshot;
-  };
   struct Command {
     SimTime t = 0;
     double left = 0.0, right = 0.0;
@@ -43,7 +40,6 @@ class Inquiry final : run::Listener {
   void volts_seen(Pin pin, double volts, SimTime t) override;
 
   void run_and_save();
-  std::size_t moment_before(SimTime t) const;
   void run_again(std::size_t from, SimTime until);
   template <typename Ask>
   Steps trace(SimTime t, SimTime until, Ask ask);
@@ -64,8 +60,7 @@ class Inquiry final : run::Listener {
   const std::vector<robot::WiredPin> wiring_;
   exec::CauseFinder& causes_;
   run::Simulation simulation_;
-  std::vector<Moment> moments_;
-  SimTime every_;  ///< between two of them
+  Moments moments_;
   bool looks_again_ = false;
 
   std::vector<Command> commands_;                                     ///< of the motors

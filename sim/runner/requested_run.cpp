@@ -10,6 +10,7 @@
 #include "sim/judge/goal.h"
 #include "sim/robot/describe.h"
 #include "sim/runner/answers.h"
+#include "sim/runner/debugged_run.h"
 #include "sim/runner/inquiry.h"
 #include "sim/runner/known_hash.h"
 #include "sim/scenario/scenario.h"
@@ -134,6 +135,11 @@ void RequestedRun::flush(SimTime t) {
   if (bundler_) bundler_->flush();
 }
 
+void RequestedRun::debug_with(exec::gdb::Server& server) {
+  executor().debug_with(server);
+  debugger_ = &server;
+}
+
 judge::Outcome RequestedRun::inquire() const {
   const Member& member = members_.front();
   std::vector<robot::WiredPin> wiring;
@@ -144,6 +150,11 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
+  // What counts or looks on beside the run would count twice what is run again, and a client does not go
+  // back.
+  const bool may_go_back =
+      !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
+  if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};
   const auto name = [&](int number) { return members_[static_cast<std::size_t>(number)].asked.name; };
   try {
     return run::simulate(setup_);

@@ -45,6 +45,8 @@ class RequestedRun {
 
   /// Of one robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
+  /// `server`, which outlives this, may halt the first robot's chip, and go back where that can be done.
+  void debug_with(exec::gdb::Server& server);
   /// For what the request does not say: who may interrupt it, who drives it.
   run::Setup& setup() { return setup_; }
   /// Tells what is held back: what sketches have sent of a line; the columns.
@@ -75,6 +77,7 @@ class RequestedRun {
   std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
   std::deque<Member> members_;
   run::Setup setup_;
+  exec::gdb::Server* debugger_ = nullptr;
 };
 
 }  // namespace robosim::runner

@@ -140,7 +140,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
-    run.executor().debug_with(*debugger);
+    run.debug_with(*debugger);
   }
   run.setup().interrupted = &interrupted;
   run.setup().reached = relay ? &relay->reached() : &reached;

@@ -13,6 +13,7 @@
 
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
+#include "sim/exec/gdb/history.h"
 #include "sim/exec/gdb/server.h"
 #include "tests/fuzz/require.h"
 
@@ -43,6 +44,12 @@ class Memory final : public Processor {
   }
   std::string description() const override { return "<target/>"; }
   std::string monitor(const std::string& command) override { return command + "\n"; }
+};
+
+struct Past final : History {
+  bool reaches_back() const override { return true; }
+  bool is_at_front() const override { return true; }
+  void forget() override {}
 };
 
 constexpr std::uint16_t kFirstPort = 20'000, kPorts = 10'000;
@@ -82,6 +89,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           "a debugger can speak");
   ::shutdown(debugger.get(), SHUT_WR);
 
+  Past past;
+  if (size % 2 == 0) server->go_back_in(past);
   Memory memory;
   for (int steps = 0; steps < 1000 && server->attached() && !interrupted; ++steps)
     server->stand_still(memory, {Signal::trap, Access::write, 0x100});

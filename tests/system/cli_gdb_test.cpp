@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cstdlib>
 #include <future>
@@ -85,8 +86,9 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     Ended run;
     std::string gdb;  ///< what it printed
   };
-  /// A run, and gdb attached to it with these commands; gdb itself tries until the run listens.
-  Session debug(const std::string& commands) const {
+  /// A run, and gdb attached to it with these commands; gdb itself tries until the run listens. `status`: 1
+  /// if the last command is refused.
+  Session debug(const std::string& commands, int status = 0) const {
     const std::string port = std::to_string(free_port());
     folder_.write(
         "commands",
@@ -95,7 +97,7 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     auto runs = std::async(std::launch::async, [&] { return run({"--gdb", port}); });
     const std::string gdb = "cd '" + folder_.path().string() + "' && timeout 120 " + debugger() +
                             " -nx -batch -x commands out/My.elf >gdb.out 2>&1 </dev/null";
-    EXPECT_EQ(std::system(gdb.c_str()), 0);
+    EXPECT_EQ(WEXITSTATUS(std::system(gdb.c_str())), status);
     return {runs.get(), read_file(folder_ / "gdb.out")};
   }
 
@@ -144,6 +146,36 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
   const auto millis = lines_with(session.gdb, "$");
   ASSERT_GE(millis.size(), 3u);
   EXPECT_EQ(millis[1].substr(5), millis[2].substr(5)) << "millis()";
+}
+
+TEST_P(CliGdb, GoesBackOnTheTargetAvr) {
+  const Ended alone = run();
+  const std::string there = "break My.ino:10\ncontinue\ncontinue\ncontinue\n";
+  if (std::string(GetParam().target) != "avr") {
+    const Session session = debug(there + "reverse-stepi\n", 1);
+    EXPECT_THAT(session.gdb, HasSubstr("Target remote does not support this command"));
+    EXPECT_EQ(session.run.out, alone.out);
+    return;
+  }
+  const Session session =
+      debug(there +
+            "print $pc\nreverse-stepi\nstepi\nprint $pc\n"
+            "reverse-continue\nprint passes\nreverse-step\n"
+            "delete\nwatch passes\nreverse-continue\nprint passes\nbacktrace\n"
+            "continue\ncontinue\ncontinue\nprint passes\ndelete\nreverse-continue\ncontinue\n");
+  SCOPED_TRACE(session.gdb);
+  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  const auto values = lines_with(session.gdb, "$");
+  ASSERT_EQ(values.size(), 5u);
+  EXPECT_EQ(values[0].substr(5), values[1].substr(5)) << "a step back, and one forth";
+  EXPECT_EQ(values[2], "$3 = 1");
+  EXPECT_EQ(values[3], "$4 = 0");
+  EXPECT_EQ(values[4], "$5 = 3");
+  EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 1\nNew value = 0\n"));
+  EXPECT_THAT(session.gdb, HasSubstr("#0  0x")) << "in the middle of the line that has written it";
+  EXPECT_THAT(session.gdb, HasSubstr("in loop () at My.ino:10"));
+  EXPECT_THAT(session.gdb, HasSubstr("No more reverse-execution history"));
+  EXPECT_THAT(session.gdb, HasSubstr("exited normally"));
 }
 
 TEST_P(CliGdb, AfterADetachTheRunGoesOnAlone) {

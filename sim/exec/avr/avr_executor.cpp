@@ -84,12 +84,10 @@ class AvrExecutor::Running final : public RunningChip {
                   : RunningChip::driving(pin, drive);
   }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
-  std::any save() const override {
-    if (debugger_) throw InputError("a run that a debugger may halt cannot be saved");
-    return machine_.save();
-  }
+  std::any save() const override { return machine_.save(); }
   void restore(const std::any& saved) override {
     machine_.restore(std::any_cast<const avr::Machine::Saved&>(saved));
+    if (debugger_) debugger_->restored();
   }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
 

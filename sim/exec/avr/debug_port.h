@@ -29,6 +29,7 @@ class DebugPort final : public gdb::DebugPort {
   gdb::Signal fault() const override;
   bool is_asleep() const override { return chip().is_asleep(); }
   std::size_t open_handlers() const override { return static_cast<std::size_t>(chip().open_handlers()); }
+  std::uint32_t pc() const override;
   std::uint64_t cycle() const override { return chip().cycle(); }
   SimTime time() const override { return board_.to_world(machine_->now()); }
   bool has_code(std::uint32_t address) const override { return address < flash_end(); }
@@ -37,7 +38,6 @@ class DebugPort final : public gdb::DebugPort {
   void trap(std::uint32_t address, bool set) override;
   void resume() override { chip().step_singly(steps_singly()); }
 
-  std::uint32_t pc() const;
   std::uint32_t flash_end() const;  ///< an image built with checks may exceed the real chip's
   std::uint32_t data_end() const;
   WatchedChip& chip() const { return machine_->chip(); }

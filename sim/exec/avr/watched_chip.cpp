@@ -202,10 +202,15 @@ void WatchedChip::show(Detector& detector, std::uint32_t pc) {
 }
 
 void WatchedChip::restore(const Saved& saved) {
-  chip_.restore(saved.chip);
-  for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, false);
+  const std::vector<TrapPlace> here = std::exchange(state_.traps, {});
+  for (const TrapPlace& place : here) chip_.cpu().set_mark(place.pc / 2, false);
   state_ = saved.own;
+  for (TrapPlace& place : state_.traps) place.traps &= ~unsigned{kBreakpoint};
+  std::erase_if(state_.traps, [](const TrapPlace& place) { return place.traps == 0; });
   for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, true);
+  for (const TrapPlace& place : here)
+    if (place.traps & kBreakpoint) set_trap(kBreakpoint, place.pc);
+  chip_.restore(saved.chip);
 }
 
 bool WatchedChip::visited(std::uint32_t pc, Cycle at) {

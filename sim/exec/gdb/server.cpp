@@ -6,6 +6,8 @@
 #include <charconv>
 #include <vector>
 
+#include "sim/exec/gdb/history.h"
+
 namespace robosim::exec::gdb {
 namespace {
 
@@ -65,6 +67,23 @@ std::string write_registers(Processor& processor, std::string_view bytes) {
   return kDone;
 }
 
+std::string write_to(Processor& processor, const std::string& packet) {
+  Fields fields(std::string_view(packet).substr(1));
+  if (packet[0] == 'G') return write_registers(processor, fields.bytes());
+  if (packet[0] == 'P') {
+    const unsigned number = fields.number();
+    fields.skip('=');
+    return processor.write_register(number, fields.bytes()) && fields.sound() ? kDone : kRefused;
+  }
+  const std::uint32_t address = fields.number();
+  fields.skip(',');
+  const std::uint32_t size = fields.number();
+  fields.skip(':');
+  const std::string bytes = fields.bytes();
+  if (!fields.sound() || bytes.size() != size) return kRefused;
+  return processor.write_memory(address, bytes) ? kDone : kRefused;
+}
+
 std::string stops(Processor& processor, const std::string& packet) {
   const bool set = packet[0] == 'Z';
   const char kind = packet.size() > 1 ? packet[1] : ' ';
@@ -89,6 +108,8 @@ std::string stops(Processor& processor, const std::string& packet) {
 
 std::string Server::stop_reply() const {
   const int signal = static_cast<int>(stop_.signal);
+  if (stop_.edge != Edge::none)
+    return fmt::format("T{:02x}replaylog:{};", signal, stop_.edge == Edge::begin ? "begin" : "end");
   if (!stop_.access) return fmt::format("S{:02x}", signal);
   const char* kinds[] = {"watch", "rwatch", "awatch"};
   return fmt::format("T{:02x}{}:{:x};", signal, kinds[static_cast<int>(*stop_.access) - 2], stop_.address);
@@ -96,8 +117,9 @@ std::string Server::stop_reply() const {
 
 std::string Server::query(Processor& processor, const std::string& packet) {
   if (begins(packet, "qSupported")) {
-    const std::string features = processor.description().empty() ? "" : ";qXfer:features:read+";
-    return fmt::format("PacketSize={:x};QStartNoAckMode+{}", 2 * kMostBytes, features);
+    const char* const features = processor.description().empty() ? "" : ";qXfer:features:read+";
+    const char* const back = history_ ? ";ReverseStep+;ReverseContinue+" : "";
+    return fmt::format("PacketSize={:x};QStartNoAckMode+{}{}", 2 * kMostBytes, features, back);
   }
   if (begins(packet, "qAttached")) return "1";  // so that gdb detaches when it is left, and does not kill
   if (begins(packet, "qRcmd,")) {
@@ -118,6 +140,14 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
+/// What has been told cannot be taken back: no other run follows in its place.
+std::string Server::write(Processor& processor, const std::string& packet) {
+  if (history_ && !history_->is_at_front()) return kRefused;
+  const std::string said = write_to(processor, packet);
+  if (history_ && said == kDone) history_->forget();
+  return said;
+}
+
 std::string Server::answer(Processor& processor, const std::string& packet) {
   Fields fields(std::string_view(packet).substr(1));
   switch (packet[0]) {
@@ -129,16 +159,9 @@ std::string Server::answer(Processor& processor, const std::string& packet) {
       return kDone;
     case 'g':
       return to_hex(processor.registers());
-    case 'G':
-      return write_registers(processor, fields.bytes());
     case 'p': {
       const std::string bytes = processor.read_register(fields.number());
       return bytes.empty() ? kRefused : to_hex(bytes);
-    }
-    case 'P': {
-      const unsigned number = fields.number();
-      fields.skip('=');
-      return processor.write_register(number, fields.bytes()) && fields.sound() ? kDone : kRefused;
     }
     case 'm': {
       const std::uint32_t address = fields.number();
@@ -148,15 +171,10 @@ std::string Server::answer(Processor& processor, const std::string& packet) {
       const std::string bytes = processor.read_memory(address, std::min(size, kMostBytes));
       return bytes.empty() && size > 0 ? kRefused : to_hex(bytes);
     }
-    case 'M': {
-      const std::uint32_t address = fields.number();
-      fields.skip(',');
-      const std::uint32_t size = fields.number();
-      fields.skip(':');
-      const std::string bytes = fields.bytes();
-      if (!fields.sound() || bytes.size() != size) return kRefused;
-      return processor.write_memory(address, bytes) ? kDone : kRefused;
-    }
+    case 'G':
+    case 'P':
+    case 'M':
+      return write(processor, packet);
     case 'Z':
     case 'z':
       return stops(processor, packet);
@@ -178,6 +196,11 @@ std::optional<Server::Order> Server::obey(Processor& processor, const std::strin
     case 's':
     case 'S':
       return Order::step;
+    case 'b':
+      if (history_ && packet == "bc") return Order::go_back;
+      if (history_ && packet == "bs") return Order::step_back;
+      connection_.send(kUnknown);
+      return std::nullopt;
     case 'D':
       connection_.send(kDone);
       connection_.close();
@@ -206,6 +229,8 @@ Server::Order Server::stand_still(Processor& processor, const Stop& stop) {
   }
   return Order::go;
 }
+
+void Server::say(const std::string& line) { connection_.send(fmt::format("O{}", to_hex(line + "\n"))); }
 
 void Server::ended(int status) {
   if (!connection_.open()) return;

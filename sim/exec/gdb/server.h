@@ -24,11 +24,15 @@ enum class Signal { none = 0, interrupt = 2, illegal = 4, trap = 5, fault = 11 }
 
 enum class Access { write = 2, read = 3, any = 4 };  ///< as in Z2, Z3, Z4
 
+/// An end of what can be run again.
+enum class Edge { none, begin, end };
+
 /// Why a processor stands still.
 struct Stop {
   Signal signal = Signal::trap;
   std::optional<Access> access;  ///< a watchpoint's
   std::uint32_t address = 0;     ///< of that watchpoint, as gdb gave it
+  Edge edge = Edge::none;        ///< it can go no further
 };
 
 /// A processor while it stands still. Addresses are gdb's; bytes are in the target's order.
@@ -53,13 +57,20 @@ class Processor {
   ~Processor() = default;
 };
 
+class History;
+
 class Server {
  public:
   /// See Connection. `interrupted` is set when the debugger kills the program.
   Server(std::uint16_t port, std::atomic<bool>& interrupted)
       : connection_(port, interrupted), interrupted_(interrupted) {}
 
-  enum class Order { go, step };
+  /// From now on the run can go back; `history` outlives this. Else gdb says that it cannot.
+  void go_back_in(History& history) { history_ = &history; }
+  /// Null where it cannot.
+  History* history() const { return history_; }
+
+  enum class Order { go, step, go_back, step_back };
   /// Waits for the debugger the first time, then tells it why `processor` stands still, and serves it until
   /// it says how to go on. If it has detached, killed the program, or gone, nothing is attached any more, and
   /// the order is go.
@@ -68,6 +79,8 @@ class Server {
   bool attached() const { return !met_ || connection_.open(); }
   /// Whether the debugger asks for a halt by Ctrl-C; does not wait, costs a system call.
   bool asks_to_halt() { return met_ && connection_.asks_to_halt(); }
+  /// Prints a line in the debugger, which waits for the next halt.
+  void say(const std::string& line);
   /// The run is over, with this exit status.
   void ended(int status);
 
@@ -75,10 +88,12 @@ class Server {
   std::optional<Order> obey(Processor& processor, const std::string& packet);
   std::string answer(Processor& processor, const std::string& packet);
   std::string query(Processor& processor, const std::string& packet);
+  std::string write(Processor& processor, const std::string& packet);
   std::string stop_reply() const;
 
   Connection connection_;
   std::atomic<bool>& interrupted_;
+  History* history_ = nullptr;
   bool met_ = false;
   Stop stop_;
 };

@@ -30,6 +30,7 @@ class DebugPort final : public gdb::DebugPort {
   gdb::Signal fault() const override;
   bool is_asleep() const override { return cpu().is_asleep(); }
   std::size_t open_handlers() const override { return cpu().open_handlers(); }
+  std::uint32_t pc() const override;
   std::uint64_t cycle() const override { return machine_->bus().link().clock.now; }
   SimTime time() const override { return board_.to_world(machine_->time_of(cycle())); }
   bool has_code(std::uint32_t address) const override { return firmware_.has_code(address); }
@@ -38,7 +39,6 @@ class DebugPort final : public gdb::DebugPort {
   void trap(std::uint32_t address, bool set) override { cpu().set_breakpoint(address, set); }
   void resume() override { cpu().pass_breakpoint(); }
 
-  std::uint32_t pc() const;
   Cpu& cpu() const { return machine_->cpu(); }
 
   const Firmware& firmware_;

@@ -7,4 +7,6 @@ bool Connection::asks_to_halt() { return false; }
 
 Server::Order Server::stand_still(Processor&, const Stop&) { return Order::go; }
 
+void Server::say(const std::string&) {}
+
 }  // namespace robosim::exec::gdb

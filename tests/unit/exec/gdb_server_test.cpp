@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/exec/gdb/history.h"
 #include "tests/support/gdb_client.h"
 
 namespace robosim::exec::gdb {
@@ -48,6 +49,14 @@ class Fake final : public Processor {
  private:
   std::string registers_[2] = {"\x01\x02", "\x03\x04"};
   std::string memory_ = "0123456789abcdef";
+};
+
+struct Past final : History {
+  bool reaches_back() const override { return true; }
+  bool is_at_front() const override { return at_front; }
+  void forget() override { ++forgotten; }
+  bool at_front = true;
+  int forgotten = 0;
 };
 
 class GdbServer : public testing::Test {
@@ -108,6 +117,31 @@ TEST_F(GdbServer, SaysWhyTheProcessorStandsStill) {
   gdb_.say("c");
   server_.stand_still(processor_, {Signal::trap, Access::write, 0x800123});
   EXPECT_EQ(gdb_.reply(), "T05watch:800123;");
+}
+
+TEST_F(GdbServer, GoesBackOnlyWhereThatCanBeDone) {
+  EXPECT_THAT(ask({"qSupported", "bs", "bc"}), ElementsAre("PacketSize=2000;QStartNoAckMode+", "", ""));
+  Past past;
+  server_.go_back_in(past);
+  EXPECT_THAT(ask({"qSupported", "b", "bx"}),
+              ElementsAre(HasSubstr(";ReverseStep+;ReverseContinue+"), "", ""));
+  gdb_.say("bs");
+  EXPECT_EQ(server_.stand_still(processor_, {}), Server::Order::step_back);
+  gdb_.say("bc");
+  EXPECT_EQ(server_.stand_still(processor_, {.edge = Edge::begin}), Server::Order::go_back);
+  EXPECT_EQ(gdb_.reply(), "S05");
+  EXPECT_EQ(gdb_.reply(), "T05replaylog:begin;");
+}
+
+TEST_F(GdbServer, WhatIsWrittenEndsThePastAndThePastIsNotWritten) {
+  Past past;
+  server_.go_back_in(past);
+  EXPECT_THAT(ask({"M100,2:5859", "P1=aabb", "P7=aabb"}), ElementsAre("OK", "OK", "E01"));
+  EXPECT_EQ(past.forgotten, 2);
+  past.at_front = false;
+  EXPECT_THAT(ask({"M100,2:3031", "P1=ccdd", "G11223344", "m100,2", "g"}),
+              ElementsAre("E01", "E01", "E01", "5859", "0102aabb"));
+  EXPECT_EQ(past.forgotten, 2);
 }
 
 TEST_F(GdbServer, CtrlCAsksForAHaltOnce) {

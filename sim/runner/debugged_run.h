@@ -1,0 +1,46 @@
+// A run that a debugger halts, and goes back in: it is saved now and then, and run again from there
+// (sim/exec/gdb/history.h). What it comes to, and what it tells, is what it would be without.
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "sim/exec/gdb/history.h"
+#include "sim/run/simulation.h"
+#include "sim/runner/moments.h"
+#include "sim/runner/told_once.h"
+
+namespace robosim::runner {
+
+class DebuggedRun final : exec::gdb::History {
+ public:
+  /// Of one robot, whose executor can be saved. Both outlive this.
+  DebuggedRun(const run::Setup& setup, exec::gdb::Server& server);
+
+  judge::Outcome go();
+
+ private:
+  bool reaches_back() const override { return !moments_.empty(); }
+  bool is_at_front() const override { return told_.is_at_front(); }
+  void forget() override { moments_.clear(); }
+
+  void run_on();
+  bool halts_at_end(const judge::Outcome& outcome);
+  void go_back();
+  std::optional<std::size_t> find();
+  bool look(std::size_t moment, SimTime closely_from);
+  void seek(std::size_t moment, const exec::gdb::Place& place);
+  void restore(std::size_t moment);
+  /// The debugger has gone, or the run is to end.
+  bool is_left_alone() const { return !server_.attached() || (interrupted_ && *interrupted_); }
+
+  exec::gdb::Server& server_;
+  ToldOnce told_;
+  const std::atomic<bool>* const interrupted_;
+  run::Setup setup_;
+  run::Simulation simulation_;
+  Moments moments_;
+  bool end_shown_ = false;
+};
+
+}  // namespace robosim::runner
