@@ -25,15 +25,30 @@ export function drawBody(ctx, px, pose, robot, colour) {
   });
 }
 
+/** Where its steered wheels are, and how they are turned to the left, rad; none where it has none. */
+export function steeredWheels(run, t) {
+  const { steering, track } = run.robot ?? {};
+  const reading = steering && run.at(steering.servo, t);
+  if (reading === undefined) return [];
+  const { base, wheels, middle, ratio, limit } = steering;
+  const turned = Math.min(Math.max((reading - middle) * ratio, -limit), limit) * Math.PI / 180;
+  // All axles point to one centre, beside the driven one.
+  const angle = (y) => Math.abs(turned) < 1e-6 ? 0 : Math.atan(base / (base / Math.tan(turned) - y));
+  return (wheels === 2 ? [track / 2, -track / 2] : [0]).map((y) => ({ x: base, y, angle: angle(y) }));
+}
+
 /** With its wheels, and what each sensor sees. */
 export function drawRobot(ctx, px, run, t) {
   const pose = run.pose(t), { robot } = run;
   drawBody(ctx, px, pose, robot, style('robot'));
   placed(ctx, pose, () => {
     const { track = 0, wheel = 0 } = robot ?? {};
+    const width = Math.min(0.12 * track, 0.4 * wheel);
+    ctx.fillStyle = style('wheel');
+    for (const { x, y, angle } of steeredWheels(run, t))
+      placed(ctx, { x, y, yaw: angle }, () => ctx.fillRect(-wheel / 2, -width / 2, wheel, width));
     for (const [side, name] of [[0.5, 'left'], [-0.5, 'right']]) {
       if (!track || !wheel) break;
-      const width = Math.min(0.12 * track, 0.4 * wheel);
       ctx.fillStyle = style('wheel');
       ctx.fillRect(-wheel / 2, side * track - width / 2, wheel, width);
       const speed = run.at(`wheel_${name}_mm_s`, t) ?? 0;

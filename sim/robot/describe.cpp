@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/robot/parts/servo.h"
+
 namespace robosim::robot {
 namespace {
 
@@ -18,6 +20,25 @@ std::vector<Vec2> outline_of(const Chassis& chassis) {
   return corners;
 }
 
+std::optional<SteeredWheels> steered_of(const Description& robot) {
+  const Steering& steering = robot.chassis.steering;
+  if (!steering.exists()) return std::nullopt;
+  SteeredWheels wheels;
+  wheels.servo = steering.servo;
+  wheels.base = steering.base.value;
+  wheels.wheels = steering.ackermann ? 2 : 1;
+  wheels.limit = steering.ackermann
+                     ? world::steered_middle(steering.limit.value, robot.chassis.track.value, wheels.base)
+                     : steering.limit.value;
+  for (const auto& part : robot.parts) {
+    const auto* servo = dynamic_cast<const ServoSpec*>(part.get());
+    if (!servo || servo->name != steering.servo) continue;
+    wheels.middle = servo->range.value / 2.0;
+    wheels.ratio = servo->reversed ? -steering.ratio.value : steering.ratio.value;
+  }
+  return wheels;
+}
+
 }  // namespace
 
 Summary describe(const Description& robot) {
@@ -31,6 +52,7 @@ Summary describe(const Description& robot) {
   summary.outline = outline_of(robot.chassis);
   summary.track = robot.chassis.track.value;
   summary.wheel = robot.chassis.wheel.value;
+  summary.steered = steered_of(robot);
   for (const auto& part : robot.parts) {
     PartSummary& about = summary.parts.emplace_back(PartSummary{part->name, part->type, {}});
     for (const Wire& wire : part->wires) about.pins.emplace_back(wire.role, wire.pin);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,16 @@ struct PartSummary {
   std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (netlist.h)
 };
 
+/// Wheels that a servo turns, for whoever draws them.
+struct SteeredWheels {
+  std::string servo;    ///< whose reading it is
+  double base = 0.0;    ///< m, from the driven axle
+  int wheels = 1;       ///< two stand `track` apart
+  double middle = 0.0;  ///< rad, the servo's reading with the wheels ahead
+  double ratio = 0.0;   ///< rad to the left of the wheels' middle for each of the reading
+  double limit = 0.0;   ///< rad, of the wheels' middle to each side
+};
+
 struct Summary {
   std::string name;
   std::string file;
@@ -32,6 +43,7 @@ struct Summary {
   std::vector<SensorPlace> sensors;  ///< in the order of Robot::readings()
   std::vector<Gauge> gauges;         ///< readings that are numbers with units
   std::vector<PartSummary> parts;
+  std::optional<SteeredWheels> steered;
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the order of their outputs
 };
 

@@ -1,5 +1,7 @@
 #include "sim/runner/answers.h"
 
+#include <numbers>
+
 #include "hal/board/board_spec.h"
 #include "sim/robot/netlist.h"
 
@@ -7,6 +9,7 @@ namespace robosim::runner {
 namespace {
 
 double millimetres(double metres) { return metres * 1e3; }
+double degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
 
 }  // namespace
 
@@ -111,6 +114,9 @@ wire::RobotInfo to_wire(const robot::Summary& robot) {
     info.outline_mm.push_back({millimetres(corner.x), millimetres(corner.y)});
   info.track_mm = millimetres(robot.track);
   info.wheel_mm = millimetres(robot.wheel);
+  if (const auto& s = robot.steered)
+    info.steering = {s->servo, millimetres(s->base), s->wheels, degrees(s->middle),
+                     s->ratio, degrees(s->limit)};
   for (const robot::SensorPlace& s : robot.sensors)
     info.sensors.push_back({s.name, millimetres(s.at.x), millimetres(s.at.y), millimetres(s.footprint)});
   for (const robot::Gauge& gauge : robot.gauges) info.gauges.push_back({gauge.name, gauge.unit});

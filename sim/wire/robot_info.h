@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,15 @@ struct RobotInfo {
     std::vector<std::pair<std::string, std::string>>
         pins;  ///< what the pin is for, and the pin: {"in1", "8"}
   };
+  /// Wheels that a servo turns.
+  struct Steering {
+    std::string servo;        ///< whose reading it is
+    double base_mm = 0.0;     ///< from the driven axle, ahead of it
+    int wheels = 1;           ///< two are `track` apart
+    double middle_deg = 0.0;  ///< the reading with which they point ahead
+    double ratio = 0.0;       ///< degrees to the left for each of the reading
+    double limit_deg = 0.0;   ///< to each side
+  };
   std::string name;
   std::string file;
   std::string sha256;
@@ -48,6 +58,7 @@ struct RobotInfo {
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
   double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = not known
   double wheel_mm = 0.0;                          ///< diameter; 0 = not known
+  std::optional<Steering> steering;
   std::vector<Sensor> sensors;
   std::vector<Gauge> gauges;
   std::vector<Part> parts;
@@ -65,6 +76,17 @@ template <class V>
 void fields(V& v, Same<V, RobotInfo::Budget>& b) {
   v("flash_bytes", b.flash_bytes, "at most; 0 means all there is");
   v("ram_bytes", b.ram_bytes, "at most; 0 means all there is");
+}
+
+template <class V>
+void fields(V& v, Same<V, RobotInfo::Steering>& s) {
+  v("servo", s.servo, "the name of its reading");
+  v("base", s.base_mm, "from the driven axle to the steered wheels", {.unit = "mm"});
+  v("wheels", s.wheels, "1, or 2 that are `track` apart");
+  v("middle", s.middle_deg, "the reading with which they point ahead", {.unit = "deg"});
+  v("ratio", s.ratio,
+    "degrees to the left for each degree of the reading; of two wheels of the middle between them");
+  v("limit", s.limit_deg, "how far they turn to each side, so measured", {.unit = "deg"});
 }
 
 template <class V>
@@ -102,6 +124,8 @@ void fields(V& v, Same<V, RobotInfo>& r) {
   v("track", r.track_mm, "between the wheels' contact points, which are left and right of the axle's centre",
     {.unit = "mm", .presence = kOptional});
   v("wheel", r.wheel_mm, "a wheel's diameter", {.unit = "mm", .presence = kOptional});
+  v("steering", r.steering, "wheels that a servo turns, as the file has them, without spread",
+    {.presence = kOptional});
   v("sensors", r.sensors, "those that look at the floor");
   v("gauges", r.gauges, "readings that are numbers with a unit; other readings are levels, or on and off",
     {.presence = kOptional});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "sim/robot/describe.h"
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
@@ -54,6 +55,24 @@ TEST(Steering, DrivesOnTheRadiusThatItsServoSays) {
     const double expected = std::tan(degrees * kDegree) / 0.1;
     EXPECT_NEAR(body.turn_rate() / body.speed(), expected, kTwoPercent * std::fabs(expected));
   }
+}
+
+TEST(Steering, IsToldWithWhatADrawingNeeds) {
+  EXPECT_FALSE(describe(parse_description(kBareRobot, "bare.toml")).steered);
+  const std::string reversed = kFront + "reversed = true\n";
+  const auto car_of = [&](const std::string& more, const std::string& front) {
+    return describe(parse_description(car(steering(more), kDrive + front), "car.toml")).steered.value();
+  };
+  const SteeredWheels one = car_of(", limit = \"25 deg\", ratio = 0.5", kFront);
+  EXPECT_EQ(one.servo, "front");
+  EXPECT_EQ(one.wheels, 1);
+  EXPECT_NEAR(one.middle, 90.0 * kDegree, 1e-9);
+  EXPECT_NEAR(one.ratio, 0.5, 1e-9);
+  EXPECT_NEAR(one.limit, 25.0 * kDegree, 1e-9);
+  const SteeredWheels two = car_of(", limit = \"25 deg\", wheels = 2", reversed);
+  EXPECT_EQ(two.wheels, 2);
+  EXPECT_NEAR(two.ratio, -1.0, 1e-9) << "longer pulses turn it to the right";
+  EXPECT_LT(two.limit, one.limit) << "the limit is that of the inner wheel";
 }
 
 TEST(Steering, TurnsAsFastAsItsServoUpToItsLimit) {

@@ -135,6 +135,7 @@ std::vector<Table> tables() {
           table<RobotInfo::Board>("robot.board"),
           table<RobotInfo::Budget>("robot.budget"),
           table<RobotInfo::Sensor>("robot.sensors"),
+          table<RobotInfo::Steering>("robot.steering"),
           table<RobotInfo::Gauge>("robot.gauges"),
           table<RobotInfo::Part>("robot.parts"),
           table<Started>("started"),
