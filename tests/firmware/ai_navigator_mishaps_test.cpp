@@ -192,6 +192,10 @@ TEST_F(AiNavigatorAgain, SaysThatThereIsNoWayRoundAnObstacleThatStays) {
   scan();
   robot().act("obstacle 8,3");
   robot().send("3\n");
+  ASSERT_TRUE(robot().run_until(serial_says("collision: waiting"), within(1_min)));
+  const Drive wait = robot().run_until(motors_start(), within(4500_ms));
+  ASSERT_TRUE(wait) << "its patience is 4 s";
+  EXPECT_GT(wait.end() - wait.begin(), 3500_ms);
   ASSERT_TRUE(robot().run_until(serial_says("no way to 3"), within(1_min)));
   robot().act("clear 8,3");
   ASSERT_TRUE(go_to("2"));
@@ -249,6 +253,7 @@ TEST_F(AiNavigatorAgain, StopsAndSaysSoBetweenTwoObstacles) {
 TEST_F(AiNavigatorAgain, SaysHowLongItsScanTook) {
   put_on(kTee);
   ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+  robot().run_for(3_s);
   robot().press("start");
   ASSERT_TRUE(robot().run_until(serial_says("scanning"), within(1_s)));
   const Drive scan = robot().run_until(serial_says("scan complete"), within(1_min));

@@ -141,6 +141,10 @@ TEST(PonyNavigatorsRefusals, SayWhy) {
   };
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
   ASSERT_TRUE(is_told("station1", "no map: scan first"));
+  robot.run_for(900_ms);
+  EXPECT_TRUE(robot.is_on("buzzer")) << "for a second";
+  robot.run_for(200_ms);
+  EXPECT_FALSE(robot.is_on("buzzer"));
   ASSERT_TRUE(is_told("scan", "scan complete, stations: 3"));
   robot.act("send radio 0b0000001");
   ASSERT_TRUE(robot.run_until(serial_says("refused: not 8 bits"), within(1_s)));

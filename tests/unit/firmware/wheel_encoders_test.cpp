@@ -49,12 +49,12 @@ TEST_F(WheelEncodersTest, CountEachWheelOnceInTheDirectionInWhichItIsDriven) {
 }
 
 TEST_F(WheelEncodersTest, TakeAWheelThatIsBrakedToRunOnAsItDid) {
-  encoders.setDirections(-100, 100);
+  encoders.setDirections(-100, -100);
   encoders.setDirections(0, 0);
   edges(kLeft, 2);
   edges(kRight, 2);
   EXPECT_EQ(encoders.takeLeft(), -2);
-  EXPECT_EQ(encoders.takeRight(), 2);
+  EXPECT_EQ(encoders.takeRight(), -2);
 }
 
 }  // namespace
