@@ -24,6 +24,24 @@ typedef nav::FixedNetwork<60> Map;
 typedef nav::LinkTable<200, 4> Links;
 typedef std::vector<int> Way;
 
+/// A map that may be asked of nodes that it has only, and of their arms.
+class StrictMap : public Map {
+ public:
+  bool isStation(Id node) const { return known(node), Map::isStation(node); }
+  uint8_t arms(Id node) const { return known(node), Map::arms(node); }
+  Id parent(Id node) const { return known(node), Map::parent(node); }
+  uint8_t row(Id node) const { return known(node), Map::row(node); }
+  Id link(Id node, uint8_t slot) const { return known(node, slot), Map::link(node, slot); }
+  uint32_t cost(Id node, uint8_t slot) const { return known(node, slot), Map::cost(node, slot); }
+
+ private:
+  void known(Id node, uint8_t slot = 0) const {
+    if (node >= size()) ADD_FAILURE() << "node " << +node << " of " << +size();
+    if (slot > 0 && slot >= nav::slotCount(Map::arms(node)))
+      ADD_FAILURE() << "slot " << +slot << " of node " << +node;
+  }
+};
+
 template <class Network>
 void explore(Dice& dice, Floor& floor, Network& network) {
   SeeingWalker walker(floor, {randomStand(dice, floor).arm});
@@ -206,7 +224,7 @@ TEST(Planners, AgreeOnThousandsOfNetsWithCycles) {
     Dice dice(seed);
     Floor floor = randomNet(dice, 1 + dice.below(dice.oneIn(10) ? 64 : 20), dice.below(4) * 20);
     if (dice.oneIn(2)) blockSome(dice, floor, 10);
-    Map map;
+    StrictMap map;
     explore(dice, floor, map);
     for (int i = dice.below(4); i > 0; --i) {
       const int node = dice.below(map.size());
