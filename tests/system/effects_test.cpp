@@ -1,6 +1,6 @@
-// What light, height, slow sensors, a noisy ADC and a weak battery do to a sketch: for each a pair of runs
-// without and with it, in which a figure changes as docs/models.md says, and of two ways to read sensors the
-// one that gets through and the one that does not.
+// What light, height, slow sensors, a noisy ADC and a weak battery do to a sketch: for each a
+// pair of runs without and with it, in which a figure changes as docs/models.md says, and of two ways to read
+// sensors the one that gets through and the one that does not.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -168,6 +168,23 @@ TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   const wire::RunResult result = run("", loop, "typical", 'k', 1, 12.0);
   EXPECT_EQ(result.verdict, "reached") << result.why;
   EXPECT_GT(result.metrics.distance_m, 2.0);
+}
+
+// A light of 0.6 over the whole floor, which a script switches: calibrated in the dark, black is still far
+// enough from white, a threshold at half scale is not reached.
+TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
+  const std::string lit = "[[light]]\nlevel = 0.6\n", off = "at 0s light all off\n";
+  EXPECT_EQ(prints("", lit, 0.1, off).first, code(kBlack));
+  EXPECT_EQ(prints("", lit, 0.1, off + "at 80ms light all on\n").first,
+            code(kBlack - (kBlack - kWhite) * 0.6));
+  EXPECT_EQ(prints("", lit, 0.1, "at 80ms light all off\n").first, code(kBlack));
+  const auto drives = [&](char way, const std::string& script) {
+    return run("", lit, "typical", way, 1, 24.0, script).verdict == "reached";
+  };
+  EXPECT_TRUE(drives('c', off));
+  EXPECT_TRUE(drives('t', off));
+  EXPECT_TRUE(drives('c', off + "at 5s light all on\n"));
+  EXPECT_FALSE(drives('t', off + "at 5s light all on\n"));
 }
 
 class Survival : public Effects, public testing::WithParamInterface<Effect> {};
