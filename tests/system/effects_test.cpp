@@ -1,4 +1,4 @@
-// What light, height, slow sensors, a noisy ADC and a weak battery do to a sketch: for each a
+// What light, height, slow sensors, a noisy ADC, a weak battery and a shut door do to a sketch: for each a
 // pair of runs without and with it, in which a figure changes as docs/models.md says, and of two ways to read
 // sensors the one that gets through and the one that does not.
 #include <fmt/format.h>
@@ -185,6 +185,25 @@ TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
   EXPECT_TRUE(drives('t', off));
   EXPECT_TRUE(drives('c', off + "at 5s light all on\n"));
   EXPECT_FALSE(drives('t', off + "at 5s light all on\n"));
+}
+
+// Shut across the line, 1 m ahead.
+TEST_F(Effects, OfADoorThatIsShut) {
+  const auto run = [](const std::string& sketch, const std::string& script) {
+    return test::run({.sketch = sketch,
+                      .robot = ROBOSIM_SAMPLES "/StopsForBox/robot.toml",
+                      .goal = "none",
+                      .script = script,
+                      .for_s = 6.0});
+  };
+  const std::string stops = ROBOSIM_SAMPLES "/StopsForBox", shut = "at 0s door 20,12 20,16 shut";
+  EXPECT_EQ(run("LeftPath", "").metrics.collisions, 0);
+  EXPECT_EQ(run("LeftPath", shut).metrics.collisions, 1);
+  const wire::RunResult open = run(stops, ""), waits = run(stops, shut),
+                        goes_on = run(stops, shut + " for 4s");
+  EXPECT_EQ(open.metrics.collisions + waits.metrics.collisions + goes_on.metrics.collisions, 0);
+  EXPECT_GT(goes_on.metrics.distance_m, waits.metrics.distance_m + 0.1);
+  EXPECT_GT(open.metrics.distance_m, goes_on.metrics.distance_m + 0.1);
 }
 
 class Survival : public Effects, public testing::WithParamInterface<Effect> {};
