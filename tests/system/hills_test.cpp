@@ -89,6 +89,19 @@ TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
 
+// On plane floor. It would tip where it speeds up by more than g d / h, its mass d = 10 mm ahead of the axle.
+TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
+  const std::string low = robot("caster = \"50 mm\"\n");
+  EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");
+  const double without = run("TurnsBack", "", "r", 1.2, 1, "ideal", low).metrics.distance_m;
+  const std::string high = robot("caster = \"50 mm\"\nheight = \"25 mm\"\n");
+  const wire::RunResult at_once = run("TurnsBack", "", "h", 1.2, 1, "ideal", high);
+  EXPECT_EQ(at_once.verdict, "toppled") << at_once.why;
+  const wire::RunResult rises = run("TurnsBack", "", "r", 1.2, 1, "ideal", high);
+  EXPECT_EQ(rises.verdict, "reached") << rises.why;
+  EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // what the caster loses the driven wheels gain: grip
+}
+
 TEST_F(Hills, ThatEndHighAreFallenOff) {
   const wire::RunResult falls =
       run("ClimbsSlowly",
