@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSeconds = 120;
+constexpr const char* kLookAtEachAccess = "-fsanitize=address,undefined";
 
 std::vector<std::string> sources_in(const std::string& folder) {
   std::vector<std::string> sources;
@@ -42,16 +44,28 @@ bool run(std::vector<std::string> words, const fs::path& folder, std::string& ou
 bool compile(const fs::path& root, const std::string& source, const fs::path& object, std::string& output) {
   const fs::path tree = data_folder(), of_root = root / source;
   const fs::path file = source.starts_with("firmware/") ? of_root : tree / source;
-  return run({"-std=c++20", "-O1", "-w", "-MD", "-I" + root.string(), "-I" + (root / "firmware/src").string(),
-              "-I" + tree.string(), "-I" + (tree / "tests/unit/firmware/fake").string(), "-c", file.string(),
-              "-o", object.string()},
-             object.parent_path(), output);
+  return run(
+      {"-std=c++20", "-O1", "-w", "-MD", kLookAtEachAccess, "-fno-sanitize-recover=all", "-I" + root.string(),
+       "-I" + (root / "firmware/src").string(), "-I" + tree.string(),
+       "-I" + (tree / "tests/unit/firmware/fake").string(), "-c", file.string(), "-o", object.string()},
+      object.parent_path(), output);
 }
 
 bool link(const std::vector<std::string>& objects, const fs::path& program, std::string& output) {
   std::vector<std::string> words = objects;
-  words.insert(words.end(), {"-o", program.string(), "-lgtest_main", "-lgtest", "-pthread"});
+  words.insert(words.end(),
+               {kLookAtEachAccess, "-o", program.string(), "-lgtest_main", "-lgtest", "-pthread"});
   return run(std::move(words), program.parent_path(), output);
+}
+
+/// Of what a program printed, the line in which a sanitizer says why it has ended it; empty = none did.
+std::string sanitizers_word(const std::string& output) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("ERROR: AddressSanitizer") != std::string::npos ||
+        line.find("runtime error:") != std::string::npos)
+      return line;
+  return "";
 }
 
 /// What fails first, or how it ended; empty = nothing.
@@ -63,7 +77,9 @@ std::string failure_of(const fs::path& program) {
   } catch (const mutate::CouldNotRun& threw) {
     return name + ": " + threw.what();
   } catch (const mutate::ProgramBroke& broke) {
-    return broke.late ? name + " hangs" : broke.what();
+    if (broke.late) return name + " hangs";
+    const std::string said = sanitizers_word(broke.what());
+    return said.empty() ? broke.what() : name + ": " + said;
   }
 }
 

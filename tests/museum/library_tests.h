@@ -1,5 +1,5 @@
 // The unit tests of our Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy of
-// it: what its engineer would run beside the suite of sketches.
+// it: what its engineer would run beside the suite of sketches, with sanitizers that look at each access.
 #pragma once
 
 #include <filesystem>
