@@ -228,7 +228,7 @@ class Page {
 
   stepEvent(direction) {
     const happened = this.player.stepEvent(direction);
-    this.tellHappened(happened.map((e) => e.text).join(' · '));
+    if (happened.length) this.tellHappened(happened.map((e) => e.text).join(' · '));
   }
 
   tellHappened(text) {
@@ -341,7 +341,7 @@ class Page {
     this.now.move(player.t);
     // Read out where somebody steps, not all the way along.
     $('happened').setAttribute('aria-live', player.playing ? 'off' : 'polite');
-    if (player.playing || run.live) this.tellHappened(run.events.findLast((e) => e.t <= player.t)?.text ?? '');
+    this.tellHappened(run.events.findLast((e) => e.t <= player.t)?.text ?? '');
     span.follow();
     this.drawFloor();
     this.timeline.move();

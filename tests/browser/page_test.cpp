@@ -86,7 +86,9 @@ TEST_F(Page, StepsThroughEverythingThatHappened) {
       if (page.player.t > before) steps.push([page.player.t, $('happened').textContent]);
     }
     key('p');
-    return { steps, last: page.player.t };)");
+    const last = page.player.t;
+    page.player.seek(steps[1][0] - 1e-6);
+    return { steps, last, scrubbed: $('happened').textContent };)");
   std::vector<double> expected;
   for (const wire::Note& note : recording->header().notes)
     if (note.t_ns > 0) expected.push_back(1e-9 * static_cast<double>(note.t_ns));
@@ -100,6 +102,7 @@ TEST_F(Page, StepsThroughEverythingThatHappened) {
       return std::fabs(step[0].get<double>() - t) < 1e-9;
     })) << t;
   EXPECT_LT(steps["last"], steps["steps"].back()[0]) << "and back again";
+  EXPECT_EQ(steps["scrubbed"], steps["steps"][0][1]) << "by other ways than by steps, too";
 }
 
 TEST_F(Page, StepsByAMillisecondAndScrubs) {
