@@ -1,5 +1,5 @@
-// What hills do to a sketch: pairs of runs without and with them, in which a figure changes as docs/models.md
-// says, and a sketch that gets through beside one that does not.
+// What hills and wet floors do to a sketch: pairs of runs without and with them, in which a figure changes as
+// docs/models.md says, and a sketch that gets through beside one that does not.
 #include <fstream>
 
 #include "sim/base/file.h"
@@ -108,6 +108,54 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
           "[[hill]]\nalong = \"700 mm\"\nsize = [\"600 mm\", \"400 mm\"]\nslope = \"10 deg\"\n", "i", 20.0);
   EXPECT_EQ(falls.verdict, "toppled");
   EXPECT_THAT(falls.why, testing::HasSubstr("The robot fell off an edge near column "));
+}
+
+// The sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a fan. In
+// bends of 150 mm it slides from sqrt(grip * load / mass * g * 0.15 m / sqrt 2) on: at 0.91 m/s where they
+// are dry, at 0.71 m/s where they are wet, and at 1.27 m/s with the fan, too.
+class Wet : public testing::Test {
+ protected:
+  wire::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {
+    const std::filesystem::path sample = ROBOSIM_SAMPLES "/Robotracer", map = folder_.path() / "course.map",
+                                robot = folder_.path() / "robot.toml",
+                                sketch = folder_.path() / ("Races" + std::to_string(speed));
+    std::string code = read_file(sample / "Robotracer.ino"), course = read_file(sample / "course.map");
+    const std::string set = "SPEED = 90";
+    code.replace(code.find(set), set.size(), "SPEED = " + std::to_string(speed));
+    std::filesystem::create_directories(sketch);
+    std::ofstream(sketch / (sketch.filename().string() + ".ino")) << code;
+    if (wet)
+      course.insert(course.find("+++", 3),
+                    "[[surface]]\nat = [\"1.45 m\", \"1 m\"]\nsize = [\"2.9 m\", \"2 m\"]\nkind = \"wet\"\n");
+    std::ofstream(map) << course;
+    std::ofstream(robot) << read_file(sample / "robot.toml") << "[chassis]\n" << fan;
+    return test::run({.sketch = sketch.string(),
+                      .map = map.string(),
+                      .robot = robot.string(),
+                      .goal = "robotrace",
+                      .seed = seed,
+                      .for_s = 20.0});
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Wet, BendsLoseWhoIsFastUnlessAFanPressesItDown) {
+  const int slow = 120, fast = 180;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    for (const int speed : {slow, fast}) {
+      EXPECT_EQ(run(speed, false, "", seed).verdict, "reached") << speed;
+      const wire::RunResult fan = run(speed, true, "downforce = \"500 g\"\n", seed);
+      EXPECT_EQ(fan.verdict, "reached") << speed;
+      EXPECT_LT(fan.metrics.cross_track_max_mm, 20.0);
+    }
+    EXPECT_EQ(run(slow, true, "", seed).verdict, "reached");
+    const wire::RunResult slides = run(fast, true, "", seed);
+    EXPECT_EQ(slides.verdict, "timeout") << slides.why;
+    EXPECT_GT(slides.metrics.cross_track_max_mm, 40.0);
+    EXPECT_LT(slides.metrics.distance_m, 4.0);
+  }
 }
 
 }  // namespace
