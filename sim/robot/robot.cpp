@@ -368,10 +368,13 @@ void Robot::check_cover(const std::string& part) const { in_->covered_by(part); 
 
 std::vector<Reading> Robot::readings() const {
   std::vector<Reading> readings;
-  readings.reserve(in_->roster.sensors.size() + in_->parts.size());
+  read(readings);
+  return readings;
+}
+
+void Robot::read(std::vector<Reading>& readings) const {
   for (const Sensor* sensor : in_->roster.sensors) readings.push_back({sensor->name(), sensor->shown()});
   for (const auto& part : in_->parts) part->read(readings);
-  return readings;
 }
 
 std::vector<WiredPin> Robot::wiring() const {

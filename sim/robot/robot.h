@@ -133,6 +133,8 @@ class Robot {
 
   /// Sensors first, then what else there is to see, each in the order of the robot file.
   std::vector<Reading> readings() const;
+  /// Adds them.
+  void read(std::vector<Reading>& readings) const;
 
   /// Every wired pin, in the order of the robot file.
   std::vector<WiredPin> wiring() const;

@@ -203,13 +203,19 @@ void Agent::count_tick(SimTime end) {
   if (!state_.sees_line && robot_.has_line_sensors()) ++state_.off_line_ticks;
 }
 
-Sample Agent::sample_at(SimTime t) const {
-  Sample sample{
-      t, body_.pose(), body_.speed(), state_.cross_track, robot_.left_command(), robot_.right_command(), {}};
+const Sample& Agent::sample_at(SimTime t) {
+  Sample& sample = sample_;
+  sample.t = t;
+  sample.pose = body_.pose();
+  sample.speed = body_.speed();
+  sample.cross_track = state_.cross_track;
+  sample.left = robot_.left_command(), sample.right = robot_.right_command();
   sample.wheels = {body_.tread_speed(world::left), body_.tread_speed(world::right)};
-  const std::vector<robot::Reading> readings = robot_.readings();
-  sample.readings.reserve(readings.size());
-  for (const robot::Reading& reading : readings) sample.readings.push_back(reading.value);
+  sample.readings.clear();
+  sample.at_station.clear();
+  readings_.clear();
+  robot_.read(readings_);
+  for (const robot::Reading& reading : readings_) sample.readings.push_back(reading.value);
   if (setup_.controller) {
     for (const judge::Waypoint& station : progress_.stations())
       if (body_.covers(station.centre)) sample.at_station = station.name;

@@ -145,7 +145,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
   void tell_events(SimTime t);
-  Sample sample_at(SimTime t) const;
+  /// Until the next call.
+  const Sample& sample_at(SimTime t);
   judge::Metrics metrics() const;
   judge::Evidence evidence(judge::Verdict verdict, SimTime t);
 
@@ -169,6 +170,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
+  Sample sample_;                         ///< made again and again
+  std::vector<robot::Reading> readings_;  ///< for it
   StopConditions stops_;
 };
 

@@ -256,9 +256,14 @@ double Sensor::room_light(const Pose& pose, SimTime t) const {
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
   const Pose& pose = context_.view.body->pose();
-  const double white = (1.0 - darkness()) * brightness(pose);
-  return clamp01(1.0 - optics(pose).light * context_.view.supply.led * emitter_.brightness() * white +
-                 state_.now.shift - room_light(pose, context_.view.tick_start));
+  const Vec2 at = pose.to_world(state_.at);
+  const Optics optics = this->optics(pose);
+  const double darkness = dark() ? 1.0 : context_.view.floor->darkness(at, optics.footprint);
+  const double white = (1.0 - darkness) * context_.view.floor->brightness(at);
+  const double shown =
+      1.0 - optics.light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
+  return clamp01(context_.view.world->lighting().is_lit() ? shown - room_light(pose, context_.view.tick_start)
+                                                          : shown);
 }
 
 Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
