@@ -8,7 +8,6 @@
 #include "sim/base/machine_fault.h"
 #include "sim/base/utf8.h"
 #include "sim/client/process.h"
-#include "sim/wire/batch.h"
 
 namespace robosim::client {
 namespace fs = std::filesystem;
@@ -100,12 +99,14 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
         if (const auto* batch = std::get_if<wire::Batch>(event)) {
           const auto bytes = process_->read_bytes(static_cast<std::size_t>(batch->size));
           if (!bytes) fail_silent();
-          if (on_event) wire::unpack(*bytes, on_event);
-        } else if (on_event) {
-          on_event(*event);
+          if (on_event) batches_.read(*bytes, on_event);
+          continue;
         }
+        if (const auto* started = std::get_if<wire::Started>(event)) batches_.begin(*started);
+        if (on_event) on_event(*event);
         continue;
       }
+      if (on_event) batches_.finish(on_event);
       answered = true;
       process_->forget_interrupt();
       if (!error) return line;
@@ -141,6 +142,7 @@ wire::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent
 void Runner::begin(const wire::RunRequest& request) {
   for (const std::string* file : {&request.image, &request.map, &request.robot, &request.counters})
     check_name(*file);
+  batches_ = wire::BatchReader(request);
   process_->write(wire::to_line(++last_id_, wire::Request(request)));
 }
 

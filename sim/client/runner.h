@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/wire/batch.h"
 #include "sim/wire/messages.h"
 #include "sim/wire/protocol.h"
 
@@ -80,6 +81,7 @@ class Runner {
   std::unique_ptr<Process> process_;
   wire::Hello hello_;
   long long last_id_ = 0;
+  wire::BatchReader batches_{{}};  ///< of the run that was asked for last
 };
 
 }  // namespace robosim::client

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string_view>
 #include <utility>
 
 #include "hal/board/board.h"
@@ -18,21 +17,43 @@ using Tell = std::function<void(wire::Event)>;
 
 class Bundler {
  public:
-  explicit Bundler(Tell tell) : tell_(std::move(tell)) {}
+  /// `memory`: where events wait; null = in memory of its own.
+  explicit Bundler(Tell tell, wire::BatchMemory* memory = nullptr)
+      : tell_(std::move(tell)), waiting_(memory) {}
   void tell(wire::Event event);
   // The same as events; these there are most of.
   void sample(const wire::Sample& sample);
-  void pin(int agent, SimTime t, std::string_view pin, const PinDrive& drive);
-  void level(int agent, SimTime t, std::string_view pin, bool level);
-  void volts(int agent, SimTime t, std::string_view pin, double volts);
+  void pin(int agent, SimTime t, Pin pin, const char* name, const PinDrive& drive, int source) {
+    waiting_.add_pin(agent, t, pin, name, static_cast<int>(drive.mode), drive.level, drive.pwm, drive.duty,
+                     drive.tone_hz, source);
+    look();
+  }
+  void level(int agent, SimTime t, Pin pin, const char* name, bool level) {
+    waiting_.add_level(agent, t, pin, name, level);
+    look();
+  }
+  void volts(int agent, SimTime t, Pin pin, const char* name, double volts) {
+    waiting_.add_volts(agent, t, pin, name, volts);
+    look();
+  }
+  /// Pins of the robot will have sources, and one of these.
+  void sources(int agent) { waiting_.add_sources(agent); }
+  void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
   /// Tells what waits.
   void flush();
 
  private:
-  void look();
+  /// How late an event may be: for who watches a slow run. Each time costs as much as some hundred events.
+  static constexpr SimTime kLongest = 1 * kSecond;
+
+  void look() {
+    if (waiting_.size() >= wire::BatchWriter::kFull_bytes || waiting_.latest_ns() - flushed_ns_ >= kLongest)
+      flush();
+  }
 
   Tell tell_;
   wire::BatchWriter waiting_;
+  SimTime flushed_ns_ = 0;
 };
 
 }  // namespace robosim::runner

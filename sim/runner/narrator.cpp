@@ -6,12 +6,6 @@
 #include "sim/runner/answers.h"
 
 namespace robosim::runner {
-namespace {
-
-// How often columns are sent: what is lost if firmware takes its process down.
-constexpr SimTime kColumnsEvery = 2 * kSecond;
-
-}  // namespace
 
 template <typename Event>
 void Narrator::tell(Event event) {
@@ -26,32 +20,40 @@ Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& 
       board_(board),
       executor_(executor),
       tell_(std::move(tell)),
-      bundler_(bundler) {
+      bundler_(wire::comes_in_batches(request) ? bundler : nullptr),
+      wants_columns_(request.columns_every_ns > 0),
+      wants_pins_(request.pins || (wants_columns_ && bundler_)),
+      wants_inputs_(request.io || (wants_columns_ && bundler_)) {
   sample_.agent = agent;
-  if (request.columns_every_ns == 0) return;
+  if (!wants_columns_) return;
+  const bool has_sources = executor.trace_drives();
+  if (bundler_) {
+    if (has_sources) sources_.emplace();
+    return;
+  }
   std::vector<std::string> pins;
   for (Pin pin = 0; pin < board.pin_count; ++pin) pins.push_back(board.pins[pin].name);
-  columns_.emplace(pins, executor.trace_drives());
+  columns_.emplace(pins, has_sources);
 }
 
 void Narrator::began(const run::Beginning& beginning) {
   tell(to_wire(beginning));
   if (columns_) columns_->begin(beginning.readings);
+  if (sources_) bundler_->sources(agent_);
   if (request_.gdb_port > 0) tell_(wire::DebuggerAwaited{request_.gdb_port});
 }
 
 void Narrator::sampled(const run::Sample& s) {
   const SimTime every = request_.samples_every_ns;
   const bool is_told = every > 0 && (s.t % every == 0 || request_.interactive),
-             is_in_columns = columns_ && s.t % request_.columns_every_ns == 0;
-  if (is_told || is_in_columns) to_wire(s, sample_);
-  if (is_told && bundler_)
-    bundler_->sample(sample_);
-  else if (is_told)
-    tell(sample_);
+             is_in_columns = wants_columns_ && s.t % request_.columns_every_ns == 0;
+  if (!is_told && !is_in_columns) return;
+  to_wire(s, sample_);
+  if (bundler_) return bundler_->sample(sample_);
+  if (is_told) tell(sample_);
   if (!is_in_columns) return;
   columns_->add(sample_);
-  if (s.t % kColumnsEvery == 0) flush_columns();
+  if (s.t % wire::kColumnsEvery_ns == 0) flush_columns();
 }
 
 void Narrator::happened(const wire::RunEvent& event) {
@@ -59,14 +61,18 @@ void Narrator::happened(const wire::RunEvent& event) {
 }
 
 void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
-  static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
   if (columns_)
     columns_->add_pin(pin, t,
                       wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
                                       drive.pwm, drive.duty, drive.tone_hz),
                       drive.duty, drive.tone_hz, &executor_.driving(pin, drive));
-  if (!request_.pins) return;
-  if (bundler_ && !request_.source_ns) return bundler_->pin(agent_, t, board_.pins[pin].name, drive);
+  if (!wants_pins_) return;
+  if (bundler_) return bundler_->pin(agent_, t, pin, board_.pins[pin].name, drive, source_of(pin, drive));
+  tell_pin(pin, drive, t);
+}
+
+void Narrator::tell_pin(Pin pin, const PinDrive& drive, SimTime t) {
+  static constexpr const char* kModes[] = {"input", "input_pullup", "output"};
   detail(wire::PinChange{t,
                          board_.pins[pin].name,
                          kModes[static_cast<int>(drive.mode)],
@@ -78,18 +84,24 @@ void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
 }
 
 void Narrator::level_seen(Pin pin, bool level, SimTime t) {
+  if (bundler_ && wants_inputs_) return bundler_->level(agent_, t, pin, board_.pins[pin].name, level);
+  tell_level(pin, level, t);
+}
+
+void Narrator::tell_level(Pin pin, bool level, SimTime t) {
   if (columns_)
     columns_->add_pin(pin, t, level ? wire::PinLevel::high : wire::PinLevel::low, level ? 1.0 : 0.0, 0);
-  if (!request_.io) return;
-  if (bundler_ && !request_.source_ns) return bundler_->level(agent_, t, board_.pins[pin].name, level);
-  detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
+  if (wants_inputs_) detail(wire::LevelSeen{t, board_.pins[pin].name, level, {}});
 }
 
 void Narrator::volts_seen(Pin pin, double volts, SimTime t) {
+  if (bundler_ && wants_inputs_) return bundler_->volts(agent_, t, pin, board_.pins[pin].name, volts);
+  tell_volts(pin, volts, t);
+}
+
+void Narrator::tell_volts(Pin pin, double volts, SimTime t) {
   if (columns_) columns_->add_volts(pin, t, volts);
-  if (!request_.io) return;
-  if (bundler_ && !request_.source_ns) return bundler_->volts(agent_, t, board_.pins[pin].name, volts);
-  detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
+  if (wants_inputs_) detail(wire::VoltsSeen{t, board_.pins[pin].name, volts, {}});
 }
 
 void Narrator::byte_received(std::uint8_t byte, SimTime t) {
@@ -105,6 +117,12 @@ void Narrator::byte_sent(std::uint8_t byte, SimTime t) {
   if (!request_.serial) return;
   line_ += static_cast<char>(byte);
   if (byte == '\n' || line_.size() >= 256) flush_serial(t);
+}
+
+int Narrator::number_of_source(Pin pin, const PinDrive& drive) {
+  const int number = sources_->of(executor_.driving(pin, drive));
+  for (const wire::SourceLine& line : sources_->take_new()) bundler_->source(agent_, line);
+  return number;
 }
 
 void Narrator::flush_serial(SimTime t) {

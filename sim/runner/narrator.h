@@ -17,8 +17,8 @@ namespace robosim::runner {
 
 class Narrator final : public run::Listener {
  public:
-  /// What `request` wants to hear of is told, of robot number `agent`: by `bundler`, unless it is null. All
-  /// but `tell` must live as long as this.
+  /// What `request` wants to hear of is told, of robot number `agent`: what there is much of by `bundler`,
+  /// unless it is null. All but `tell` must live as long as this.
   Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
            Tell tell, Bundler* bundler);
 
@@ -26,7 +26,7 @@ class Narrator final : public run::Listener {
   void sampled(const run::Sample& sample) override;
   void happened(const wire::RunEvent& event) override;
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
-  bool wants_inputs() const override { return request_.io || columns_; }
+  bool wants_inputs() const override { return wants_inputs_ || columns_; }
   void level_seen(Pin pin, bool level, SimTime t) override;
   void volts_seen(Pin pin, double volts, SimTime t) override;
   void byte_received(std::uint8_t byte, SimTime t) override;
@@ -38,6 +38,12 @@ class Narrator final : public run::Listener {
 
  private:
   bool in_span(SimTime t) const;
+  int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
+  int number_of_source(Pin pin, const PinDrive& drive);
+  // Without a bundler.
+  [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
+  [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
+  [[gnu::noinline]] void tell_volts(Pin pin, double volts, SimTime t);
   /// What it tells is about its robot.
   template <typename Event>
   void tell(Event event);
@@ -49,10 +55,12 @@ class Narrator final : public run::Listener {
   const BoardSpec& board_;
   exec::Executor& executor_;
   Tell tell_;
-  Bundler* const bundler_;
+  Bundler* const bundler_;  ///< null = events and columns are told as they are
+  const bool wants_columns_, wants_pins_, wants_inputs_;
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  wire::Sample sample_;  ///< the last that was taken
+  std::optional<wire::SourceNumbers> sources_;  ///< for columns that the client makes
+  wire::Sample sample_;                         ///< the last that was taken
 };
 
 }  // namespace robosim::runner

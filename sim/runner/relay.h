@@ -12,6 +12,8 @@
 
 #include "sim/base/child.h"
 #include "sim/runner/run_watch.h"
+#include "sim/runner/shared.h"
+#include "sim/wire/batch.h"
 
 namespace robosim::runner {
 
@@ -37,6 +39,8 @@ class Relay {
   long read_some(char* to, std::size_t bytes) const;
   /// Is to be told how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
+  /// Where events wait until there are many: both processes have it.
+  wire::BatchMemory* waiting() const { return waiting_.get(); }
   /// Is to be told the number of the robot whose firmware runs.
   std::atomic<int>& acting() const { return watch_->acting(); }
 
@@ -62,6 +66,7 @@ class Relay {
 
   Pipe told_, answers_, lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
+  Shared<wire::BatchMemory> waiting_;
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

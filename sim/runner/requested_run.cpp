@@ -71,14 +71,15 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
   return result;
 }
 
-RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell)
+RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
+                           wire::BatchMemory* waiting)
     : request_(request),
       map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})),
       map_sha256_(grid::sha256_of(map_)) {
   check_several(request);
   check_why(request);
   if (request.batches) {
-    bundler_ = std::make_unique<Bundler>(std::move(tell));
+    bundler_ = std::make_unique<Bundler>(std::move(tell), waiting);
     tell = [bundler = bundler_.get()](wire::Event event) { bundler->tell(std::move(event)); };
   }
   for (wire::AgentRequest& asked : agents_of(request)) {

@@ -40,8 +40,10 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 
 class RequestedRun {
  public:
-  /// Reads all files. `request` must outlive this. Throws InputError, and ToolMissing.
-  RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell);
+  /// Reads all files. `request` must outlive this, and so must `waiting`, where events of a batch wait; null
+  /// = in memory of its own. Throws InputError, and ToolMissing.
+  RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
+               wire::BatchMemory* waiting = nullptr);
 
   /// Of one robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }

@@ -1,15 +1,11 @@
 #include "sim/runner/run_watch.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 
-#include <cerrno>
 #include <ctime>
 #include <fstream>
 #include <iterator>
-#include <new>
 #include <string>
-#include <system_error>
 
 #include "sim/base/wall_clock.h"
 
@@ -24,15 +20,6 @@ std::int64_t processor_ns(pid_t process) {
 }
 
 }  // namespace
-
-RunWatch::RunWatch() {
-  void* const page =
-      ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (page == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
-  shared_ = new (page) Shared;
-}
-
-RunWatch::~RunWatch() { ::munmap(shared_, sizeof(Shared)); }
 
 void RunWatch::follow(pid_t run) {
   run_ = run;

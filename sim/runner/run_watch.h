@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "hal/board/sim_time.h"
+#include "sim/runner/shared.h"
 
 namespace robosim::runner {
 
@@ -17,14 +18,9 @@ namespace robosim::runner {
 constexpr int kLongestTick_s = 5;    ///< of processor time
 constexpr int kLongestSleep_s = 30;  ///< of wall time
 
+/// Its constructor throws std::system_error.
 class RunWatch {
  public:
-  /// Throws std::system_error.
-  RunWatch();
-  ~RunWatch();
-  RunWatch(const RunWatch&) = delete;
-  RunWatch& operator=(const RunWatch&) = delete;
-
   // In the run's process.
 
   /// Is told how far the run has come.
@@ -44,14 +40,14 @@ class RunWatch {
 
  private:
   static constexpr SimTime kNotBegun = -2;
-  struct Shared {
+  struct State {
     std::atomic<SimTime> reached{kNotBegun};
     std::atomic<int> acting{0};
     std::atomic<bool> waits{false};
   };
   bool is_stopped() const;
 
-  Shared* shared_;
+  Shared<State> shared_;
   pid_t run_ = -1;
   SimTime seen_ = kNotBegun;
   int seen_acting_ = 0;

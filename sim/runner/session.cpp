@@ -136,7 +136,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
       },
-      request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); });
+      request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
+      relay ? relay->waiting() : nullptr);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
@@ -202,10 +203,10 @@ judge::Outcome ended_by(const wire::AgentRequest& other) {
   return outcome;
 }
 
-// Firmware ended its process in a way that no handler could catch, or had no right to what it did. `agent`:
-// the robot whose it was.
+// Firmware ended its process in a way that no handler could catch, or had no right to what it did. `guilty`:
+// the robot whose it was; `time`: how far the run had come.
 wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
-                                const std::string& check, std::size_t guilty) {
+                                const std::string& check, std::size_t guilty, SimTime time) {
   const std::vector<wire::AgentRequest> agents = agents_of(request);
   const std::string map_sha256 = grid::sha256_of_map(request.map);
   std::vector<wire::RunResult> results;
@@ -219,6 +220,7 @@ wire::RunResult result_of_death(const wire::RunRequest& request, const std::stri
     } else {
       outcome = ended_by(agents[guilty]);
     }
+    outcome.time = std::max<SimTime>(time, 0);
     if (!agents[i].goal.empty()) outcome.goal = judge::parse_goal(agents[i].goal);
     const robot::Description robot = robot::load_description(agents[i].robot);
     results.push_back(result_of(outcome, request, inputs_of(map_sha256, agents[i].image, robot)));
@@ -259,14 +261,14 @@ std::string cause_of_death(const Ending& ending) {
   return fmt::format("it took its process down with exit status {}", ending.status);
 }
 
-wire::Answer no_memory_for(const wire::RunRequest& request, std::size_t guilty) {
+wire::Answer no_memory_for(const wire::RunRequest& request, std::size_t guilty, SimTime time) {
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
   if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
   return result_of_death(
       request,
       fmt::format("it took more than the {} MB of memory that it may have", exec::kConfinedMemory >> 20),
-      exec::kSandboxCheck, guilty);
+      exec::kSandboxCheck, guilty, time);
 }
 
 bool was_refused(const Ending& ending) {
@@ -283,6 +285,17 @@ std::optional<Ending> end_of(Child& run) {
   return run.wait();
 }
 
+// What waited in a run's process when it ended. Its firmware may have written there, too.
+void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchMemory* waiting) {
+  const wire::Batch rest = wire::BatchWriter(waiting).take();
+  try {
+    wire::BatchReader(request).read(rest.bytes, [](const wire::Event&) {});
+  } catch (const wire::RunnerError&) {
+    return;
+  }
+  if (!rest.bytes.empty()) write_line(wire::to_line(id, wire::Event(rest)));
+}
+
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                const wire::RunRequest& request, const wire::Id& id,
                                                pid_t self) {
@@ -291,20 +304,22 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   const Relay::Told told = relay.serve(
       child, [&](char what, const std::string& question) { return serve_ask(request, what, question); },
       request.interactive);
+  if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
   const auto guilty = [&] { return guilty_of_death(factory, request, relay.acting()); };
+  const SimTime time = relay.reached();
   const auto refused = [&](const std::string& cause) {
-    return result_of_death(request, cause, exec::kSandboxCheck, guilty());
+    return result_of_death(request, cause, exec::kSandboxCheck, guilty(), time);
   };
   if (told.forged) return refused("it wrote to where its verdict goes");
-  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "", guilty());
+  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "", guilty(), time);
   if (told.found == RunWatch::Found::sleeps)
     return refused(
         fmt::format("it slept for {} s of wall time, and simulated time stood still", kLongestSleep_s));
   const std::optional<Ending> ending = end_of(child);
   if (!ending) return refused("it closed what its verdict goes through");
   if (was_refused(*ending)) return refused("the sandbox refuses a system call of its");
-  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request, guilty());
-  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "", guilty());
+  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request, guilty(), time);
+  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "", guilty(), time);
   if (!told.answer) return refused("it ended its process before the run was over");
   write_line(*told.answer);
   return std::nullopt;
@@ -318,7 +333,7 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   if (!to_confine(factory, request).empty()) return serve_confined_run(factory, request, id, self);
   const Ending ending = Child([&] { return run_in_child(factory, request, id, self, nullptr); }).wait();
   if (ending.ok()) return std::nullopt;
-  return result_of_death(request, cause_of_death(ending), "", 0);
+  return result_of_death(request, cause_of_death(ending), "", 0, 0);
 }
 
 void serve_line(const ExecutorFactory& factory, const std::string& line) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "sim/wire/protocol.h"
@@ -14,153 +12,190 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
-constexpr char kSample = 's', kPin = 'p', kLevel = 'l', kVolts = 'v', kByte = 'b', kColumns = 'c';
 constexpr const char* kModes[] = {"input", "input_pullup", "output"};
-constexpr std::uint8_t kHigh = 1, kPwm = 2;
-constexpr std::size_t kMostListed = 65'535;
-
-/// The bytes of one event, which are added to the others at once.
-class Packed {
- public:
-  Packed(char kind, int agent, std::int64_t t) {
-    put(kind);
-    put(static_cast<std::uint8_t>(agent));
-    put(t);
-  }
-  template <class T>
-  void put(const T& number) {
-    std::memcpy(bytes_ + size_, &number, sizeof number);
-    size_ += sizeof number;
-  }
-  /// At most one, of at most kMostName.
-  void put_name(std::string_view name) {
-    put(static_cast<std::uint8_t>(name.size()));
-    std::memcpy(bytes_ + size_, name.data(), name.size());
-    size_ += name.size();
-  }
-  void add_to(std::string& all) const { all.append(bytes_, size_); }
-
- private:
-  char bytes_[BatchWriter::kMostName + 128];
-  std::size_t size_ = 0;
-};
+constexpr std::uint8_t kMode = 3, kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;
+constexpr std::size_t kPins = 256;
 
 bool fits(int agent) { return agent >= 0 && agent < static_cast<int>(kMostAgents); }
-
-/// Nothing that a batch has no place for.
-template <class Detail>
-bool is_plain(const Detail& detail) {
-  return fits(detail.agent) && detail.source.file.empty();
-}
-bool is_short(const std::string& name) { return name.size() <= BatchWriter::kMostName; }
-
-bool has_room_for(const Columns& columns) {
-  const auto named = [](const ColumnSpec& spec) { return is_short(spec.name); };
-  return fits(columns.agent) && columns.sources.size() <= kMostListed &&
-         columns.streams.size() <= kMostListed &&
-         std::all_of(columns.sources.begin(), columns.sources.end(),
-                     [](const SourceLine& line) { return is_short(line.function) && is_short(line.file); }) &&
-         std::all_of(columns.streams.begin(), columns.streams.end(), [&](const Rows& rows) {
-           return is_short(rows.stream) && rows.bytes.size() <= kMostListed &&
-                  (rows.columns.empty() || rows.columns.size() == rows.bytes.size()) &&
-                  std::all_of(rows.columns.begin(), rows.columns.end(), named) &&
-                  std::all_of(rows.bytes.begin(), rows.bytes.end(), [](const std::string& bytes) {
-                    return bytes.size() <= std::numeric_limits<std::uint32_t>::max();
-                  });
-         });
-}
-
-template <class T>
-void put(std::string& to, T number) {
-  char bytes[sizeof number];
-  std::memcpy(bytes, &number, sizeof number);
-  to.append(bytes, sizeof number);
-}
-void put_name(std::string& to, const std::string& name) {
-  put(to, static_cast<std::uint8_t>(name.size()));
-  to += name;
-}
-
-void put_rows(std::string& to, const Rows& rows) {
-  put_name(to, rows.stream);
-  put(to, rows.count);
-  put(to, static_cast<std::uint16_t>(rows.bytes.size()));
-  put(to, static_cast<std::uint8_t>(!rows.columns.empty()));
-  for (const ColumnSpec& spec : rows.columns) {
-    put_name(to, spec.name);
-    put(to, spec.scale);
-    put(to, static_cast<std::uint8_t>(spec.order));
-  }
-  for (const std::string& bytes : rows.bytes) {
-    put(to, static_cast<std::uint32_t>(bytes.size()));
-    to += bytes;
-  }
-}
 
 [[noreturn]] void refuse() {
   throw RunnerError("the runner said something unexpected: a batch that does not hold whole events");
 }
 
-/// Its events are made once, and filled again and again.
-class Unpacker {
+}  // namespace
+
+bool comes_in_batches(const RunRequest& request) {
+  return request.batches && !request.source_ns && !request.interactive;
+}
+
+void BatchWriter::name_pin(std::size_t number, const char* name) {
+  if (number >= named_in_.size()) named_in_.resize((number | (kPins - 1)) + 1);
+  named_in_[number] = batch_;
+  const std::string_view text = std::string_view(name).substr(0, kMostName);
+  end(put(put_head(at(), 'n', static_cast<int>(number >> 8), static_cast<std::uint8_t>(number),
+                   static_cast<int>(text.size()), 0),
+          text));
+}
+
+void BatchWriter::count_from(std::int64_t t_ns) {
+  end(put(put_head(at(), 't', 0, 0, 0, 0), t_ns));
+  from_ns_ = t_ns;
+}
+
+void BatchWriter::add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode,
+                          bool level, bool pwm, double duty, std::uint32_t tone_hz, int source) {
+  begin_at_pin(agent, t_ns, pin, name);
+  const int flags = mode | (level ? kHigh : 0) | (pwm ? kPwm : 0) | (tone_hz != 0 ? kTone : 0) |
+                    (source != 0 ? kSource : 0);
+  char* to = put(put_head(at(), 'p', agent, pin, flags, step_to(t_ns)), duty);
+  if (tone_hz != 0) to = put(to, tone_hz);
+  if (source != 0) to = put(to, static_cast<std::uint32_t>(source));
+  end(to);
+}
+
+void BatchWriter::add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent) {
+  begin_at(t_ns);
+  end(put_head(at(), 'b', agent, value, sent, step_to(t_ns)));
+}
+
+void BatchWriter::add_sources(int agent) { end(put_head(at(), 'd', agent, 0, 0, 0)); }
+
+void BatchWriter::add_source(int agent, const SourceLine& line) {
+  const std::string_view function = std::string_view(line.function).substr(0, kMostName),
+                         file = std::string_view(line.file).substr(0, kMostName);
+  char* const to = put_head(at(), 'c', agent, static_cast<std::uint8_t>(function.size()),
+                            static_cast<int>(file.size()), line.line);
+  end(put(put(to, function), file));
+}
+
+bool BatchWriter::add(const Sample& s) {
+  const std::size_t readings = s.readings.size() * sizeof(double), room = BatchMemory::kRoom_bytes - size();
+  constexpr std::size_t kWithout = 128;
+  if (!fits(s.agent) || !s.at_station.empty() || readings + kWithout > room) return false;
+  char* to = put_head(at(), 's', s.agent, 0, 0, static_cast<std::int32_t>(s.readings.size()));
+  to = put(to, s.t_us);
+  to = put(to, std::array{s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right,
+                          s.wheels_mm_s[0], s.wheels_mm_s[1]});
+  to = put(to, std::string_view(reinterpret_cast<const char*>(s.readings.data()), readings));
+  latest_ns_ = s.t_us * 1000;
+  end(to);
+  return true;
+}
+
+bool BatchWriter::add(const Event& event) {
+  if (const auto* sample = std::get_if<Sample>(&event)) return add(*sample);
+  const auto* byte = std::get_if<SerialByte>(&event);
+  if (!byte || !fits(byte->agent) || !byte->source.file.empty()) return false;
+  add_byte(byte->agent, byte->t_ns, byte->value, byte->sent);
+  return true;
+}
+
+Batch BatchWriter::take() {
+  const std::size_t bytes =
+      std::min(size(), BatchMemory::kRoom_bytes);  // whatever firmware has written there
+  Batch batch{static_cast<std::int64_t>(bytes), std::string(memory_->bytes, bytes)};
+  memory_->used.store(0, std::memory_order_release);
+  from_ns_ = 0;
+  ++batch_;
+  return batch;
+}
+
+struct BatchReader::Robot {
+  static constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+  Robot() { numbers.fill(kUnknown); }
+
+  std::array<std::string, kPins> names;
+  std::array<bool, kPins> named{};
+  std::optional<RunColumns> columns;
+  std::array<std::size_t, kPins> numbers;  ///< of its pins in the columns
+  std::vector<SourceLine> sources;
+
+  std::size_t number_of(std::uint8_t pin) {
+    if (numbers[pin] == kUnknown) numbers[pin] = columns->add_board_pin(names[pin]);
+    return numbers[pin];
+  }
+};
+
+/// Of one batch. Its events are made once, and filled again and again.
+class BatchReader::Unpacker {
  public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
+  Unpacker(BatchReader& reader, std::string_view bytes, const OnEvent& on_event)
+      : reader_(reader), bytes_(bytes), on_event_(on_event) {
+    for (const auto& robot : reader.robots_)
+      if (robot) robot->named.fill(false);
+  }
 
   bool done() const { return bytes_.empty(); }
 
-  /// Until the next call.
-  const Event& next() {
-    const char kind = number<char>();
-    const int agent = number<std::uint8_t>();
-    const auto t = number<std::int64_t>();
-    if (t < 0 || t > (kind == kSample ? kLatest_ns / 1000 : kLatest_ns)) refuse();
-    switch (kind) {
-      case kSample:
-        read(begun<Sample>(sample_, agent), t);
-        return sample_;
-      case kPin:
-        read(begun<PinChange>(pin_, agent), t);
-        return pin_;
-      case kLevel: {
-        auto& level = begun<LevelSeen>(level_, agent);
-        level.t_ns = t;
-        level.pin = name();
-        level.level = number<std::uint8_t>() != 0;
-        return level_;
+  void next() {
+    const auto head = number<BatchWriter::Head>();
+    if (head.agent != agent_ || !robot_) robot_ = &reader_.robot(head.agent);
+    Robot& robot = *robot_;
+    agent_ = head.agent;
+    pin_ = head.pin;
+    other_ = head.other;
+    step_ = head.number;
+    switch (head.kind) {
+      case 't':
+        t_ns_ = number<std::int64_t>();
+        if (t_ns_ < 0 || t_ns_ > kLatest_ns) refuse();
+        break;
+      case 'n':
+        robot.names[pin_] = take(other_);
+        robot.named[pin_] = true;
+        break;
+      case 's':
+        sample(robot);
+        break;
+      case 'p':
+        at_pin(robot);
+        pin(robot);
+        break;
+      case 'l':
+        at_pin(robot);
+        if (robot.columns)
+          robot.columns->add_pin(robot.number_of(pin_), t_ns_, other_ != 0 ? PinLevel::high : PinLevel::low,
+                                 other_ != 0 ? 1.0 : 0.0, 0);
+        if (!reader_.tells_inputs_) break;
+        level_->pin = robot.names[pin_];
+        level_->level = other_ != 0;
+        tell(levels_, *level_);
+        break;
+      case 'v': {
+        at_pin(robot);
+        const auto volts = number<double>();
+        if (robot.columns) robot.columns->add_volts(robot.number_of(pin_), t_ns_, volts);
+        if (!reader_.tells_inputs_) break;
+        seen_->pin = robot.names[pin_];
+        seen_->volts = volts;
+        tell(volts_, *seen_);
+        break;
       }
-      case kVolts: {
-        auto& volts = begun<VoltsSeen>(volts_, agent);
-        volts.t_ns = t;
-        volts.pin = name();
-        volts.volts = number<double>();
-        return volts_;
+      case 'b':
+        go_on();
+        byte_->value = pin_;
+        byte_->sent = other_ != 0;
+        tell(bytes_told_, *byte_);
+        break;
+      case 'd':
+        if (robot.columns) robot.columns->with_sources();
+        break;
+      case 'c': {
+        SourceLine& line = robot.sources.emplace_back();
+        line.function = take(pin_);
+        line.file = take(other_);
+        line.line = step_;
+        break;
       }
-      case kByte: {
-        auto& byte = begun<SerialByte>(byte_, agent);
-        byte.t_ns = t;
-        byte.value = number<std::uint8_t>();
-        byte.sent = number<std::uint8_t>() != 0;
-        return byte_;
-      }
-      case kColumns:
-        columns_ = columns(agent);
-        return columns_;
       default:
         refuse();
     }
   }
 
  private:
-  template <class Kind>
-  static Kind& begun(Event& event, int agent) {
-    Kind& kind = *std::get_if<Kind>(&event);
-    kind.agent = agent;
-    return kind;
-  }
-
   std::string_view take(std::size_t count) {
     if (count > bytes_.size()) refuse();
-    const std::string_view taken = bytes_.substr(0, count);
+    const std::string_view taken(bytes_.data(), count);
     bytes_.remove_prefix(count);
     return taken;
   }
@@ -170,161 +205,119 @@ class Unpacker {
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
     return value;
   }
-  std::string_view name() { return take(number<std::uint8_t>()); }
 
-  void read(Sample& s, std::int64_t t_us) {
-    s.t_us = t_us;
+  void go_on() {
+    t_ns_ += step_;
+    if (static_cast<std::uint64_t>(t_ns_) > kLatest_ns) refuse();
+  }
+  void at_pin(const Robot& robot) {
+    if (!robot.named[pin_]) refuse();
+    go_on();
+  }
+  template <class Kind>
+  void tell(const Event& event, Kind& kind) {
+    kind.t_ns = t_ns_;
+    kind.agent = agent_;
+    on_event_(event);
+  }
+
+  void pin(Robot& robot) {
+    const int mode = other_ & kMode;
+    if (mode >= static_cast<int>(std::size(kModes))) refuse();
+    const bool level = other_ & kHigh, pwm = other_ & kPwm;
+    const auto duty = number<double>();
+    const std::uint32_t tone_hz = other_ & kTone ? number<std::uint32_t>() : 0,
+                        source = other_ & kSource ? number<std::uint32_t>() : 0;
+    if (source > robot.sources.size()) refuse();
+    if (robot.columns)
+      robot.columns->add_pin(robot.number_of(pin_), t_ns_,
+                             pin_level(mode == 2, mode == 1, pwm, duty, tone_hz), duty, tone_hz,
+                             source != 0 ? &robot.sources[source - 1] : nullptr);
+    if (!reader_.tells_pins_) return;
+    change_->pin = robot.names[pin_];
+    change_->mode = kModes[mode];
+    change_->level = level;
+    change_->pwm = pwm;
+    change_->duty = duty;
+    change_->tone_hz = tone_hz;
+    tell(changes_, *change_);
+  }
+
+  void sample(Robot& robot) {
+    Sample& s = *sample_;
+    const std::size_t count = step_ < 0 ? bytes_.size() : static_cast<std::size_t>(step_);
+    s.t_us = number<std::int64_t>();
+    if (s.t_us < 0 || s.t_us > kLatest_ns / 1000) refuse();
     for (double* value : {&s.x_mm, &s.y_mm, &s.yaw_rad, &s.speed_mm_s, &s.cross_track_mm, &s.left, &s.right,
                           &s.wheels_mm_s[0], &s.wheels_mm_s[1]})
       *value = number<double>();
-    const std::size_t count = number<std::uint16_t>();
+    if (count > bytes_.size() / sizeof(double)) refuse();
     const std::string_view readings = take(count * sizeof(double));
     s.readings.resize(count);
     std::copy(readings.begin(), readings.end(), reinterpret_cast<char*>(s.readings.data()));
+    s.agent = agent_;
+    const std::int64_t told = reader_.samples_every_us_, kept = reader_.columns_every_us_;
+    if (told > 0 && s.t_us % told == 0) on_event_(samples_);
+    if (!robot.columns || s.t_us % kept != 0) return;
+    robot.columns->add(s);
+    if (s.t_us % (kColumnsEvery_ns / 1000) == 0) reader_.tell_columns(agent_, on_event_);
   }
 
-  void read(PinChange& p, std::int64_t t_ns) {
-    p.t_ns = t_ns;
-    p.pin = name();
-    const auto mode = number<std::uint8_t>();
-    if (mode >= std::size(kModes)) refuse();
-    p.mode = kModes[mode];
-    const auto flags = number<std::uint8_t>();
-    p.level = flags & kHigh;
-    p.pwm = flags & kPwm;
-    p.duty = number<double>();
-    p.tone_hz = number<std::uint32_t>();
-  }
-
-  Columns columns(int agent) {
-    Columns columns;
-    columns.agent = agent;
-    for (auto left = number<std::uint16_t>(); left > 0; --left) {
-      SourceLine& line = columns.sources.emplace_back();
-      line.function = name();
-      line.file = name();
-      line.line = number<std::int32_t>();
-    }
-    for (auto left = number<std::uint16_t>(); left > 0; --left) {
-      Rows& rows = columns.streams.emplace_back();
-      rows.stream = name();
-      rows.count = number<std::int64_t>();
-      const auto width = number<std::uint16_t>();
-      const bool has_specs = number<std::uint8_t>() != 0;
-      if (rows.count < 0) refuse();
-      for (std::uint16_t i = 0; has_specs && i < width; ++i) {
-        ColumnSpec& spec = rows.columns.emplace_back();
-        spec.name = name();
-        spec.scale = number<double>();
-        spec.order = number<std::uint8_t>();
-      }
-      for (std::uint16_t i = 0; i < width; ++i) rows.bytes.emplace_back(take(number<std::uint32_t>()));
-    }
-    return columns;
-  }
-
+  BatchReader& reader_;
   std::string_view bytes_;
-  Event sample_ = Sample{}, pin_ = PinChange{}, level_ = LevelSeen{}, volts_ = VoltsSeen{},
-        byte_ = SerialByte{}, columns_ = Columns{};
+  const OnEvent& on_event_;
+  std::int64_t t_ns_ = 0;
+  Robot* robot_ = nullptr;
+  int agent_ = 0;
+  std::uint8_t pin_ = 0, other_ = 0;
+  std::int32_t step_ = 0;
+  Event samples_ = Sample{}, changes_ = PinChange{}, levels_ = LevelSeen{}, volts_ = VoltsSeen{},
+        bytes_told_ = SerialByte{};
+  Sample* const sample_ = std::get_if<Sample>(&samples_);
+  PinChange* const change_ = std::get_if<PinChange>(&changes_);
+  LevelSeen* const level_ = std::get_if<LevelSeen>(&levels_);
+  VoltsSeen* const seen_ = std::get_if<VoltsSeen>(&volts_);
+  SerialByte* const byte_ = std::get_if<SerialByte>(&bytes_told_);
 };
 
-}  // namespace
+BatchReader::BatchReader(const RunRequest& request)
+    : tells_pins_(request.pins),
+      tells_inputs_(request.io),
+      samples_every_us_(request.samples_every_ns / 1000),
+      columns_every_us_(comes_in_batches(request) ? request.columns_every_ns / 1000 : 0) {}
 
-void BatchWriter::happened(std::int64_t t_ns) {
-  if (bytes_.empty()) since_ns_ = t_ns;
-  latest_ns_ = t_ns;
-}
+BatchReader::BatchReader(BatchReader&&) noexcept = default;
+BatchReader& BatchReader::operator=(BatchReader&&) noexcept = default;
+BatchReader::~BatchReader() = default;
 
-void BatchWriter::add_pin(int agent, std::int64_t t_ns, std::string_view pin, int mode, bool level, bool pwm,
-                          double duty, std::uint32_t tone_hz) {
-  happened(t_ns);
-  Packed packed(kPin, agent, t_ns);
-  packed.put_name(pin);
-  packed.put(static_cast<std::uint8_t>(mode));
-  packed.put(static_cast<std::uint8_t>((level ? kHigh : 0) | (pwm ? kPwm : 0)));
-  packed.put(duty);
-  packed.put(tone_hz);
-  packed.add_to(bytes_);
-}
-
-void BatchWriter::add_level(int agent, std::int64_t t_ns, std::string_view pin, bool level) {
-  happened(t_ns);
-  Packed packed(kLevel, agent, t_ns);
-  packed.put_name(pin);
-  packed.put(static_cast<std::uint8_t>(level));
-  packed.add_to(bytes_);
-}
-
-void BatchWriter::add_volts(int agent, std::int64_t t_ns, std::string_view pin, double volts) {
-  happened(t_ns);
-  Packed packed(kVolts, agent, t_ns);
-  packed.put_name(pin);
-  packed.put(volts);
-  packed.add_to(bytes_);
-}
-
-void BatchWriter::add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent) {
-  happened(t_ns);
-  Packed packed(kByte, agent, t_ns);
-  packed.put(value);
-  packed.put(static_cast<std::uint8_t>(sent));
-  packed.add_to(bytes_);
-}
-
-bool BatchWriter::add(const Sample& s) {
-  if (!fits(s.agent) || !s.at_station.empty() || s.readings.size() > kMostListed) return false;
-  happened(s.t_us * 1000);
-  Packed packed(kSample, s.agent, s.t_us);
-  for (const double number : {s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right,
-                              s.wheels_mm_s[0], s.wheels_mm_s[1]})
-    packed.put(number);
-  packed.put(static_cast<std::uint16_t>(s.readings.size()));
-  packed.add_to(bytes_);
-  bytes_.append(reinterpret_cast<const char*>(s.readings.data()), s.readings.size() * sizeof(double));
-  return true;
-}
-
-bool BatchWriter::add(const Columns& columns) {
-  if (!has_room_for(columns)) return false;
-  Packed(kColumns, columns.agent, 0).add_to(bytes_);
-  put(bytes_, static_cast<std::uint16_t>(columns.sources.size()));
-  for (const SourceLine& line : columns.sources) {
-    put_name(bytes_, line.function);
-    put_name(bytes_, line.file);
-    put(bytes_, static_cast<std::int32_t>(line.line));
+BatchReader::Robot& BatchReader::robot(int agent) {
+  const auto number = static_cast<std::size_t>(agent);
+  if (number >= robots_.size()) robots_.resize(number + 1);
+  if (!robots_[number]) {
+    robots_[number] = std::make_unique<Robot>();
+    if (columns_every_us_ > 0) robots_[number]->columns.emplace(std::vector<std::string>{});
   }
-  put(bytes_, static_cast<std::uint16_t>(columns.streams.size()));
-  for (const Rows& rows : columns.streams) put_rows(bytes_, rows);
-  return true;
+  return *robots_[number];
 }
 
-bool BatchWriter::add(const Event& event) {
-  if (const auto* sample = std::get_if<Sample>(&event)) return add(*sample);
-  if (const auto* columns = std::get_if<Columns>(&event)) return add(*columns);
-  if (const auto* p = std::get_if<PinChange>(&event)) {
-    const auto* mode = std::find(std::begin(kModes), std::end(kModes), p->mode);
-    if (!is_plain(*p) || !is_short(p->pin) || mode == std::end(kModes)) return false;
-    add_pin(p->agent, p->t_ns, p->pin, static_cast<int>(mode - std::begin(kModes)), p->level, p->pwm, p->duty,
-            p->tone_hz);
-  } else if (const auto* level = std::get_if<LevelSeen>(&event)) {
-    if (!is_plain(*level) || !is_short(level->pin)) return false;
-    add_level(level->agent, level->t_ns, level->pin, level->level);
-  } else if (const auto* volts = std::get_if<VoltsSeen>(&event)) {
-    if (!is_plain(*volts) || !is_short(volts->pin)) return false;
-    add_volts(volts->agent, volts->t_ns, volts->pin, volts->volts);
-  } else if (const auto* byte = std::get_if<SerialByte>(&event)) {
-    if (!is_plain(*byte)) return false;
-    add_byte(byte->agent, byte->t_ns, byte->value, byte->sent);
-  } else {
-    return false;
-  }
-  return true;
+void BatchReader::begin(const Started& started) {
+  if (!fits(started.agent)) return;
+  if (Robot& own = robot(started.agent); own.columns) own.columns->begin(started.readings);
 }
 
-Batch BatchWriter::take() { return {static_cast<std::int64_t>(bytes_.size()), std::exchange(bytes_, {})}; }
+void BatchReader::read(std::string_view bytes, const OnEvent& on_event) {
+  for (Unpacker unpacker(*this, bytes, on_event); !unpacker.done();) unpacker.next();
+}
 
-void unpack(std::string_view bytes, const OnEvent& on_event) {
-  for (Unpacker unpacker(bytes); !unpacker.done();) on_event(unpacker.next());
+void BatchReader::tell_columns(int agent, const OnEvent& on_event) {
+  Columns columns = robot(agent).columns->take();
+  columns.agent = agent;
+  if (!columns.streams.empty()) on_event(columns);
+}
+
+void BatchReader::finish(const OnEvent& on_event) {
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (robots_[i] && robots_[i]->columns) tell_columns(static_cast<int>(i), on_event);
 }
 
 }  // namespace robosim::wire

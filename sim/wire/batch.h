@@ -1,65 +1,168 @@
 // Many events at once: what happens hundreds of times in a simulated second would, as JSON lines of its own,
 // take several times as long as the run.
 //
-// One behind the other, each begins with a byte that says what it is, a byte with the robot's number, and
-// eight with its time. Numbers are little-endian, doubles as IEEE 754 has them; a name is a byte with its
-// length, and its characters.
+// One behind the other, each begins with eight bytes: what it is, the robot's number, a pin's number, a byte
+// that differs, and a signed number of four bytes: if nothing else is said, the nanoseconds since the one
+// before that has a time, of the first one since 0. Numbers are little-endian, doubles as IEEE 754 has them.
 //
-//   's'  (t_us) x, y, yaw, speed, cross_track, left, right, the wheels' two: doubles; how many readings (two
-//        bytes), and each of them, a double
-//   'p'  (t_ns) the pin; a byte 0 input, 1 input_pullup, 2 output; a byte, 1 high + 2 PWM; duty, a double;
-//        tone_hz (four bytes)
-//   'l'  (t_ns) the pin; a byte, 0 or 1
-//   'v'  (t_ns) the pin; volts, a double
-//   'b'  (t_ns) the byte; a byte, 1 sent by the firmware, 0 received
-//   'c'  (0) columns: how many new sources (two bytes), of each the names of function and file and the line
-//        (four bytes); how many streams (two bytes), of each its name, its count of rows (eight bytes), how
-//        many columns it has (two bytes), a byte: 1 if their specs follow, each a name, the scale, a double,
-//        and a byte for the order; and of each column how many bytes (four) and these
+//   't'  how many nanoseconds the next one's time is counted from (eight bytes); the robot and the rest are 0
+//   'n'  the pin's name; the differing byte is its length. In each batch before the pin's first
+//   's'  a sample: in place of the time how many readings; t_us (eight bytes); x, y, yaw, speed, cross_track,
+//        left, right, the wheels' two, and the readings: doubles
+//   'p'  a pin: 0 input, 1 input_pullup, 2 output, and of these bits 4 high, 8 PWM, 16 tone, 32 source; duty,
+//   a
+//        double; with tone its frequency, with source its number (four bytes each)
+//   'l'  a level that was seen: 0 or 1
+//   'v'  volts that were seen, a double
+//   'b'  a byte, in the pin's place: 1 sent by the firmware, 0 received
+//   'd'  the robot's pins have sources, to be told before all else
+//   'c'  a source, numbered from 1: in the pin's place the length of the function's name, then that of the
+//        file's, in place of the time the line; the names
+//
+// Who asks for batches and columns gets no columns: BatchReader makes them of these.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "sim/wire/run_columns.h"
+#include "sim/wire/run_request.h"
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
 
+/// Whether what the request asks for can come in batches and nothing else of the kind does.
+bool comes_in_batches(const RunRequest& request);
+
+/// Where events wait. Two processes may share it, so that it outlives the one that writes.
+struct BatchMemory {
+  static constexpr std::size_t kRoom_bytes = 65'536;
+  std::atomic<std::uint32_t> used{0};
+  char bytes[kRoom_bytes];
+};
+
 /// Packs events.
 class BatchWriter {
  public:
-  /// False for what has no place in a batch: another kind of event, or one with more to say.
+  static constexpr std::size_t kMostName = 255;
+  /// There is room for at least one more event if no more than that waits.
+  static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
+
+  struct Head {
+    char kind;
+    std::uint8_t agent, pin, other;
+    std::int32_t number;
+  };
+  static_assert(sizeof(Head) == 8);
+
+  explicit BatchWriter(BatchMemory* memory = nullptr)
+      : own_(memory ? nullptr : new BatchMemory), memory_(memory ? memory : own_.get()) {}
+
+  /// False for what has no place in a batch: another kind of event than samples and bytes, or more to say.
   bool add(const Event& event);
   bool add(const Sample& sample);
-  bool add(const Columns& columns);
-  /// The same as PinChange, LevelSeen, VoltsSeen and SerialByte without `source`. `mode`: 0 input, 1
-  /// input_pullup, 2 output. The robot's number must be less than kMostAgents, a name no longer than
-  /// kMostName.
-  void add_pin(int agent, std::int64_t t_ns, std::string_view pin, int mode, bool level, bool pwm,
-               double duty, std::uint32_t tone_hz);
-  void add_level(int agent, std::int64_t t_ns, std::string_view pin, bool level);
-  void add_volts(int agent, std::int64_t t_ns, std::string_view pin, double volts);
+  /// The same as PinChange, LevelSeen, VoltsSeen and SerialByte; pins by their numbers, which a robot gives
+  /// as it likes. `mode`: 0 input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's
+  /// number must be less than kMostAgents, a name no longer than kMostName.
+  void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
+               bool pwm, double duty, std::uint32_t tone_hz, int source = 0);
+  void add_level(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, bool level) {
+    begin_at_pin(agent, t_ns, pin, name);
+    end(put_head(at(), 'l', agent, pin, level, step_to(t_ns)));
+  }
+  void add_volts(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, double volts) {
+    begin_at_pin(agent, t_ns, pin, name);
+    end(put(put_head(at(), 'v', agent, pin, 0, step_to(t_ns)), volts));
+  }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
-  static constexpr std::size_t kMostName = 255;
+  /// Pins of the robot will have sources.
+  void add_sources(int agent);
+  /// The next of its sources. Of longer names only the beginning is kept.
+  void add_source(int agent, const SourceLine& line);
 
-  std::size_t size() const { return bytes_.size(); }
-  /// Of the first event that waits, and of the last; columns have no time.
-  std::int64_t since_ns() const { return since_ns_; }
+  std::size_t size() const { return memory_->used.load(std::memory_order_relaxed); }
+  /// Of the last event.
   std::int64_t latest_ns() const { return latest_ns_; }
   /// What waits; then nothing does.
   Batch take();
 
  private:
-  void happened(std::int64_t t_ns);
+  template <class T>
+  static char* put(char* to, const T& value) {
+    std::memcpy(to, &value, sizeof value);
+    return to + sizeof value;
+  }
+  static char* put(char* to, std::string_view text) {
+    if (!text.empty()) std::memcpy(to, text.data(), text.size());
+    return to + text.size();
+  }
+  static char* put_head(char* to, char kind, int agent, std::uint8_t pin, int other, std::int32_t number) {
+    return put(to,
+               Head{kind, static_cast<std::uint8_t>(agent), pin, static_cast<std::uint8_t>(other), number});
+  }
+  char* at() { return memory_->bytes + size(); }
+  void end(const char* end) {
+    memory_->used.store(static_cast<std::uint32_t>(end - memory_->bytes), std::memory_order_release);
+  }
+  void begin_at_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name) {
+    const std::size_t number = static_cast<std::size_t>(agent) << 8 | pin;
+    if (number >= named_in_.size() || named_in_[number] != batch_) name_pin(number, name);
+    begin_at(t_ns);
+  }
+  void begin_at(std::int64_t t_ns) {
+    const std::int64_t step = t_ns - from_ns_;
+    if (step != static_cast<std::int32_t>(step)) count_from(t_ns);
+  }
+  std::int32_t step_to(std::int64_t t_ns) {
+    const auto step = static_cast<std::int32_t>(t_ns - from_ns_);
+    from_ns_ = latest_ns_ = t_ns;
+    return step;
+  }
+  void name_pin(std::size_t number, const char* name);
+  void count_from(std::int64_t t_ns);
 
-  std::string bytes_;
-  std::int64_t since_ns_ = 0, latest_ns_ = 0;
+  std::unique_ptr<BatchMemory> own_;
+  BatchMemory* memory_;
+  std::int64_t from_ns_ = 0, latest_ns_ = 0;
+  std::vector<std::uint32_t> named_in_;  ///< by robot and pin: the number of the last batch that names it
+  std::uint32_t batch_ = 1;
 };
 
-/// The events that were packed, in their order. Throws RunnerError for what is no batch; by then it may have
-/// told some.
-void unpack(std::string_view bytes, const OnEvent& on_event);
+/// Reads a run's batches.
+class BatchReader {
+ public:
+  explicit BatchReader(const RunRequest& request);
+  BatchReader(BatchReader&&) noexcept;
+  BatchReader& operator=(BatchReader&&) noexcept;
+  ~BatchReader();
+
+  /// Is to be told of each robot.
+  void begin(const Started& started);
+  /// The events that were packed, in their order, of those that the request asks for; and columns, every
+  /// kColumnsEvery_ns. Throws RunnerError for what is no batch; by then it may have told some.
+  void read(std::string_view bytes, const OnEvent& on_event);
+  /// The columns that wait.
+  void finish(const OnEvent& on_event);
+
+ private:
+  class Unpacker;
+  struct Robot;
+
+  Robot& robot(int agent);
+  void tell_columns(int agent, const OnEvent& on_event);
+
+  bool tells_pins_, tells_inputs_;
+  std::int64_t samples_every_us_, columns_every_us_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+};
 
 }  // namespace robosim::wire

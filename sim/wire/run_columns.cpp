@@ -37,39 +37,24 @@ const std::vector<ColumnSpec>& volts_columns() {
   return columns;
 }
 
-std::vector<Sample> PoseReader::take(const Columns& columns) {
-  constexpr std::size_t kPose = 4;
-  std::vector<Sample> samples;
-  for (const Rows& rows : columns.streams) {
-    if (rows.stream != kSamples) continue;
-    for (std::size_t i = specs_.size(); i < std::min(kPose, rows.columns.size()); ++i) {
-      specs_.push_back(rows.columns[i]);
-      readers_.emplace_back(rows.columns[i].order);
-    }
-    const auto count = static_cast<std::size_t>(rows.count);
-    std::vector<std::vector<std::int64_t>> values;
-    for (std::size_t i = 0; i < std::min(readers_.size(), rows.bytes.size()); ++i)
-      if (auto column = readers_[i].read(rows.bytes[i], count)) values.push_back(std::move(*column));
-    if (values.size() != kPose) return {};  // the recorder says what is wrong with them
-    const auto at = [&](std::size_t column, std::size_t row) {
-      return static_cast<double>(values[column][row]) / specs_[column].scale;
-    };
-    for (std::size_t row = 0; row < count; ++row) {
-      Sample& sample = samples.emplace_back();
-      sample.t_us = values[0][row];
-      sample.x_mm = at(1, row);
-      sample.y_mm = at(2, row);
-      sample.yaw_rad = at(3, row);
-    }
-  }
-  return samples;
+int SourceNumbers::of(const SourceLine& line) {
+  if (line.file.empty()) return 0;
+  const auto [known, fresh] =
+      numbers_.try_emplace({line.file, line.line, line.function}, static_cast<int>(numbers_.size()) + 1);
+  if (fresh) new_.push_back(line);
+  return known->second;
 }
 
-RunColumns::RunColumns(const std::vector<std::string>& pins, bool sources) {
-  for (const std::string& pin : pins) {
-    pins_.push_back({Stream("pin " + pin, pin_columns(sources))});
-    volts_.push_back({Stream("volts " + pin, volts_columns())});
-  }
+std::vector<SourceLine> SourceNumbers::take_new() { return std::exchange(new_, {}); }
+
+RunColumns::RunColumns(const std::vector<std::string>& pins, bool sources) : has_sources_(sources) {
+  for (const std::string& pin : pins) add_board_pin(pin);
+}
+
+std::size_t RunColumns::add_board_pin(const std::string& name) {
+  pins_.push_back({Stream("pin " + name, pin_columns(has_sources_))});
+  volts_.push_back({Stream("volts " + name, volts_columns())});
+  return pins_.size() - 1;
 }
 
 void RunColumns::begin(const std::vector<std::string>& readings) {
@@ -98,17 +83,10 @@ void RunColumns::add(const Sample& s) {
 
 void RunColumns::change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source) {
   if (changes.last[0] >= 0.0 && std::equal(row.begin() + 1, row.end(), changes.last.begin() + 1)) return;
-  const double with_source[] = {row[0], row[1], row[2], row[3], static_cast<double>(number_of(source))};
+  const double with_source[] = {row[0], row[1], row[2], row[3],
+                                source ? static_cast<double>(sources_.of(*source)) : 0.0};
   changes.stream.add(with_source);
   changes.last = row;
-}
-
-int RunColumns::number_of(const SourceLine* source) {
-  if (!source || source->file.empty()) return 0;
-  const auto [known, fresh] = sources_.try_emplace({source->file, source->line, source->function},
-                                                   static_cast<int>(sources_.size()) + 1);
-  if (fresh) new_sources_.push_back(*source);
-  return known->second;
 }
 
 void RunColumns::add_pin(std::size_t pin, std::int64_t t_ns, PinLevel level, double duty,
@@ -128,7 +106,7 @@ void RunColumns::add_volts(std::size_t pin, std::int64_t t_ns, double volts) {
 
 Columns RunColumns::take() {
   Columns columns;
-  columns.sources = std::exchange(new_sources_, {});
+  columns.sources = sources_.take_new();
   for (Stream& stream : samples_)
     if (stream.count() > 0) columns.streams.push_back(stream.take());
   for (auto* all : {&pins_, &volts_})

@@ -33,20 +33,30 @@ std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings)
 std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
 
-/// The samples in the columns of a run, as they come: when they were, and the pose.
-class PoseReader {
+/// Numbers of the lines that drive pins, from 1 in the order in which they come.
+class SourceNumbers {
  public:
-  std::vector<Sample> take(const Columns& columns);
+  /// 0 = it is none.
+  int of(const SourceLine& line);
+  /// Those since the last call.
+  std::vector<SourceLine> take_new();
 
  private:
-  std::vector<ColumnSpec> specs_;
-  std::vector<ColumnReader> readers_;
+  std::map<std::tuple<std::string, int, std::string>, int> numbers_;
+  std::vector<SourceLine> new_;
 };
+
+/// How often columns are told, simulated time.
+constexpr std::int64_t kColumnsEvery_ns = 2'000'000'000;
 
 class RunColumns {
  public:
   /// The board's pins, by number. `sources`: with the lines that drive them.
   explicit RunColumns(const std::vector<std::string>& pins, bool sources = false);
+  /// One more, and its number.
+  std::size_t add_board_pin(const std::string& name);
+  /// Pins that are added from now on have sources.
+  void with_sources() { has_sources_ = true; }
 
   void begin(const std::vector<std::string>& readings);
   void add(const Sample& sample);
@@ -64,13 +74,11 @@ class RunColumns {
     std::array<double, 4> last{-1.0};  ///< of fewer columns the rest is unused; the time is never negative
   };
   void change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source);
-  /// Its number, from 1; 0 = it is none.
-  int number_of(const SourceLine* source);
 
   std::vector<Stream> samples_;  ///< one, once it has begun
   std::vector<Changes> pins_, volts_;
-  std::map<std::tuple<std::string, int, std::string>, int> sources_;  ///< their numbers
-  std::vector<SourceLine> new_sources_;
+  bool has_sources_;
+  SourceNumbers sources_;
 };
 
 }  // namespace robosim::wire

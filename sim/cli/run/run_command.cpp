@@ -34,7 +34,6 @@
 #include "sim/tui/live_view.h"
 #include "sim/tui/progress.h"
 #include "sim/tui/report.h"
-#include "sim/wire/run_columns.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -76,8 +75,6 @@ class Listeners {
       : recorders_(recorders), progress_(progress), for_s_(static_cast<double>(for_ns) * 1e-9) {}
 
   void watch(tui::LiveView* view) { view_ = view; }
-  /// The run sends no samples, but columns, which have them, too.
-  void take_samples_from_columns(std::int64_t every_ns) { trail_every_ns_ = every_ns; }
   void print_serial() { print_serial_ = true; }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
 
@@ -87,9 +84,6 @@ class Listeners {
       print(serial->text);
     if (const auto* started = std::get_if<wire::Started>(&event)) started_ = *started;
     if (const auto* sample = std::get_if<wire::Sample>(&event)) add(*sample);
-    if (const auto* columns = std::get_if<wire::Columns>(&event); columns && trail_every_ns_ > 0)
-      for (const wire::Sample& sample : poses_.take(*columns))
-        if (sample.t_us * 1000 % trail_every_ns_ == 0) add(sample);
     if (const auto* note = std::get_if<wire::Note>(&event)) notes_.push_back(*note);
     if (std::holds_alternative<wire::DebuggerAwaited>(event)) {
       progress_.clear();
@@ -102,7 +96,6 @@ class Listeners {
   const tui::Trail& trail() const { return trail_; }
 
  private:
-  /// Columns come later than the notes of their time.
   void add(const wire::Sample& sample) {
     for (; !notes_.empty() && notes_.front().t_ns < sample.t_us * 1000; notes_.pop_front())
       trail_.add(notes_.front());
@@ -118,8 +111,6 @@ class Listeners {
   wire::Started started_;
   tui::Trail trail_;
   std::deque<wire::Note> notes_;  ///< that the trail has not heard of yet
-  wire::PoseReader poses_;
-  std::int64_t trail_every_ns_ = 0;
   double for_s_;
 };
 
@@ -168,11 +159,6 @@ int run_command(const RunArguments& arguments) {
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
-  const std::int64_t trail_every_ns = tui::trail_every_ns(launch.request.for_ns),
-                     columns_every_ns = launch.request.columns_every_ns;
-  const bool has_samples_in_columns = columns_every_ns > 0 && trail_every_ns % columns_every_ns == 0 &&
-                                      launch.request.samples_every_ns == trail_every_ns && !arguments.view;
-  if (has_samples_in_columns) launch.request.samples_every_ns = 0;
   launch.request.batches = !arguments.view && !arguments.live;  // which are for eyes
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
@@ -189,7 +175,6 @@ int run_command(const RunArguments& arguments) {
   recorders.begin(told);
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
-  if (has_samples_in_columns) listeners.take_samples_from_columns(trail_every_ns);
   if (run.request.gdb_port > 0)
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));

@@ -1,0 +1,33 @@
+// Memory that a process shares with those that it forks.
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <new>
+#include <system_error>
+
+namespace robosim::runner {
+
+/// A T in it, made by its default constructor and never destroyed. Pages that nobody touches cost nothing.
+template <class T>
+class Shared {
+ public:
+  /// Throws std::system_error.
+  Shared() {
+    void* const pages = ::mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (pages == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+    value_ = new (pages) T;
+  }
+  ~Shared() { ::munmap(value_, sizeof(T)); }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+
+  T* get() const { return value_; }
+  T* operator->() const { return value_; }
+
+ private:
+  T* value_;
+};
+
+}  // namespace robosim::runner
