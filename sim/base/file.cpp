@@ -84,13 +84,16 @@ void write_all(const Descriptor& file, std::string_view content) {
   }
 }
 
+/// Beside a file, while it is written.
+fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
+
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view content) {
   std::error_code error;
   const fs::file_status there = fs::status(path, error);
   const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
-  const fs::path target = in_place ? path : fs::path(path.string() + ".tmp" + std::to_string(::getpid()));
+  const fs::path target = in_place ? path : beside(path);
   try {
     const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (!file.is_open()) fail(path, "written", errno);
@@ -98,6 +101,21 @@ void write_file(const fs::path& path, std::string_view content) {
     if (!in_place) fs::rename(target, path);
   } catch (const std::system_error& problem) {
     if (!in_place) ::unlink(target.c_str());
+    fail(path, "written", problem.code().value());
+  }
+}
+
+void place_file(const Descriptor& unnamed, const fs::path& path, int error) {
+  const fs::path target = beside(path);
+  try {
+    if (error != 0) throw std::system_error(error, std::generic_category());
+    const std::string itself = "/proc/self/fd/" + std::to_string(unnamed.get());
+    ::unlink(target.c_str());  // of a process that had our number once
+    if (::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) != 0)
+      throw std::system_error(errno, std::generic_category());
+    fs::rename(target, path);
+  } catch (const std::system_error& problem) {
+    ::unlink(target.c_str());
     fail(path, "written", problem.code().value());
   }
 }

@@ -34,4 +34,23 @@ inline char* put_number(char* to, std::int64_t number) {
   return to + text.size();
 }
 
+/// Numbers that are often the same as the one before: its text is kept.
+class LastNumber {
+ public:
+  char* put(char* to, double number) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    if (bits != bits_ || size_ == 0) {
+      bits_ = bits;
+      size_ = static_cast<std::size_t>(put_number(text_, number) - text_);
+    }
+    std::memcpy(to, text_, kLongestNumber);  // so many are quicker than as many as there are
+    return to + size_;
+  }
+
+ private:
+  std::uint64_t bits_ = 0;
+  std::size_t size_ = 0;
+  char text_[kLongestNumber] = {};
+};
+
 }  // namespace robosim::record

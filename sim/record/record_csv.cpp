@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "sim/base/csv.h"
-#include "sim/base/file.h"
-#include "sim/record/number_text.h"
 
 namespace robosim::record {
 
@@ -22,7 +21,7 @@ std::size_t CsvRecorder::column_of(const std::string& reading) {
 
 void CsvRecorder::begin_robot(const wire::Started& started) {
   const auto agent = static_cast<std::size_t>(started.agent);
-  if (agent >= wire::kMostAgents) return;
+  if (agent >= wire::kMostAgents || has_header_) return;
   cells_.resize(std::max(cells_.size(), agent + 1));
   Cells& cells = cells_[agent];
   for (std::size_t i = 0; i < started.readings.size(); ++i) {
@@ -32,6 +31,7 @@ void CsvRecorder::begin_robot(const wire::Started& started) {
     cells.resize(std::max(cells.size(), column + 1), kEmpty);
     cells[column] = i;
   }
+  if (++begun_ >= std::max<std::size_t>(robots_.size(), 1)) write_header();
 }
 
 void CsvRecorder::add(const wire::Event& event) {
@@ -41,45 +41,44 @@ void CsvRecorder::add(const wire::Event& event) {
     add_row(*sample);
 }
 
+void CsvRecorder::write_header() {
+  has_header_ = true;
+  std::string header = robots_.empty() ? "t_us" : "t_us,robot";
+  header += ",x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right";
+  for (const std::string& name : readings_) header += "," + csv_field(name);
+  file_.add(header += "\n");
+  for (const wire::Sample& sample : std::exchange(early_, {})) add_row(sample);
+}
+
 void CsvRecorder::add_row(const wire::Sample& s) {
   const auto agent = static_cast<std::size_t>(s.agent);
   // A robot that nobody has asked for is none.
   if (agent >= wire::kMostAgents || (!robots_.empty() && agent >= robots_.size())) return;
+  if (!has_header_) return early_.push_back(s);
   cells_.resize(std::max(cells_.size(), agent + 1));  // one that has not begun has no readings
   const Cells& cells = cells_[agent];
   const std::string name = robots_.empty() ? "" : "," + robots_[agent];
   const double pose[] = {s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right};
-  const std::size_t begin = rows_.size();
-  rows_.resize(begin + name.size() + (1 + std::size(pose) + readings_.size()) * (kLongestNumber + 1));
-  char* to = put_number(rows_.data() + begin, s.t_us);
+  last_.resize(std::size(pose) + readings_.size());
+  LastNumber* last = last_.data();
+  char* to = put_number(file_.room(name.size() + (1 + last_.size()) * (kLongestNumber + 1)), s.t_us);
   to = std::copy(name.begin(), name.end(), to);
   for (const double number : pose) {
     *to++ = ',';
-    to = put_number(to, number);
+    to = last++->put(to, number);
   }
-  for (std::size_t column = 0; column < readings_.size(); ++column) {
+  for (std::size_t column = 0; column < readings_.size(); ++column, ++last) {
     *to++ = ',';
     const std::size_t reading = column < cells.size() ? cells[column] : kEmpty;
-    if (reading < s.readings.size()) to = put_number(to, s.readings[reading]);
+    if (reading < s.readings.size()) to = last->put(to, s.readings[reading]);
   }
-  rows_.resize(static_cast<std::size_t>(to - rows_.data()));
-  row_ends_.push_back({rows_.size(), readings_.size()});
+  *to++ = '\n';
+  file_.added(to);
 }
 
-std::string CsvRecorder::text() const {
-  std::string text = robots_.empty() ? "t_us" : "t_us,robot";
-  text += ",x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right";
-  for (const std::string& name : readings_) text += "," + csv_field(name);
-  text += "\n";
-  text.reserve(text.size() + rows_.size() + row_ends_.size());
-  std::size_t begin = 0;
-  for (const Row& row : row_ends_) {
-    text.append(rows_, begin, row.end - begin).append(readings_.size() - row.width, ',') += '\n';
-    begin = row.end;
-  }
-  return text;
+void CsvRecorder::finish(const wire::RunResult&) {
+  if (!has_header_) write_header();
+  file_.finish();
 }
-
-void CsvRecorder::finish(const wire::RunResult&) { write_file(path_, text()); }
 
 }  // namespace robosim::record

@@ -1,20 +1,20 @@
 // Recordings as .csv: a run's samples as a table. The format is in docs/recordings.md.
 #pragma once
 
+#include "sim/base/new_file.h"
+#include "sim/record/number_text.h"
 #include "sim/record/recorder.h"
 
 namespace robosim::record {
 
-/// Gathers rows in memory; nothing is written before the end.
+/// Rows wait until all robots have begun, since the header names what each of them reads.
 class CsvRecorder final : public Recorder {
  public:
-  explicit CsvRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit CsvRecorder(const std::filesystem::path& path) : file_(path) {}
   void begin(const RecordedRun& run) override;
   /// Takes `started` for the header and samples for the rows; ignores everything else.
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult&) override;
-  /// The table so far.
-  std::string text() const;
 
  private:
   /// Which of a robot's readings stands in a column; the table's columns behind the last have none.
@@ -24,18 +24,16 @@ class CsvRecorder final : public Recorder {
   void begin_robot(const wire::Started& started);
   std::size_t column_of(const std::string& reading);
   void add_row(const wire::Sample& sample);
+  void write_header();
 
-  std::filesystem::path path_;
-  struct Row {
-    std::size_t end;    ///< in rows_
-    std::size_t width;  ///< in readings; columns that came later are not there
-  };
-
+  NewFile file_;
   std::vector<std::string> robots_;    ///< names, where there are several
   std::vector<std::string> readings_;  ///< columns
   std::vector<Cells> cells_;           ///< of each robot
-  std::string rows_;                   ///< one behind the other
-  std::vector<Row> row_ends_;
+  std::size_t begun_ = 0;              ///< robots
+  bool has_header_ = false;
+  std::vector<wire::Sample> early_;  ///< that wait for the header
+  std::vector<LastNumber> last_;     ///< of each column
 };
 
 }  // namespace robosim::record

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
+#include <utility>
 
-#include "sim/base/file.h"
 #include "sim/record/number_text.h"
 #include "sim/wire/run_columns.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
+// What comes later than so much after what it should have come before is not put in order any more.
+constexpr std::int64_t kLatest_ns = 1'000'000'000;
+constexpr std::size_t kFewWaiting = 4096;
 
 // Printable characters, the shortest first.
 std::string identifier(std::size_t number) {
@@ -35,9 +39,11 @@ void VcdRecorder::ask(wire::RunRequest& request) const { request.pins = request.
 void VcdRecorder::begin(const RecordedRun& run) {
   for (const RecordedRobot& robot : run.robots)
     begin_board(robot.name, *find_board(robot.info.board.name.c_str()));
-  if (!boards_.empty()) return;
-  const BoardSpec& board = *find_board(run.robot_info.board.name.c_str());
-  begin_board(board.name, board);
+  if (boards_.empty()) {
+    const BoardSpec& board = *find_board(run.robot_info.board.name.c_str());
+    begin_board(board.name, board);
+  }
+  write_header();
 }
 
 void VcdRecorder::begin_board(const std::string& scope, const BoardSpec& board) {
@@ -69,10 +75,12 @@ std::uint32_t VcdRecorder::declare(std::string name, Signal::Kind kind) {
 
 void VcdRecorder::change(std::int64_t t_ns, std::uint32_t signal, double value) {
   if (signal == kNone) return;
-  const std::size_t line = lines_.size();
-  char text[kLongestLine];
-  lines_.append(text, static_cast<std::size_t>(write(text, signals_[signal], value) - text));
-  changes_.push_back({t_ns, value, signal, static_cast<std::uint32_t>(lines_.size() - line), line});
+  waiting_.push_back({t_ns, value, signal});
+  for (std::size_t i = waiting_.size() - 1; i > 0 && waiting_[i - 1].t_ns > t_ns; --i)
+    std::swap(waiting_[i - 1], waiting_[i]);
+  if (waiting_.size() < most_waiting_) return;
+  write_changes(waiting_.back().t_ns - kLatest_ns);
+  most_waiting_ = std::max(kFewWaiting, 2 * waiting_.size());
 }
 
 void VcdRecorder::add_byte(Board& board, const wire::SerialByte& byte) {
@@ -136,7 +144,7 @@ char* VcdRecorder::write(char* to, const Signal& signal, double value) {
   return to;
 }
 
-std::string VcdRecorder::text() const {
+void VcdRecorder::write_header() {
   std::string out = "$version Robosim $end\n$timescale 1 ns $end\n";
   constexpr const char* kTypes[] = {"wire 1", "real 64", "reg 8"};
   std::size_t next = 0;
@@ -149,46 +157,43 @@ std::string VcdRecorder::text() const {
   }
   out += "$enddefinitions $end\n#0\n$dumpvars\n";
 
-  std::vector<double> values(signals_.size(), 0.0);
+  values_.assign(signals_.size(), 0.0);
   for (const Board& board : boards_)
     for (const auto& [name, signals] : board.pins)
       if (signals.level != kNone)
-        values[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset leaves inputs
+        values_[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset leaves inputs
   char line[kLongestLine];
-  for (std::size_t i = 0; i < signals_.size(); ++i) out.append(line, write(line, signals_[i], values[i]));
-  out += "$end\n";
+  for (std::size_t i = 0; i < signals_.size(); ++i) out.append(line, write(line, signals_[i], values_[i]));
+  file_.add(out += "$end\n");
+}
 
-  std::vector<Change> sorted;
-  const auto is_before = [](const Change& a, const Change& b) { return a.t_ns < b.t_ns; };
-  const bool is_sorted = std::is_sorted(changes_.begin(), changes_.end(), is_before);
-  if (!is_sorted) {
-    sorted = changes_;
-    std::stable_sort(sorted.begin(), sorted.end(), is_before);
+char* VcdRecorder::go_to(char* to, std::int64_t t_ns) {
+  now_ns_ = t_ns;
+  *to++ = '#';
+  to = put_number(to, t_ns);
+  *to++ = '\n';
+  return to;
+}
+
+void VcdRecorder::write_changes(std::int64_t until_ns) {
+  std::size_t written = 0;
+  for (; written < waiting_.size() && waiting_[written].t_ns <= until_ns; ++written) {
+    const Change& change = waiting_[written];
+    if (values_[change.signal] == change.value) continue;
+    values_[change.signal] = change.value;
+    char* to = file_.room(kLongestTime + kLongestLine);
+    if (change.t_ns > now_ns_) to = go_to(to, change.t_ns);
+    file_.added(write(to, signals_[change.signal], change.value));
   }
-  const std::size_t begin = out.size();
-  out.resize(begin + lines_.size() + (changes_.size() + 1) * kLongestTime);
-  char* to = out.data() + begin;
-  std::int64_t now = 0;
-  const auto go_to = [&](std::int64_t t_ns) {
-    *to++ = '#';
-    to = put_number(to, now = t_ns);
-    *to++ = '\n';
-  };
-  for (const Change& change : is_sorted ? changes_ : sorted) {
-    if (values[change.signal] == change.value) continue;
-    values[change.signal] = change.value;
-    if (change.t_ns != now) go_to(change.t_ns);
-    to = std::copy_n(lines_.data() + change.line, change.bytes, to);
-  }
-  if (last_ns_ > now) go_to(last_ns_);
-  out.resize(static_cast<std::size_t>(to - out.data()));
-  return out;
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(written));
 }
 
 void VcdRecorder::finish(const wire::RunResult& result) {
   ended(result);
   for (const wire::RunResult& other : result.others) ended(other);
-  write_file(path_, text());
+  write_changes(std::numeric_limits<std::int64_t>::max());
+  if (last_ns_ > now_ns_) file_.added(go_to(file_.room(kLongestTime), last_ns_));
+  file_.finish();
 }
 
 // The file ends with the last whole hundredth of a second.

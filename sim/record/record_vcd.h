@@ -9,29 +9,26 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/new_file.h"
 #include "sim/record/recorder.h"
 
 namespace robosim::record {
 
-/// Gathers changes in memory; nothing is written before the end.
+/// Changes come nearly in the order of time: they wait until nothing can come before them.
 class VcdRecorder final : public Recorder {
  public:
-  explicit VcdRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit VcdRecorder(const std::filesystem::path& path) : file_(path) {}
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
   /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult& result) override;
-  /// The whole file: every signal declared, then the changes in the order of time.
-  std::string text() const;
 
  private:
   struct Change {
     std::int64_t t_ns;
     double value;  ///< of a wire: a wire::PinLevel
     std::uint32_t signal;
-    std::uint32_t bytes;  ///< of its line
-    std::size_t line;     ///< where that begins in lines_
   };
   struct Signal {
     enum class Kind { wire, real, byte };
@@ -62,12 +59,17 @@ class VcdRecorder final : public Recorder {
   void add_byte(Board& board, const wire::SerialByte& byte);
   const PinSignals* signals_of(int agent, const std::string& pin);
   static char* write(char* to, const Signal& signal, double value);
+  void write_header();
+  void write_changes(std::int64_t until_ns);
+  char* go_to(char* to, std::int64_t t_ns);
 
-  std::filesystem::path path_;
+  NewFile file_;
   std::vector<Signal> signals_;
-  std::vector<Board> boards_;  ///< by the robots' numbers
-  std::vector<Change> changes_;
-  std::string lines_;  ///< of changes, written while the run goes on
+  std::vector<Board> boards_;     ///< by the robots' numbers
+  std::vector<double> values_;    ///< of the signals, as the file has them
+  std::vector<Change> waiting_;   ///< in the order of time
+  std::size_t most_waiting_ = 0;  ///< before it is looked which need no longer
+  std::int64_t now_ns_ = 0;       ///< in the file
   std::int64_t last_ns_ = 0;
 };
 

@@ -1,14 +1,19 @@
 // Whatever a runner says in its events, a recording of them is a table, and a file of signals in the order of
 // time. Whatever bytes a table of a sweep holds: it is refused with file and line, or each row is of the
 // plan.
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "sim/base/csv.h"
 #include "sim/base/error.h"
+#include "sim/base/file.h"
 #include "sim/cli/sweep/sweep_table.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_vcd.h"
@@ -22,7 +27,9 @@ using namespace robosim;
 
 void record_events(std::string_view text) {
   record::CsvRecorder table("fuzz.csv");
-  record::VcdRecorder signals("fuzz.vcd");
+  static const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("robosim-fuzz-{}.vcd", ::getpid());
+  record::VcdRecorder signals(file);
   record::RecordedRun run;
   run.robot_info.board.name = "uno";
   signals.begin(run);
@@ -38,7 +45,9 @@ void record_events(std::string_view text) {
     } catch (const wire::RunnerError&) {
     }
   }
-  const std::string waves = signals.text();
+  signals.finish({});
+  const std::string waves = read_file(file);
+  std::filesystem::remove(file);
   long long last = -1;
   for (std::size_t at = waves.find("$enddefinitions"); at != waves.npos; at = waves.find("\n#", at + 1)) {
     if (waves[at] != '\n') continue;

@@ -1,0 +1,45 @@
+// A file that is written while its content comes to be, and is there only once all of it is.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "sim/base/descriptor.h"
+
+namespace robosim {
+
+/// Longer content goes to the disk as it comes, into a file without a name, which is gone if nobody finishes
+/// it, however this process ends. Where that cannot be (a device, a pipe, a file system that has no such
+/// files), content waits in memory, as what is short does.
+class NewFile {
+ public:
+  explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// `end` more bytes at most are written where this points; then added() is told how many.
+  char* room(std::size_t most) {
+    if (waiting_.size() < used_ + most) waiting_.resize(used_ + most + kPiece);
+    return waiting_.data() + used_;
+  }
+  void added(const char* end) {
+    used_ = static_cast<std::size_t>(end - waiting_.data());
+    if (used_ >= kPiece) write_waiting();
+  }
+  void add(std::string_view text);
+  /// Puts it in its place, as write_file() does. Throws InputError, also for what went wrong before.
+  void finish();
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t{1} << 17;
+
+  void write_waiting();
+
+  std::filesystem::path path_;
+  std::string waiting_;
+  std::size_t used_ = 0;  ///< of it
+  Descriptor unnamed_;
+  bool is_tried_ = false;
+  int error_ = 0;
+};
+
+}  // namespace robosim
