@@ -21,7 +21,7 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       clocks_(link_, power_),
       flash_(link_, memory),
       ports_(
-          link_, [this](ChipPin pin) { return alternate(pin); },
+          link_, [this](ChipPin pin) { return alternate(pin); }, [this](ChipPin pin) { return pulse(pin); },
           [this](ChipPin pin) { return watched(pin); }),
       systick_(link_),
       timers_{Timer(link_, clocks_, stm32f103c8::kTim1), Timer(link_, clocks_, stm32f103c8::kTim2),
@@ -87,6 +87,13 @@ PinDrive Bus::alternate(ChipPin pin) const {
   for (const Peripheral* peripheral : peripherals_)
     if (peripheral->drives(pin, drive)) break;
   return drive;
+}
+
+Pulse Bus::pulse(ChipPin pin) const {
+  PinDrive drive;
+  for (const Peripheral* peripheral : peripherals_)
+    if (peripheral->drives(pin, drive)) return peripheral->pulse(pin);
+  return {};
 }
 
 bool Bus::watched(ChipPin pin) const {

@@ -93,6 +93,7 @@ class Bus : DmaBus {
   void add(Peripheral& peripheral);
   Block* block_at(Address address);
   PinDrive alternate(ChipPin pin) const;
+  Pulse pulse(ChipPin pin) const;
   bool watched(ChipPin pin) const;
   void edge(const BoardInput& edge);
   bool dma_load(Address address, unsigned bytes, std::uint32_t& value) override;

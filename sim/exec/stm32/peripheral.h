@@ -5,6 +5,13 @@
 
 namespace robosim::exec::stm32 {
 
+/// What somebody who looks at a pin that makes PWM sees: its level now, and the cycle up to which, exclusive,
+/// that stays so if nothing is written; the present one or one before: not known.
+struct Pulse {
+  bool level = false;
+  Cycle until = 0;
+};
+
 /// `number`: 1 to 7.
 constexpr unsigned dma_channel(int number) { return 1u << (number - 1); }
 
@@ -43,6 +50,9 @@ class Peripheral {
 
   /// Whether it has that pin, by AFIO_MAPR as it is; then `drive` is how it drives it.
   virtual bool drives(ChipPin, PinDrive&) const { return false; }
+
+  /// Of a pin that drives() tells PWM of.
+  virtual Pulse pulse(ChipPin) const { return {}; }
 
   /// Whether it wants to hear of the pin's edges; then edge() tells it.
   virtual bool watches(ChipPin) const { return false; }

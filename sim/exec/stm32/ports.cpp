@@ -19,8 +19,9 @@ Irq irq_of(int line) {
 
 }  // namespace
 
-Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<bool(ChipPin)> watched)
-    : link_(link), alternate_(std::move(alternate)), watched_(std::move(watched)) {
+Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
+             std::function<bool(ChipPin)> watched)
+    : link_(link), alternate_(std::move(alternate)), pulse_(std::move(pulse)), watched_(std::move(watched)) {
   for (auto& port : numbers_) port.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin) {
@@ -57,7 +58,11 @@ PinDrive Ports::drive_of(ChipPin pin) const {
 
 void Ports::refresh(ChipPin pin) {
   if (pin == kNoChipPin) return;
-  if (number_of(pin) != kNoPin) link_.board.set_drive(number_of(pin), drive_of(pin), link_.clock.time());
+  if (number_of(pin) == kNoPin) return;
+  const PinDrive drive = drive_of(pin);
+  std::uint32_t& pwm = ports_[static_cast<std::size_t>(pin.port)].pwm;
+  pwm = (pwm & ~(1u << pin.bit)) | (drive.pwm ? 1u << pin.bit : 0);
+  link_.board.set_drive(number_of(pin), drive, link_.clock.time());
 }
 
 void Ports::refresh_port(int port) {
@@ -95,13 +100,15 @@ Pin Ports::note_read(ChipPin pin) {
 
 bool Ports::read_input(ChipPin pin) {
   const Pin number = note_read(pin);
-  return number != kNoPin && link_.board.read_level(number, link_.clock.time());
+  if (number == kNoPin) return false;
+  return makes_pwm(pin) ? pulse_(pin).level : link_.board.read_level(number, link_.clock.time());
 }
 
 Cycle Ports::input_same_until(ChipPin pin) const {
   constexpr Cycle kRounding = 4;  // between the board's time and cycles
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return kNoCycle;
+  if (makes_pwm(pin)) return pulse_(pin).until;
   const SimTime until = link_.board.same_until(number, link_.clock.time());
   if (until == kNever) return kNoCycle;
   const Cycle cycle = link_.clock.cycle_at(until);
@@ -150,7 +157,8 @@ std::uint32_t Ports::read(Address address) {
       std::uint32_t levels = 0;
       for (int bit = 0; bit < kBits; ++bit)
         if (const Pin pin = note_read({number, bit});
-            pin != kNoPin && link_.board.read_along(pin, link_.clock.time()))
+            pin != kNoPin && (makes_pwm({number, bit}) ? pulse_({number, bit}).level
+                                                       : link_.board.read_along(pin, link_.clock.time())))
           levels |= 1u << bit;
       return levels;
     }

@@ -3,7 +3,7 @@
 //
 // A read of GPIOx_IDR asks the robot for all inputs of the port; one through the bit-band region
 // (PM0056 2.2.5) asks for one pin only. Open-drain outputs that are high count as inputs. PWM is told as a
-// duty, never as edges.
+// duty, never as edges; a program that reads the pin sees its level.
 #pragma once
 
 #include <array>
@@ -16,8 +16,10 @@ namespace robosim::exec::stm32 {
 class Ports final : public Peripheral {
  public:
   /// `alternate` says how the peripheral that has the pin drives it.
+  /// `pulse`: what the pin's PWM does now.
   /// `watched`: whether a peripheral wants to hear of its edges.
-  Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<bool(ChipPin)> watched);
+  Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
+        std::function<bool(ChipPin)> watched);
 
   /// Whether it is a port's, not of AFIO or EXTI.
   static bool owns_port(Address address) {
@@ -56,6 +58,7 @@ class Ports final : public Peripheral {
   struct Port {
     std::array<std::uint32_t, 2> configuration{0x44444444, 0x44444444};  ///< CRL, CRH
     std::uint32_t output = 0;
+    std::uint32_t pwm = 0;  ///< a bit for each pin that makes PWM
   };
 
   std::uint32_t configuration(ChipPin pin) const;
@@ -63,6 +66,7 @@ class Ports final : public Peripheral {
   Pin number_of(ChipPin pin) const {
     return numbers_[static_cast<std::size_t>(pin.port)][static_cast<std::size_t>(pin.bit)];
   }
+  bool makes_pwm(ChipPin pin) const { return ports_[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1; }
   /// Its number; kNoPin if nothing can be read there.
   Pin note_read(ChipPin pin);
   void refresh_port(int port);
@@ -77,6 +81,7 @@ class Ports final : public Peripheral {
 
   Link& link_;
   std::function<PinDrive(ChipPin)> alternate_;
+  std::function<Pulse(ChipPin)> pulse_;
   std::function<bool(ChipPin)> watched_;
   std::array<Port, kPorts> ports_;
   std::array<std::array<Pin, kBits>, kPorts> numbers_;

@@ -76,15 +76,20 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
+// A complementary output beside its twin is its opposite; alone it is as that would be (table 83).
+bool Timer::inverts(int channel, bool complement) const {
+  const std::uint32_t own = outputs_ >> (4 * channel) & 15;
+  const bool opposite = complement && own & 1;
+  return opposite != bool(own & (complement ? 8 : 2));
+}
+
 PinDrive Timer::drive_of(int channel, bool complement) const {
   PinDrive drive;
   drive.mode = PinMode::output;
   const std::uint32_t own = outputs_ >> (4 * channel) & 15;
   const bool on = complement ? own & 4 : own & 1;
   if (!on || captures(channel) || (advanced() && !(dead_time_ & kMoe))) return drive;
-  // A complementary output beside its twin is its opposite; alone it is as that would be (table 83).
-  const bool opposite = complement && own & 1;
-  const bool inverted = opposite != bool(own & (complement ? 8 : 2));
+  const bool inverted = inverts(channel, complement);
   const std::uint32_t how = mode(channel) >> 4 & 7;
   if (how < 6) {
     const bool active = how == 5 || (how < 4 && active_[static_cast<std::size_t>(channel)]);
@@ -108,6 +113,34 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
     return true;
   }
   return false;
+}
+
+// 14.3.10: OCxREF of PWM mode 1, and the next count that changes it. Whole periods may have passed unnoticed.
+Pulse Timer::pulse_of(int channel) const {
+  const std::int64_t value = compare_[static_cast<std::size_t>(channel)], top = top_, whole = period();
+  const bool down = counts_down() && !centered();
+  if (!is_clocked()) return {down ? held_ <= value : held_ < value, 0};
+  const std::int64_t falls = down ? whole : value, rises = centered() ? 2 * top - value
+                                                           : down     ? top - value
+                                                                      : whole;
+  const std::int64_t passed = place(link_.clock.now), here = passed % whole;
+  std::int64_t next = whole;
+  for (const std::int64_t change : {falls, rises})
+    if (change > here) next = std::min(next, change);
+  return {here >= rises || (!down && here < falls),
+          origin_ + static_cast<Cycle>(passed - here + next) * step_};
+}
+
+Pulse Timer::pulse(ChipPin pin) const {
+  for (int channel = 0; channel < kChannels; ++channel) {
+    const bool complement = advanced() && pin == complementary_pin(channel, link_.map);
+    if ((pin_of(channel) != pin && !complement) || captures(channel)) continue;
+    Pulse pulse = pulse_of(channel);
+    const bool in_mode_2 = (mode(channel) >> 4 & 7) == 7;
+    pulse.level = pulse.level != (in_mode_2 != inverts(channel, complement));
+    return pulse;
+  }
+  return {};
 }
 
 void Timer::refresh_pins() {

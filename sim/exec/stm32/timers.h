@@ -4,10 +4,10 @@
 //   centre-aligned              (PSC + 1) * 2 * ARR                    CCR / ARR
 //
 // timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp what channels and signals
-// do. PWM is a duty, other outputs are edges. An edge is captured with the count at its time, without filter
-// or synchroniser. Dead time makes no difference to a duty. A CCR, ARR or PSC that is preloaded counts from
-// the next update on. Refused, as not modelled: external trigger inputs (ETR), gating by another timer, DMA
-// bursts, and the break input.
+// do. PWM is a duty, and a level where its own program reads the pin; other outputs are edges. An edge is
+// captured with the count at its time, without filter or synchroniser. Dead time makes no difference to a
+// duty. A CCR, ARR or PSC that is preloaded counts from the next update on. Refused, as not modelled:
+// external trigger inputs (ETR), gating by another timer, DMA bursts, and the break input.
 #pragma once
 
 #include <array>
@@ -47,6 +47,7 @@ class Timer final : public Peripheral, TimerRegisters {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   bool drives(ChipPin pin, PinDrive& drive) const override;
+  Pulse pulse(ChipPin pin) const override;
   bool watches(ChipPin pin) const override;
   void edge(ChipPin pin, bool level, Cycle at) override;
   Cycle next_event() const override;
@@ -105,6 +106,8 @@ class Timer final : public Peripheral, TimerRegisters {
   double share_of(int channel) const;
   std::uint32_t period_us() const;
   PinDrive drive_of(int channel, bool complement) const;
+  bool inverts(int channel, bool complement) const;
+  Pulse pulse_of(int channel) const;
   void trigger(Cycle at);
   /// Whether TRGO is the OCxREF of a channel that becomes active at an update.
   bool rises_at_update() const;

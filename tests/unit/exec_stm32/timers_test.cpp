@@ -127,6 +127,39 @@ TEST_F(TimersTest, AChannelTogglesItsPin) {
   EXPECT_FALSE(edges_[1].second);
 }
 
+TEST_F(TimersTest, TheProgramReadsTheLevelOfItsOwnPwm) {
+  alternate(0, 6);
+  store(kTim3 + kTimArr, 99);
+  store(kTim3 + kTimCcr1, 30);
+  store(kTim3 + kTimCcer, 1);
+  const Address idr = kGpioA + kIdr, bit = 0x42000000 + (idr - 0x40000000) * 32 + 6 * 4;
+  // RM0008 14.3.10: active below CCR; counting down, up to CCR; centred, a CCR-th of ARR around the lowest.
+  for (const auto& [control, mode, high] : {std::tuple{0u, kPwmMode1, 30},
+                                            {1u << 4, kPwmMode1, 31},
+                                            {1u << 5, kPwmMode1, 60},
+                                            {0u, 7u << 4, 70}}) {
+    const int period = control == 1u << 5 ? 198 : 100;
+    store(kTim3 + kTimCr1, control);
+    store(kTim3 + kTimCcmr1, mode);
+    store(kTim3 + kTimEgr, kUg);
+    store(kTim3 + kTimCr1, control | kCen);
+    pass(1000);
+    int seen = 0, by_bit = 0;
+    for (int i = 0; i < period; ++i) {
+      const bool level = load(idr) >> 6 & 1;
+      const Cycle until = bus_.same_until(idr);
+      EXPECT_GT(until, now());
+      EXPECT_EQ(bus_.same_until(bit), until);
+      seen += level;
+      by_bit += static_cast<int>(load(bit));
+      pass(1);
+      EXPECT_TRUE(now() >= until || (load(idr) >> 6 & 1) == level) << control << " at " << i;
+    }
+    EXPECT_EQ(seen, high) << control;
+    EXPECT_EQ(by_bit, high) << control;
+  }
+}
+
 TEST_F(TimersTest, CapturesTheCountAtAnEdgeOfEitherInputOfAPair) {
   enable(kIrqTim2);
   store(kTim2 + kTimCcmr1, 1u << 0 | 2u << 8);  // channels 1 and 2 look at TI1
