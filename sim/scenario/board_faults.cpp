@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "hal/board/board_spec.h"
 #include "sim/base/units.h"
@@ -216,12 +217,16 @@ void BoardFaults::switch_power(bool on, SimTime t) {
 }
 
 void BoardFaults::update_power(SimTime t) {
+  if (!state_.switched_on || state_.chip_volts < kPowerOnReset) state_.was_gone = true;
   const bool powered = state_.switched_on && state_.chip_volts >= executor_.board().spec().brown_out_volts;
   if (powered == state_.powered) return;
   state_.powered = powered;
   if (powered) {
     ++state_.boots;
-    executor_.power_on(t);
+    if (std::exchange(state_.was_gone, false))
+      executor_.power_on(t);
+    else
+      executor_.power_recovered(t);
   } else {
     executor_.power_off(t);
   }

@@ -25,7 +25,8 @@
 
 namespace robosim::scenario {
 
-constexpr double kLogicKeeps = 2.0;  ///< V: less than that, and a 74HC's registers forget
+constexpr double kLogicKeeps = 2.0;    ///< V: less than that, and a 74HC's registers forget
+constexpr double kPowerOnReset = 1.3;  ///< V: less, and an AVR takes its supply for gone (typical)
 
 /// The faults that a script can ask for, read and checked. As they are made by default, nothing is wrong: the
 /// script's "ok".
@@ -99,6 +100,7 @@ class BoardFaults final : EepromWatcher {
   struct State {
     bool switched_on = true;
     bool powered = true;
+    bool was_gone = false;  ///< the supply, since the chip last ran: not a brown-out, but power-on
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< of its supply
     bool keeps = true;        ///< parts on the board's supply have enough of it

@@ -89,6 +89,7 @@ class AvrExecutor::Running final : public RunningChip {
     machine_.restore(std::any_cast<const avr::Machine::Saved&>(saved));
     if (debugger_) debugger_->restored();
   }
+  void was_browned_out() override { machine_.chip().was_browned_out(); }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
 
  private:

@@ -147,6 +147,11 @@ void WatchedChip::was_reset() {
   if (state_.watchdog_resets >= Bites::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
+void WatchedChip::was_browned_out() {
+  constexpr std::uint8_t kBorf = 0x04;
+  chip_.core().at(reg::kMcusr) = kBorf;
+}
+
 // --- traps
 
 namespace {

@@ -51,6 +51,8 @@ class RunningChip {
   virtual void restore(const std::any& saved) = 0;
   /// Of its detectors, if there are any.
   virtual std::vector<Detected> detected() const { return {}; }
+  /// Not power-on has reset it, but its brown-out detector. To be called before it runs.
+  virtual void was_browned_out() {}
   /// millis() begins with `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };

@@ -14,6 +14,11 @@ void ChipExecutor::power_on(SimTime t) {
   make_chip(t);
 }
 
+void ChipExecutor::power_recovered(SimTime t) {
+  power_on(t);
+  chip_->was_browned_out();
+}
+
 void ChipExecutor::make_chip(SimTime t) {
   chip_ = firmware_->power_on(clocked_, clocked_.begin_tick(t));
   if (state_.clock_start > 0) chip_->set_clock(state_.clock_start);

@@ -22,6 +22,7 @@ class ChipExecutor : public Executor {
   RobotPort& board() override { return board_; }
   BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override;
+  void power_recovered(SimTime t) override;
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
   const std::optional<Crash>& crash() const override { return state_.crash; }

@@ -51,6 +51,9 @@ class Executor {
 
   /// Loads the firmware afresh and starts it at `t`; all pins are inputs. EEPROM keeps its content.
   virtual void power_on(SimTime t) = 0;
+  /// The same behind a brown-out: the supply had sunk below the chip's level, but was never gone. A chip that
+  /// tells the two apart says so to its firmware.
+  virtual void power_recovered(SimTime t) { power_on(t); }
   /// Stops the firmware; all pins become inputs without pull-up.
   virtual void power_off(SimTime t) = 0;
 

@@ -28,6 +28,18 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(2550, 70));
 }
 
+TEST_F(PowerTest, AChipKnowsABrownOutFromPowerOn) {
+  start(R"(void setup() { Serial.begin(115200); Serial.println(MCUSR); }
+void loop() {})");
+  run(5 * kMillisecond);
+  avr_->power_off(now_);
+  avr_->power_recovered(now_);
+  run(5 * kMillisecond);
+  avr_->power_on(now_);
+  run(5 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(1, 4, 1));
+}
+
 TEST_F(PowerTest, AnEepromWriteTakes3400Microseconds) {
   output(R"(#include <EEPROM.h>
 void setup() {

@@ -30,6 +30,10 @@ class Probe final : public exec::Executor {
     state.listen(1, t);
     power.push_back(t / ms);
   }
+  void power_recovered(SimTime t) override {
+    power_on(t);
+    ++recovered;
+  }
   void power_off(SimTime t) override {
     state.reset(t);
     power.push_back(-t / ms);
@@ -49,6 +53,7 @@ class Probe final : public exec::Executor {
 
   exec::BoardState state{*find_board("uno")};
   std::vector<SimTime> power;  // ms; negative: off
+  int recovered = 0;
   bool reaches_eeprom = true;
   int drift = 0;
 
@@ -107,6 +112,22 @@ TEST_F(BoardFaultsTest, ABrownOutResetsTheChip) {
   EXPECT_FALSE(faults.powered());
   fail({"power", "ok"}, 15 * ms);
   EXPECT_THAT(probe.power, ElementsAre(-10, 15));
+}
+
+TEST_F(BoardFaultsTest, ASupplyThatWasGoneIsNoBrownOut) {
+  fail({"power", "sag", "4V"}, 10 * ms);
+  fail({"power", "ok"}, 20 * ms);
+  EXPECT_EQ(probe.recovered, 1);
+  fail({"power", "sag", "2V"}, 30 * ms);
+  fail({"power", "sag", "4V"}, 35 * ms);
+  fail({"power", "ok"}, 40 * ms);
+  faults.switch_power(false, 50 * ms);
+  faults.switch_power(true, 60 * ms);
+  EXPECT_EQ(probe.recovered, 1);
+  fail({"power", "brown-out"}, 70 * ms);
+  fail({"power", "ok"}, 80 * ms);
+  EXPECT_EQ(probe.recovered, 2);
+  EXPECT_EQ(faults.boots(), 5u);
 }
 
 TEST_F(BoardFaultsTest, ASagMovesNothingThatTheSwitchHasTurnedOff) {
