@@ -160,7 +160,8 @@ TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
 
 TEST_F(Vcd, AChangeThatIsToldTooLateToBePutInOrderStandsWhereItWasTold) {
   record.add(output(1'000'000, "D8", true));
-  for (int i = 0; i < 20'000; ++i) record.add(wire::VoltsSeen{2'000'000 * i, "A0", i + 0.5});
+  for (std::int64_t i = 0; i < 20'000; ++i)
+    record.add(wire::VoltsSeen{2'000'000 * i, "A0", static_cast<double>(i) + 0.5});
   record.add(output(2'000'000, "D8", false));
   const std::string vcd = text_of(record);
   const std::size_t late = vcd.find("\n0" + id_of(vcd, "D8") + "\n");
