@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <string_view>
 #include <utility>
 
 namespace robosim {
@@ -29,5 +31,17 @@ class Descriptor {
  private:
   int fd_ = -1;
 };
+
+/// Writes all of it, and goes on when a signal interrupts it. 0, or the errno of what went wrong: some may
+/// have been written then. A signal handler may call it.
+inline int write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
 
 }  // namespace robosim

@@ -75,15 +75,6 @@ std::string read_file(const fs::path& path, std::size_t most_bytes) {
 
 namespace {
 
-void write_all(const Descriptor& file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t n = ::write(file.get(), content.data(), content.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw std::system_error(errno, std::generic_category());
-    content.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
-
 /// Beside a file, while it is written.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
@@ -97,7 +88,8 @@ void write_file(const fs::path& path, std::string_view content) {
   try {
     const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (!file.is_open()) fail(path, "written", errno);
-    write_all(file, content);
+    if (const int problem = write_all(file.get(), content))
+      throw std::system_error(problem, std::generic_category());
     if (!in_place) fs::rename(target, path);
   } catch (const std::system_error& problem) {
     if (!in_place) ::unlink(target.c_str());

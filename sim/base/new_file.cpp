@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <system_error>
 
 #include "sim/base/file.h"
@@ -13,16 +12,6 @@ namespace robosim {
 namespace fs = std::filesystem;
 
 namespace {
-
-int write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(file, text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
 
 bool is_to_be_a_file(const fs::path& path) {
   std::error_code error;

@@ -50,17 +50,6 @@ void read_keyed(char* to, std::size_t bytes) {
   }
 }
 
-/// False if nobody reads any more.
-bool write_all(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(fd, text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
 /// Further than its reader allows it the run shall not get ahead.
 void make_as_short(int pipe, int as) {
   const int bytes = ::fcntl(as, F_GETPIPE_SZ);

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "sim/base/descriptor.h"
+
 namespace robosim::tui {
 namespace {
 
@@ -26,14 +28,6 @@ termios before_us;
 
 std::array<struct sigaction, kFaults.size()> faults_before;
 struct sigaction resize_before, stop_before;
-
-void write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) return;  // the terminal is gone; SIGHUP tells the program
-    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
 
 extern "C" void on_resize(int) { resized = 1; }
 extern "C" void on_stop(int) { stop_asked = 1; }
