@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #define HIGH 1
@@ -33,6 +34,7 @@ struct Board {
   Pin pins[32];
   std::vector<std::uint8_t> shifted;  ///< bytes of shiftOut
   std::uint32_t now_us = 0;
+  std::function<void()> on_wait;      ///< called when the firmware has waited, for what moves meanwhile
   std::uint32_t millis_at_start = 0;  ///< what millis() gives at now_us = 0; it wraps round at 2^32
 };
 
@@ -48,6 +50,7 @@ int analogRead(std::uint8_t pin);
 void analogWrite(std::uint8_t pin, int duty);
 unsigned long millis();
 unsigned long micros();
+void delay(unsigned long ms);
 void delayMicroseconds(unsigned int us);
 void shiftOut(std::uint8_t data, std::uint8_t clock, std::uint8_t order, std::uint8_t value);
 void attachInterrupt(std::uint8_t pin, void (*handler)(), int mode);

@@ -32,7 +32,12 @@ unsigned long millis() { return board.millis_at_start + board.now_us / 1000; }
 
 unsigned long micros() { return board.now_us; }
 
-void delayMicroseconds(unsigned int us) { board.now_us += us; }
+void delay(unsigned long ms) { delayMicroseconds(static_cast<unsigned int>(1000 * ms)); }
+
+void delayMicroseconds(unsigned int us) {
+  board.now_us += us;
+  if (board.on_wait) board.on_wait();
+}
 
 void shiftOut(std::uint8_t, std::uint8_t, std::uint8_t, std::uint8_t value) {
   board.shifted.push_back(value);

@@ -1,0 +1,493 @@
+#include "LineWalker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "walked_floor.h"
+
+namespace {
+
+using nav::Turn;
+
+constexpr std::uint8_t kPins[] = {14, 15, 16, 17, 18};
+
+class FloorSensors : public LineSensors {
+ public:
+  explicit FloorSensors(const walked::Robot& robot) : LineSensors(kPins, 5, 0, 1000), robot_(robot) {}
+
+ protected:
+  void beginPin(std::uint8_t pin) override { pinMode(pin, INPUT); }
+  void readRaw(std::uint16_t* raw) override {
+    delayMicroseconds(robot_.reading_us);
+    for (int i = 0; i < 5; ++i) raw[i] = static_cast<std::uint16_t>(robot_.darkness(70, (i - 2) * 9.525));
+  }
+
+ private:
+  const walked::Robot& robot_;
+};
+
+/// A walker on a floor, and all that it has said: each landmark, where its axle then stands and when, and its
+/// pauses.
+struct Walk {
+  explicit Walk(std::vector<walked::Line> lines) : robot(std::move(lines)) {
+    said.clear();
+    walker.setOnPause([](bool stands) { said += stands ? "stands; " : "goes on; "; });
+    encoders.setDirections(1, 1);
+    walker.setup();
+    encoders.takeLeft();
+    encoders.takeRight();
+  }
+
+  void tell(const nav::Landmark& met) {
+    static const char* const kinds[] = {"line", "junction", "end", "blocked", "loop", "lost"};
+    std::string arms;
+    for (int i = 0; i < 4; ++i) arms += met.arms >> i & 1 ? '1' : '0';
+    char text[160];
+    std::snprintf(
+        text, sizeof text, "%s %s, heading %d at %d,%d, cost %d; axle at %.1f,%.1f, %.2f rad, %u ms\n",
+        kinds[static_cast<int>(met.kind)], arms.c_str(), met.heading, static_cast<int>(met.at.x),
+        static_cast<int>(met.at.y), static_cast<int>(met.cost), std::lround(10 * robot.x) / 10.0,
+        std::lround(10 * robot.y) / 10.0, robot.angle, static_cast<unsigned>(fake::board.now_us / 1000));
+    said += text;
+  }
+  /// Looks round, follows, and turns at each landmark as is told.
+  void go(const std::vector<Turn>& turns) {
+    tell(walker.begin());
+    tell(walker.follow());
+    for (const Turn turn : turns) {
+      walker.leave(turn);
+      tell(walker.follow());
+    }
+  }
+
+  walked::Robot robot;
+  FloorSensors sensors{robot};
+  DriveMotors motors{DriveMotor(walked::kLeftPwm, walked::kLeft1, walked::kLeft2),
+                     DriveMotor(walked::kRightPwm, walked::kRight1, walked::kRight2)};
+  WheelEncoders encoders{walked::kLeftCounts, walked::kRightCounts};
+  LineWalker walker{sensors, motors, encoders, walked::kBumper};
+  inline static std::string said;
+};
+
+constexpr Turn kOn = Turn::straight, kRight = Turn::right, kBack = Turn::back, kLeft = Turn::left;
+const walked::Line kTrunk{-300, 0, 600, 0};
+
+// What is said of each trip is exact: places, costs and times are what a map is made of, and a robot that
+// drives otherwise makes others.
+TEST(LineWalkerTest, ComesToBothEndsOfALine) {
+  Walk walk({{-300, 0, 300, 0}});
+  walk.go({kBack, kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 299,4, cost 58; axle at 299.2,0.0, 6.28 rad, 3540 ms
+end 1000, heading 2 at -298,0, cost 107; axle at -298.4,0.0, 9.42 rad, 7045 ms
+end 0010, heading 0 at 299,5, cost 107; axle at 299.6,0.0, 12.57 rad, 10545 ms
+)");
+}
+
+TEST(LineWalkerTest, TellsTheWaysOfATee) {
+  Walk walk({{-300, 0, 300, 0}, {300, -300, 300, 300}});
+  walk.go({kRight, kBack, kOn, kBack, kRight, kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 0111, heading 0 at 300,4, cost 57; axle at 299.1,0.0, 6.28 rad, 3535 ms
+end 0001, heading 1 at 294,303, cost 57; axle at 300.0,299.1, 7.85 rad, 5510 ms
+junction 0111, heading 3 at 298,4, cost 57; axle at 299.7,0.4, 11.00 rad, 8015 ms
+end 0100, heading 3 at 298,-295, cost 57; axle at 300.0,-298.8, 11.00 rad, 9210 ms
+junction 0111, heading 1 at 293,4, cost 57; axle at 299.8,-0.6, 14.13 rad, 11715 ms
+end 1000, heading 2 at -306,-1, cost 107; axle at -299.3,0.0, 15.71 rad, 14710 ms
+junction 0111, heading 0 at 294,4, cost 107; axle at 299.6,0.0, 18.85 rad, 18215 ms
+)");
+}
+
+TEST(LineWalkerTest, TellsTheWaysOfACross) {
+  Walk walk({kTrunk, {300, -300, 300, 300}});
+  walk.go({kOn, kBack, kRight, kBack, kLeft});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1111, heading 0 at 300,4, cost 57; axle at 299.1,0.0, 6.28 rad, 3535 ms
+end 0010, heading 0 at 598,4, cost 57; axle at 598.2,0.0, 6.28 rad, 4730 ms
+junction 1111, heading 2 at 300,0, cost 57; axle at 300.4,0.0, 9.42 rad, 7230 ms
+end 0100, heading 3 at 305,-300, cost 57; axle at 300.0,-299.6, 11.00 rad, 9215 ms
+junction 1111, heading 1 at 300,0, cost 57; axle at 300.0,-0.6, 14.14 rad, 11715 ms
+end 0010, heading 0 at 599,-5, cost 57; axle at 598.8,0.0, 12.57 rad, 13705 ms
+)");
+}
+
+TEST(LineWalkerTest, TellsAWayToTheLeft) {
+  Walk walk({kTrunk, {300, -300, 300, 0}});
+  walk.go({kLeft, kBack, kRight});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1011, heading 0 at 300,4, cost 57; axle at 299.0,-0.2, 6.29 rad, 3535 ms
+end 0100, heading 3 at 294,-295, cost 57; axle at 300.0,-299.1, 4.71 rad, 5515 ms
+junction 1011, heading 1 at 290,4, cost 57; axle at 300.0,-0.9, 7.85 rad, 8020 ms
+end 1000, heading 2 at -310,-2, cost 107; axle at -299.4,0.0, 9.42 rad, 11000 ms
+)");
+}
+
+TEST(LineWalkerTest, TellsAWayToTheRight) {
+  Walk walk({kTrunk, {300, 300, 300, 0}});
+  walk.go({kRight, kBack, kLeft});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1110, heading 0 at 300,4, cost 57; axle at 298.8,0.2, 6.28 rad, 3530 ms
+end 0001, heading 1 at 293,303, cost 57; axle at 300.0,299.3, 7.85 rad, 5505 ms
+junction 1110, heading 3 at 298,4, cost 57; axle at 300.0,1.0, 11.00 rad, 8010 ms
+end 1000, heading 2 at -301,11, cost 107; axle at -299.1,0.0, 9.42 rad, 10990 ms
+)");
+}
+
+TEST(LineWalkerTest, TakesBendsToTheRight) {
+  Walk walk({{-300, 0, 300, 0}, {300, 0, 300, 300}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0001, heading 1 at 294,304, cost 153; axle at 300.0,299.5, 7.85 rad, 5505 ms
+end 1000, heading 2 at -300,10, cost 203; axle at -298.3,0.0, 9.42 rad, 10980 ms
+)");
+}
+
+TEST(LineWalkerTest, TakesBendsToTheLeft) {
+  Walk walk({{-300, 0, 300, 0}, {300, 0, 300, -300}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0100, heading 3 at 294,-295, cost 153; axle at 300.0,-299.5, 4.71 rad, 5505 ms
+end 1000, heading 2 at -309,-2, cost 203; axle at -298.4,0.0, 9.42 rad, 10980 ms
+)");
+}
+
+TEST(LineWalkerTest, DrivesOverAGap) {
+  Walk walk({{-300, 0, 200, 0}, {250, 0, 400, 0}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 400,5, cost 74; axle at 399.8,0.0, 6.28 rad, 3870 ms
+end 1000, heading 2 at -298,0, cost 124; axle at -298.5,0.0, 9.42 rad, 7710 ms
+)");
+}
+
+TEST(LineWalkerTest, TakesAWideGapForAnEnd) {
+  Walk walk({{-300, 0, 200, 0}, {320, 0, 400, 0}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 199,4, cost 41; axle at 198.9,0.0, 6.28 rad, 3200 ms
+end 1000, heading 2 at -298,-1, cost 90; axle at -298.3,0.0, 9.42 rad, 6370 ms
+)");
+}
+
+TEST(LineWalkerTest, KnowsALoopWhenItIsRound) {
+  Walk walk({{-200, 0, 400, 0}, {400, 0, 400, 400}, {400, 400, -200, 400}, {-200, 400, -200, 0}});
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+loop 0000, heading 0 at -99,3, cost 506; axle at -98.6,0.0, 12.56 rad, 12745 ms
+)");
+}
+
+TEST(LineWalkerTest, TurnsRoundAtAnEndFromWhichItFaces) {
+  Walk walk({{-300, 0, 300, 0}});
+  walk.robot.x = 300;
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+end 0010, heading 2 at 0,0, cost 0; axle at 300.0,0.0, 9.39 rad, 3390 ms
+end 1000, heading 2 at -599,-5, cost 107; axle at -299.3,0.0, 9.42 rad, 5565 ms
+)");
+}
+
+TEST(LineWalkerTest, StandsAsItStoodOnAJunctionWithNothingAhead) {
+  Walk walk({{-300, 0, 0, 0}, {0, -300, 0, 300}});
+  walk.go({kRight});
+  EXPECT_EQ("\n" + Walk::said, R"(
+junction 0111, heading 0 at 0,0, cost 25; axle at 0.0,0.0, 6.29 rad, 3390 ms
+end 0001, heading 1 at 126,261, cost 67; axle at -0.5,299.5, 7.88 rad, 4765 ms
+end 1000, heading 2 at 68,261, cost 17; axle at -57.9,300.8, 9.40 rad, 7960 ms
+)");
+}
+
+TEST(LineWalkerTest, BeginsOnAJunction) {
+  Walk walk({{0, 0, 300, 0}, {0, 0, 0, 300}, {-300, 0, 0, 0}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+junction 1110, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 299,4, cost 58; axle at 299.2,0.0, 6.28 rad, 3540 ms
+junction 1110, heading 2 at 0,0, cost 57; axle at 0.5,0.3, 9.43 rad, 6045 ms
+)");
+}
+
+TEST(LineWalkerTest, BeginsAcrossALine) {
+  Walk walk({{0, -300, 0, 300}});
+  walk.robot.angle = 0.3;
+  walk.robot.y = 5;
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 0101, heading 1 at 0,0, cost 0; axle at 0.0,5.0, 7.82 rad, 2625 ms
+end 0001, heading 1 at -4,293, cost 56; axle at 0.0,298.7, 7.85 rad, 3780 ms
+)");
+}
+
+TEST(LineWalkerTest, WaitsForAnObstacleAndGoesOn) {
+  Walk walk({kTrunk});
+  walk.robot.wall_x = 300;
+  walk.robot.wall_ms = 1500;
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; goes on; end 0010, heading 0 at 599,5, cost 112; axle at 598.5,0.0, 6.28 rad, 6626 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpBeforeAnObstacleThatStays) {
+  Walk walk({kTrunk});
+  walk.robot.wall_x = 300;
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; blocked 0010, heading 0 at 221,4, cost 71; axle at 185.7,0.0, 6.28 rad, 7825 ms
+end 1000, heading 2 at -299,-1, cost 88; axle at -299.3,0.0, 9.42 rad, 10950 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpToABend) {
+  Walk walk({{-300, 0, 300, 0}, {300, 0, 300, 300}, {300, 300, 900, 300}});
+  walk.robot.wall_x = 400;
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; blocked 0010, heading 0 at 294,304, cost 217; axle at 300.5,299.1, 6.30 rad, 10860 ms
+end 1000, heading 2 at -308,10, cost 203; axle at -298.2,0.0, 3.14 rad, 15845 ms
+)");
+}
+
+TEST(LineWalkerTest, StandsBeforeAnObstacleOnAJunction) {
+  Walk walk({kTrunk, {200, 0, 200, 300}});
+  walk.robot.wall_x = 225;
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; blocked 0010, heading 0 at 146,3, cost 58; axle at 110.5,0.0, 6.29 rad, 7575 ms
+end 1000, heading 2 at -300,-1, cost 76; axle at -299.7,0.0, 9.42 rad, 10450 ms
+)");
+}
+
+TEST(LineWalkerTest, StandsBeforeAnObstacleInTheMiddleOfAnArm) {
+  Walk walk({kTrunk, {200, 0, 200, 300}});
+  walk.robot.wall_x = 205;
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; blocked 0010, heading 0 at 126,3, cost 55; axle at 91.0,-0.2, 6.29 rad, 7510 ms
+end 1000, heading 2 at -298,-2, cost 72; axle at -298.4,0.0, 9.42 rad, 10305 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpFromAnObstacleAtAnEnd) {
+  Walk walk({{-300, 0, 300, 0}});
+  walk.robot.wall_x = 365;
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+stands; end 0010, heading 0 at 286,4, cost 82; axle at 250.5,0.0, 6.28 rad, 8050 ms
+end 1000, heading 2 at -299,-1, cost 99; axle at -298.9,0.0, 9.43 rad, 11390 ms
+)");
+}
+
+TEST(LineWalkerTest, TakesAJumpOfTheLineForAJunction) {
+  Walk walk({{-300, 0, 200, 0}, {200, 14, 500, 14}});
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1110, heading 0 at 208,7, cost 41; axle at 210.6,7.1, 6.41 rad, 3215 ms
+)");
+}
+
+TEST(LineWalkerTest, LosesALineThatIsGone) {
+  Walk walk({{-300, 0, 200, 0}, {200, 22, 500, 22}});
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+lost 0000, heading 1 at 208,4, cost 179; axle at 207.3,0.6, 7.81 rad, 6070 ms
+)");
+}
+
+TEST(LineWalkerTest, FollowsASlant) {
+  Walk walk({{-300, 0, 200, 0}, {200, 0, 380, 60}, {380, 60, 600, 60}});
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 600,53, cost 112; axle at 599.1,60.1, 6.29 rad, 4620 ms
+end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
+)");
+}
+
+TEST(LineWalkerTest, MeetsALineAtAnAngle) {
+  Walk walk({kTrunk, {200, -150, 400, 150}});
+  walk.go({kOn});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1011, heading 0 at 288,4, cost 55; axle at 287.5,0.9, 6.28 rad, 3490 ms
+end 0010, heading 0 at 598,5, cost 59; axle at 598.8,0.0, 6.28 rad, 4725 ms
+)");
+}
+
+TEST(LineWalkerTest, CatchesUpWithWeakMotors) {
+  Walk walk({kTrunk, {300, 0, 300, 300}});
+  walk.robot.left_wheel = walk.robot.right_wheel = 0.8;
+  walk.go({kRight});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2350 ms
+junction 1110, heading 0 at 301,4, cost 57; axle at 299.6,0.2, 6.28 rad, 3520 ms
+end 0001, heading 1 at 296,303, cost 57; axle at 300.0,299.0, 7.85 rad, 5500 ms
+)");
+}
+
+TEST(LineWalkerTest, SteersAgainstUnequalMotors) {
+  Walk walk({kTrunk, {300, 0, 300, 300}});
+  walk.robot.left_wheel = 1.06;
+  walk.robot.right_wheel = 0.9;
+  walk.go({kRight, kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.4,0.2, 6.25 rad, 2350 ms
+junction 1110, heading 0 at 300,5, cost 57; axle at 299.9,0.2, 6.27 rad, 3525 ms
+end 0001, heading 1 at 297,303, cost 57; axle at 300.1,298.4, 7.84 rad, 5525 ms
+junction 1110, heading 3 at 301,4, cost 57; axle at 299.9,1.0, 10.98 rad, 8040 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpToAJunctionThatItHasLeft) {
+  Walk walk({kTrunk, {200, 0, 200, 300}});
+  walk.robot.wall_x = 310;
+  walk.go({kOn, kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
+stands; blocked 0010, heading 0 at 201,4, cost 35; axle at 199.7,0.2, 6.28 rad, 7980 ms
+junction 1110, heading 2 at 201,4, cost 0; axle at 199.7,0.2, 9.39 rad, 9315 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpToAJunctionAndGoesAnotherWay) {
+  Walk walk({kTrunk, {200, 0, 200, 300}});
+  walk.robot.wall_x = 310;
+  walk.go({kOn, kRight});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
+stands; blocked 0010, heading 0 at 201,4, cost 35; axle at 199.7,0.2, 6.28 rad, 7980 ms
+junction 1110, heading 1 at 201,4, cost 0; axle at 199.7,0.2, 7.82 rad, 8800 ms
+)");
+}
+
+TEST(LineWalkerTest, BacksUpOnlyALittleBehindAJunctionThatItHasLeft) {
+  Walk walk({kTrunk, {200, 0, 200, 300}});
+  walk.robot.wall_x = 395;
+  walk.go({kOn, kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
+stands; blocked 0010, heading 0 at 316,4, cost 53; axle at 280.7,0.1, 6.28 rad, 8340 ms
+junction 1110, heading 2 at 198,1, cost 21; axle at 197.2,2.8, 9.47 rad, 10070 ms
+)");
+}
+
+TEST(LineWalkerTest, KeepsItsStepsThoughReadingTakesTime) {
+  Walk walk({kTrunk});
+  walk.robot.reading_us = 700;
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0010, heading 0 at 599,5, cost 107; axle at 598.9,0.0, 6.28 rad, 4536 ms
+)");
+}
+
+TEST(LineWalkerTest, DoesNotRushAfterStepsThatTookTooLong) {
+  Walk walk({kTrunk});
+  walk.robot.reading_us = 6000;
+  walk.go({});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2832 ms
+end 0010, heading 0 at 599,5, cost 108; axle at 598.6,0.0, 6.28 rad, 5467 ms
+)");
+}
+
+TEST(LineWalkerTest, ComesBackFromBesideTheLine) {
+  Walk walk({kTrunk, {300, 0, 300, 300}});
+  walk.robot.y = -9;
+  walk.robot.angle = -0.2;
+  walk.go({kRight});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,-9.0, 6.38 rad, 2630 ms
+junction 1110, heading 0 at 300,-11, cost 58; axle at 299.3,0.2, 6.28 rad, 3820 ms
+end 0001, heading 1 at 295,288, cost 57; axle at 300.0,299.6, 7.85 rad, 5800 ms
+)");
+}
+
+TEST(LineWalkerTest, FollowsARoundBend) {
+  std::vector<walked::Line> lines{{-300, 0, 200, 0}};
+  for (int i = 0; i < 15; ++i) {  // a quarter of a circle
+    const double a = i * M_PI / 30, b = (i + 1) * M_PI / 30;
+    lines.push_back({200 + 200 * sin(a), 200 - 200 * cos(a), 200 + 200 * sin(b), 200 - 200 * cos(b)});
+  }
+  lines.push_back({400, 200, 400, 400});
+  Walk walk(lines);
+  walk.go({kBack});
+  EXPECT_EQ("\n" + Walk::said, R"(
+line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
+end 0001, heading 1 at 404,397, cost 133; axle at 400.1,398.5, 7.85 rad, 5040 ms
+end 1000, heading 2 at -283,-12, cost 183; axle at -299.4,0.0, 9.43 rad, 10055 ms
+)");
+}
+
+TEST(LineWalkerTest, IsLostWhereThereIsNoLine) {
+  Walk walk({{-300, 300, 300, 300}});
+  const nav::Landmark lost = walk.walker.begin();
+  EXPECT_EQ(lost.kind, nav::LandmarkKind::lost);
+  EXPECT_EQ(lost.arms, 0);
+  EXPECT_EQ(lost.heading, 0);
+}
+
+TEST(LineWalkerTest, MakesItsPinsWhatTheyAre) {
+  Walk walk({kTrunk});
+  const fake::Pin* pins = fake::board.pins;
+  EXPECT_EQ(pins[walked::kBumper].mode, INPUT_PULLUP);
+  for (const int pin : {walked::kLeftPwm, walked::kLeft1, walked::kLeft2, walked::kRightPwm, walked::kRight1,
+                        walked::kRight2})
+    EXPECT_EQ(pins[pin].mode, OUTPUT) << pin;
+  EXPECT_TRUE(pins[walked::kLeftCounts].handler != nullptr && pins[walked::kRightCounts].handler != nullptr);
+  walk.motors.drive(1, 1);
+  EXPECT_EQ(pins[walked::kLeftPwm].duty, 20);
+  EXPECT_EQ(pins[walked::kRightPwm].duty, 20);
+}
+
+TEST(LineWalkerTest, CountsOnFromWhereItIsToldThatItIs) {
+  Walk walk({kTrunk, {300, 0, 300, 300}});
+  walk.walker.begin();
+  const nav::Landmark junction = walk.walker.follow();
+  ASSERT_EQ(junction.kind, nav::LandmarkKind::junction);
+  walk.walker.relocate({junction.at.x + 1000, junction.at.y - 500});
+  walk.walker.leave(kOn);
+  const nav::Landmark end = walk.walker.follow();
+  EXPECT_NEAR(end.at.x, 1600, 5);
+  EXPECT_NEAR(end.at.y, -500, 5);
+}
+
+TEST(LineWalkerParts, AWheelIsNeverDrivenAgainstTheWayItTurns) {
+  using line_walker::dutyOf;
+  EXPECT_EQ(dutyOf(100, 60), 60);
+  EXPECT_EQ(dutyOf(100, -1), 0);
+  EXPECT_EQ(dutyOf(-100, 1), 0);
+  EXPECT_EQ(dutyOf(-100, -60), -60);
+  EXPECT_EQ(dutyOf(0, 60), 0);
+  EXPECT_EQ(dutyOf(0, -60), 0);
+  EXPECT_EQ(dutyOf(100, 255.9f), 255);
+  EXPECT_EQ(dutyOf(100, 1000), 255);
+  EXPECT_EQ(dutyOf(-100, -1000), -255);
+}
+
+}  // namespace

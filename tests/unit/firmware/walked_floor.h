@@ -1,0 +1,104 @@
+// A painted floor and an ideal robot on it, for LineWalker: its motors turn at once as fast as they are told,
+// its encoders never miss a count, and its sensors see the share of line under them. x is ahead of where it
+// starts, y to the right of that (mm); angles are clockwise.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "LineWalker.h"
+
+namespace walked {
+
+struct Line {
+  double x1, y1, x2, y2;  ///< of its centre
+};
+
+/// Pins that the robot below is wired to.
+enum : std::uint8_t {
+  kLeftPwm = 3,
+  kLeft1,
+  kLeft2,
+  kRightPwm,
+  kRight1,
+  kRight2,
+  kLeftCounts,
+  kRightCounts,
+  kBumper
+};
+
+class Robot {
+ public:
+  explicit Robot(std::vector<Line> lines) : lines_(std::move(lines)) {
+    fake::board = fake::Board{};
+    fake::board.pins[kBumper].reads = HIGH;
+    fake::board.on_wait = [this] { move(); };
+  }
+  ~Robot() { fake::board = fake::Board{}; }
+
+  std::vector<Line> lines_;
+  double x = 0, y = 0, angle = 0;
+  double left_wheel = 1, right_wheel = 1;  ///< of the speed that they are told
+  std::uint32_t reading_us = 0;            ///< how long a look at the sensors takes
+  /// The bumper is pressed while its nose is at this x or beyond, from then on for so many ms.
+  double wall_x = 1e9;
+  std::uint32_t wall_ms = 1000000;
+
+  /// 0 floor .. 1000 line, under a sensor so far ahead and aside of the axle.
+  int darkness(double ahead, double aside) const {
+    const double at_x = x + ahead * std::cos(angle) - aside * std::sin(angle);
+    const double at_y = y + ahead * std::sin(angle) + aside * std::cos(angle);
+    double nearest = 1e9;  // squared
+    for (const Line& line : lines_) {
+      const double dx = line.x2 - line.x1, dy = line.y2 - line.y1;
+      double t = ((at_x - line.x1) * dx + (at_y - line.y1) * dy) / (dx * dx + dy * dy);
+      t = t < 0 ? 0 : t > 1 ? 1 : t;
+      const double off_x = at_x - line.x1 - t * dx, off_y = at_y - line.y1 - t * dy;
+      nearest = std::min(nearest, off_x * off_x + off_y * off_y);
+    }
+    const double dark = (14 - std::sqrt(nearest)) / 8;  // from 6 to 14 mm beside the centre
+    return static_cast<int>(1000 * (dark < 0 ? 0 : dark > 1 ? 1 : dark));
+  }
+
+ private:
+  static constexpr std::uint32_t kPieceUs = 1000;
+
+  static double speed(std::uint8_t pwm, std::uint8_t in1) {
+    const fake::Pin* pins = fake::board.pins;
+    if (pins[in1].level == pins[in1 + 1].level || pins[pwm].duty <= 20) return 0;
+    const double size = (pins[pwm].duty - 20) / 235.0 * 1275;
+    return pins[in1].level == HIGH ? size : -size;
+  }
+  void move() {
+    const std::uint32_t now = fake::board.now_us;
+    if (now > 120'000'000) throw std::runtime_error("it drives for ever");
+    for (; now_us_ + kPieceUs <= now; now_us_ += kPieceUs) {
+      const double left = speed(kLeftPwm, kLeft1) * left_wheel,
+                   right = speed(kRightPwm, kRight1) * right_wheel;
+      const double ds = (left + right) / 2 * (1e-6 * kPieceUs);
+      x += ds * std::cos(angle);
+      y += ds * std::sin(angle);
+      angle += (left - right) / 98 * (1e-6 * kPieceUs);
+      count(left_counts_, left, kLeftCounts);
+      count(right_counts_, right, kRightCounts);
+      if (x + 80 * std::cos(angle) < wall_x) pressed_us_ = now_us_;
+      const bool pressed =
+          now_us_ != pressed_us_ && now_us_ - pressed_us_ < 1000 * static_cast<std::uint64_t>(wall_ms);
+      fake::board.pins[kBumper].reads = pressed ? LOW : HIGH;
+    }
+  }
+  static void count(double& counts, double speed, std::uint8_t pin) {
+    const double before = std::floor(counts);
+    counts += std::fabs(speed) * (1e-6 * kPieceUs) / (0.5 * 3.14159265 * 32 / 154.35);
+    if (std::floor(counts) != before && fake::board.pins[pin].handler) fake::board.pins[pin].handler();
+  }
+
+  std::uint32_t now_us_ = 0, pressed_us_ = 0;
+  double left_counts_ = 0.5, right_counts_ = 0.5;
+};
+
+}  // namespace walked
