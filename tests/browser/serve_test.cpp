@@ -229,6 +229,33 @@ TEST_F(Serve, ShowsWhatTheCompilerSays) {
   EXPECT_THAT(said.get<std::string>(), HasSubstr("Broken.ino:1:16: error: 'oops' was not declared"));
 }
 
+// Whatever runs, it is not another one.
+TEST_F(Serve, RunsNothingElseThanALinkAsksFor) {
+  for (const auto& [link, sentence] :
+       {std::pair{"sketch=./Nobody&map=oval&run=1", "the sketch ./Nobody"},
+        std::pair{"sketch=./Echo&map=./nowhere.map&run=1", "the map ./nowhere.map"},
+        std::pair{"sketch=./Echo&robot=uno7&live=1", "the robot uno7"},
+        std::pair{"skech=./Echo&run=1", "skech"},
+        std::pair{"sketch=./Echo&seed=soon&run=1", "seed cannot be soon"}}) {
+    const Json seen = in_page(link,
+                              "await until(() => document.documentElement.dataset.ready); return "
+                              "[$('said').textContent, $('replay').hidden, $('stop').hidden];");
+    EXPECT_THAT(seen[0].get<std::string>(), HasSubstr(sentence));
+    EXPECT_EQ(seen[1], true) << link;
+    EXPECT_EQ(seen[2], true) << link;
+  }
+  const Json begun =
+      in_page("sketch=./Echo",
+              "await until(() => document.documentElement.dataset.ready); return $('sketch').value;");
+  EXPECT_EQ(begun, "./Echo");
+  std::filesystem::rename(folder_ / "Echo", folder_ / "Renamed");
+  const Json gone = browser().run(
+      "$('run').click(); await until(() => $('said').textContent); return [$('said').textContent, "
+      "$('replay').hidden];");
+  EXPECT_EQ(gone[0], "The sketch ./Echo is not in the folder any more: choose another.\n");
+  EXPECT_EQ(gone[1], true);
+}
+
 TEST_F(Serve, SaysThatItsServerIsGone) {
   const Json state =
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");

@@ -14,23 +14,31 @@ let running = null;   // its AbortController
 let watching = null;  // a Watch
 let isLost = false;   // nobody answers
 
+/** Gives what was chosen where it is not among them any more. */
 function options(select, names, first) {
   const before = select.value;
   select.replaceChildren();
   if (first !== undefined) select.append(new Option(first, ''));
   for (const name of names) select.append(new Option(name.replace(/^\.\//, ''), name));
-  if ([...select.options].some((option) => option.value === before)) select.value = before;
+  if (![...select.options].some((option) => option.value === before)) return before;
+  select.value = before;
+  return '';
 }
 
+/** Gives a sentence where something that was chosen is not there any more. */
 async function list() {
   const answer = await fetch('/api/folder');
   const folder = await answer.json();
   if (!answer.ok) throw new Error(folder.error);
   document.title = `${folder.folder} · Robosim`;
-  options($('sketch'), folder.sketches);
+  const gone = {
+    sketch: options($('sketch'), folder.sketches),
+    robot: options($('robot'), folder.robots, 'the sketch’s own'),
+    map: options($('map'), folder.maps, 'the sketch’s own, or oval'),
+  };
   targets();
-  options($('robot'), folder.robots, 'the sketch’s own');
-  options($('map'), folder.maps, 'the sketch’s own, or oval');
+  const kind = Object.keys(gone).find((key) => gone[key]);
+  return kind ? `The ${kind} ${gone[kind]} is not in the folder any more: choose another.` : '';
 }
 
 function say(text, bad = false) {
@@ -125,7 +133,8 @@ async function underWay(state, work) {
   $('state').textContent = state;
   $('stop').hidden = false;
   try {
-    await list();  // what there is may have changed
+    const gone = await list();  // what there is may have changed
+    if (gone) throw new Error(gone);
     await work(mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
@@ -191,7 +200,7 @@ const editor = new Editor({ listed: list, maps: $('map') });
 $('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));
 
 /** What has been put into the folder is chosen. */
-function choose(place) {
+function chooseFile(place) {
   const kind = place.endsWith('.map') ? 'map' : place.endsWith('.toml') ? 'robot' : 'sketch';
   $(kind).value = place.endsWith('.ino') ? place.slice(0, place.lastIndexOf('/')) : place;
   targets();
@@ -209,7 +218,7 @@ function targets() {
 
 const dropped = {
   listed: list,
-  put: choose,
+  put: chooseFile,
   say: (sentence, bad) => { $('state').textContent = bad ? '' : sentence; if (bad) say(`${sentence}\n`, true); },
   ask: (question, yes, then) => {
     const button = Object.assign(document.createElement('button'), { type: 'button', textContent: yes, onclick: then });
@@ -233,14 +242,34 @@ $('send').addEventListener('submit', (e) => {
   e.preventDefault();
   act(sending($('text').value));
 });
+const KEYS = ['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'];
+
+/** What a link asks for is in the form now. Throws an Error with a sentence for what cannot be. */
+function choose(key, value) {
+  const field = $(key), before = field.value;
+  field.value = value;
+  if (field.value === value || key === 'script') return;
+  field.value = before;
+  const isFile = ['sketch', 'robot', 'map'].includes(key);
+  throw new Error(isFile ? `The link asks for the ${key} ${value}, which is neither in this folder nor one of Robosim’s.` : `The link’s ${key} cannot be ${value}.`);
+}
+
 /** /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
-async function begin() {
-  await list();
+async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
-  for (const [key, value] of where) if (['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'].includes(key)) $(key).value = value;
+  for (const [key, value] of where) {
+    if (KEYS.includes(key)) choose(key, value);
+    else if (!['run', 'live'].includes(key)) throw new Error(`The link has ${key}; its keys are ${KEYS.join(', ')}, run and live.`);
+  }
   targets();
   if (where.has('run')) await run();
   if (where.has('live')) live();
+}
+
+async function begin() {
+  await list();
+  addEventListener('hashchange', () => follow().catch((error) => say(`${error.message}\n`, true)));
+  await follow();
 }
 
 begin().catch((error) => say(`${error.message}\n`, true)).finally(() => { document.documentElement.dataset.ready = 'true'; });
