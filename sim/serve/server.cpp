@@ -13,6 +13,7 @@
 #include "sim/serve/bench_text.h"
 #include "sim/serve/folder.h"
 #include "sim/serve/guard.h"
+#include "sim/serve/patience.h"
 #include "sim/serve/shelf.h"
 #include "sim/serve/workshop.h"
 
@@ -29,7 +30,7 @@ constexpr const char* kFiles = "/api/file";             // where such is sent
 constexpr std::size_t kLongestRequest = 4000;           // to a run that is watched
 constexpr std::size_t kThreads = 64;                    // each waits for its client
 constexpr int kUsualPort = 8080;
-constexpr int kPatience_s = 3;  // for a slow client
+constexpr int kPatience_s = 3;  // from one byte to the next
 constexpr const char* kCookie = "robosim=";
 
 const Refusal kTooLong{413, "a request has at most 256 KB, and one with an image 3 MB"};
@@ -66,6 +67,17 @@ void refuse(Response& response, const Refusal& refusal) {
   response.set_content(json_text({{"error", refusal.sentence}}), "application/json");
 }
 
+/// The answer as it is sent.
+std::string too_slow(std::chrono::milliseconds patience) {
+  const std::string sentence =
+      fmt::format("a request must be here within {} s", 1e-3 * static_cast<double>(patience.count()));
+  const std::string body = json_text({{"error", sentence}});
+  return fmt::format(
+      "HTTP/1.1 408 Request Timeout\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
+      "Connection: close\r\n\r\n{}",
+      body.size(), body);
+}
+
 // Each line as an event of its own.
 std::string server_sent(std::string_view lines) {
   std::string text;
@@ -85,6 +97,19 @@ int number_of(std::string_view name) {
       error == std::errc() && std::string_view(end, name.data() + name.size() - end) == ".html";
   return whole ? number : 0;
 }
+
+class Threads : public httplib::ThreadPool {
+ public:
+  explicit Threads(Patience& patience) : ThreadPool(kThreads), patience_(patience) {}
+  auto enqueue(std::function<void()> work) -> decltype(ThreadPool::enqueue(work)) override {
+    return ThreadPool::enqueue([this, connection = patience_.accepted(), work = std::move(work)] {
+      patience_.answer(connection, work);
+    });
+  }
+
+ private:
+  Patience& patience_;
+};
 
 int bind(httplib::Server& server, const Settings& settings) {
   server.set_socket_options([](socket_t socket) {  // the library's own let two servers share a port
@@ -110,8 +135,11 @@ int bind(httplib::Server& server, const Settings& settings) {
 struct Server::Inside {
   explicit Inside(const Settings& settings)
       : workshop(settings.robosim, settings.folder),
-        guard(settings.address, bind(http, settings), is_loopback(settings.address) ? "" : random_token()) {
-    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+        port(bind(http, settings)),
+        guard(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
+        patience(port, settings.patience, too_slow(settings.patience)) {
+    http.new_task_queue = [this] { return new Threads(patience); };
+    http.set_logger([this](const Request&, const Response&) { patience.awaits_next(); });  // it is answered
     http.set_payload_max_length(kLongestImage);
     http.set_read_timeout(kPatience_s);
     http.set_write_timeout(kPatience_s);
@@ -135,13 +163,12 @@ struct Server::Inside {
     give("/hands.js", hands_js(), "text/javascript");
     give("/scripts.js", scripts_js(), "text/javascript");
     http.Get("/api/folder", [this](const Request&, Response& response) { list(response); });
-    http.Post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
-    http.Post("/api/live",
-              [this](const Request& request, Response& response) { prepare(request, response); });
+    post("/api/run", [this](const Request& request, Response& response) { run(request, response); });
+    post("/api/live", [this](const Request& request, Response& response) { prepare(request, response); });
     http.Get(R"(/api/live/([0-9]{1,9}))",
              [this](const Request& request, Response& response) { watch(request, response); });
-    http.Post(R"(/api/live/([0-9]{1,9}))",
-              [this](const Request& request, Response& response) { ask(request, response); });
+    post(R"(/api/live/([0-9]{1,9}))",
+         [this](const Request& request, Response& response) { ask(request, response); });
     act("/api/map", [this](const Offered& offered) {
       return Json{{"text", map_text(workshop.folder(), offered.name)}};
     });
@@ -158,9 +185,17 @@ struct Server::Inside {
     });
   }
 
+  /// The body is here when `answer` is called.
+  void post(const char* path, httplib::Server::Handler answer) {
+    http.Post(path, [this, answer = std::move(answer)](const Request& request, Response& response) {
+      patience.is_here();
+      answer(request, response);
+    });
+  }
+
   /// What is sent is {"name", "text"}; the answer is JSON, or the sentence of what `work` throws.
   void act(const char* path, std::function<Json(const Offered&)> work) {
-    http.Post(path, [work = std::move(work)](const Request& request, Response& response) {
+    post(path, [work = std::move(work)](const Request& request, Response& response) {
       try {
         const Offered offered = read_offered(request.body);
         if (!is_image(offered.name) && request.body.size() > kLongestBody) return refuse(response, kTooLong);
@@ -173,7 +208,8 @@ struct Server::Inside {
     });
   }
 
-  httplib::Server::HandlerResponse check(const Request& request, Response& response) const {
+  httplib::Server::HandlerResponse check(const Request& request, Response& response) {
+    if (request.method != "POST") patience.is_here();
     auto refusal = guard.refuse(asked_of(request));
     const bool is_long =
         request.has_header("Transfer-Encoding") ||
@@ -281,7 +317,9 @@ struct Server::Inside {
 
   httplib::Server http;
   Workshop workshop;
+  const int port;
   const Guard guard;
+  Patience patience;
 };
 
 Server::Server(const Settings& settings) : in_(std::make_unique<Inside>(settings)) {}

@@ -15,6 +15,7 @@
 //   GET  /live.html           the page of a run, empty
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -27,6 +28,7 @@ struct Settings {
   std::filesystem::path robosim;      ///< the program
   std::string address = "127.0.0.1";  ///< an IP address of this machine; others than loopback get a token
   int port = 0;                       ///< 0 = 8080, or any that is free
+  std::chrono::milliseconds patience{10'000};  ///< a request must be here by then, head and body
 };
 
 class Server {

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <netinet/in.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -44,11 +47,11 @@ class Serving : public testing::Test {
     write(outside_.path() / "Theirs/Theirs.ino", "");
     fs::create_directory_symlink(outside_.path(), root() / "away");
   }
-  void serve(const std::string& program) {
+  void serve(const std::string& program, std::chrono::milliseconds patience = std::chrono::seconds(10)) {
     const fs::path file = outside_.path() / "robosim";
     write(file, "#!/bin/sh\n" + program);
     fs::permissions(file, fs::perms::owner_all);
-    server_.emplace(Settings{root(), file, "127.0.0.1", 0});
+    server_.emplace(Settings{root(), file, "127.0.0.1", 0, patience});
     const std::string url = server_->url();
     http_.emplace(url.substr(0, url.size() - 1));
     http_->set_default_headers({{"X-Robosim", "1"}});
@@ -60,6 +63,8 @@ class Serving : public testing::Test {
     thread_.join();
   }
   fs::path root() const { return folder_.path(); }
+  std::string host() const { return server_->url().substr(7, server_->url().size() - 8); }
+  int port() const { return std::stoi(host().substr(host().find(':') + 1)); }
   httplib::Result run(const std::string& json) { return http_->Post("/api/run", json, "application/json"); }
   static Json last_line(const std::string& body) {
     const std::size_t begin = body.rfind('\n', body.size() - 2);
@@ -161,11 +166,64 @@ TEST_F(Serving, RefusesOtherSites) {
   EXPECT_EQ(http_->Get("/api/folder")->status, 403);
   http_->set_default_headers({{"Host", "evil.example"}});
   EXPECT_EQ(http_->Get("/")->status, 421);
-  const std::string url = server_->url(),
-                    ours = url.substr(7, url.size() - 8);  // without http:// and the last /
+  const std::string ours = host();
   http_->set_default_headers({});
   EXPECT_EQ(http_->Get("/", {{"Host", ours}})->status, 200);
   EXPECT_EQ(http_->Get("/", {{"Host", ours}, {"Host", "evil.example"}})->status, 421);
+}
+
+/// Sends `text`, and then a byte now and then, until there is an answer.
+struct Drips {
+  Drips(int port, std::string text) {
+    const Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_in server{};
+    server.sin_family = AF_INET;
+    server.sin_port = htons(static_cast<std::uint16_t>(port));
+    server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::connect(socket.get(), reinterpret_cast<sockaddr*>(&server), sizeof server) != 0) return;
+    pollfd answers{socket.get(), POLLIN, 0};
+    for (int drops = 0; ::poll(&answers, 1, 2) == 0 && drops < kMost; ++drops) {
+      if (::send(socket.get(), text.data(), text.size(), MSG_NOSIGNAL) < 0) break;
+      text = "x";
+    }
+    char bytes[1000];
+    for (ssize_t size = 0; (size = ::read(socket.get(), bytes, sizeof bytes)) > 0;)
+      answer.append(bytes, static_cast<std::size_t>(size));
+  }
+  static constexpr int kMost = 1000;
+  std::string answer;
+};
+
+TEST_F(Serving, WaitsForNoRequestForEver) {
+  serve("", std::chrono::milliseconds(200));
+  const std::string head =
+      " HTTP/1.1\r\nHost: " + host() + "\r\nX-Robosim: 1\r\nContent-Type: application/json\r\n";
+  const std::string body = head + "Content-Length: 2000\r\n\r\n{";
+  for (const std::string& begin :
+       {"POST /api/run" + body, "POST /api/file" + body, "GET /" + head + "X-Long: ", std::string("GET /")}) {
+    const Drips slow(port(), begin);
+    EXPECT_THAT(slow.answer, HasSubstr("HTTP/1.1 408")) << begin;
+    EXPECT_THAT(slow.answer, HasSubstr("a request must be here within 0.2 s")) << begin;
+  }
+}
+
+TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {
+  const fs::path pipe = outside_.path() / "go on";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  serve("read -r line < '" + pipe.string() + "'\necho \"$line\"\n", std::chrono::milliseconds(500));
+  std::string said;
+  std::thread page([&] {
+    const auto answer = run(R"({"sketch": "./Mine"})");
+    said = answer ? answer->body : "nothing";
+  });
+  {
+    std::ofstream goes_on(pipe);  // waits for its reader
+    const Drips slow(port(), "GET /");
+    EXPECT_THAT(slow.answer, HasSubstr("408"));
+    goes_on << "ran\n";
+  }
+  page.join();
+  EXPECT_THAT(said, HasSubstr("ran"));
 }
 
 // A smallest map, whatever is above it.

@@ -1,0 +1,111 @@
+#include "sim/serve/patience.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace robosim::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+ino_t inode_of(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 ? status.st_ino : 0;
+}
+
+/// Whether it is a connection to our port.
+bool is_connection(int descriptor, int port) {
+  sockaddr_storage own{}, peer{};
+  socklen_t own_size = sizeof own, peer_size = sizeof peer;
+  if (::getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &own_size) != 0) return false;
+  if (::getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &peer_size) != 0) return false;
+  if (own.ss_family == AF_INET) return ntohs(reinterpret_cast<const sockaddr_in&>(own).sin_port) == port;
+  return own.ss_family == AF_INET6 && ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port) == port;
+}
+
+}  // namespace
+
+thread_local Patience::Connection* Patience::own_ = nullptr;
+
+Patience::Patience(int port, std::chrono::milliseconds most, std::string answer)
+    : port_(port), most_(most), answer_(std::move(answer)), watcher_([this] { watch(); }) {}
+
+Patience::~Patience() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_one();
+  watcher_.join();
+}
+
+Patience::Connection* Patience::accepted() {
+  const std::lock_guard lock(mutex_);
+  std::error_code error;
+  for (fs::directory_iterator entry("/proc/self/fd", error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename();
+    int descriptor = -1;
+    std::from_chars(name.data(), name.data() + name.size(), descriptor);
+    const ino_t inode = inode_of(descriptor);
+    const bool is_known = std::any_of(connections_.begin(), connections_.end(),
+                                      [&](const Connection& known) { return known.inode == inode; });
+    if (is_known || !is_connection(descriptor, port_)) continue;
+    return &connections_.emplace_back(Connection{descriptor, inode});
+  }
+  return nullptr;
+}
+
+void Patience::answer(Connection* connection, const std::function<void()>& work) {
+  own_ = connection;
+  awaits_next();
+  work();
+  own_ = nullptr;
+  const std::lock_guard lock(mutex_);
+  connections_.remove_if([&](const Connection& one) { return &one == connection; });
+}
+
+void Patience::is_here() {
+  if (!own_) return;
+  const std::lock_guard lock(mutex_);
+  own_->awaited = false;
+}
+
+void Patience::awaits_next() {
+  if (!own_) return;
+  const std::lock_guard lock(mutex_);
+  own_->since = Clock::now();
+  own_->awaited = true;
+  changed_.notify_one();
+}
+
+void Patience::watch() {
+  std::unique_lock lock(mutex_);
+  while (!ends_) {
+    auto next = Clock::time_point::max();
+    for (Connection& one : connections_) {
+      if (!one.awaited) continue;
+      if (one.since + most_ > Clock::now()) {
+        next = std::min(next, one.since + most_);
+        continue;
+      }
+      one.awaited = false;
+      if (inode_of(one.socket) != one.inode) continue;  // the library has closed it just now
+      (void)::send(one.socket, answer_.data(), answer_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+      ::shutdown(one.socket, SHUT_RDWR);
+    }
+    if (next == Clock::time_point::max())
+      changed_.wait(lock);
+    else
+      changed_.wait_until(lock, next);
+  }
+}
+
+}  // namespace robosim::serve
