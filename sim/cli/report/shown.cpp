@@ -211,11 +211,14 @@ std::vector<std::vector<std::size_t>> combinations_of(const std::vector<SweptRun
 }
 
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination) {
-  const auto failed =
-      std::find_if(combination.begin(), combination.end(), [&](std::size_t i) { return !runs[i].reached(); });
-  if (failed != combination.end()) return *failed;
-  return *std::max_element(combination.begin(), combination.end(),
-                           [&](std::size_t a, std::size_t b) { return runs[a].time_s < runs[b].time_s; });
+  const auto badness = [&](std::size_t i) {  // the less, the worse
+    const SweptRun& run = runs[i];
+    if (run.verdict == "error") return std::tuple(2, 0.0, 0.0, 0.0);  // there is nothing to look at
+    if (run.reached()) return std::tuple(1, -run.time_s, 0.0, -run.cross_track_max_mm);
+    return std::tuple(0, run.laps + run.stations, run.distance_m, -run.cross_track_max_mm);
+  };
+  return *std::min_element(combination.begin(), combination.end(),
+                           [&](std::size_t a, std::size_t b) { return badness(a) < badness(b); });
 }
 
 }  // namespace robosim::cli

@@ -47,7 +47,9 @@ Shown look_at_cases(const std::vector<JunitCase>& cases, const ReportArguments& 
 /// A link to a file, from a page in `folder`.
 std::string link_to(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// The run of a combination that is worth looking at: the first that failed, or the slowest.
+/// The run of a combination that is worth looking at: of those that failed the one with the fewest laps and
+/// stations, of equal ones that which has driven least; where none has failed the slowest, of equal ones the
+/// farthest off the line.
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination);
 
 /// Numbers of the runs with equal sketch, map, robot and target, in the table's order.

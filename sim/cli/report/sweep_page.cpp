@@ -29,6 +29,17 @@ std::string verdicts(const std::vector<SweptRun>& runs, const std::vector<std::s
   return text;
 }
 
+std::string what_is_worst(const SweptRun& run, const std::vector<double>& times) {
+  if (run.reached()) {
+    const bool equal = times.size() > 1 && *std::min_element(times.begin(), times.end()) == run.time_s;
+    return equal ? "farthest off" : "slowest";
+  }
+  std::string text = fmt::format("{} after {:.1f} m", markup_text(run.verdict), run.distance_m);
+  for (const auto& [count, what] : {std::pair{run.laps, "lap"}, std::pair{run.stations, "station"}})
+    if (count > 0.0) text += fmt::format(", {} {}{}", count, what, count == 1.0 ? "" : "s");
+  return text;
+}
+
 }  // namespace
 
 std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs, const Shown& shown) {
@@ -48,7 +59,8 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
       "<div class=\"wide\"><table>\n<tr><th class=\"left\">sketch</th><th class=\"left\">map</th><th "
       "class=\"left\">robot</th>"
       "<th class=\"left\">target</th><th>reached</th><th class=\"left\">look at</th><th>mean time</th>"
-      "<th>times, 0 to {:.1f} s</th><th>off the line, 0 to {:.0f} mm</th><th class=\"left\">failed</th>"
+      "<th>times, 0&nbsp;to&nbsp;{:.1f}&nbsp;s</th><th>off the line, 0&nbsp;to&nbsp;{:.0f}&nbsp;mm</th><th "
+      "class=\"left\">failed</th>"
       "<th>95 % interval</th></tr>\n",
       longest_s, widest_mm);
   for (const auto& which : combinations) {
@@ -61,8 +73,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
                                               static_cast<std::int64_t>(which.size()));
     const std::size_t worst = worst_of(runs, which);
     const std::string name =
-        fmt::format("{}, seed {}", runs[worst].reached() ? "slowest" : markup_text(runs[worst].verdict),
-                    runs[worst].seed);
+        fmt::format("{}, seed {}", what_is_worst(runs[worst], own_times), runs[worst].seed);
     body += fmt::format(
         "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td "
         "class=\"left\">{}</td><td>{}</td>"
@@ -74,16 +85,22 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
         bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which), low, high);
   }
   body += "</table></div>\n";
+  body +=
+      "<p class=\"dim\">The worst run of each row is linked: of those that failed the one with the fewest "
+      "laps and stations, "
+      "then the shortest way; where none failed the slowest, then the farthest off the line.</p>\n";
   body += places_left(shown);
   std::string failures;
   std::size_t told = 0;
-  for (const SweptRun& run : runs)
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SweptRun& run = runs[i];
     if (!run.reached() && told++ < kMostFailures)
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
           "class=\"left bad\">{}</td><td>{:.2f} s</td><td class=\"why\">{}</td></tr>\n",
           markup_text(run.sketch), markup_text(run.map), markup_text(run.target), run.seed,
-          markup_text(run.verdict), run.time_s, markup_text(run.why));
+          linked(shown, i, markup_text(run.verdict)), run.time_s, markup_text(run.why));
+  }
   if (!failures.empty())
     body += fmt::format(
         "<h2>Runs that failed{}</h2>\n<div class=\"wide\"><table class=\"list\">\n<tr><th "

@@ -45,19 +45,24 @@ std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& 
                                   " fields, and the first line " + std::to_string(columns.size()));
     const auto at = [&](const char* name) { return (*fields)[columns[name]]; };
     SweptRun& run = runs.emplace_back();
-    run = {at("sketch"),
-           at("map"),
-           at("robot"),
-           at("target"),
-           number_of<std::uint64_t>(at("seed"), "seed", place),
-           at("verdict"),
-           0.0,
-           0.0,
-           at("trace_hash"),
-           at("why")};
+    run.sketch = at("sketch");
+    run.map = at("map");
+    run.robot = at("robot");
+    run.target = at("target");
+    run.seed = number_of<std::uint64_t>(at("seed"), "seed", place);
+    run.verdict = at("verdict");
+    run.trace_hash = at("trace_hash");
+    run.why = at("why");
     if (run.verdict == "error") continue;
-    run.time_s = number_of<double>(at("time_s"), "time_s", place);
-    run.cross_track_max_mm = number_of<double>(at("cross_track_max_mm"), "cross_track_max_mm", place);
+    const auto figure = [&](const char* name) { return number_of<double>(at(name), name, place); };
+    run.time_s = figure("time_s");
+    run.cross_track_max_mm = figure("cross_track_max_mm");
+    const auto figure_or_0 = [&](const char* name) {
+      return columns.contains(name) && !at(name).empty() ? figure(name) : 0.0;
+    };
+    run.distance_m = figure_or_0("distance_m");
+    run.laps = figure_or_0("laps");
+    run.stations = figure_or_0("stations");
   }
   if (runs.empty()) throw InputError({file}, "there is no run in it");
   return runs;

@@ -13,7 +13,9 @@ struct SweptRun {
   std::uint64_t seed = 0;
   std::string verdict;
   double time_s = 0.0;
+  double distance_m = 0.0;
   double cross_track_max_mm = 0.0;
+  double laps = 0.0, stations = 0.0;  ///< complete ones, and those that were visited
   std::string trace_hash, why;
 
   bool reached() const { return verdict == "reached"; }

@@ -101,12 +101,33 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
   shown.add({"m", "its text", floor, {{100.0, 200.0}}});
   const std::string page = sweep_page("runs.csv", runs, shown);
   EXPECT_THAT(
-      page, AllOf(HasSubstr("4 runs, 3 reached their goal"), HasSubstr("</span>2/2"), HasSubstr("</span>1/2"),
-                  HasSubstr("3.00 s"), HasSubstr("slowest, seed 2"), HasSubstr("1 lost"),
-                  HasSubstr("<a href=\"runs/Bo.html\">lost, seed 2</a>"), HasSubstr("left, at 1 s")));
+      page,
+      AllOf(HasSubstr("4 runs, 3 reached their goal"), HasSubstr("</span>2/2"), HasSubstr("</span>1/2"),
+            HasSubstr("3.00 s"), HasSubstr("slowest, seed 2"), HasSubstr("1 lost"),
+            HasSubstr("<a href=\"runs/Bo.html\">lost after 0.0 m, seed 2</a>"), HasSubstr("left, at 1 s")));
   EXPECT_THAT(page, AllOf(HasSubstr("&lt;b&gt;Bo"), Not(HasSubstr("<b>Bo"))));
   EXPECT_THAT(page, HasSubstr("<circle cx=\"100\" cy=\"300\"")) << "y is down in a picture";
   EXPECT_THAT(page, HasSubstr("2 of the runs came out otherwise"));
+}
+
+TEST(AReport, ShowsTheRunThatFailedSoonest) {
+  const std::string header =
+      "sketch,map,robot,target,seed,verdict,time_s,distance_m,cross_track_max_mm,laps,stations,trace_hash,"
+      "why\n";
+  const std::string made[] = {"reached,90,30,5,3,0",  "lost,50,18,40,2,0",  "lost,9,3.25,40,1,0",
+                              "timeout,60,25,40,1,0", "lost,8,3.25,45,1,0", "error,,,,,"};
+  const auto worst = [&](std::vector<std::size_t> which) {
+    std::string table = header;
+    for (const std::size_t i : which) table += "S,m,r,host," + std::to_string(i) + "," + made[i] + ",h,why\n";
+    const auto runs = read_swept_runs(table, "runs.csv");
+    return std::pair(runs[worst_of(runs, combinations_of(runs)[0])].seed, sweep_page("runs.csv", runs, {}));
+  };
+  EXPECT_EQ(worst({5, 0, 1, 2, 3, 4}).first, 4u)
+      << "of those with fewest laps and least way that farthest off";
+  EXPECT_THAT(worst({1, 2, 3}).second, HasSubstr("lost after 3.2 m, 1 lap, seed 2"));
+  EXPECT_EQ(worst({0, 1}).first, 1u) << "it has failed, though far";
+  EXPECT_EQ(worst({3, 1}).first, 3u) << "driving in circles is no progress";
+  EXPECT_EQ(worst({5, 0}).first, 0u) << "Robosim's own failure has no replay";
 }
 
 TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
