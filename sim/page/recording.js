@@ -140,7 +140,8 @@ export function shared({ robosim, map, map_text, floor, notes }) { return { robo
 
 /** The recording inside another page of ours. */
 export function bytesOfPage(html) {
-  const found = /<script id="recording"[^>]*>([^<]*)<\/script>/.exec(html);
+  const found = /<script id="recording"[^>]*>([^<]*)(<\/script>)?/.exec(html);
   if (!found) throw new BadFile('This page holds no recording of Robosim’s.');
+  if (!found[2]) throw new BadFile('This page is cut off inside its recording: record the run again.');
   return bytesOfBase64(found[1]);
 }

@@ -410,6 +410,23 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   }
 }
 
+// In its style, in its recording, in its program: none of its own runs.
+TEST_F(Page, SaysThatItIsCutOff) {
+  const std::string good = read_file(file());
+  const std::size_t begins = good.find("octet-stream\">") + 14;
+  for (const std::size_t size : {good.find("</style>") - 100, begins + 5000, good.rfind("begin();")}) {
+    write_file(*folder / "cut.html", good.substr(0, size));
+    const Json said = in_page(*folder / "cut.html", "return document.body.innerText;");
+    EXPECT_THAT(said.get<std::string>(),
+                AllOf(HasSubstr("This page is cut off"), ::testing::Not(HasSubstr("reading"))))
+        << size;
+  }
+  const Json over = in_page(file(), "const cut = " + Json(good.substr(0, begins + 5000)).dump() + R"(;
+    await page.open(new File([cut], 'cut.html'));
+    return $('problem').textContent;)");
+  EXPECT_THAT(over.get<std::string>(), HasSubstr("cut off"));
+}
+
 TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
   for (const int width : {360, 1400}) {
     const Json faults = in_page(file(), R"(
@@ -450,6 +467,30 @@ TEST_F(Page, IsPhotographed) {
   }
 }
 
+/// The share of two pictures' points that differ, of the whole where their sizes do. Letters' edges are drawn
+/// a little otherwise by another version of the browser.
+double difference(const std::filesystem::path& a, const std::filesystem::path& b) {
+  browser().open("about:blank");
+  const auto source = [](const std::filesystem::path& file) {
+    return Json("data:image/png;base64," + base64(read_file(file))).dump();
+  };
+  return browser().run("const sources = [" + source(a) + ", " + source(b) + R"(];
+    const points = async (src) => {
+      const image = Object.assign(new Image(), { src });
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+      const ctx = canvas.getContext('2d');
+      ctx.drawImage(image, 0, 0);
+      return ctx.getImageData(0, 0, image.width, image.height);
+    };
+    const [one, other] = [await points(sources[0]), await points(sources[1])];
+    if (one.width !== other.width || one.height !== other.height) return 1;
+    let count = 0;
+    for (let i = 0; i < one.data.length; i += 4)
+      count += [0, 1, 2].some((k) => Math.abs(one.data[i + k] - other.data[i + k]) > 48);
+    return count / (one.data.length / 4);)");
+}
+
 TEST_F(Page, IsInTheDocs) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
   const auto run = [&](std::vector<std::string> words) {
@@ -460,10 +501,12 @@ TEST_F(Page, IsInTheDocs) {
     browser().run(
         "await until(() => document.documentElement.dataset.ready || !$('recording')); await drawn();");
     browser().picture(pictures / name);
-    EXPECT_GT(std::filesystem::file_size(pictures / name), 20'000u);
+    const std::filesystem::path kept = std::filesystem::path(ROBOSIM_DOCS_PICTURES) / name;
     if (std::getenv("ROBOSIM_WRITE_DOCS"))
-      std::filesystem::copy_file(pictures / name, std::filesystem::path(ROBOSIM_DOCS_PICTURES) / name,
-                                 std::filesystem::copy_options::overwrite_existing);
+      std::filesystem::copy_file(pictures / name, kept, std::filesystem::copy_options::overwrite_existing);
+    EXPECT_LT(difference(pictures / name, kept), 0.02)
+        << kept
+        << " is not what the page looks like: ROBOSIM_WRITE_DOCS=1 ./robosim test --browser makes it anew";
   };
   run({"run", "PidFollower", "--map", "tight", "--record", "one.html"});
   run({"run", "PidFollower", "--map", "tight", "--seed", "2", "--record", "two.rec"});
