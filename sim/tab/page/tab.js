@@ -72,7 +72,12 @@ function want({ sketch, robot, map, ...more }) {
       throw new Error(`There is no ${kind} ${value} here; there are ${Object.keys(has[kind]).join(', ')}.`);
   for (const [kind, value] of Object.entries({ sketch, robot, map })) if (value?.name) own[kind].set(value.name, value);
   fillAll();
-  const set = (id, value) => { if (value !== undefined) $(id).value = value?.name ? OWN + value.name : value; };
+  const set = (id, value) => {
+    if (value === undefined) return;
+    const text = value.name ? OWN + value.name : String(value);
+    $(id).value = text;
+    if ($(id).value !== text && id !== 'script') throw new Error(`The link’s ${id} cannot be ${value.name ?? value}.`);
+  };
   set('sketch', sketch);
   chooseSketch();
   set('robot', robot);
