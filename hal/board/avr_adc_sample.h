@@ -8,12 +8,13 @@
 namespace robosim {
 namespace avr {
 
-/// Samples the channel that ADMUX selects.
-inline uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, SimTime t) {
+/// Samples the channel that ADMUX selects; `wired(pin)` is the number of a pin that its wires are on.
+template <typename Wired>
+uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, SimTime t, Wired wired) {
   const BoardSpec& spec = board.spec();
   return adc_sample(adc, multiplexer, 0, spec.supply_volts, board.supply_share(), [&](int channel) {
     const int pin = spec.analog_pin_0 + channel;
-    return pin < spec.pin_count ? board.read_volts(first_number(spec, static_cast<Pin>(pin)), t) : 0.0;
+    return pin < spec.pin_count ? board.read_volts(wired(static_cast<Pin>(pin)), t) : 0.0;
   });
 }
 

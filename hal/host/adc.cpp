@@ -2,6 +2,7 @@
 
 #include "hal/board/avr_adc_sample.h"
 #include "hal/host/clock.h"
+#include "hal/host/ports.h"
 
 namespace robosim {
 namespace host {
@@ -21,7 +22,10 @@ SimTime Adc::next_start() const {
 
 uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
 
-uint16_t Adc::sample() const { return avr::adc_sample(*board, kChip.adc, multiplexer_, state.now); }
+uint16_t Adc::sample() const {
+  return avr::adc_sample(*board, kChip.adc, multiplexer_, state.now,
+                         [](Pin pin) { return places[pin].wired; });
+}
 
 uint16_t Adc::code_of(double volts) const {
   const double reference = avr::adc_reference_volts(kChip.adc, multiplexer_, board->spec().supply_volts);

@@ -122,9 +122,9 @@ int analogRead(uint8_t pin) {
   const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
   host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(false) * clock / 2);
-  const uint16_t code = elsewhere ? host::adc.code_of(host::board->read_volts(
-                                        first_number(host::board->spec(), number), host::state.now))
-                                  : host::adc.sample();
+  const uint16_t code =
+      elsewhere ? host::adc.code_of(host::board->read_volts(host::places[number].wired, host::state.now))
+                : host::adc.sample();
   host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
   host::adc.set_code(code);
   return robosim_hal::with_bits(code, kAdcBits, robosim_hal::read_bits);

@@ -80,6 +80,7 @@ void place_pins() {
   for (Pin& pin : external_pins) pin = kNoPin;
   const BoardSpec& spec = board->spec();
   const BoardSpec& model = host_model(spec);
+  for (Pin pin = 0; pin < spec.pin_count; ++pin) places[pin].wired = first_number(spec, pin);
   for (Pin pin = 0; pin < kPins && pin < spec.pin_count; ++pin) {
     if (pin < model.pin_count) {
       place_on_chip(pin, model.pins[pin].chip_pin);

@@ -187,14 +187,18 @@ class Volts final : public FirmwarePort {
   double share = 1.0;
 };
 
+uint16_t sampled(Volts& board, uint8_t multiplexer) {
+  return adc_sample(board, kAdc, multiplexer, 0, [](Pin pin) { return pin; });
+}
+
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   Volts board;
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 3, 0), adc_code(1.7, 5.0));
+  EXPECT_EQ(sampled(board, 0x40 | 3), adc_code(1.7, 5.0));
   EXPECT_EQ(board.asked, Pin{17});
   board.asked.reset();
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 14, 0), adc_code(1.1, 5.0)) << "the bandgap";
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 15, 0), 0) << "ground";
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 7, 0), 0) << "an Uno's chip has no channel 7";
+  EXPECT_EQ(sampled(board, 0x40 | 14), adc_code(1.1, 5.0)) << "the bandgap";
+  EXPECT_EQ(sampled(board, 0x40 | 15), 0) << "ground";
+  EXPECT_EQ(sampled(board, 0x40 | 7), 0) << "an Uno's chip has no channel 7";
   EXPECT_FALSE(board.asked);
 }
 
@@ -202,11 +206,11 @@ TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
 TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
   Volts board;
   board.share = 0.8;
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 14, 0), adc_code(1.1, 4.0));
-  EXPECT_EQ(adc_sample(board, kAdc, 0x40 | 3, 0), adc_code(1.7, 5.0));
-  EXPECT_EQ(adc_sample(board, kAdc, 0xC0 | 14, 0), 1023);
+  EXPECT_EQ(sampled(board, 0x40 | 14), adc_code(1.1, 4.0));
+  EXPECT_EQ(sampled(board, 0x40 | 3), adc_code(1.7, 5.0));
+  EXPECT_EQ(sampled(board, 0xC0 | 14), 1023);
   board.share = 0.4;
-  EXPECT_EQ(adc_sample(board, kAdc, 0xC0 | 0, 0), adc_code(0.4 * 1.4, 1.1));
+  EXPECT_EQ(sampled(board, 0xC0 | 0), adc_code(0.4 * 1.4, 1.1));
 }
 
 }  // namespace
