@@ -30,19 +30,23 @@ void yield_to_executor(SimTime wake) {
 /// When the next thing happens that does not ask whether interrupts are enabled.
 SimTime next_event() { return watchdog.due() < tone_end() ? watchdog.due() : tone_end(); }
 
-}  // namespace
-
-SimTime next_due() {
+/// `pending`: an interrupt waits to be served.
+SimTime next_due(bool pending) {
   const SimTime event = next_event();
   if (!interrupts_enabled()) return event;
-  const SimTime next = pending_interrupts() ? state.now : next_interrupt(true);
+  const SimTime next = pending ? state.now : next_interrupt(true);
   return next < event ? next : event;
 }
 
+void set_deadline(SimTime due) { deadline = state.limit < due ? state.limit : due; }
+
+}  // namespace
+
+SimTime next_due() { return next_due(interrupts_enabled() && pending_interrupts()); }
+
 void refresh_deadline() {
   settle_registers();
-  const SimTime due = next_due();
-  deadline = state.limit < due ? state.limit : due;
+  set_deadline(next_due());
 }
 
 void reach_deadline() {
@@ -55,7 +59,7 @@ void reach_deadline() {
       continue;
     }
     sync_peripherals();
-    if (!serve_interrupt()) break;
+    if (!serve_interrupt()) return set_deadline(next_due(false));
     ++served;
     refresh_deadline();
     if (state.now < deadline) return;
