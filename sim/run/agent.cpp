@@ -261,7 +261,7 @@ bool Agent::look(SimTime end) {
   progress_.update(body_, end, state_.happened);
   observe(end);
   if (blind_) look_for_blindness(end);
-  hear_parts(end);
+  if (robot_.has_tellers()) hear_parts(end);
   if (!state_.happened.empty()) tell_events(end);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));
   const std::optional<judge::Verdict> verdict = verdict_at(end);

@@ -228,12 +228,15 @@ inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {
 inline double Floor::distance_to_line(Vec2 p) const {
   int column, row;
   double x, y;
-  if (!stripes_ && locate(p, column, row, x, y)) {
-    const Kind& kind = kinds_[cells_[index(column, row)]];
-    if (kind.is_line) {
-      const double square = kind.line.square(x, y);
-      if (square <= 0.25 * cell_ * cell_) return std::sqrt(square);
-    }
+  if (!locate(p, column, row, x, y)) return search(p, false);
+  if (stripes_) {
+    double nearest = stripes_reach_;
+    for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row}))
+      nearest = std::min(nearest, grid::distance(stripes_->all()[i], p));
+    if (nearest < stripes_reach_) return std::sqrt(nearest * nearest);
+  } else if (const Kind& kind = kinds_[cells_[index(column, row)]]; kind.is_line) {
+    const double square = kind.line.square(x, y);
+    if (square <= 0.25 * cell_ * cell_) return std::sqrt(square);
   }
   return search(p, false);
 }
