@@ -74,11 +74,9 @@ struct ReportArguments {
 
 /// `robosim compare`
 struct CompareArguments {
-  std::string sketch;
-  std::string map;
-  std::string robot;
   std::vector<std::string> targets;  ///< the others are held against the first
-  RunArguments each;                 ///< its sketch, map, robot, target and seed do not count
+  std::string moves;                 ///< the one of several robots that is put on them; empty = all
+  RunArguments each;                 ///< its target and seed do not count
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
   bool json = false;

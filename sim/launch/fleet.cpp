@@ -227,6 +227,14 @@ PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen
   return all;
 }
 
+std::vector<wire::RunResult> results_of(wire::RunResult first) {
+  std::vector<wire::RunResult> all = {wire::RunResult{}};
+  for (wire::RunResult& other : first.others) all.push_back(std::move(other));
+  first.others.clear();
+  all.front() = std::move(first);
+  return all;
+}
+
 wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request) {
   if (result.others.empty()) return result;
   std::vector<const wire::RunResult*> all = {&result};

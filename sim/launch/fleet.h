@@ -60,6 +60,9 @@ struct PreparedFleet {
 PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
                       const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner);
 
+/// One for each robot, in the order of their numbers, the first one's without the others.
+std::vector<wire::RunResult> results_of(wire::RunResult first);
+
 /// What the robots of a run came to, as one result: reached if all have; else the verdict of the first that
 /// has not, whose `why` begins with its name. Time is that of the last, distance, energy and collisions are
 /// sums, what was sent and shown is that of all, one after the other; the rest is of the robot that `why` is

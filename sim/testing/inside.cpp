@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/testing/artifacts.h"
+#include "sim/wire/agent_of.h"
 
 namespace robosim::testing {
 namespace {
@@ -17,22 +18,12 @@ bool is_failure(const std::string& verdict) {
          verdict == "crashed" || verdict == "over_budget";
 }
 
-std::size_t agent_of(const wire::Event& event) {
-  return std::visit(
-      [](const auto& happened) -> std::size_t {
-        if constexpr (requires { happened.agent; })
-          return static_cast<std::size_t>(happened.agent);
-        else
-          return 0;
-      },
-      event);
-}
-
 }  // namespace
 
 void SharedRun::begin(const wire::RunRequest& request) {
   run = std::make_unique<client::DrivenRun>(*runner, request, [this](const wire::Event& event) {
-    if (const std::size_t agent = agent_of(event); agent < robots.size()) robots[agent]->take(event);
+    if (const auto agent = static_cast<std::size_t>(wire::agent_of(event)); agent < robots.size())
+      robots[agent]->take(event);
   });
   for (Simulation::Inside* robot : robots) robot->begin();
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/tui/text.h"
+#include "sim/wire/agent_of.h"
 
 namespace robosim::tui {
 namespace {
@@ -55,14 +56,7 @@ void LiveScene::draw_trails() {
 }
 
 void LiveScene::add(const wire::Event& event) {
-  const int agent = std::visit(
-      [](const auto& one) {
-        if constexpr (requires { one.agent; })
-          return one.agent;
-        else
-          return 0;
-      },
-      event);
+  const int agent = wire::agent_of(event);
   if (agent != 0) return add_other(event, agent);
   if (const auto* sample = std::get_if<wire::Sample>(&event)) {
     trail_.add(*sample);

@@ -149,6 +149,48 @@ TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
               HasSubstr("on stm32 a bluepill takes the place of the uno in robot.toml, on the same pins"));
 }
 
+TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {
+  const auto compare_two = [&](const std::string& targets) {
+    return robosim_command({"compare", "A=PidFollower", "B=" + sketch_folder("DiffersInWidth").string() + "/",
+                            "--map", "oval", "--robot", "uno5", "--target", targets, "--start", "B=20,2,W",
+                            "--goal", "none", "--for", "2s", "--json"});
+  };
+  const Ended all = compare_two("host,avr");
+  EXPECT_EQ(all.status, 1) << all.err;
+  const nlohmann::json found = json_of(all)["difference"];
+  EXPECT_EQ(found["robot"], "B");
+  EXPECT_EQ(found["kind"], "number");
+  expect_both_at(found, "DiffersInWidth.ino", 7, "report");
+  EXPECT_EQ(found["sides"][1]["finding"]["line"], 5) << found;
+
+  const Ended first = compare_two("A=host,avr");
+  EXPECT_EQ(first.status, 0) << "B stays on the host: " << first.out;
+  const nlohmann::json runs = json_of(first)["runs"];
+  ASSERT_EQ(runs.size(), 2u) << first.err;
+  EXPECT_EQ(runs[1]["target"], "avr");
+  EXPECT_EQ(runs[1]["robots"][0]["target"], "avr");
+  EXPECT_EQ(runs[1]["robots"][1]["target"], "host");
+  EXPECT_EQ(runs[0]["robots"][1]["trace_hash"], runs[1]["robots"][1]["trace_hash"]);
+
+  const Ended other = compare_two("C=host,avr");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("there is no robot C; there is A or B"));
+  const Ended both = compare_two("A=host,stm32");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.err, HasSubstr("robot A is for the target stm32 and robot B for the host"));
+}
+
+// Which of two that meet head-on finds the line again is chance.
+TEST_F(CliCompare, RobotsThatMeetAreOnTheEdgeTogether) {
+  const Ended ended = robosim_command({"compare", "A=PidFollower", "B=PidFollower", "--map", "oval", "--goal",
+                                       "none", "--for", "8s", "--start", "A=10,14,E", "--start", "B=18,14,W",
+                                       "--seed", "3", "--target", "host,stm32", "--json"});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const nlohmann::json result = json_of(ended);
+  EXPECT_EQ(result["difference"]["robot"], "B");
+  EXPECT_EQ(result["edges"].size(), 2u);
+}
+
 TEST_F(CliCompare, WhatCannotBeComparedIsSaidInOneSentence) {
   const Ended ended = robosim_command({"compare", "PidFollower", "--target", "host,arduino"});
   EXPECT_EQ(ended.status, 2);

@@ -1,7 +1,6 @@
 #include "sim/cli/compare/compare_command.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,14 +10,12 @@
 
 #include "sim/analysis/edge.h"
 #include "sim/base/error.h"
-#include "sim/build/sketch.h"
 #include "sim/cli/compare/compare_report.h"
-#include "sim/cli/launching.h"
+#include "sim/cli/compare/lanes.h"
 #include "sim/cli/output.h"
-#include "sim/client/runner.h"
 #include "sim/grid/places.h"
-#include "sim/launch/launch.h"
 #include "sim/tui/progress.h"
+#include "sim/wire/agent_of.h"
 
 namespace robosim::cli {
 namespace {
@@ -40,80 +37,44 @@ constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 500
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 constexpr std::size_t kSaid = 3;  // lines before the one that differs
 
-/// One target: what it runs, and who runs it.
-struct Lane {
-  client::Runner runner;
-  launch::Prepared run;
-};
-
-/// Runs one request on each lane, all at a time.
-std::vector<wire::RunResult> run_all(std::vector<Lane*> lanes, const std::vector<wire::RunRequest>& requests,
-                                     const std::vector<wire::OnEvent>& listeners) {
-  std::vector<std::optional<wire::RunResult>> results(lanes.size());
-  for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i]->runner.begin(requests[i]);
-  for (;;) {
-    std::vector<pollfd> waiting;
-    for (std::size_t i = 0; i < lanes.size(); ++i)
-      if (!results[i] && !(results[i] = lanes[i]->runner.take(listeners[i])))
-        waiting.push_back({lanes[i]->runner.descriptor(), POLLIN, 0});
-    if (waiting.empty()) break;
-    ::poll(waiting.data(), waiting.size(), -1);
-  }
-  std::vector<wire::RunResult> all;
-  for (auto& result : results) all.push_back(std::move(*result));
-  return all;
-}
-
 class CompareCommand {
  public:
   CompareCommand(const CompareArguments& arguments, tui::Progress& progress)
-      : arguments_(arguments), progress_(progress) {
-    launch::Launch launch = launch_of(arguments.each);
-    launch.sketch = arguments.sketch;
-    launch.map = arguments.map;
-    launch.robot = arguments.robot;
-    const launch::SketchChoice sketch = launch::choose_sketch(launch.sketch, launch.environment);
-    if (!sketch.elf_target.empty())
-      throw InputError({sketch.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
-    launch::Launcher launcher(listener_of(progress, {true, false}));
-    for (const std::string& target : arguments.targets) {
-      launch.target = target;
-      launch.request.clock_ns = target == "host" ? 0 : arguments.each.request.clock_ns;
-      launch::Chosen chosen = choose(launch);
-      client::Runner runner(target);
-      launch::Prepared run = launcher.prepare(
-          launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
-          runner.hello());
-      lanes_.push_back({std::move(runner), std::move(run)});
-    }
-    map_.emplace(grid::read_map(lanes_[0].run.request.map));
-    const std::string& start = arguments.each.request.start;
-    places_.emplace(*map_, start.empty() ? grid::default_start(*map_) : grid::parse_start(*map_, start));
+      : arguments_(arguments), progress_(progress), lanes_(lanes_of(arguments, progress)) {
+    const wire::RunRequest& request = lanes_[0].run.request;
+    map_.emplace(grid::read_map(request.map));
+    add_places(request.start);
+    for (const wire::AgentRequest& agent : request.agents) add_places(agent.start);
   }
 
   Compared compare(std::uint64_t seed) {
     progress_.say(fmt::format("{} targets, seed {} …", lanes_.size(), seed));
     Compared compared;
     compared.seed = seed;
-    const std::vector<analysis::History> histories = run_lanes(seed, compared);
-    std::vector<std::pair<analysis::Difference, std::size_t>> found;
+    compared.moves = arguments_.moves;
+    compared.sketch = title();
+    const std::vector<Histories> histories = run_lanes(seed, compared);
+    std::vector<Found> found;
     for (std::size_t i = 1; i < lanes_.size(); ++i) {
-      analysis::Comparison comparison = analysis::compare(histories[0], histories[i]);
-      for (analysis::KnownDifference& known : comparison.known) {
-        compared.known.push_back(std::move(known));
-        compared.known_targets.push_back({arguments_.targets[0], arguments_.targets[i]});
+      for (std::size_t robot = 0; robot < places_.size(); ++robot) {
+        const std::string& name = lanes_[0].name(robot);
+        analysis::Comparison comparison = analysis::compare(histories[0][robot], histories[i][robot]);
+        for (analysis::KnownDifference& known : comparison.known)
+          compared.known.push_back({std::move(known), name, {lanes_[0].target, lanes_[i].target}});
+        if (comparison.first) found.push_back({std::move(*comparison.first), i, robot});
       }
-      if (comparison.first) found.emplace_back(std::move(*comparison.first), i);
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first.first_ns() < b.first.first_ns(); });
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+      return a.difference.first_ns() < b.difference.first_ns();
+    });
     // The earliest, but for those on the edge.
     std::optional<Compared> on_edge;
-    for (auto& [difference, other] : found) {
-      compared.difference = std::move(difference);
-      const std::array<std::size_t, 2> lanes{0, other};
-      look_closer(compared, lanes, {&histories[0], &histories[other]});
-      find_edges(compared, lanes, {&histories[0], &histories[other]});
+    for (Found& one : found) {
+      compared.difference = std::move(one.difference);
+      compared.robot = lanes_[0].name(one.robot);
+      const Pair pair{one.robot, {0, one.lane}, {&histories[0][one.robot], &histories[one.lane][one.robot]}};
+      look_closer(compared, pair);
+      find_edges(compared, pair);
       if (compared.edges.empty()) break;
       if (!on_edge) on_edge = compared;
     }
@@ -123,14 +84,41 @@ class CompareCommand {
   }
 
  private:
-  std::string place_of(const wire::Sample& sample) const {
-    const Vec2 axle{1e-3 * sample.x_mm, 1e-3 * sample.y_mm};
-    const bool off = places_->cells_off(axle) > kOff_cells && sample.cross_track_mm > kOff_mm;
-    return off ? analysis::kOffTheLine : places_->at(axle);
+  /// A sketch, a file of several robots, or how many there are.
+  std::string title() const {
+    const launch::Fleet& fleet = lanes_[0].fleet;
+    if (fleet.members.empty()) return lanes_[0].inputs(0).sketch;
+    return fleet.file.empty() ? fmt::format("{} robots", fleet.members.size()) : fleet.file;
   }
 
-  analysis::HistoryRecorder recorder_of(const Lane& lane) const {
-    return {lane.run.target, [this](const wire::Sample& sample) { return place_of(sample); }};
+  /// Of a lane, one for each robot.
+  using Histories = std::vector<analysis::History>;
+
+  struct Found {
+    analysis::Difference difference;
+    std::size_t lane, robot;  ///< the lane that is not as the first
+  };
+
+  /// One robot in two lanes.
+  struct Pair {
+    std::size_t robot;
+    std::array<std::size_t, 2> lanes;
+    std::array<const analysis::History*, 2> histories;
+  };
+
+  void add_places(const std::string& start) {
+    places_.emplace_back(*map_, start.empty() ? grid::default_start(*map_) : grid::parse_start(*map_, start));
+  }
+
+  std::string place_of(std::size_t robot, const wire::Sample& sample) const {
+    const Vec2 axle{1e-3 * sample.x_mm, 1e-3 * sample.y_mm};
+    const grid::Places& places = places_[robot];
+    const bool off = places.cells_off(axle) > kOff_cells && sample.cross_track_mm > kOff_mm;
+    return off ? analysis::kOffTheLine : places.at(axle);
+  }
+
+  analysis::HistoryRecorder recorder_of(const Lane& lane, std::size_t robot) const {
+    return {lane.target, [this, robot](const wire::Sample& sample) { return place_of(robot, sample); }};
   }
 
   static wire::RunRequest request_of(const Lane& lane, std::uint64_t seed) {
@@ -143,8 +131,7 @@ class CompareCommand {
 
   /// What one target alone does, such as by a race of its interrupts, is its own doing: so one must do what
   /// the other did there, and the other, too, or differ from itself in a like way.
-  void find_edges(Compared& compared, const std::array<std::size_t, 2>& lanes,
-                  const std::array<const analysis::History*, 2>& histories) {
+  void find_edges(Compared& compared, const Pair& pair) {
     compared.edges.clear();
     if (!analysis::is_of_driving(*compared.difference) || compared.sides[0].finding ||
         compared.sides[1].finding)
@@ -152,20 +139,19 @@ class CompareCommand {
     from_start_ = {};
     bool there = false;
     for (std::size_t side = 0; side < 2 && compared.edges.size() == side; ++side) {
-      std::optional<Edge> edge = find_edge(compared, side, lanes[side], histories);
+      std::optional<Edge> edge = find_edge(compared, side, pair);
       if (!edge) break;
       there |= edge->does_as_other;
       compared.edges.push_back(std::move(*edge));
     }
     if (there && compared.edges.size() == 2) return;
-    compared.edges = weigh(compared, lanes, histories);
+    compared.edges = weigh(compared, pair);
   }
 
   /// Where chance has decided from the beginning on, each side differs from itself in many ways. Then both
   /// must go both ways, and about as often, with one clock or another.
-  std::vector<Edge> weigh(const Compared& compared, const std::array<std::size_t, 2>& lanes,
-                          const std::array<const analysis::History*, 2>& histories) {
-    const auto choice = analysis::Choice::of(*compared.difference, *histories[0], *histories[1]);
+  std::vector<Edge> weigh(const Compared& compared, const Pair& pair) {
+    const auto choice = analysis::Choice::of(*compared.difference, *pair.histories[0], *pair.histories[1]);
     if (!choice) return {};
     std::array<analysis::Share, 2> shares{{{1, 1}, {1, 0}}};
     std::array<std::optional<Edge>, 2> examples;
@@ -175,23 +161,21 @@ class CompareCommand {
       shares[side].as_first += as_first ? 1 : 0;
       const bool does = as_first != (side == 0);
       if (examples[side] && (!does || examples[side]->does_as_other)) return;
-      if (auto itself = analysis::compare(*histories[side], run).first)
-        examples[side] = Edge{lanes_[lanes[side]].run.target, ppm, 0, std::move(*itself), does};
+      if (auto itself = analysis::compare(*pair.histories[side], run).first)
+        examples[side] = Edge{lanes_[pair.lanes[side]].target, ppm, 0, std::move(*itself), does};
     };
     for (std::size_t side = 0; side < 2; ++side) {
-      say_weighing(lanes[side]);
-      for (const int ppm : kClocksOff_ppm) look(side, ppm, run_from_start(compared, side, lanes[side], ppm));
-      for (const int ppm : kMoreClocksOff_ppm)
-        look(side, ppm, run_from_start(compared, side, lanes[side], ppm));
+      say_weighing(pair.lanes[side]);
+      for (const int ppm : kClocksOff_ppm) look(side, ppm, run_from_start(compared, side, pair, ppm));
+      for (const int ppm : kMoreClocksOff_ppm) look(side, ppm, run_from_start(compared, side, pair, ppm));
     }
     analysis::Alikeness alikeness = analysis::alikeness(shares[0], shares[1]);
     if (alikeness == analysis::Alikeness::rare) {
       for (std::size_t side = 0; side < 2; ++side) {
-        say_weighing(lanes[side]);
+        say_weighing(pair.lanes[side]);
         for (int ppm = kFirstOfMany_ppm; ppm < kLastOfMany_ppm; ppm += kStepOfMany_ppm)
           for (const int off : {ppm, -ppm})
-            look(side, off,
-                 run_with_clock_off(lanes_[lanes[side]], compared.seed, {0, shows_by(compared), off}));
+            look(side, off, run_with_clock_off(pair, side, compared.seed, {0, shows_by(compared), off}));
       }
       alikeness = analysis::alikeness(shares[0], shares[1]);
     }
@@ -205,7 +189,7 @@ class CompareCommand {
   }
 
   void say_weighing(std::size_t lane) {
-    progress_.say(fmt::format("how often does {} so, with other clocks? …", lanes_[lane].run.target));
+    progress_.say(fmt::format("how often does {} so, with other clocks? …", lanes_[lane].target));
   }
 
   /// A place to which the other has not come it may come to later.
@@ -218,20 +202,19 @@ class CompareCommand {
            (waits ? static_cast<std::int64_t>(tolerance.time * static_cast<double>(later)) : 0);
   }
 
-  const analysis::History& run_from_start(const Compared& compared, std::size_t side, std::size_t lane,
+  const analysis::History& run_from_start(const Compared& compared, std::size_t side, const Pair& pair,
                                           int ppm) {
     auto& runs = from_start_[side];
     if (const auto known = runs.find(ppm); known != runs.end()) return known->second;
-    return runs.emplace(ppm, run_with_clock_off(lanes_[lane], compared.seed, {0, shows_by(compared), ppm}))
+    return runs.emplace(ppm, run_with_clock_off(pair, side, compared.seed, {0, shows_by(compared), ppm}))
         .first->second;
   }
 
   /// Where this lane, with its clock a little off, does as the other lane did; or, if it never does,
   /// differs from itself in a like way.
-  std::optional<Edge> find_edge(const Compared& compared, std::size_t side, std::size_t number,
-                                const std::array<const analysis::History*, 2>& histories) {
-    const Lane& lane = lanes_[number];
-    progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.run.target));
+  std::optional<Edge> find_edge(const Compared& compared, std::size_t side, const Pair& pair) {
+    const std::string& target = lanes_[pair.lanes[side]].target;
+    progress_.say(fmt::format("does {} so, too, its clock a little off? …", target));
     const std::int64_t until = shows_by(compared);
     std::optional<Edge> found;
     std::vector<std::int64_t> starts{0};
@@ -241,14 +224,14 @@ class CompareCommand {
     for (const std::int64_t from : starts)
       for (const int ppm : kClocksOff_ppm) {
         const analysis::History history =
-            from == 0 ? run_from_start(compared, side, number, ppm)
-                      : run_with_clock_off(lanes_[number], compared.seed, {from, until, ppm});
-        analysis::Comparison itself = analysis::compare(*histories[side], history);
+            from == 0 ? run_from_start(compared, side, pair, ppm)
+                      : run_with_clock_off(pair, side, compared.seed, {from, until, ppm});
+        analysis::Comparison itself = analysis::compare(*pair.histories[side], history);
         if (!itself.first || itself.first->first_ns() >= until || !analysis::is_of_driving(*itself.first))
           continue;
-        const bool does = analysis::does_as(history, *histories[1 - side], *compared.difference);
+        const bool does = analysis::does_as(history, *pair.histories[1 - side], *compared.difference);
         if (!does && (found || !analysis::is_alike(*itself.first, *compared.difference))) continue;
-        found = Edge{lane.run.target, ppm, from, std::move(*itself.first), does};
+        found = Edge{target, ppm, from, std::move(*itself.first), does};
         if (does) return found;
       }
     return found;
@@ -260,41 +243,56 @@ class CompareCommand {
     int ppm;
   };
 
-  analysis::History run_with_clock_off(Lane& lane, std::uint64_t seed, const ClockOff& off) {
+  /// Where there are several, the others' clocks are as far off the other way: who comes first where ways
+  /// cross may be chance, too.
+  analysis::History run_with_clock_off(const Pair& pair, std::size_t side, std::uint64_t seed,
+                                       const ClockOff& off) {
+    Lane& lane = lanes_[pair.lanes[side]];
     wire::RunRequest request = request_of(lane, seed);
-    request.script += fmt::format("\nat {}ms fault clock drift {}ppm\n", off.from_ns / 1'000'000, off.ppm);
+    for (std::size_t robot = 0; robot < places_.size(); ++robot)
+      lane.script(request, robot) +=
+          fmt::format("\nat {}ms fault clock drift {}ppm\n", off.from_ns / 1'000'000,
+                      robot == pair.robot ? off.ppm : -off.ppm);
     request.for_ns = std::min(request.for_ns, off.until_ns / 1'000'000 * 1'000'000);
-    analysis::HistoryRecorder recorder = recorder_of(lane);
-    const wire::RunResult result =
-        lane.runner.run(request, [&](const wire::Event& event) { recorder.add(event); });
-    return recorder.finish(result);
+    analysis::HistoryRecorder recorder = recorder_of(lane, pair.robot);
+    const Results results = launch::results_of(lane.runner.run(request, [&](const wire::Event& event) {
+      if (is_of(event, pair.robot)) recorder.add(event);
+    }));
+    return recorder.finish(results[pair.robot]);
   }
 
-  std::vector<analysis::History> run_lanes(std::uint64_t seed, Compared& compared) {
-    std::vector<analysis::HistoryRecorder> recorders;
+  static bool is_of(const wire::Event& event, std::size_t robot) {
+    return static_cast<std::size_t>(wire::agent_of(event)) == robot;
+  }
+
+  std::vector<Histories> run_lanes(std::uint64_t seed, Compared& compared) {
+    std::vector<std::vector<analysis::HistoryRecorder>> recorders(lanes_.size());
     std::vector<wire::RunRequest> requests;
     std::vector<wire::OnEvent> listeners;
     std::vector<Lane*> lanes;
-    recorders.reserve(lanes_.size());
-    for (Lane& lane : lanes_) {
-      recorders.push_back(recorder_of(lane));
-      requests.push_back(request_of(lane, seed));
-      listeners.emplace_back(
-          [&recorder = recorders.back()](const wire::Event& event) { recorder.add(event); });
-      lanes.push_back(&lane);
-    }
-    const std::vector<wire::RunResult> results = run_all(lanes, requests, listeners);
-    std::vector<analysis::History> histories;
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      histories.push_back(recorders[i].finish(results[i]));
-      compared.runs.push_back({inputs_of(lanes_[i].run, lanes_[i].runner.hello().version), results[i]});
+      for (std::size_t robot = 0; robot < places_.size(); ++robot)
+        recorders[i].push_back(recorder_of(lanes_[i], robot));
+      requests.push_back(request_of(lanes_[i], seed));
+      listeners.emplace_back([&of_lane = recorders[i]](const wire::Event& event) {
+        of_lane.at(static_cast<std::size_t>(wire::agent_of(event))).add(event);
+      });
+      lanes.push_back(&lanes_[i]);
+    }
+    const std::vector<Results> results = run_all(lanes, requests, listeners);
+    std::vector<Histories> histories(lanes_.size());
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      ComparedLane& lane = compared.lanes.emplace_back(ComparedLane{lanes_[i].target, {}});
+      for (std::size_t robot = 0; robot < places_.size(); ++robot) {
+        histories[i].push_back(recorders[i][robot].finish(results[i][robot]));
+        lane.robots.push_back({lanes_[i].name(robot), lanes_[i].inputs(robot), results[i][robot]});
+      }
     }
     return histories;
   }
 
   /// Once more, to the difference only, with the sources of all that happens near it.
-  void look_closer(Compared& compared, const std::array<std::size_t, 2>& lanes,
-                   const std::array<const analysis::History*, 2>& histories) {
+  void look_closer(Compared& compared, const Pair& pair) {
     const analysis::Difference& d = *compared.difference;
     std::vector<analysis::PinLog> pins;
     std::vector<wire::RunRequest> requests;
@@ -302,7 +300,7 @@ class CompareCommand {
     std::vector<Lane*> both;
     pins.reserve(2);
     for (std::size_t side = 0; side < 2; ++side) {
-      Lane& lane = lanes_[lanes[side]];
+      Lane& lane = lanes_[pair.lanes[side]];
       pins.emplace_back(d.t_ns[side]);
       wire::RunRequest request = lane.run.request;
       request.seed = compared.seed;
@@ -311,19 +309,23 @@ class CompareCommand {
       request.pins = request.io = true;
       request.source_ns.emplace(std::max<std::int64_t>(0, d.t_ns[side] - kBefore_ns), end);
       requests.push_back(std::move(request));
-      listeners.emplace_back([&seen = pins.back()](const wire::Event& event) { seen.add(event); });
+      listeners.emplace_back([&seen = pins.back(), robot = pair.robot](const wire::Event& event) {
+        if (is_of(event, robot)) seen.add(event);
+      });
       both.push_back(&lane);
     }
     run_all(both, requests, listeners);
     for (std::size_t side = 0; side < 2; ++side)
-      compared.sides[side] = describe(compared, side, lanes[side], *histories[side], pins[side]);
+      compared.sides[side] = describe(compared, side, pair, pins[side]);
   }
 
-  ComparedSide describe(const Compared& compared, std::size_t side, std::size_t lane,
-                        const analysis::History& history, const analysis::PinLog& pins) {
+  ComparedSide describe(const Compared& compared, std::size_t side, const Pair& pair,
+                        const analysis::PinLog& pins) {
     const analysis::Difference& d = *compared.difference;
+    const std::size_t lane = pair.lanes[side];
+    const analysis::History& history = *pair.histories[side];
     ComparedSide result;
-    result.target = arguments_.targets[lane];
+    result.target = lanes_[lane].target;
     result.t_ns = d.t_ns[side];
     result.text = d.sides[side];
     result.reads = pins.reads();
@@ -337,7 +339,7 @@ class CompareCommand {
       if (near)
         result.said.push_back(fmt::format("{:.4f} s  {}", 1e-9 * static_cast<double>(said.t_ns), said.text));
     }
-    const wire::RunResult& run = compared.runs[lane].result;
+    const wire::RunResult& run = compared.lanes[lane].robots[pair.robot].result;
     if (d.line[side]) {
       const std::string& text = history.lines[line].text;
       result.source = pins.source_of(text, first_difference(compared, side, text));
@@ -346,7 +348,7 @@ class CompareCommand {
     } else if (d.kind == analysis::Difference::Kind::motors || d.kind == analysis::Difference::Kind::speed) {
       if (const auto use = pins.last_write()) result.source = use->source;
     }
-    result.finding = look_with_checks(compared, side, lane);
+    result.finding = look_with_checks(compared, side, pair);
     return result;
   }
 
@@ -361,23 +363,23 @@ class CompareCommand {
     return at > begin ? std::min(at - begin - 1, text.size()) : 0;
   }
 
-  std::optional<Finding> look_with_checks(const Compared& compared, std::size_t side, std::size_t lane) {
-    const std::string& target = arguments_.targets[lane];
-    if (target == "stm32") return std::nullopt;
-    const wire::RunResult& run = compared.runs[lane].result;
-    Lane& with = lanes_[lane];
-    wire::RunRequest request = with.run.request;
+  std::optional<Finding> look_with_checks(const Compared& compared, std::size_t side, const Pair& pair) {
+    Lane& lane = lanes_[pair.lanes[side]];
+    const launch::Prepared& with = lane.run.members[pair.robot];
+    if (with.target == "stm32") return std::nullopt;
+    wire::RunRequest request = lane.run.request;
     request.seed = compared.seed;
     request.for_ns = std::min(request.for_ns, compared.difference->t_ns[side] + kLongestPart_ns);
-    progress_.say("running it again on " + target + ", with checks …");
-    return look_again(with.runner, request, with.run.wanted, run);
+    progress_.say("running it again on " + with.target + ", with checks …");
+    return look_again(lane.runner, request, with.wanted,
+                      compared.lanes[pair.lanes[side]].robots[pair.robot].result, pair.robot);
   }
 
   const CompareArguments& arguments_;
   tui::Progress& progress_;
   std::vector<Lane> lanes_;
   std::optional<grid::Map> map_;
-  std::optional<grid::Places> places_;
+  std::vector<grid::Places> places_;  ///< as each robot meets them, from its start on
   std::array<std::map<int, analysis::History>, 2> from_start_;  ///< by clock: of both sides of a difference
 };
 

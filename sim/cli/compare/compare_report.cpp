@@ -20,11 +20,29 @@ std::string place_of(const wire::SourceLine& source) {
   return source.function.empty() ? place : fmt::format("{} in {}()", place, source.function);
 }
 
-std::string names_of(const std::vector<ComparedRun>& runs) {
-  std::vector<std::string> names;
-  for (const ComparedRun& run : runs) names.push_back(run.inputs.target);
-  std::string text = names[0];
-  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+std::string names_of(const Compared& c) {
+  std::string text;
+  for (std::size_t i = 0; i < c.lanes.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < c.lanes.size() ? ", " : " and ") + c.lanes[i].target;
+  return text;
+}
+
+/// A line for each robot on each target.
+std::string lanes_text(const Compared& c) {
+  const auto robot_of = [&](const ComparedRun& run) {
+    return c.moves.empty() ? run.inputs.robot : fmt::format("{}, {}", run.inputs.robot, run.inputs.target);
+  };
+  std::size_t name = 0, robot = 0;
+  for (const ComparedLane& lane : c.lanes)
+    for (const ComparedRun& run : lane.robots) {
+      name = std::max(name, run.name.size());
+      robot = std::max(robot, robot_of(run).size());
+    }
+  std::string text;
+  for (const ComparedLane& lane : c.lanes)
+    for (const ComparedRun& run : lane.robots)
+      text += fmt::format("  {:<6} {:<{}}{}{:<{}}  {:<8} {:8.2f} s\n", lane.target, run.name, name,
+                          name ? "  " : "", robot_of(run), robot, run.result.verdict, run.result.time_s);
   return text;
 }
 
@@ -86,6 +104,23 @@ Json json_of(const ComparedSide& side) {
   return json;
 }
 
+Json json_of(const ComparedRun& run) {
+  return {{"target", run.inputs.target},        {"robot", run.inputs.robot},
+          {"verdict", run.result.verdict},      {"time_s", run.result.time_s},
+          {"compiler", run.inputs.compiler},    {"image_sha256", run.result.image_sha256},
+          {"trace_hash", run.result.trace_hash}};
+}
+
+Json json_of(const ComparedLane& lane) {
+  if (lane.robots.front().name.empty()) return json_of(lane.robots.front());
+  Json robots = Json::array();
+  for (const ComparedRun& run : lane.robots) {
+    robots.push_back({{"name", run.name}, {"sketch", run.inputs.sketch}});
+    robots.back().update(json_of(run));
+  }
+  return {{"target", lane.target}, {"robots", std::move(robots)}};
+}
+
 std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
       "on the edge: {} {}, too, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
@@ -109,23 +144,22 @@ Json json_of(const Edge& edge) {
 }  // namespace
 
 std::string compare_text(const Compared& c) {
-  const RunInputs& in = c.runs.front().inputs;
-  std::string text = fmt::format("{} on {}, seed {}: {} ", in.sketch, in.map, c.seed, names_of(c.runs));
+  const RunInputs& in = c.lanes.front().robots.front().inputs;
+  std::string text =
+      fmt::format("{} on {}, seed {}{}: {} ", c.sketch, in.map, c.seed,
+                  c.moves.empty() ? "" : fmt::format(", {} on each target", c.moves), names_of(c));
   text += !c.difference     ? "do the same\n"
           : c.edges.empty() ? "differ\n"
                             : "differ no more than each from itself\n";
-  std::size_t longest = 0;
-  for (const ComparedRun& run : c.runs) longest = std::max(longest, run.inputs.robot.size());
-  for (const ComparedRun& run : c.runs)
-    text += fmt::format("  {:<6} {:<{}}  {:<8} {:8.2f} s\n", run.inputs.target, run.inputs.robot, longest,
-                        run.result.verdict, run.result.time_s);
-  for (std::size_t i = 0; i < c.known.size(); ++i)
-    text +=
-        fmt::format("known, and not counted: {} ({} “{}”, {} “{}”)\n", c.known[i].what, c.known_targets[i][0],
-                    c.known[i].sides[0], c.known_targets[i][1], c.known[i].sides[1]);
+  text += lanes_text(c);
+  for (const ComparedKnown& known : c.known)
+    text += fmt::format("known, and not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,
+                        known.robot.empty() ? "" : " of robot " + known.robot, known.targets[0],
+                        known.difference.sides[0], known.targets[1], known.difference.sides[1]);
   if (!c.difference) return text;
   const analysis::Difference& d = *c.difference;
-  text += fmt::format("\nfirst difference, at {:.4f} s on {} and {:.4f} s on {}: {}\n", seconds(d.t_ns[0]),
+  text += fmt::format("\nfirst difference,{} at {:.4f} s on {} and {:.4f} s on {}: {}\n",
+                      c.robot.empty() ? "" : fmt::format(" of robot {},", c.robot), seconds(d.t_ns[0]),
                       c.sides[0].target, seconds(d.t_ns[1]), c.sides[1].target, d.what);
   for (const ComparedSide& side : c.sides) text += side_text(side);
   for (std::size_t side = 0; side < c.edges.size(); ++side)
@@ -137,33 +171,26 @@ std::string compare_text(const Compared& c) {
 }
 
 std::string compare_json(const Compared& c) {
-  const RunInputs& in = c.runs.front().inputs;
   Json json{{"schema", "robosim.compare/1"},
             {"same", c.same()},
-            {"sketch", in.sketch},
-            {"map", in.map},
+            {"sketch", c.sketch},
+            {"map", c.lanes.front().robots.front().inputs.map},
             {"seed", c.seed}};
-  Json runs = Json::array();
-  for (const ComparedRun& run : c.runs)
-    runs.push_back({{"target", run.inputs.target},
-                    {"robot", run.inputs.robot},
-                    {"verdict", run.result.verdict},
-                    {"time_s", run.result.time_s},
-                    {"compiler", run.inputs.compiler},
-                    {"image_sha256", run.result.image_sha256},
-                    {"trace_hash", run.result.trace_hash}});
-  json["runs"] = std::move(runs);
-  Json known = Json::array();
-  for (std::size_t i = 0; i < c.known.size(); ++i)
-    known.push_back(
-        {{"what", c.known[i].what}, {"targets", c.known_targets[i]}, {"texts", c.known[i].sides}});
-  json["known"] = std::move(known);
+  json["runs"] = Json::array();
+  for (const ComparedLane& lane : c.lanes) json["runs"].push_back(json_of(lane));
+  json["known"] = Json::array();
+  for (const ComparedKnown& known : c.known) {
+    Json one{{"what", known.difference.what}, {"targets", known.targets}, {"texts", known.difference.sides}};
+    if (!known.robot.empty()) one["robot"] = known.robot;
+    json["known"].push_back(std::move(one));
+  }
   json["difference"] = nullptr;
   if (c.difference) {
     json["difference"] = {{"kind", analysis::name_of(c.difference->kind)},
                           {"what", c.difference->what},
                           {"cause", c.difference->cause},
                           {"sides", Json::array({json_of(c.sides[0]), json_of(c.sides[1])})}};
+    if (!c.robot.empty()) json["difference"]["robot"] = c.robot;
   }
   json["edges"] = Json::array();
   for (const Edge& edge : c.edges) json["edges"].push_back(json_of(edge));

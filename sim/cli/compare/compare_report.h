@@ -26,7 +26,9 @@ struct ComparedSide {
   std::optional<Finding> finding;  ///< of a run with checks
 };
 
+/// What one robot did in one lane.
 struct ComparedRun {
+  std::string name;  ///< the robot's, where there are several
   RunInputs inputs;
   wire::RunResult result;
 };
@@ -42,13 +44,28 @@ struct Edge {
   int clocks = 0, as_other = 0;
 };
 
+/// A target, and what its robots did.
+struct ComparedLane {
+  std::string target;
+  std::vector<ComparedRun> robots;
+};
+
+/// A known difference, of which robot and between which targets.
+struct ComparedKnown {
+  analysis::KnownDifference difference;
+  std::string robot;  ///< empty where there is one; the same below
+  std::array<std::string, 2> targets;
+};
+
 /// A comparison of all targets with one seed.
 struct Compared {
   std::uint64_t seed = 1;
-  std::vector<ComparedRun> runs;
-  std::vector<analysis::KnownDifference> known;
-  std::vector<std::array<std::string, 2>> known_targets;  ///< of each known difference
+  std::string sketch;  ///< or the fleet's file
+  std::string moves;   ///< the one of several robots that is put on the targets; empty = all
+  std::vector<ComparedLane> lanes;
+  std::vector<ComparedKnown> known;
   std::optional<analysis::Difference> difference;
+  std::string robot;                  ///< whose the difference is
   std::array<ComparedSide, 2> sides;  ///< of the difference
   std::vector<Edge> edges;            ///< of both sides: the difference says nothing of the targets
 

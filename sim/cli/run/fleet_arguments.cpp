@@ -14,24 +14,19 @@
 namespace robosim::cli {
 namespace {
 
-struct Named {
-  std::string name;  ///< empty = of all
-  std::string value;
-};
+std::string label(const char* option) { return *option ? option : "SKETCH"; }
 
-/// "A=uno5" is of A; a path may have = in it behind its first '/' or '.'.
-Named split(const std::string& word) {
+}  // namespace
+
+Named named(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == word.npos || equals == 0 || word.find_first_of("./") < equals) return {"", word};
   return {word.substr(0, equals), word.substr(equals + 1)};
 }
 
-std::string label(const char* option) { return *option ? option : "SKETCH"; }
-
-}  // namespace
-
-FleetOptions::FleetOptions(Options& options, RunArguments& run)
+FleetOptions::FleetOptions(Options& options, RunArguments& run, bool compares)
     : run_(run),
+      command_(compares ? "compare" : "run"),
       given_{Given{"", [](launch::Launch& l) -> std::string& { return l.sketch; }},
              Given{"--robot", [](launch::Launch& l) -> std::string& { return l.robot; }},
              Given{"--target", [](launch::Launch& l) -> std::string& { return l.target; }},
@@ -42,25 +37,31 @@ FleetOptions::FleetOptions(Options& options, RunArguments& run)
                       "or NAME=SKETCH for each (docs/fleets.md)");
   options.texts(
       "--robot", given_[1].values, "ROBOT",
-      "file, or name of a stock robot; with @BOARD behind it, on that board; this and the next three, "
-      "and --script, as NAME=… for one of several");
-  options.texts("--target", given_[2].values, "TARGET", "host, avr or stm32");
+      "file, or name of a stock robot; with @BOARD behind it, on that board; this, --target, --start, "
+      "--goal and --script also as NAME=… for one of several");
+  if (!compares) options.texts("--target", given_[2].values, "TARGET", "host, avr or stm32");
   options.texts("--start", given_[3].values, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
   options.texts("--goal", given_[4].values, "GOAL",
                 "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
   options.texts("--script", scripts_, "FILE", "what happens meanwhile: buttons, serial, faults");
 }
 
+void FleetOptions::check_known(const char* option, const std::string& name) {
+  launch::Fleet& fleet = run_.fleet;
+  if (fleet.find(name)) return;
+  if (fleet.members.empty())
+    throw InputError(fmt::format("{} {}=…: there is one robot, without a name", option, name));
+  std::vector<std::string> names;
+  for (const launch::Member& other : fleet.members) names.push_back(other.name);
+  throw InputError(fmt::format("{}: there is no robot {}{}{}; there is {}", label(option), name,
+                               fleet.file.empty() ? "" : " in ", fleet.file, one_of(names)));
+}
+
 launch::Member& FleetOptions::member(const char* option, const std::string& name) {
   launch::Fleet& fleet = run_.fleet;
   if (launch::Member* known = fleet.find(name)) return *known;
   launch::check_member_name(name, {label(option)});
-  if (!fleet.file.empty()) {
-    std::vector<std::string> names;
-    for (const launch::Member& other : fleet.members) names.push_back(other.name);
-    throw InputError(fmt::format("{}: there is no robot {} in {}; there is {}", label(option), name,
-                                 fleet.file, one_of(names)));
-  }
+  if (!fleet.file.empty()) check_known(option, name);
   if (fleet.members.size() == wire::kMostAgents)
     throw InputError(
         fmt::format("{}: {} is a robot too many; a run may have {}", label(option), name, wire::kMostAgents));
@@ -81,12 +82,13 @@ void FleetOptions::read_file() {
 void FleetOptions::take(const Given& given) {
   std::vector<std::string> had;
   for (const std::string& word : given.values) {
-    const auto [name, value] = split(word);
+    const auto [name, value] = named(word);
     if (std::find(had.begin(), had.end(), name) != had.end()) {
       if (name.empty() && *given.option)
         throw InputError(fmt::format("{} is given more than once", given.option));
       if (name.empty())
-        throw InputError(fmt::format("run: “{}” is one word too many; see robosim run --help", word));
+        throw InputError(
+            fmt::format("{0}: “{1}” is one word too many; see robosim {0} --help", command_, word));
       throw InputError(fmt::format("{} is given more than once for {}", label(given.option), name));
     }
     had.push_back(name);
@@ -101,7 +103,7 @@ void FleetOptions::take_scripts() {
   bool had = false;
   std::vector<std::string> names;
   for (const std::string& word : scripts_) {
-    const auto [name, file] = split(word);
+    const auto [name, file] = named(word);
     if (name.empty()) {
       if (std::exchange(had, true)) throw InputError("--script is given more than once");
       run_.script = file;

@@ -38,15 +38,6 @@ int status_of(const std::vector<wire::RunResult>& results) {
   return static_cast<int>(ExitStatus::ok);
 }
 
-/// One for each robot, the first one's without the others.
-std::vector<wire::RunResult> results_of(wire::RunResult first) {
-  std::vector<wire::RunResult> all = {wire::RunResult{}};
-  for (wire::RunResult& other : first.others) all.push_back(std::move(other));
-  first.others.clear();
-  all.front() = std::move(first);
-  return all;
-}
-
 /// Runs in the live view.
 wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
                       const RunArguments& arguments, const wire::OnEvent& on_event) {
@@ -136,7 +127,7 @@ int fleet_command(const RunArguments& arguments) {
   } catch (const InputError&) {
     unwritten = std::current_exception();
   }
-  std::vector<wire::RunResult> results = results_of(std::move(result));
+  std::vector<wire::RunResult> results = launch::results_of(std::move(result));
   for (wire::RunResult& one : results) one.next = next_of(one);
 
   if (arguments.json) {

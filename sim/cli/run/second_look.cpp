@@ -44,7 +44,8 @@ bool deserves_second_look(const build::Request& sketch, const wire::RunResult& f
 }
 
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
-                                  const build::Request& sketch, const wire::RunResult& first) {
+                                  const build::Request& sketch, const wire::RunResult& first,
+                                  std::size_t robot) {
   build::Request checked = sketch;
   checked.sanitize = true;
   checked.warnings = build::Warnings::none;
@@ -52,9 +53,10 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
   listen_to_nothing(request);
   try {
-    request.image = build::build(checked).image.string();
+    (robot == 0 ? request.image : request.agents[robot - 1].image) = build::build(checked).image.string();
     const client::Interrupts interrupts(runner);
-    const wire::RunResult second = runner.run(request);
+    const wire::RunResult all = runner.run(request);
+    const wire::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
     if (!second.crash || second.crash->check.empty()) return std::nullopt;
     return Finding{*second.crash, second.time_s, second.next};
   } catch (const InputError&) {

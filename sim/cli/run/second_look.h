@@ -31,9 +31,10 @@ bool deserves_second_look(const build::Request& sketch, const wire::RunResult& f
 
 /// Runs no longer than the first run did, of a timeout only the first minute, and a second more where it has
 /// crashed: checks take their time. Nothing if no check failed, if the sketch with checks does not compile,
-/// or if the user interrupts it.
+/// or if the user interrupts it. `robot`: whose sketch it is, of several.
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
-                                  const build::Request& sketch, const wire::RunResult& first);
+                                  const build::Request& sketch, const wire::RunResult& first,
+                                  std::size_t robot = 0);
 
 /// Whether detectors have something to tell: the sketch was asked to check itself, or has failed.
 bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first);

@@ -1,0 +1,39 @@
+// What `robosim compare` runs side by side: a lane for each target, with the same robots in each.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/run/run_json.h"
+#include "sim/client/runner.h"
+#include "sim/launch/fleet.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+/// A target, what runs on it, and who runs it.
+struct Lane {
+  std::string target;  ///< of the robots that are put on it
+  client::Runner runner;
+  launch::Fleet fleet;        ///< without members where there is one robot
+  launch::PreparedFleet run;  ///< of one robot, too
+
+  /// Of one of its robots, by number.
+  const std::string& name(std::size_t robot) const;
+  std::string& script(wire::RunRequest& request, std::size_t robot) const;
+  RunInputs inputs(std::size_t robot) const;
+};
+
+/// Throws InputError and ToolMissing.
+std::vector<Lane> lanes_of(const CompareArguments& arguments, tui::Progress& progress);
+
+/// The result of each robot, in the order of their numbers.
+using Results = std::vector<wire::RunResult>;
+
+/// Runs one request on each lane, all at a time.
+std::vector<Results> run_all(const std::vector<Lane*>& lanes, const std::vector<wire::RunRequest>& requests,
+                             const std::vector<wire::OnEvent>& listeners);
+
+}  // namespace robosim::cli

@@ -1,0 +1,20 @@
+// Which robot an event of a run is about.
+#pragma once
+
+#include "sim/wire/stream.h"
+
+namespace robosim::wire {
+
+/// Its number; 0 for what is of the run as a whole.
+inline int agent_of(const Event& event) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.agent; })
+          return one.agent;
+        else
+          return 0;
+      },
+      event);
+}
+
+}  // namespace robosim::wire
