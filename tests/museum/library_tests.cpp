@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSeconds = 120;
+constexpr const char* kPony = "firmware/examples/PonyNavigator";  // of its sketch, what has unit tests
 constexpr const char* kLookAtEachAccess = "-fsanitize=address,undefined";
 
 std::vector<std::string> sources_in(const std::string& folder) {
@@ -46,7 +47,7 @@ bool compile(const fs::path& root, const std::string& source, const fs::path& ob
   const fs::path file = source.starts_with("firmware/") ? of_root : tree / source;
   return run(
       {"-std=c++20", "-O1", "-w", "-MD", kLookAtEachAccess, "-fno-sanitize-recover=all", "-I" + root.string(),
-       "-I" + (root / "firmware/src").string(), "-I" + tree.string(),
+       "-I" + (root / "firmware/src").string(), "-I" + (root / kPony).string(), "-I" + tree.string(),
        "-I" + (tree / "tests/unit/firmware/fake").string(), "-c", file.string(), "-o", object.string()},
       object.parent_path(), output);
 }
@@ -90,7 +91,7 @@ LibraryTests::LibraryTests(fs::path folder) : folder_(std::move(folder)) {
   fs::create_directories(folder_);
   programs_ = {{"nav_test", sources_in("tests/unit/nav")},
                {"firmware_test", sources_in("tests/unit/firmware")}};
-  for (const char* more : {"tests/unit/firmware/fake", "firmware/src"})
+  for (const char* more : {"tests/unit/firmware/fake", "firmware/src", kPony})
     for (const std::string& source : sources_in(more)) programs_[1].sources.push_back(source);
   std::string output;
   for (const Program& program : programs_) {

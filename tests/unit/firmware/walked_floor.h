@@ -1,6 +1,6 @@
-// A painted floor and an ideal robot on it, for LineWalker: its motors turn at once as fast as they are told,
-// its encoders never miss a count, and its sensors see the share of line under them. x is ahead of where it
-// starts, y to the right of that (mm); angles are clockwise.
+// A painted floor and what moves on it. Robot is an ideal one, for LineWalker: its motors turn at once as
+// fast as they are told, its encoders never miss a count, and its sensors see the share of line under them. x
+// is ahead of where it starts, y to the right of that (mm); angles are clockwise.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Line {
   double x1, y1, x2, y2;  ///< of its centre
 };
 
-/// Pins that the robot below is wired to.
+/// Pins that Robot is wired to.
 enum : std::uint8_t {
   kLeftPwm = 3,
   kLeft1,
@@ -31,19 +31,17 @@ enum : std::uint8_t {
   kBumper
 };
 
-class Robot {
+/// What moves on the floor, as fast as its wheels are told.
+class Body {
  public:
-  explicit Robot(std::vector<Line> lines) : lines_(std::move(lines)) {
+  Body(std::vector<Line> lines, std::uint8_t bumper_pin) : lines_(std::move(lines)), bumper_pin_(bumper_pin) {
     fake::board = fake::Board{};
-    fake::board.pins[kBumper].reads = HIGH;
+    fake::board.pins[bumper_pin_].reads = HIGH;
     fake::board.on_wait = [this] { move(); };
   }
-  ~Robot() { fake::board = fake::Board{}; }
+  virtual ~Body() { fake::board = fake::Board{}; }
 
-  std::vector<Line> lines_;
   double x = 0, y = 0, angle = 0;
-  double left_wheel = 1, right_wheel = 1;  ///< of the speed that they are told
-  std::uint32_t reading_us = 0;            ///< how long a look at the sensors takes
   /// The bumper is pressed while its nose is at this x or beyond, from then on for so many ms.
   double wall_x = 1e9;
   std::uint32_t wall_ms = 1000000;
@@ -64,40 +62,62 @@ class Robot {
     return static_cast<int>(1000 * (dark < 0 ? 0 : dark > 1 ? 1 : dark));
   }
 
- private:
+ protected:
   static constexpr std::uint32_t kPieceUs = 1000;
+  static constexpr double kPieceS = 1e-6 * kPieceUs;
 
+  /// What its motors do for the next kPieceUs, by go().
+  virtual void drive() = 0;
+  void go(double left, double right) {
+    const double ds = (left + right) / 2 * kPieceS;
+    x += ds * std::cos(angle);
+    y += ds * std::sin(angle);
+    angle += (left - right) / 98 * kPieceS;
+  }
+
+ private:
+  void move() {
+    const std::uint32_t now = fake::board.now_us;
+    if (now > 120'000'000) throw std::runtime_error("it drives for ever");
+    for (; now_us_ + kPieceUs <= now; now_us_ += kPieceUs) {
+      drive();
+      if (x + 80 * std::cos(angle) < wall_x) free_us_ = now_us_;
+      const bool pressed = now_us_ != free_us_ && now_us_ - free_us_ < std::uint64_t{1000} * wall_ms;
+      fake::board.pins[bumper_pin_].reads = pressed ? LOW : HIGH;
+    }
+  }
+
+  std::vector<Line> lines_;
+  std::uint8_t bumper_pin_;
+  std::uint32_t now_us_ = 0, free_us_ = 0;
+};
+
+class Robot : public Body {
+ public:
+  explicit Robot(std::vector<Line> lines) : Body(std::move(lines), kBumper) {}
+
+  double left_wheel = 1, right_wheel = 1;  ///< of the speed that they are told
+  std::uint32_t reading_us = 0;            ///< how long a look at the sensors takes
+
+ private:
+  void drive() override {
+    const double left = speed(kLeftPwm, kLeft1) * left_wheel, right = speed(kRightPwm, kRight1) * right_wheel;
+    go(left, right);
+    count(left_counts_, left, kLeftCounts);
+    count(right_counts_, right, kRightCounts);
+  }
   static double speed(std::uint8_t pwm, std::uint8_t in1) {
     const fake::Pin* pins = fake::board.pins;
     if (pins[in1].level == pins[in1 + 1].level || pins[pwm].duty <= 20) return 0;
     const double size = (pins[pwm].duty - 20) / 235.0 * 1275;
     return pins[in1].level == HIGH ? size : -size;
   }
-  void move() {
-    const std::uint32_t now = fake::board.now_us;
-    if (now > 120'000'000) throw std::runtime_error("it drives for ever");
-    for (; now_us_ + kPieceUs <= now; now_us_ += kPieceUs) {
-      const double left = speed(kLeftPwm, kLeft1) * left_wheel,
-                   right = speed(kRightPwm, kRight1) * right_wheel;
-      const double ds = (left + right) / 2 * (1e-6 * kPieceUs);
-      x += ds * std::cos(angle);
-      y += ds * std::sin(angle);
-      angle += (left - right) / 98 * (1e-6 * kPieceUs);
-      count(left_counts_, left, kLeftCounts);
-      count(right_counts_, right, kRightCounts);
-      if (x + 80 * std::cos(angle) < wall_x) pressed_us_ = now_us_;
-      const bool pressed =
-          now_us_ != pressed_us_ && now_us_ - pressed_us_ < 1000 * static_cast<std::uint64_t>(wall_ms);
-      fake::board.pins[kBumper].reads = pressed ? LOW : HIGH;
-    }
-  }
   static void count(double& counts, double speed, std::uint8_t pin) {
     const double before = std::floor(counts);
-    counts += std::fabs(speed) * (1e-6 * kPieceUs) / (0.5 * 3.14159265 * 32 / 154.35);
+    counts += std::fabs(speed) * kPieceS / (0.5 * 3.14159265 * 32 / 154.35);
     if (std::floor(counts) != before && fake::board.pins[pin].handler) fake::board.pins[pin].handler();
   }
 
-  std::uint32_t now_us_ = 0, pressed_us_ = 0;
   double left_counts_ = 0.5, right_counts_ = 0.5;
 };
 

@@ -13,6 +13,9 @@
 #define CHANGE 1
 #define RISING 3
 #define MSBFIRST 1
+#define A0 14
+#define A1 15
+#define A2 16
 #define digitalPinToInterrupt(pin) (pin)
 
 namespace fake {
