@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
 namespace {
 
@@ -196,6 +197,90 @@ TEST_P(PathFollowerTest, KeepsItsMeasureWhereABranchCannotHaveBeenOneWidth) {
   see(kBranch, 20);
   see(kLine, 2);
   EXPECT_EQ(path.widthMs(), PathFollower::Settings().width_ms);
+}
+
+// Each change of what it does, at its millisecond: its settings are those of a robot that has been built.
+TEST_P(PathFollowerTest, KeepsToItsTimetable) {
+  static const char* const states[] = {"following", "crossing", "rolling", "stopping", "turning", "settling"};
+  std::string said = "\n", before;
+  int ms = 0;
+  const auto look = [&](Seen seen, int most_ms) {
+    for (int i = 0; i < most_ms; ++i, ++ms) {
+      const bool left = GetParam() == Side::left;
+      path.update(left ? seen.near : seen.far, seen.middle, left ? seen.far : seen.near, ++now);
+      const std::string does = std::string(states[static_cast<int>(path.state())]) + " at " +
+                               std::to_string(speed()) + ", turning by " + std::to_string(turn());
+      if (does != before) said += std::to_string(ms) + " ms: " + does + "\n";
+      before = does;
+    }
+  };
+  look(kLine, 100);
+  look(kBranch, 50);  // a branch, a little narrower than the width that it begins with
+  look(kLine, 430);   // off the line that it came on ...
+  look(kOffTheEdge, 60);
+  look(kLine, 200);  // ... to the branch
+  look(kOffTheEdge, 40);
+  look(kFarOnly, 10);
+  look(kOffTheEdge, 300);  // the end
+  look(kLine, 100);
+  look(kBranch, 154);  // the line itself, which has slipped away
+  look(kOffTheEdge, 63);
+  look(kLine, 10);  // no end yet: it rolls on, and there it is again
+  EXPECT_EQ(said, R"(
+0 ms: following at 85, turning by 170
+107 ms: crossing at 85, turning by 0
+150 ms: rolling at 85, turning by 0
+201 ms: stopping at -130, turning by 0
+251 ms: turning at -130, turning by 0
+252 ms: turning at 0, turning by 160
+640 ms: settling at 0, turning by -260
+665 ms: following at 0, turning by -260
+666 ms: following at 85, turning by 170
+840 ms: following at 85, turning by -170
+950 ms: rolling at 85, turning by 0
+970 ms: stopping at -130, turning by 0
+1020 ms: turning at -130, turning by 0
+1021 ms: turning at 0, turning by -160
+1190 ms: settling at 0, turning by 260
+1215 ms: following at 0, turning by 260
+1216 ms: following at 85, turning by 170
+1297 ms: crossing at 85, turning by 0
+1443 ms: following at 85, turning by 0
+1444 ms: following at 85, turning by -170
+1504 ms: rolling at 85, turning by 0
+1507 ms: following at 85, turning by 0
+1508 ms: following at 85, turning by 170
+)");
+  EXPECT_EQ(path.branches(), 1);
+  EXPECT_EQ(path.ends(), 1);
+}
+
+TEST(PathFollower, CountsAStepThatTookLongAsATenthOfASecond) {
+  PathFollower path(Side::left);
+  path.update(false, true, false, 0);
+  path.update(false, false, false, 5000);
+  EXPECT_EQ(path.state(), State::rolling) << "the end of a line, 84 ms";
+  PathFollower::Settings settings;
+  settings.width_ms = 90;
+  PathFollower wider(Side::left, settings);
+  wider.update(false, true, false, 0);
+  wider.update(false, false, false, 5000);
+  EXPECT_EQ(wider.state(), State::following) << "108 ms";
+}
+
+TEST(PathFollower, TakesSettingsOverTheirWholeRange) {
+  PathFollower::Settings settings;
+  for (int16_t* speed : {&settings.fast, &settings.slow, &settings.cruise, &settings.turn, &settings.counter})
+    *speed = 255;
+  settings.stop_ms = settings.settle_ms = settings.noise_ms = settings.end_tenths = settings.past_tenths =
+      settings.branch_tenths = 255;
+  settings.leave_ms = settings.width_ms = 65535;
+  EXPECT_EQ(settings.fast + settings.slow + settings.cruise + settings.turn + settings.counter, 5 * 255);
+  EXPECT_EQ(settings.stop_ms + settings.settle_ms + settings.noise_ms + settings.end_tenths +
+                settings.past_tenths + settings.branch_tenths,
+            6 * 255);
+  EXPECT_EQ(settings.leave_ms, 65535);
+  EXPECT_EQ(PathFollower(Side::left, settings).widthMs(), 65535);
 }
 
 TEST(PathFollower, OfOneSideIsTheMirrorImageOfTheOther) {
