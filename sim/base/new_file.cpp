@@ -21,7 +21,12 @@ bool is_to_be_a_file(const fs::path& path) {
 
 }  // namespace
 
-void NewFile::add(std::string_view text) { added(std::copy(text.begin(), text.end(), room(text.size()))); }
+void NewFile::add(std::string_view text) {
+  for (; !text.empty(); text.remove_prefix(std::min(kPiece, text.size()))) {
+    const std::string_view piece = text.substr(0, kPiece);
+    added(std::copy(piece.begin(), piece.end(), room(piece.size())));
+  }
+}
 
 void NewFile::write_waiting() {
   if (!is_tried_ && is_to_be_a_file(path_)) {

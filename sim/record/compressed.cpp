@@ -1,11 +1,9 @@
 #include "sim/record/compressed.h"
 
-#include <libdeflate.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <stdexcept>
 
 #include "sim/base/error.h"
@@ -13,25 +11,87 @@
 namespace robosim::record {
 namespace {
 
-constexpr int kFastest = 1;
+constexpr int kFastest = 1, kMemory = 7;  // of which a part is cleared for each piece
+constexpr int kBare = -15;                // blocks without zlib's header and checksum; a window of 32 KB
 constexpr std::size_t kPiece = std::size_t{1} << 16;
+constexpr std::string_view kLastBlock("\x03\x00", 2);  // which is empty
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
 
+[[noreturn]] void cannot_begin() { throw std::runtime_error("zlib cannot begin"); }
+
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(kFastest), &libdeflate_free_compressor);
-  if (!compressor) throw std::runtime_error("libdeflate cannot begin");
-  std::string out(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-  out.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
+Deflater::Deflater() : stream_(new z_stream{}) {
+  if (deflateInit2(stream_.get(), kFastest, Z_DEFLATED, kBare, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
+    cannot_begin();
+}
+
+Deflater::~Deflater() { deflateEnd(stream_.get()); }
+
+void Deflater::pack(std::string_view piece, Packed& to) {
+  z_stream& stream = *stream_;
+  deflateReset(&stream);
+  stream.next_in = bytes_of(piece.data());
+  stream.avail_in = static_cast<uInt>(piece.size());
+  char buffer[4096];
+  do {
+    stream.next_out = bytes_of(buffer);
+    stream.avail_out = sizeof buffer;
+    deflate(&stream, Z_SYNC_FLUSH);
+    to.bytes.append(buffer, sizeof buffer - stream.avail_out);
+  } while (stream.avail_out == 0);
+  to.checksum = static_cast<std::uint32_t>(
+      adler32(to.checksum, bytes_of(piece.data()), static_cast<uInt>(piece.size())));
+  to.unpacked_size += piece.size();
+}
+
+std::string Deflater::unpacked(const Packed& packed) {
+  z_stream stream{};
+  if (inflateInit2(&stream, kBare) != Z_OK) cannot_begin();
+  std::string out(packed.unpacked_size, '\0');
+  stream.next_in = bytes_of(packed.bytes.data());
+  stream.avail_in = static_cast<uInt>(packed.bytes.size());
+  stream.next_out = bytes_of(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  inflate(&stream, Z_SYNC_FLUSH);
+  inflateEnd(&stream);
   return out;
+}
+
+void Compressed::add(const KeptBytes& bytes) {
+  add(bytes.packed());
+  add(bytes.rest());
+}
+
+void Compressed::add(std::string_view bytes) {
+  if (bytes.empty()) return;
+  Packer::Packed packed;
+  deflater_.pack(bytes, packed);
+  add(packed);
+}
+
+void Compressed::add(const Packer::Packed& packed) {
+  out_ += packed.bytes;
+  checksum_ = static_cast<std::uint32_t>(
+      adler32_combine(checksum_, packed.checksum, static_cast<z_off_t>(packed.unpacked_size)));
+}
+
+std::string Compressed::finish() {
+  out_ += kLastBlock;
+  for (int shift = 24; shift >= 0; shift -= 8) out_ += static_cast<char>(checksum_ >> shift);
+  return std::move(out_);
+}
+
+std::string deflated(std::string_view bytes) {
+  Compressed compressed("");
+  compressed.add(bytes);
+  return compressed.finish();
 }
 
 std::string inflated(std::string_view bytes, std::size_t most_bytes) {
   z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) throw std::runtime_error("zlib cannot begin");
+  if (inflateInit(&stream) != Z_OK) cannot_begin();
   stream.next_in = bytes_of(bytes.data());
   stream.avail_in = static_cast<uInt>(std::min<std::size_t>(bytes.size(), UINT32_MAX));
   std::string out;

@@ -1,12 +1,50 @@
-// The zlib format, in which a recording is wrapped: written by libdeflate, which takes a third of zlib's
-// time, and read by zlib, which need not know how much it will be.
+// The zlib format, in which a recording is wrapped.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "sim/record/kept_bytes.h"
+
+struct z_stream_s;
 
 namespace robosim::record {
+
+/// Packs as zlib does at its fastest: blocks that refer to nothing before them and end with a whole byte.
+class Deflater final : public Packer {
+ public:
+  Deflater();
+  ~Deflater() override;
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+
+  void pack(std::string_view piece, Packed& to) override;
+  std::string unpacked(const Packed& packed) override;
+
+ private:
+  std::unique_ptr<z_stream_s> stream_;
+};
+
+/// All of it, from what was packed before.
+class Compressed {
+ public:
+  /// `begin`: what stands before it.
+  explicit Compressed(std::string begin) : out_(std::move(begin)) { out_ += "\x78\x01"; }  // 32 KB, fastest
+  void add(const KeptBytes& bytes);
+  void add(std::string_view bytes);
+  /// The whole; nothing may be added any more.
+  std::string finish();
+
+ private:
+  void add(const Packer::Packed& packed);
+
+  Deflater deflater_;
+  std::string out_;
+  std::uint32_t checksum_ = 1;
+};
 
 std::string deflated(std::string_view bytes);
 /// Throws InputError if the bytes are none that deflated() gave, were cut off, or come to more than

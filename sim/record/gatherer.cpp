@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "sim/base/profile.h"
 #include "sim/grid/floor_image.h"
 #include "sim/record/recording.h"
+#include "sim/wire/json_reader.h"
 #include "sim/wire/json_writer.h"
 
 namespace robosim::record {
@@ -16,6 +18,7 @@ namespace {
 constexpr std::uintmax_t kLargestMap_bytes = 1'000'000;
 
 constexpr const char* kSamples = "samples";
+constexpr std::int64_t kManyRows = 256;
 
 std::vector<std::string> pins_of(const std::string& board) {
   std::vector<std::string> names;
@@ -28,14 +31,6 @@ void set_robot(RobotRecord& record, const wire::RobotInfo& info) {
   record.robot_info = info;
   record.robot_info.file = std::filesystem::path(info.file).filename();
   record.pins = pins_of(info.board.name);
-}
-
-std::vector<LineEvent> line_events_of(const RobotRecord& record, const KeptStream& samples, bool light_line) {
-  std::vector<SensorReadings> sensors;
-  for (const auto& sensor : record.robot_info.sensors)
-    if (auto values = samples.column(sensor.name); !values.empty())
-      sensors.push_back({sensor.name, std::move(values)});
-  return line_events(samples.column("t_us"), std::move(sensors), light_line);
 }
 
 }  // namespace
@@ -59,7 +54,7 @@ void Gatherer::begin(const RecordedRun& run) {
     other.script = run.request.agents.at(i - 1).script;
     set_robot(other, robot.info);
   }
-  streams_.resize(header_.robot_count());
+  while (streams_.size() < header_.robot_count()) streams_.emplace_back(packer_.get());
   std::error_code error;
   const auto bytes = std::filesystem::file_size(run.request.map, error);
   if (error || bytes > kLargestMap_bytes) return;
@@ -90,9 +85,12 @@ void Gatherer::add_columns(const wire::Columns& columns) {
   auto& sources = record_of(robot).sources;
   sources.insert(sources.end(), columns.sources.begin(), columns.sources.end());
   for (const wire::Rows& rows : columns.streams) {
-    KeptStream& stream = own.columns[rows.stream];
+    KeptStream& stream = own.columns.try_emplace(rows.stream, packer_.get()).first->second;
     stream.add(rows);
-    if (own.thinned && rows.stream != kSamples) stream.thin(kThinned_ns);
+    if (rows.stream == kSamples)
+      watch_line(robot, stream.specs(), rows);
+    else if (own.thinned)
+      stream.thin(kThinned_ns);
   }
   if (own.thinned) return;
   std::size_t bytes = 0;
@@ -104,9 +102,45 @@ void Gatherer::add_columns(const wire::Columns& columns) {
     if (name != kSamples) stream.thin(kThinned_ns);
 }
 
+Gatherer::LineColumns Gatherer::line_columns(std::size_t robot,
+                                             const std::vector<wire::ColumnSpec>& columns) {
+  std::vector<std::string> sensors;
+  std::vector<std::size_t> numbers = {0};
+  std::vector<wire::ColumnReader> readers = {wire::ColumnReader(columns[0].order)};
+  for (const auto& sensor : record_of(robot).robot_info.sensors) {
+    const auto found = std::find_if(columns.begin(), columns.end(),
+                                    [&](const auto& column) { return column.name == sensor.name; });
+    if (found == columns.end()) continue;
+    sensors.push_back(sensor.name);
+    numbers.push_back(static_cast<std::size_t>(found - columns.begin()));
+    readers.emplace_back(found->order);
+  }
+  const bool light_line = header_.floor && header_.floor->light_line;
+  return {LineWatch(std::move(sensors), light_line), std::move(numbers), std::move(readers)};
+}
+
+void Gatherer::watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns,
+                          const wire::Rows& rows) {
+  auto& line = streams_[robot].line;
+  if (!line) line = line_columns(robot, columns);
+  if (line->numbers.size() == 1) return;
+  std::vector<std::vector<std::int64_t>> values;
+  for (std::size_t i = 0; i < line->numbers.size(); ++i) {
+    auto read = line->readers[i].read(rows.bytes[line->numbers[i]], static_cast<std::size_t>(rows.count));
+    if (!read) throw wire::BadValue("bytes", "must hold as many numbers as there are rows");
+    values.push_back(std::move(*read));
+  }
+  std::vector<float> readings(values.size() - 1);
+  for (std::size_t row = 0; row < values[0].size(); ++row) {
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      readings[k] =
+          static_cast<float>(static_cast<double>(values[k + 1][row]) / columns[line->numbers[k + 1]].scale);
+    line->watch.add(values[0][row], readings);
+  }
+}
+
 void Gatherer::add_serial(const wire::SerialText& serial) {
   Streams& own = streams_[static_cast<std::size_t>(serial.agent)];
-  if (!own.serial) own.serial.emplace("serial", std::vector<wire::ColumnSpec>{{"t_ns"}, {"bytes"}});
   if (own.serial_cut || own.serial_text.size() + serial.text.size() > kMostSerial_bytes / streams_.size()) {
     if (!own.serial_cut)
       header_.notes.push_back(
@@ -115,37 +149,39 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
     return;
   }
   const double row[] = {static_cast<double>(serial.t_ns), static_cast<double>(serial.text.size())};
-  own.serial->add(row);
-  own.serial_text += serial.text;
+  own.serial_rows.add(row);
+  if (own.serial_rows.count() >= kManyRows) own.serial.add(own.serial_rows.take());
+  own.serial_text.add(serial.text);
 }
 
-void Gatherer::finish(std::size_t robot, const wire::RunResult& result, std::string& body) {
+void Gatherer::finish(std::size_t robot, const wire::RunResult& result, std::vector<const KeptBytes*>& body) {
   RobotRecord& record = record_of(robot);
   Streams& own = streams_[robot];
   record.result = result;
   record.result.serial.clear();  // it is in the stream, with its times
   record.result.others.clear();  // each has its own
-  const auto samples = own.columns.find(kSamples);
-  if (samples != own.columns.end())
-    record.line = line_events_of(record, samples->second, header_.floor && header_.floor->light_line);
+  if (own.line) record.line = own.line->watch.events();
   record.thinned_ns = own.thinned ? kThinned_ns : 0;
-  for (auto& [name, stream] : own.columns) record.streams.push_back(stream.write(name, body));
-  if (!own.serial) return;
-  StreamInfo& info = record.streams.emplace_back(StreamInfo{"serial", own.serial->count(), {}});
-  for (const wire::Column& column : own.serial->columns()) {
-    info.columns.push_back({column.spec().name, 1.0, 1, static_cast<std::int64_t>(column.bytes().size())});
-    body += column.bytes();
-  }
+  for (auto& [name, stream] : own.columns) record.streams.push_back(stream.finish(name, body));
+  if (own.serial_text.size() == 0) return;
+  if (own.serial_rows.count() > 0) own.serial.add(own.serial_rows.take());
+  StreamInfo& info = record.streams.emplace_back(own.serial.finish("serial", body));
   info.columns.push_back({"text", 1.0, 0, static_cast<std::int64_t>(own.serial_text.size())});
-  body += own.serial_text;
+  body.push_back(&own.serial_text);
 }
 
-std::string Gatherer::content(const wire::RunResult& result) {
-  std::string body;
+std::string Gatherer::finish(const wire::RunResult& result, std::vector<const KeptBytes*>& body) {
   finish(0, result, body);
   for (std::size_t i = 1; i < streams_.size(); ++i)
     finish(i, i <= result.others.size() ? result.others[i - 1] : wire::RunResult{}, body);
-  return wire::text_of(wire::to_json(header_)) + "\n" + body;
+  return wire::text_of(wire::to_json(header_)) + "\n";
+}
+
+std::string Gatherer::content(const wire::RunResult& result) {
+  std::vector<const KeptBytes*> body;
+  std::string content = finish(result, body);
+  for (const KeptBytes* bytes : body) content += bytes->all();
+  return content;
 }
 
 }  // namespace robosim::record

@@ -1,5 +1,7 @@
 #include "sim/record/kept_stream.h"
 
+#include <utility>
+
 #include "sim/wire/json_reader.h"
 
 namespace robosim::record {
@@ -7,12 +9,15 @@ namespace robosim::record {
 void KeptStream::add(const wire::Rows& rows) {
   if (specs_.empty()) {
     specs_ = rows.columns;
-    bytes_.resize(specs_.size());
+    columns_.assign(specs_.size(), KeptBytes(packer_));
   }
   if (rows.bytes.size() != specs_.size() || specs_.empty())
     throw wire::BadValue("bytes", "must be as many as the columns of " + rows.stream);
-  if (thinned_) return add_thinned(rows.bytes, rows.count);
-  for (std::size_t i = 0; i < bytes_.size(); ++i) bytes_[i] += rows.bytes[i];
+  thinned_ ? add_thinned(rows.bytes, rows.count) : keep(rows);
+}
+
+void KeptStream::keep(const wire::Rows& rows) {
+  for (std::size_t i = 0; i < rows.bytes.size(); ++i) columns_[i].add(rows.bytes[i]);
   count_ += rows.count;
 }
 
@@ -20,8 +25,12 @@ void KeptStream::thin(std::int64_t span_ns) {
   if (thinned_ || specs_.empty()) return;
   thinned_.emplace(Thinned{span_ns, {}, wire::Stream("", specs_), {}});
   for (const wire::ColumnSpec& spec : specs_) thinned_->readers.emplace_back(spec.order);
-  add_thinned(bytes_, count_);
-  bytes_.clear();
+  std::vector<std::string> bytes;
+  for (KeptBytes& column : columns_) {
+    bytes.push_back(column.all());
+    column = KeptBytes(packer_);
+  }
+  add_thinned(bytes, std::exchange(count_, 0));
 }
 
 void KeptStream::add_thinned(const std::vector<std::string>& bytes, std::int64_t count) {
@@ -40,36 +49,26 @@ void KeptStream::add_thinned(const std::vector<std::string>& bytes, std::int64_t
     for (std::size_t i = 0; i < columns.size(); ++i)
       pending.push_back(static_cast<double>(columns[i][row]) / specs_[i].scale);
   }
+  keep(thinned_->few.take());
 }
 
 std::size_t KeptStream::bytes() const {
   std::size_t bytes = 0;
-  for (const std::string& column : bytes_) bytes += column.size();
+  for (const KeptBytes& column : columns_) bytes += column.size();
   return bytes;
 }
 
-std::vector<double> KeptStream::column(const std::string& name) const {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < specs_.size() && !thinned_; ++i) {
-    if (specs_[i].name != name) continue;
-    const auto steps = wire::ColumnReader(specs_[i].order).read(bytes_[i], static_cast<std::size_t>(count_));
-    if (!steps) return {};
-    for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / specs_[i].scale);
-  }
-  return values;
-}
-
-StreamInfo KeptStream::write(const std::string& name, std::string& body) {
+StreamInfo KeptStream::finish(const std::string& name, std::vector<const KeptBytes*>& body) {
   if (thinned_ && !thinned_->pending.empty()) {
     thinned_->few.add(thinned_->pending.data());
     thinned_->pending.clear();
+    keep(thinned_->few.take());
   }
-  StreamInfo info{name, thinned_ ? thinned_->few.count() : count_, {}};
+  StreamInfo info{name, count_, {}};
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    const std::string_view bytes = thinned_ ? thinned_->few.columns()[i].bytes() : bytes_[i];
     info.columns.push_back(
-        {specs_[i].name, specs_[i].scale, specs_[i].order, static_cast<std::int64_t>(bytes.size())});
-    body += bytes;
+        {specs_[i].name, specs_[i].scale, specs_[i].order, static_cast<std::int64_t>(columns_[i].size())});
+    body.push_back(&columns_[i]);
   }
   return info;
 }

@@ -3,53 +3,63 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace robosim::record {
 namespace {
 
 // The line counts as left when no sensor has seen it for so long: a gap that is just crossed does not.
-constexpr double kLeft_us = 20'000;
+constexpr std::int64_t kLeft_us = 20'000;
 // Each sensor has its own idea of the floor, so the line begins a tenth above the least that it ever read.
 // One that always reads the same was over the line throughout, or never.
-constexpr double kSpread = 0.2, kBegins = 0.1, kAlways = 0.5;
+constexpr float kSpread = 0.2f, kBegins = 0.1f, kAlways = 0.5f;
 
 /// Above it a sensor sees line.
-double threshold(const std::vector<double>& values) {
-  const double least = *std::min_element(values.begin(), values.end());
-  const double spread = *std::max_element(values.begin(), values.end()) - least;
+float threshold(float least, float most) {
+  const float spread = most - least;
   if (spread > kSpread) return least + kBegins * spread;
-  return least > kAlways ? kAlways : std::numeric_limits<double>::infinity();
+  return least > kAlways ? kAlways : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
 
-std::vector<LineEvent> line_events(const std::vector<double>& t_us, std::vector<SensorReadings> sensors,
-                                   bool light_line) {
-  std::vector<LineEvent> events;
-  if (t_us.empty()) return events;
-  std::vector<double> from;
-  for (SensorReadings& sensor : sensors) {
-    if (light_line)
-      for (double& value : sensor.values) value = 1.0 - value;
-    from.push_back(threshold(sensor.values));
+void LineWatch::add(std::int64_t t_us, const std::vector<float>& readings) {
+  for (std::size_t k = 0; k < names_.size(); ++k) {
+    const float reading = light_line_ ? 1.0f - readings[k] : readings[k];
+    least_[k] = t_us_.empty() ? reading : std::min(least_[k], reading);
+    most_[k] = t_us_.empty() ? reading : std::max(most_[k], reading);
+    readings_.push_back(reading);
   }
+  t_us_.push_back(t_us);
+}
+
+std::vector<LineEvent> LineWatch::events() const {
+  std::vector<float> from;
+  for (std::size_t k = 0; k < names_.size(); ++k) from.push_back(threshold(least_[k], most_[k]));
+  const float* of_sample = readings_.data();
+  const auto sees = [&](std::size_t k) { return of_sample[k] > from[k]; };
+  const auto best_of = [&](std::size_t sample) {
+    of_sample = readings_.data() + sample * names_.size();
+    std::size_t best = names_.size();
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      if (sees(k) && (best == names_.size() || of_sample[k] > of_sample[best])) best = k;
+    return names_[best];
+  };
+
+  std::vector<LineEvent> events;
   bool left = false;
-  std::optional<std::size_t> last;
-  const SensorReadings* by = nullptr;
-  for (std::size_t i = 0; i < t_us.size(); ++i) {
-    const SensorReadings* best = nullptr;
-    for (std::size_t k = 0; k < sensors.size(); ++k)
-      if (sensors[k].values[i] > from[k] && (!best || sensors[k].values[i] > best->values[i]))
-        best = &sensors[k];
-    if (best) {
-      if (left) events.push_back({static_cast<std::int64_t>(t_us[i]), best->name, false});
+  std::optional<std::size_t> last;  // sample that saw it
+  std::size_t by = 0;               // a sensor that did
+  for (std::size_t i = 0; i < t_us_.size(); ++i) {
+    of_sample = readings_.data() + i * names_.size();
+    if (!(by < names_.size() && sees(by)))
+      for (by = 0; by < names_.size() && !sees(by);) ++by;
+    if (by < names_.size()) {
+      if (left) events.push_back({t_us_[i], best_of(i), false});
       left = false;
       last = i;
-      by = best;
-    } else if (!left && last && t_us[i] - t_us[*last] > kLeft_us) {
+    } else if (!left && last && t_us_[i] - t_us_[*last] > kLeft_us) {
       left = true;
-      events.push_back({static_cast<std::int64_t>(t_us[*last]), by->name, true});
+      events.push_back({t_us_[*last], best_of(*last), true});
     }
   }
   return events;

@@ -23,14 +23,25 @@ void fields(V& v, wire::Same<V, LineEvent>& e) {
   v("left", e.left, "false: it is found again");
 }
 
-/// What one line sensor read in each sample: 0 light .. 1 dark.
-struct SensorReadings {
-  std::string name;
-  std::vector<double> values;
-};
+/// Looks at the samples of a run while they come.
+class LineWatch {
+ public:
+  /// `sensors`: names.
+  LineWatch(std::vector<std::string> sensors, bool light_line)
+      : names_(std::move(sensors)), light_line_(light_line), least_(names_.size()), most_(names_.size()) {}
 
-/// `t_us`: of the samples.
-std::vector<LineEvent> line_events(const std::vector<double>& t_us, std::vector<SensorReadings> sensors,
-                                   bool light_line);
+  const std::vector<std::string>& sensors() const { return names_; }
+  /// What each of the sensors reads: 0 light .. 1 dark.
+  void add(std::int64_t t_us, const std::vector<float>& readings);
+  /// Of all samples until now: which reading is line is known only by the least and the most that there is.
+  std::vector<LineEvent> events() const;
+
+ private:
+  std::vector<std::string> names_;
+  bool light_line_;
+  std::vector<float> least_, most_;  ///< of each sensor
+  std::vector<std::int64_t> t_us_;
+  std::vector<float> readings_;  ///< sample by sample: 0 no line .. 1 line
+};
 
 }  // namespace robosim::record

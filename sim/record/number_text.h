@@ -34,6 +34,27 @@ inline char* put_number(char* to, std::int64_t number) {
   return to + text.size();
 }
 
+/// A number that is kept as a whole one, `steps`, so many `decimals` (at most 6) below it; none that is 0
+/// stands at the end.
+inline char* put_decimal(char* to, std::int64_t steps, int decimals) {
+  constexpr std::uint64_t kPowers[] = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
+  auto size = static_cast<std::uint64_t>(steps);
+  if (steps < 0) {
+    *to++ = '-';
+    size = 0 - size;
+  }
+  const std::uint64_t power = kPowers[decimals];
+  const fmt::format_int whole(size / power);
+  std::memcpy(to, whole.data(), whole.size());
+  to += whole.size();
+  std::uint64_t rest = size % power;
+  if (rest == 0) return to;
+  *to++ = '.';
+  for (; rest % 10 == 0; rest /= 10) --decimals;
+  for (char* digit = to + decimals; digit > to; rest /= 10) *--digit = static_cast<char>('0' + rest % 10);
+  return to + decimals;
+}
+
 /// Numbers that are often the same as the one before: its text is kept.
 class LastNumber {
  public:

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "sim/base/base64.h"
 #include "sim/base/error.h"
-#include "sim/base/file.h"
 #include "sim/record/page_text.h"
 
 namespace robosim::record {
@@ -14,6 +16,23 @@ namespace {
 constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
 constexpr std::string_view kOver = R"(<script id="over" type="application/octet-stream">)";
 constexpr std::string_view kEnd = "</script>";
+constexpr std::size_t kPiece_bytes = 3 << 14;  // whole digits of base64
+
+/// Calls put(text) with piece after piece of the page.
+template <class Put>
+void put_page(std::string_view recording, const Over* over, const Put& put) {
+  const std::string_view page = page_text();
+  const std::size_t at = page.find(kBegin) + kBegin.size();
+  put(page.substr(0, at));
+  for (; !recording.empty(); recording.remove_prefix(std::min(kPiece_bytes, recording.size())))
+    put(base64(recording.substr(0, kPiece_bytes)));
+  const std::size_t next = page.find(kOver, at);
+  put(page.substr(at, next - at));
+  put(over ? fmt::format(R"({} data-name="{}">{})", kOver.substr(0, kOver.size() - 1), base64(over->name),
+                         base64(over->bytes))
+           : std::string(kOver));
+  put(page.substr(next + kOver.size()));
+}
 
 }  // namespace
 
@@ -23,23 +42,19 @@ void RecRecorder::ask(wire::RunRequest& request) const {
 }
 
 void RecRecorder::finish(const wire::RunResult& result) {
-  write_file(path_, content(gatherer_.encoded(result)));
+  NewFile file(path_);
+  write(gatherer_.encoded(result), file);
+  file.finish();
 }
 
 std::string page_of(const std::string& recording, const Over* over) {
-  const std::string_view page = page_text();
-  const std::size_t at = page.find(kBegin) + kBegin.size();
-  std::string text(page.substr(0, at));
-  text += base64(recording);
-  const std::size_t next = page.find(kOver, at);
-  text += page.substr(at, next - at);
-  if (over)
-    text += fmt::format(R"({} data-name="{}">{})", kOver.substr(0, kOver.size() - 1), base64(over->name),
-                        base64(over->bytes));
-  else
-    text += kOver;
-  text += page.substr(next + kOver.size());
+  std::string text;
+  put_page(recording, over, [&](std::string_view piece) { text += piece; });
   return text;
+}
+
+void PageRecorder::write(std::string_view recording, NewFile& file) const {
+  put_page(recording, nullptr, [&](std::string_view piece) { file.add(piece); });
 }
 
 std::string recording_in(std::string content) {

@@ -1,9 +1,12 @@
 // Recordings as .rec, and as .html: the same inside the page of sim/page, which any browser opens.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
+#include "sim/base/new_file.h"
+#include "sim/record/compressed.h"
 #include "sim/record/recording.h"
 
 namespace robosim::record {
@@ -17,12 +20,11 @@ class RecRecorder : public Recorder {
   void finish(const wire::RunResult& result) override;
 
  protected:
-  /// What is written.
-  virtual std::string content(const std::string& recording) const { return recording; }
+  virtual void write(std::string_view recording, NewFile& file) const { file.add(recording); }
 
  private:
   std::filesystem::path path_;
-  Gatherer gatherer_;
+  Gatherer gatherer_{std::make_unique<Deflater>()};
 };
 
 /// Another run that a page lays over its own.
@@ -39,7 +41,7 @@ class PageRecorder final : public RecRecorder {
   using RecRecorder::RecRecorder;
 
  protected:
-  std::string content(const std::string& recording) const override { return page_of(recording); }
+  void write(std::string_view recording, NewFile& file) const override;
 };
 
 /// The bytes of a .rec: these, or those in a page; throws InputError, without a place, if it is neither.

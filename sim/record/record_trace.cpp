@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
+#include <cmath>
+#include <utility>
 
+#include "sim/record/number_text.h"
+#include "sim/wire/json_reader.h"
 #include "sim/wire/json_writer.h"
 #include "sim/wire/run_columns.h"
 
@@ -17,39 +19,11 @@ namespace {
 constexpr int group_of(std::size_t robot) { return static_cast<int>(2 * robot) + 1; }
 constexpr int pins_of(std::size_t robot) { return group_of(robot) + 1; }
 constexpr int kHappened = 1, kSerial = 2;  // rows of a robot's group
+constexpr int kWholeGroup = 0;             // in place of a row
+constexpr std::string_view kNext = ",\n";
+constexpr int kDecimalsOfMicroseconds = 3;
 
-class Trace {
- public:
-  void name_group(int group, const std::string& name) {
-    put(R"({{"ph":"M","pid":{},"name":"process_name","args":{{"name":{}}}}})", group, quoted(name));
-  }
-  void name_row(int group, int row, const std::string& name) {
-    put(R"({{"ph":"M","pid":{},"tid":{},"name":"thread_name","args":{{"name":{}}}}})", group, row,
-        quoted(name));
-  }
-  void counter(int group, const std::string& quoted_name, double t_us, double value) {
-    put(R"({{"ph":"C","pid":{},"name":{},"ts":{},"args":{{"value":{}}}}})", group, quoted_name, t_us, value);
-  }
-  void moment(int group, int row, double t_us, const std::string& text) {
-    put(R"({{"ph":"i","s":"t","pid":{},"tid":{},"ts":{},"name":{}}})", group, row, t_us, quoted(text));
-  }
-  void span(int group, int row, double from_us, double to_us, const std::string& text) {
-    put(R"({{"ph":"X","pid":{},"tid":{},"ts":{},"dur":{},"name":{}}})", group, row, from_us, to_us - from_us,
-        quoted(text));
-  }
-  std::string text() { return "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n" + text_ + "\n]}\n"; }
-
-  static std::string quoted(const std::string& text) { return wire::text_of(wire::OrderedJson(text)); }
-
- private:
-  template <class... Values>
-  void put(fmt::format_string<Values...> format, Values&&... values) {
-    if (!text_.empty()) text_ += ",\n";
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
-  }
-
-  std::string text_;
-};
+std::string quoted_name(const std::string& text) { return wire::text_of(wire::OrderedJson(text)); }
 
 /// Of a column's name what stands before its unit: "speed_mm_s" is "speed, mm/s".
 std::string with_unit(const std::string& column) {
@@ -65,79 +39,221 @@ std::string with_unit(const std::string& column) {
   return column;
 }
 
-/// A sample that says what the one before said adds nothing to a counter.
-void add_counter(Trace& trace, int group, const std::string& name, const std::vector<double>& times,
-                 const std::vector<double>& values, double times_in_us) {
-  const std::string quoted = Trace::quoted(name);
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (i == 0 || values[i] != values[i - 1]) trace.counter(group, quoted, times[i] * times_in_us, values[i]);
+/// How many decimals a number has that is kept as a whole one, times `scale`; -1 if that says nothing.
+int decimals_of(double scale) {
+  int decimals = 0;
+  for (double power = 1.0; power <= 1e6; power *= 10.0, ++decimals)
+    if (scale == power) return decimals;
+  return -1;
 }
 
 std::string pulses(double duty, double tone_hz) {
   return tone_hz > 0.0 ? fmt::format("{} Hz", tone_hz) : fmt::format("PWM {:.0f} %", 100.0 * duty);
 }
 
-/// High, and pulsing, as bars; low and not driven as nothing.
-void add_pin(Trace& trace, int group, int row, const std::vector<std::vector<double>>& pin, double end_us) {
-  for (std::size_t i = 0; i < pin[0].size(); ++i) {
-    const auto level = static_cast<wire::PinLevel>(pin[1][i]);
-    const double from_us = pin[0][i] / 1000.0;
-    const double to_us = i + 1 < pin[0].size() ? pin[0][i + 1] / 1000.0 : std::max(end_us, from_us);
-    if (level == wire::PinLevel::high) trace.span(group, row, from_us, to_us, "high");
-    if (level == wire::PinLevel::pulsing)
-      trace.span(group, row, from_us, to_us, pulses(pin[2][i], pin[3][i]));
-  }
+/// What a damaged recording holds need not make sense.
+std::int64_t product(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
+}
+std::int64_t difference(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
 }
 
-void add_robot(Trace& trace, const Recording& recording, std::size_t robot) {
-  const RobotRecord& record = recording.header().of(robot);
-  const int group = group_of(robot), pins = pins_of(robot);
-  const std::string name = record.name.empty() ? "" : record.name + ": ";
-  const double end_us = record.result.time_s * 1e6;
-  trace.name_group(group, fmt::format("{}{} · {} on {}, seed {}", name, record.sketch, record.robot,
-                                      recording.header().map, record.result.seed));
-  trace.name_row(group, kHappened, "events");
-  trace.name_row(group, kSerial, "serial");
-  trace.name_group(pins, name + "pins of the " + record.robot_info.board.name);
-  int row = 0;
-  for (const StreamInfo& info : record.streams) {
-    const auto stream = recording.stream(info.name, robot);
-    if (info.name == "samples") {
-      for (std::size_t i = 1; i < stream.size(); ++i)
-        add_counter(trace, group, with_unit(info.columns[i].name), stream[0], stream[i], 1.0);
-    } else if (info.name.starts_with("volts ") && stream.size() == 2) {
-      add_counter(trace, group, info.name.substr(6) + ", V", stream[0], stream[1], 0.001);
-    } else if (info.name.starts_with("pin ") && stream.size() >= 4) {
-      trace.name_row(pins, ++row, info.name.substr(4));
-      add_pin(trace, pins, row, stream, end_us);
-    }
-  }
-}
+std::int64_t end_ns(const wire::RunResult& result) { return std::llround(result.time_s * 1e9); }
 
 }  // namespace
 
-std::string trace_of(const Recording& recording) {
-  const RecordingHeader& header = recording.header();
-  Trace trace;
-  for (std::size_t robot = 0; robot < header.robot_count(); ++robot) add_robot(trace, recording, robot);
-  recording.play([&](const wire::Event& event) {
-    if (const auto* note = std::get_if<wire::Note>(&event))
-      trace.moment(group_of(static_cast<std::size_t>(note->agent)), kHappened,
-                   static_cast<double>(note->t_ns) / 1000.0, note->text);
-    if (const auto* serial = std::get_if<wire::SerialText>(&event))
-      trace.moment(group_of(static_cast<std::size_t>(serial->agent)), kSerial,
-                   static_cast<double>(serial->t_ns) / 1000.0,
-                   serial->text.substr(0, serial->text.find_last_not_of("\r\n") + 1));
-  });
-  for (std::size_t robot = 0; robot < header.robot_count(); ++robot) {
-    const wire::RunResult& result = header.of(robot).result;
-    trace.moment(group_of(robot), kHappened, result.time_s * 1e6, result.verdict + ": " + result.why);
+TraceFile::TraceFile(const std::filesystem::path& path, const std::string& map, std::uint64_t seed,
+                     const std::vector<Robot>& robots)
+    : file_(path), robots_(robots.size()) {
+  file_.add("{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const Robot& robot = robots[i];
+    if (i > 0) put(kNext);
+    const std::string whose = robot.name.empty() ? "" : robot.name + ": ";
+    put(fmt::format(
+        R"({{"ph":"M","pid":{},"name":"process_name","args":{{"name":{}}}}})", group_of(i),
+        quoted_name(fmt::format("{}{} · {} on {}, seed {}", whose, robot.sketch, robot.robot, map, seed))));
+    name(group_of(i), kHappened, "events");
+    name(group_of(i), kSerial, "serial");
+    name(pins_of(i), kWholeGroup, whose + "pins of the " + robot.board);
   }
-  return trace.text();
 }
 
-std::string TraceRecorder::content(const std::string& recording) const {
-  return trace_of(Recording::decode(recording, "the recording"));
+void TraceFile::put(std::string_view text) { file_.add(text); }
+
+void TraceFile::put(std::string_view head, std::int64_t t_ns) {
+  char* to = file_.room(head.size() + kLongestNumber);
+  to = std::copy(head.begin(), head.end(), to);
+  file_.added(put_decimal(to, t_ns, kDecimalsOfMicroseconds));
+}
+
+void TraceFile::name(int group, int row, const std::string& name) {
+  const std::string which = row == kWholeGroup ? "" : fmt::format(R"("tid":{},)", row);
+  put(kNext);
+  put(fmt::format(R"({{"ph":"M","pid":{},{}"name":"{}","args":{{"name":{}}}}})", group, which,
+                  row == kWholeGroup ? "process_name" : "thread_name", quoted_name(name)));
+}
+
+void TraceFile::add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
+                    const std::vector<std::vector<std::int64_t>>& columns) {
+  if (robot >= robots_.size()) return;  // that nobody has asked for
+  if (stream == "samples" || (stream.starts_with("volts ") && columns.size() == 2))
+    add_counters(robot, stream, specs, columns);
+  else if (stream.starts_with("pin ") && columns.size() >= 4)
+    add_pin(robot, stream, specs, columns);
+}
+
+void TraceFile::add_counters(std::size_t robot, const std::string& stream,
+                             const std::vector<wire::ColumnSpec>& specs,
+                             const std::vector<std::vector<std::int64_t>>& columns) {
+  std::vector<Counter>& counters = robots_[robot].counters[stream];
+  const bool is_sample = stream == "samples";
+  if (counters.empty()) {
+    for (const wire::ColumnSpec& spec : specs)
+      counters.push_back(
+          {fmt::format(R"({}{{"ph":"C","pid":{},"name":{},"ts":)", kNext, group_of(robot),
+                       quoted_name(is_sample ? with_unit(spec.name) : stream.substr(6) + ", V")),
+           spec.scale, decimals_of(spec.scale)});
+  }
+  const std::int64_t ns = is_sample ? 1000 : 1;
+  for (std::size_t row = 0; row < columns[0].size(); ++row)
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      count(counters[i], product(columns[0][row], ns), columns[i][row]);
+}
+
+/// A value as the one before adds nothing.
+void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
+  if (counter.is_told && steps == counter.last) return;
+  counter.is_told = true;
+  counter.last = steps;
+  constexpr std::string_view kArguments = R"(,"args":{"value":)", kEnd = "}}";
+  char* to = file_.room(counter.head.size() + 2 * kLongestNumber + kArguments.size() + kEnd.size());
+  to = std::copy(counter.head.begin(), counter.head.end(), to);
+  to = put_decimal(to, t_ns, kDecimalsOfMicroseconds);
+  to = std::copy(kArguments.begin(), kArguments.end(), to);
+  to = counter.decimals >= 0 ? put_decimal(to, steps, counter.decimals)
+                             : put_number(to, static_cast<double>(steps) / counter.scale);
+  file_.added(std::copy(kEnd.begin(), kEnd.end(), to));
+}
+
+/// High, and pulsing, as bars; low and not driven as nothing.
+void TraceFile::add_pin(std::size_t robot, const std::string& stream,
+                        const std::vector<wire::ColumnSpec>& specs,
+                        const std::vector<std::vector<std::int64_t>>& columns) {
+  auto& pins = robots_[robot].pins;
+  Pin& pin = pins[stream];
+  if (pin.head.empty()) {
+    const int row = static_cast<int>(pins.size());
+    name(pins_of(robot), row, stream.substr(4));
+    pin.head = fmt::format(R"({}{{"ph":"X","pid":{},"tid":{},"ts":)", kNext, pins_of(robot), row);
+  }
+  for (std::size_t row = 0; row < columns[0].size(); ++row) {
+    end_bar(pin, columns[0][row]);
+    pin.from_ns = columns[0][row];
+    const auto level = static_cast<wire::PinLevel>(columns[1][row]);
+    if (level == wire::PinLevel::high) pin.text = R"(,"name":"high"})";
+    if (level == wire::PinLevel::pulsing)
+      pin.text =
+          fmt::format(R"(,"name":"{}"}})", pulses(static_cast<double>(columns[2][row]) / specs[2].scale,
+                                                  static_cast<double>(columns[3][row]) / specs[3].scale));
+  }
+}
+
+void TraceFile::end_bar(Pin& pin, std::int64_t t_ns) {
+  if (pin.text.empty()) return;
+  put(pin.head, pin.from_ns);
+  put(R"(,"dur":)", difference(t_ns, pin.from_ns));
+  put(pin.text);
+  pin.text.clear();
+}
+
+void TraceFile::moment(std::size_t robot, int row, std::int64_t t_ns, const std::string& text) {
+  put(fmt::format(R"({}{{"ph":"i","s":"t","pid":{},"tid":{},"ts":)", kNext, group_of(robot), row), t_ns);
+  put(fmt::format(R"(,"name":{}}})", quoted_name(text)));
+}
+
+void TraceFile::add(const wire::Event& event) {
+  const auto is_known = [&](int agent) { return static_cast<std::size_t>(agent) < robots_.size(); };
+  if (const auto* note = std::get_if<wire::Note>(&event); note && is_known(note->agent))
+    moment(static_cast<std::size_t>(note->agent), kHappened, note->t_ns, note->text);
+  if (const auto* serial = std::get_if<wire::SerialText>(&event); serial && is_known(serial->agent))
+    moment(static_cast<std::size_t>(serial->agent), kSerial, serial->t_ns,
+           serial->text.substr(0, serial->text.find_last_not_of("\r\n") + 1));
+}
+
+void TraceFile::finish(std::size_t robot, const wire::RunResult& result) {
+  for (auto& [stream, pin] : robots_[robot].pins) end_bar(pin, std::max(end_ns(result), pin.from_ns));
+  moment(robot, kHappened, end_ns(result), result.verdict + ": " + result.why);
+}
+
+void TraceFile::finish(const wire::RunResult& result) {
+  finish(0, result);
+  for (std::size_t i = 1; i < robots_.size() && i <= result.others.size(); ++i)
+    finish(i, result.others[i - 1]);
+  put("\n]}\n");
+  file_.finish();
+}
+
+void TraceRecorder::ask(wire::RunRequest& request) const {
+  request.columns_every_ns = kRecordEvery_ns;
+  request.serial = request.notes = true;
+}
+
+void TraceRecorder::begin(const RecordedRun& run) {
+  std::vector<TraceFile::Robot> robots;
+  for (const RecordedRobot& robot : run.robots)
+    robots.push_back({robot.name, robot.sketch, robot.robot, robot.info.board.name});
+  if (robots.empty()) robots.push_back({"", run.sketch, run.robot, run.robot_info.board.name});
+  streams_.resize(robots.size());
+  trace_ = std::make_unique<TraceFile>(path_, run.map, run.request.seed, robots);
+}
+
+void TraceRecorder::add(const wire::Event& event) {
+  trace_->add(event);
+  const auto* columns = std::get_if<wire::Columns>(&event);
+  if (!columns || static_cast<std::size_t>(columns->agent) >= streams_.size()) return;
+  const auto robot = static_cast<std::size_t>(columns->agent);
+  for (const wire::Rows& rows : columns->streams) {
+    Stream& stream = streams_[robot][rows.stream];
+    if (stream.specs.empty()) {
+      stream.specs = rows.columns;
+      for (const wire::ColumnSpec& spec : stream.specs) stream.readers.emplace_back(spec.order);
+    }
+    if (rows.bytes.size() != stream.readers.size() || rows.bytes.empty())
+      throw wire::BadValue("bytes", "must be as many as the columns of " + rows.stream);
+    std::vector<std::vector<std::int64_t>> values;
+    for (std::size_t i = 0; i < stream.readers.size(); ++i) {
+      auto read = stream.readers[i].read(rows.bytes[i], static_cast<std::size_t>(rows.count));
+      if (!read) throw wire::BadValue("bytes", "must hold as many numbers as there are rows");
+      values.push_back(std::move(*read));
+    }
+    trace_->add(robot, rows.stream, stream.specs, values);
+  }
+}
+
+void TraceRecorder::finish(const wire::RunResult& result) { trace_->finish(result); }
+
+void write_trace(const Recording& recording, const std::filesystem::path& file) {
+  const RecordingHeader& header = recording.header();
+  std::vector<TraceFile::Robot> robots;
+  wire::RunResult result = header.result;
+  for (std::size_t i = 0; i < header.robot_count(); ++i) {
+    const RobotRecord& robot = header.of(i);
+    robots.push_back({robot.name, robot.sketch, robot.robot, robot.robot_info.board.name});
+    if (i > 0) result.others.push_back(robot.result);
+  }
+  TraceFile trace(file, header.map, result.seed, robots);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const StreamInfo& info : header.of(i).streams) {
+      std::vector<wire::ColumnSpec> specs;
+      for (const ColumnInfo& column : info.columns)
+        if (column.order != 0) specs.push_back({column.name, column.scale, column.order});
+      if (!specs.empty()) trace.add(i, info.name, specs, recording.steps(info.name, i));
+    }
+  }
+  recording.play([&](const wire::Event& event) { trace.add(event); });
+  trace.finish(result);
 }
 
 }  // namespace robosim::record

@@ -2,21 +2,91 @@
 // "Trace Event Format" (Chromium's, JSON object form); docs/recordings.md says what is in it.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "sim/record/record_page.h"
+#include "sim/base/new_file.h"
+#include "sim/record/recording.h"
 
 namespace robosim::record {
 
-class TraceRecorder final : public RecRecorder {
+/// A trace that is written while what it tells comes in, stream by stream or a piece of each at a time.
+class TraceFile {
  public:
-  using RecRecorder::RecRecorder;
+  struct Robot {
+    std::string name;  ///< of one of several; else empty
+    std::string sketch, robot, board;
+  };
+  TraceFile(const std::filesystem::path& path, const std::string& map, std::uint64_t seed,
+            const std::vector<Robot>& robots);
 
- protected:
-  std::string content(const std::string& recording) const override;
+  /// Rows of a stream, as whole numbers, column by column; those of a stream have equal columns.
+  void add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
+           const std::vector<std::vector<std::int64_t>>& columns);
+  /// Takes notes and serial text; ignores everything else.
+  void add(const wire::Event& event);
+  void finish(const wire::RunResult& result);
+
+ private:
+  /// What is drawn as a curve.
+  struct Counter {
+    std::string head;
+    double scale = 1.0;
+    int decimals = -1;  ///< of its values; -1: the scale is no power of ten
+    std::int64_t last = 0;
+    bool is_told = false;
+  };
+  /// What is drawn as bars.
+  struct Pin {
+    std::string head;
+    std::int64_t from_ns = 0;
+    std::string text;  ///< of the bar that began then; empty = none
+  };
+  struct Streams {
+    std::map<std::string, std::vector<Counter>> counters;
+    std::map<std::string, Pin> pins;
+    std::string name;
+  };
+
+  void put(std::string_view text);
+  void put(std::string_view head, std::int64_t t_ns);
+  void name(int group, int row, const std::string& name);
+  void count(Counter& counter, std::int64_t t_ns, std::int64_t steps);
+  void add_counters(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
+                    const std::vector<std::vector<std::int64_t>>& columns);
+  void add_pin(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
+               const std::vector<std::vector<std::int64_t>>& columns);
+  void end_bar(Pin& pin, std::int64_t t_ns);
+  void moment(std::size_t robot, int row, std::int64_t t_ns, const std::string& text);
+  void finish(std::size_t robot, const wire::RunResult& result);
+
+  NewFile file_;
+  std::vector<Streams> robots_;
+};
+
+class TraceRecorder final : public Recorder {
+ public:
+  explicit TraceRecorder(std::filesystem::path path) : path_(std::move(path)) {}
+  void ask(wire::RunRequest& request) const override;
+  void begin(const RecordedRun& run) override;
+  void add(const wire::Event& event) override;
+  void finish(const wire::RunResult& result) override;
+
+ private:
+  struct Stream {
+    std::vector<wire::ColumnSpec> specs;
+    std::vector<wire::ColumnReader> readers;
+  };
+
+  std::filesystem::path path_;
+  std::unique_ptr<TraceFile> trace_;
+  std::vector<std::map<std::string, Stream>> streams_;  ///< of each robot
 };
 
 /// The same of a recording that was read.
-std::string trace_of(const Recording& recording);
+void write_trace(const Recording& recording, const std::filesystem::path& file);
 
 }  // namespace robosim::record

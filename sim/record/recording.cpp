@@ -20,7 +20,11 @@ constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
 }  // namespace
 
 std::string Gatherer::encoded(const wire::RunResult& result) {
-  return kRecordingMagic + deflated(content(result));
+  std::vector<const KeptBytes*> body;
+  Compressed compressed(kRecordingMagic);
+  compressed.add(finish(result, body));
+  for (const KeptBytes* bytes : body) compressed.add(*bytes);
+  return compressed.finish();
 }
 
 Recording Recording::read(const std::filesystem::path& file) {
@@ -84,14 +88,25 @@ void Recording::each_column(std::size_t robot, const std::string& stream_name, V
   }
 }
 
-std::vector<std::vector<double>> Recording::stream(const std::string& name, std::size_t robot) const {
-  std::vector<std::vector<double>> columns;
+std::vector<std::vector<std::int64_t>> Recording::steps(const std::string& name, std::size_t robot) const {
+  std::vector<std::vector<std::int64_t>> columns;
   each_column(robot, name, [&](const ColumnInfo& column, std::string_view bytes, std::size_t count) {
     if (column.order == 0) return;
-    const auto steps = wire::ColumnReader(column.order).read(bytes, count);
+    auto steps = wire::ColumnReader(column.order).read(bytes, count);
     if (!steps) refuse(file_, "its column " + column.name + " is damaged");
-    std::vector<double>& values = columns.emplace_back();
-    for (const std::int64_t step : *steps) values.push_back(static_cast<double>(step) / column.scale);
+    columns.push_back(std::move(*steps));
+  });
+  return columns;
+}
+
+std::vector<std::vector<double>> Recording::stream(const std::string& name, std::size_t robot) const {
+  std::vector<std::vector<double>> columns;
+  for (const auto& steps : this->steps(name, robot)) columns.emplace_back(steps.begin(), steps.end());
+  std::size_t next = 0;
+  each_column(robot, name, [&](const ColumnInfo& column, std::string_view, std::size_t) {
+    if (column.order == 0) return;
+    for (double& value : columns[next]) value /= column.scale;
+    ++next;
   });
   return columns;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,32 +26,51 @@ class Gatherer {
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
 
-  explicit Gatherer(std::size_t most_changes_bytes = kMostChanges_bytes)
-      : most_changes_bytes_(most_changes_bytes) {}
+  /// With a packer it compresses while it gathers.
+  explicit Gatherer(std::unique_ptr<Packer> packer = nullptr,
+                    std::size_t most_changes_bytes = kMostChanges_bytes)
+      : packer_(std::move(packer)), most_changes_bytes_(most_changes_bytes) {
+    streams_.emplace_back(packer_.get());
+  }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// As far as it is known: without result and streams until encoded().
+  /// As far as it is known: without result and streams until content() or encoded().
   const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
   std::string encoded(const wire::RunResult& result);
 
  private:
+  /// The samples' columns in which it is seen when the line is left: the time, then those of sensors.
+  struct LineColumns {
+    LineWatch watch;
+    std::vector<std::size_t> numbers;
+    std::vector<wire::ColumnReader> readers;
+  };
   /// Of one robot.
   struct Streams {
+    explicit Streams(Packer* packer) : serial(packer), serial_text(packer) {}
+
     std::map<std::string, KeptStream> columns;
-    std::optional<wire::Stream> serial;
-    std::string serial_text;
+    std::optional<LineColumns> line;
+    wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< that `serial` does not have yet
+    KeptStream serial;
+    KeptBytes serial_text;
     bool thinned = false, serial_cut = false;
   };
   RobotRecord& record_of(std::size_t robot) { return robot == 0 ? header_ : header_.others[robot - 1]; }
   void add_columns(const wire::Columns& columns);
+  LineColumns line_columns(std::size_t robot, const std::vector<wire::ColumnSpec>& columns);
+  void watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns, const wire::Rows& rows);
   void add_serial(const wire::SerialText& serial);
-  void finish(std::size_t robot, const wire::RunResult& result, std::string& body);
+  void finish(std::size_t robot, const wire::RunResult& result, std::vector<const KeptBytes*>& body);
+  /// The header's line; `body` is what follows.
+  std::string finish(const wire::RunResult& result, std::vector<const KeptBytes*>& body);
 
+  std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
   std::optional<grid::Map> map_;
-  std::vector<Streams> streams_{1};  ///< by the robots' numbers
+  std::vector<Streams> streams_;  ///< by the robots' numbers
 };
 
 /// One that was read.
@@ -64,6 +84,8 @@ class Recording {
   const RecordingHeader& header() const { return header_; }
   /// A stream's columns in their units; empty if there is none of that name. `robot`: its number.
   std::vector<std::vector<double>> stream(const std::string& name, std::size_t robot = 0) const;
+  /// The same as whole numbers, each times its column's scale.
+  std::vector<std::vector<std::int64_t>> steps(const std::string& name, std::size_t robot = 0) const;
   /// Tells samples, serial text and notes in the order of time, after `started`; of all robots.
   void play(const wire::OnEvent& on_event) const;
 

@@ -54,7 +54,7 @@ std::optional<std::string> MakeAgain::operator()(launch::Fleet fleet, wire::RunR
 
 std::optional<std::string> MakeAgain::run(client::Runner& by, const record::RecordedRun& what,
                                           const std::string& trace_hash) {
-  record::Gatherer gatherer;
+  record::Gatherer gatherer(std::make_unique<record::Deflater>());
   gatherer.begin(what);
   const wire::RunResult result = by.run(what.request, [&](const wire::Event& event) { gatherer.add(event); });
   progress_.clear();

@@ -81,7 +81,7 @@ void write(const record::Recording& recording, const ReplayArguments& arguments,
     else if (file.ends_with(".rec"))
       write_file(file, record::recording_in(read_file(arguments.file)));
     else
-      write_file(file, record::trace_of(recording));
+      record::write_trace(recording, file);
   }
 }
 

@@ -12,12 +12,22 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+struct SensorReadings {
+  std::string name;
+  std::vector<float> values;
+};
+
 std::vector<std::string> events_of(const std::vector<SensorReadings>& sensors, bool light_line = false) {
-  std::vector<double> t_us;
-  for (std::size_t i = 0; i < sensors.front().values.size(); ++i)
-    t_us.push_back(10'000.0 * static_cast<double>(i));
+  std::vector<std::string> names;
+  for (const SensorReadings& sensor : sensors) names.push_back(sensor.name);
+  LineWatch watch(names, light_line);
+  for (std::size_t i = 0; i < sensors.front().values.size(); ++i) {
+    std::vector<float> readings;
+    for (const SensorReadings& sensor : sensors) readings.push_back(sensor.values[i]);
+    watch.add(10'000 * static_cast<std::int64_t>(i), readings);
+  }
   std::vector<std::string> texts;
-  for (const LineEvent& event : line_events(t_us, sensors, light_line))
+  for (const LineEvent& event : watch.events())
     texts.push_back((event.left ? "left " : "found ") + event.sensor + " " + std::to_string(event.t_us));
   return texts;
 }

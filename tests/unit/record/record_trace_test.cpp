@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/file.h"
 #include "sim/wire/run_columns.h"
 
 namespace robosim::record {
@@ -23,7 +28,9 @@ std::vector<Json> those(const Json& trace, const std::string& key, const Json& v
 class ATrace : public ::testing::Test {
  protected:
   ATrace() {
-    RecordedRun run;
+    result.verdict = "lost";
+    result.why = "no line";
+    result.time_s = 2.0;
     run.sketch = "My \"Sketch\"";
     run.robot_info.board.name = "uno";
     gatherer.begin(run);
@@ -34,12 +41,15 @@ class ATrace : public ::testing::Test {
   }
   Json written() {
     gatherer.add(columns.take());
-    wire::RunResult result;
-    result.verdict = "lost";
-    result.why = "no line";
-    result.time_s = 2.0;
-    return Json::parse(trace_of(Recording::decode(gatherer.encoded(result), "x.rec")));
+    write_trace(Recording::decode(gatherer.encoded(result), "x.rec"), file);
+    return Json::parse(read_file(file));
   }
+  ~ATrace() override { std::filesystem::remove(file); }
+
+  std::filesystem::path file = std::filesystem::temp_directory_path() /
+                               ("robosim-trace-" + std::to_string(::getpid()) + ".perfetto.json");
+  RecordedRun run;
+  wire::RunResult result;
   Gatherer gatherer;
   wire::RunColumns columns{{"D5", "A0"}};
 };
@@ -75,6 +85,36 @@ TEST_F(ATrace, HasWhatHappenedAndWhatWasSent) {
   EXPECT_EQ(moments[0]["ts"], 1e6);
   EXPECT_EQ(moments[1]["name"], "say \"hi\"");
   EXPECT_EQ(moments[2]["name"], "lost: no line");
+}
+
+TEST_F(ATrace, ThatIsWrittenWhileTheRunGoesOnTellsTheSame) {
+  const auto beside = file.string() + ".beside.perfetto.json";
+  TraceRecorder recorder(beside);
+  recorder.begin(run);
+  std::vector<wire::Event> events{gatherer.header().started};
+  for (int i = 0; i < 50; ++i) {
+    columns.add(wire::Sample{i * 10'000, -0.01 * i, 0, 0, 0, 0.0001 * i, 0, 0, {0.25}, "", {}});
+    columns.add_pin(0, i * 1'000'500, i % 2 == 0 ? wire::PinLevel::high : wire::PinLevel::pulsing, 0.5, 0);
+    columns.add_volts(1, i * 333'333, 0.001 * (i % 3));
+    if (i % 20 == 0) events.emplace_back(columns.take());
+  }
+  events.emplace_back(columns.take());
+  events.emplace_back(wire::SerialText{1'500'000'000, "hello\n"});
+  for (const wire::Event& event : events) {
+    gatherer.add(event);
+    recorder.add(event);
+  }
+  recorder.finish(result);
+  const auto sorted = [](const Json& trace) {
+    std::vector<std::string> lines;
+    for (const Json& event : trace["traceEvents"]) lines.push_back(event.dump());
+    std::sort(lines.begin(), lines.end());
+    return lines;
+  };
+  const auto lines = sorted(Json::parse(read_file(beside)));
+  std::filesystem::remove(beside);
+  EXPECT_EQ(lines, sorted(written()));
+  EXPECT_GT(lines.size(), 150u);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // in `columns`
 
 class TwoRobots : public ARecording {
  protected:
-  TwoRobots() : both(300) {  // bytes of changes, for both together
+  TwoRobots() : both(nullptr, 300) {  // bytes of changes, for both together
     run.robots = {{"A", "Mine", "uno5", "host", run.robot_info},
                   {"B", "Yours", "mega5", "avr", run.robot_info}};
     run.request.agents.emplace_back().script = "at 1s power off\n";
@@ -212,7 +212,7 @@ TEST_F(ARecording, NamesNoFolderOfThisMachine) { EXPECT_EQ(written().header().ro
 
 TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   constexpr int kChanges = 10'000;
-  Gatherer small(20'000);
+  Gatherer small(std::make_unique<Deflater>(), 20'000);
   small.begin(run);
   for (int i = 0; i < kChanges; ++i) {
     columns.add_volts(kA0, i * std::int64_t{100'000}, 0.001 * (i * 7919 % 5000));
@@ -224,6 +224,45 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   EXPECT_THAT(volts[0], SizeIs(kChanges / 200));
   EXPECT_EQ(volts[0][0], 199 * 100'000) << "the last of the first 20 ms";
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
+}
+
+/// Counts what it is given.
+class CountingPacker final : public Packer {
+ public:
+  explicit CountingPacker(std::size_t& bytes) : bytes_(bytes) {}
+  void pack(std::string_view piece, Packed& to) override {
+    bytes_ += piece.size();
+    deflater_.pack(piece, to);
+  }
+  std::string unpacked(const Packed& packed) override { return deflater_.unpacked(packed); }
+
+ private:
+  std::size_t& bytes_;
+  Deflater deflater_;
+};
+
+TEST_F(ARecording, IsCompressedWhileTheRunGoesOnAndHoldsTheSame) {
+  std::size_t packed_bytes = 0;
+  Gatherer packing(std::make_unique<CountingPacker>(packed_bytes));
+  packing.begin(run);
+  packing.add(gatherer.header().started);
+  for (int i = 0; i < 20'000; ++i) {
+    wire::Sample sample;
+    sample.t_us = i * std::int64_t{10'000};
+    sample.x_mm = i * 7919 % 5000;
+    columns.add(sample);
+    if (i % 1000 != 999) continue;
+    const wire::Columns piece = columns.take();
+    const wire::SerialText text{sample.t_us * 1000, "now at " + std::to_string(i) + "\n"};
+    for (Gatherer* both : {&packing, &gatherer}) {
+      both->add(piece);
+      both->add(text);
+    }
+  }
+  const std::string compressed = packing.encoded({}).substr(std::string(kRecordingMagic).size());
+  const std::string content = gatherer.content({});
+  EXPECT_EQ(inflated(compressed, content.size()), content);
+  EXPECT_GT(packed_bytes, content.size() * 3 / 4) << "the rest waits for the end";
 }
 
 TEST_F(ARecording, IsTheSameInAPage) {
