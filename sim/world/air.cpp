@@ -1,6 +1,7 @@
 #include "sim/world/air.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace robosim::world {
 
@@ -14,8 +15,9 @@ void Air::send(std::size_t from, std::uint8_t byte, SimTime at) {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (i == from || channels_[i] != channels_[from]) continue;
     std::vector<Arrival>& arriving = state_.arriving[i];
-    const auto later = std::upper_bound(arriving.begin(), arriving.end(), at,
-                                        [](SimTime t, const Arrival& arrival) { return t < arrival.at; });
+    const auto later = std::upper_bound(
+        arriving.begin(), arriving.end(), std::pair(at, byte),
+        [](const auto& key, const Arrival& arrival) { return key < std::pair(arrival.at, arrival.byte); });
     arriving.insert(later, {at, byte});
   }
 }

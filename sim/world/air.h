@@ -29,7 +29,7 @@ class Air {
 
   /// What changes during a run.
   struct State {
-    std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time
+    std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time; at once, by byte, not by number
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }

@@ -40,11 +40,34 @@ std::size_t NearBodies::square_of(Vec2 p) const {
 const std::vector<NearBodies::Pair>& NearBodies::pairs(const std::vector<std::unique_ptr<Body>>& bodies) {
   const auto count = static_cast<std::uint32_t>(bodies.size());
   pairs_.clear();
+  const auto add_if_near = [&](std::uint32_t i, std::uint32_t j) {
+    const double reach = bodies[i]->bound_radius() + bodies[j]->bound_radius() + Walls::kNear + kPushed_m;
+    const Vec2 d = bodies[i]->circle_centre() - bodies[j]->circle_centre();
+    if (dot(d, d) < reach * reach) pairs_.push_back({i, j});
+  };
   if (count <= kFew) {
     for (std::uint32_t i = 0; i < count; ++i)
-      for (std::uint32_t j = i + 1; j < count; ++j) pairs_.push_back({i, j});
-    return pairs_;
+      for (std::uint32_t j = i + 1; j < count; ++j) add_if_near(i, j);
+  } else {
+    look_in_squares(bodies, add_if_near);
   }
+  const auto is_before = [&](std::uint32_t i, std::uint32_t j) {
+    const Vec2 a = bodies[i]->circle_centre(), b = bodies[j]->circle_centre();
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  for (Pair& pair : pairs_)
+    if (is_before(pair.second, pair.first)) std::swap(pair.first, pair.second);
+  if (pairs_.size() > 1)
+    std::sort(pairs_.begin(), pairs_.end(), [&](const Pair& one, const Pair& other) {
+      if (one.first != other.first) return is_before(one.first, other.first);
+      return is_before(one.second, other.second);
+    });
+  return pairs_;
+}
+
+template <class Take>
+void NearBodies::look_in_squares(const std::vector<std::unique_ptr<Body>>& bodies, const Take& take) {
+  const auto count = static_cast<std::uint32_t>(bodies.size());
   if (count != count_) make_squares(bodies);
   for (std::uint32_t i = count; i-- > 0;) {
     square_[i] = square_of(bodies[i]->circle_centre());
@@ -52,17 +75,14 @@ const std::vector<NearBodies::Pair>& NearBodies::pairs(const std::vector<std::un
     first_[square_[i]] = static_cast<std::int32_t>(i);
   }
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto begin = static_cast<std::ptrdiff_t>(pairs_.size());
     const int column = static_cast<int>(square_[i]) % columns_, row = static_cast<int>(square_[i]) / columns_;
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y)
       for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x)
         for (std::int32_t j = first_[static_cast<std::size_t>(y * columns_ + x)]; j >= 0;
              j = next_[static_cast<std::size_t>(j)])
-          if (static_cast<std::uint32_t>(j) > i) pairs_.push_back({i, static_cast<std::uint32_t>(j)});
-    std::sort(pairs_.begin() + begin, pairs_.end());
+          if (static_cast<std::uint32_t>(j) > i) take(i, static_cast<std::uint32_t>(j));
   }
   for (std::uint32_t i = 0; i < count; ++i) first_[square_[i]] = -1;
-  return pairs_;
 }
 
 }  // namespace robosim::world

@@ -18,12 +18,15 @@ class NearBodies {
 
   NearBodies(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {}
 
-  /// Those that meet are among them, by number, the lesser one first. Valid until the next call.
+  /// Those that meet are among them, the western one first, from west to east: in the same order whoever has
+  /// which number. Valid until the next call.
   const std::vector<Pair>& pairs(const std::vector<std::unique_ptr<Body>>& bodies);
 
  private:
   void make_squares(const std::vector<std::unique_ptr<Body>>& bodies);
   std::size_t square_of(Vec2 p) const;
+  template <class Take>
+  void look_in_squares(const std::vector<std::unique_ptr<Body>>& bodies, const Take& take);
 
   double width_m_, height_m_;
   // Made for so many bodies.
