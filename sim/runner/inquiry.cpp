@@ -21,9 +21,11 @@ constexpr SimTime kHistory = 30 * kMillisecond;  // the least that is noted befo
 constexpr SimTime kBlind = 20 * kMillisecond;    // without a look at a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
-constexpr std::size_t kMostLinks = 6, kMostLines = 8;
+constexpr std::size_t kMostLinks = 9, kMostLines = 10;
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
+constexpr SimTime kOffForLong = 300 * kMillisecond;
+constexpr double kMuchInHandlers = 0.3;
 
 SimTime whole_ticks(SimTime t) { return (t + kTick - 1) / kTick * kTick; }
 
@@ -217,11 +219,18 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
     const bool blind = next - last >= kBlind && looks_.size() > 1;
     const SimTime until = std::min(end, whole_ticks(blind ? std::max(t, next) : t) + kTick);
     wire::SourceLine pause;
+    exec::CauseFinder::Share handlers;
     const Steps steps = trace(t, until, [&] {
       causes_.ask(motor_pins(wiring_), t + kTick);
       if (blind) pause = causes_.busiest(last, std::min(next, until));
+      handlers = causes_.handlers(std::max<SimTime>(0, t - kHistory), until);
     });
     chain.push_back(motors_at(t, decisive.text));
+    if (handlers.of_all >= kMuchInHandlers)
+      chain.push_back({seconds(t),
+                       fmt::format("interrupt handlers took {:.0f} % of the time, most of it here",
+                                   100 * handlers.of_all),
+                       {handlers.where}});
     if (!pause.file.empty())
       chain.push_back(
           {seconds(last),
@@ -232,11 +241,31 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   } else {
     chain.push_back({seconds(t), decisive.text, {}});
   }
+  tell_of_interrupts(decisive.place ? end : t, chain);
   if (!decisive.place) return chain;
   const Steps steps = trace(end, end, [&] { causes_.ask_place(end); });
   for (wire::Cause& link : links_of(steps, end, kMostLinks - chain.size() + 1))
     chain.push_back(std::move(link));
   return chain;
+}
+
+/// Where they are off, and have been for long, who has done it.
+void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
+  const auto on_at = [&](std::size_t moment) {
+    simulation_.restore(moments_[moment].snapshot);
+    return causes_.interrupts_on();
+  };
+  std::size_t off = moments_.before(t);
+  if (on_at(off)) return;
+  while (off > 1 && !on_at(off - 1)) --off;  // at power-on they are off
+  if (moments_[off].t + kOffForLong > t) return;
+  const std::size_t on = off - 1, before = moments_.size();
+  save_between(on);
+  for (off += moments_.size() - before; off > on + 1 && !on_at(off - 1);) --off;
+  const bool were_on = on_at(off - 1);
+  run_again(off - 1, moments_[off].t);
+  if (const std::optional<CauseStep> step = causes_.switched_off(were_on))
+    chain.push_back({seconds(step->t), "interrupts were off from here on", {step->where}});
 }
 
 wire::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {

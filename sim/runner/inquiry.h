@@ -50,6 +50,7 @@ class Inquiry final : run::Listener {
   std::pair<SimTime, SimTime> blind_around(SimTime t) const;
 
   std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
+  void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
   std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most) const;
   wire::Cause motors_at(SimTime t, const std::string& text) const;
   std::string name_of(Pin pin) const;
@@ -59,13 +60,14 @@ class Inquiry final : run::Listener {
   const BoardSpec& board_;
   const std::vector<robot::WiredPin> wiring_;
   exec::CauseFinder& causes_;
-  run::Simulation simulation_;
-  Moments moments_;
   bool looks_again_ = false;
 
   std::vector<Command> commands_;                                     ///< of the motors
   std::vector<SimTime> looks_;                                        ///< at line sensors
   std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< while it looks again
+
+  run::Simulation simulation_;  // behind what it tells this when it begins
+  Moments moments_;
 };
 
 }  // namespace robosim::runner

@@ -37,6 +37,47 @@ void loop() {
 }
 )";
 
+// Neither sensor is ever as dark as it asks for: that it leaves things as they were is why it drives so.
+constexpr const char* kLeavesAsItWas = R"(const byte PINS[] = {A0, A1, A2};
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  digitalWrite(7, HIGH);
+  digitalWrite(9, HIGH);
+}
+void loop() {
+  byte seen = 0;
+  for (byte i = 0; i < 3; i++) {
+    int dark = analogRead(PINS[i]);
+    if (dark > 1020)                                 // line 11
+      seen = 1;
+  }
+  int other = analogRead(A4);
+  float off = 0;
+  if (other > 1020) off = 0.5;                       // line 16
+  float turn = off * 80;
+  analogWrite(5, seen ? 60 : 120);
+  analogWrite(6, 100 + turn);
+  delay(5);
+}
+)";
+
+// The handler that would end its waiting never comes.
+constexpr const char* kSwitchesInterruptsOff = R"(volatile bool turning = false;
+void onEdge() { turning = true; }
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  attachInterrupt(digitalPinToInterrupt(2), onEdge, CHANGE);
+  noInterrupts();                                    // line 6
+  turning = false;
+  digitalWrite(7, HIGH);
+  analogWrite(5, 90);
+}
+void loop() {
+  while (!turning) {
+  }
+}
+)";
+
 class CliWhy : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -65,6 +106,23 @@ TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
   const auto plain = nlohmann::json::parse(run.out);
   EXPECT_EQ(plain["trace_hash"], chain["trace_hash"]) << "it is the same run";
   EXPECT_FALSE(plain.contains("because"));
+}
+
+TEST_F(CliWhy, NamesWhatLeftAValueAsItWas) {
+  folder_.write("Leaves/Leaves.ino", kLeavesAsItWas);
+  const Ended why = robosim_command({"why", "./Leaves", "--map", "oval"}, folder_.path());
+  EXPECT_THAT(why.out, AllOf(StartsWith("lost: "), HasSubstr("Leaves.ino:11 "), HasSubstr("Leaves.ino:16 ")));
+}
+
+TEST_F(CliWhy, NamesWhoSwitchedInterruptsOffAndWhatWaitsForOne) {
+  folder_.write("Waits/Waits.ino", kSwitchesInterruptsOff);
+  const Ended why =
+      robosim_command({"why", "./Waits", "--map", "oval", "--goal", "none", "--for", "3s"}, folder_.path());
+  EXPECT_THAT(why.out, AllOf(StartsWith("hung: "),
+                             HasSubstr("interrupts were off from here on\n                Waits.ino:6 "),
+                             HasSubstr("Waits.ino:12 "),
+                             HasSubstr("an interrupt handler writes turning\n                Waits.ino:2 "),
+                             HasSubstr("Waits.ino:5 ")));
 }
 
 TEST_F(CliWhy, HasNothingToTellOfASuccess) {

@@ -1,15 +1,17 @@
 #include "sim/cli/run/source_text.h"
 
+#include <algorithm>
 #include <cctype>
+#include <deque>
 #include <fstream>
-#include <set>
+#include <regex>
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostConstants = 6;
+constexpr std::size_t kMostNamed = 8, kMostWriters = 6, kMostWithoutValue = 4;
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -33,10 +35,14 @@ std::vector<std::string> names_in(const std::string& line) {
   return names;
 }
 
-/// `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C; those of functions and classes do not
-/// count.
-std::set<std::string> constants_of(const std::string& line) {
-  const std::string text = without_comment(line);  // those of functions are indented
+bool names(const std::string& line, const std::string& name) {
+  const std::vector<std::string> all = names_in(line);
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+/// `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C; those of functions and classes, which are
+/// indented, do not count.
+std::set<std::string> constants_of(const std::string& text) {
   const std::vector<std::string> names = names_in(text);
   if (text.starts_with("#define") && names.size() > 1) return {names[1]};
   std::set<std::string> constants;
@@ -52,6 +58,53 @@ std::set<std::string> constants_of(const std::string& line) {
   return constants;
 }
 
+/// `Servo arm(9);` declares arm; `int turn(int by);` is a function.
+std::optional<std::string> object_of(const std::string& text) {
+  static const std::regex object(R"((?:[A-Za-z_][\w:]*(?:<[^;()]*>)?\s+)+(\w+)\s*[({](.+)[)}]\s*;\s*)");
+  static const std::regex parameter(R"((?:^|[(,])\s*(?:\w+\s+)*\w[\w:<>]*[\s*&]+\w+\s*(?:=[^,]*)?(?=,|$))");
+  std::smatch parts;
+  if (!std::regex_match(text, parts, object) || text.starts_with("return") || text.starts_with("extern"))
+    return std::nullopt;
+  const std::string between = parts[2];
+  if (std::regex_search(between, parameter)) return std::nullopt;
+  return parts[1];
+}
+
+/// `int a, b;` in a function leaves both without a value.
+std::set<std::string> without_value(const std::string& line) {
+  static const std::regex declaration(
+      R"(\s+(?:volatile\s+)?(?:(?:unsigned|signed|long|short)\s+)*(?:u?int\d+_t|int|long|short|unsigned|char|bool|boolean|byte|word|float|double|size_t)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*)");
+  std::smatch parts;
+  if (!std::regex_match(line, parts, declaration)) return {};
+  const std::vector<std::string> names = names_in(parts[1]);
+  return {names.begin(), names.end()};
+}
+
+bool opens_function(const std::string& line) {
+  static const std::regex function(R"(.*\)[^;()]*\{\s*)"),
+      statement(R"(\s*\}?\s*(?:if|else|for|while|switch|do)\b.*)");
+  return std::regex_match(line, function) && !std::regex_match(line, statement);
+}
+
+/// `count = 1`, `count += 1`, `count++` and `++count` write it.
+bool writes(const std::string& line, const std::string& name) {
+  return std::regex_search(
+      line, std::regex("(?:^|\\W)" + name + R"((?:\s*\[[^\]]*\])?\s*(?:[-+*/%&|^]|<<|>>)?=(?!=)|\b)" + name +
+                       R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
+}
+
+/// The function that the line `at`, from 0, stands in; empty if that cannot be told.
+std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
+  static const std::regex head(R"((?:[A-Za-z_][\w:<>]*[\s*&]+)*([A-Za-z_]\w*)\s*\(.*\{.*)");
+  for (std::size_t i = at + 1; i-- > 0;) {
+    const std::string line = without_comment(lines[i]);
+    if (line.empty() || std::isspace(static_cast<unsigned char>(line[0]))) continue;
+    std::smatch parts;
+    return std::regex_match(line, parts, head) ? parts[1].str() : "";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string SourceText::line(const wire::SourceLine& where) {
@@ -60,19 +113,111 @@ std::string SourceText::line(const wire::SourceLine& where) {
   return number == 0 || number > lines.size() ? "" : trimmed(lines[number - 1]);
 }
 
-wire::Cause SourceText::constants_in(const std::vector<wire::Cause>& chain) {
-  wire::Cause constants{0.0, "constants in these lines", {}};
-  std::set<std::string> had;
-  for (const wire::Cause& cause : chain)
+bool SourceText::says_nothing(const wire::SourceLine& where) {
+  const std::string text = line(where);
+  return !text.empty() &&
+         (text.find_first_not_of("{}; ") == text.npos || opens_function(without_comment(text)));
+}
+
+void SourceText::explain(std::vector<wire::Cause>& chain) {
+  had_.clear();
+  std::deque<wire::SourceLine> lines;
+  for (wire::Cause& cause : chain) {
+    if (cause.lines.empty()) continue;
+    const auto behind_the_first = std::next(cause.lines.begin());
+    cause.lines.erase(std::remove_if(behind_the_first, cause.lines.end(),
+                                     [&](const wire::SourceLine& where) { return says_nothing(where); }),
+                      cause.lines.end());
     for (const wire::SourceLine& where : cause.lines)
-      for (const std::string& name : names_in(without_comment(line(where)))) {
-        if (!had.insert(name).second || constants.lines.size() >= kMostConstants) continue;
-        const std::vector<std::string>& lines = lines_of(where.file);
-        for (std::size_t i = 0; i < lines.size(); ++i)
-          if (static_cast<int>(i) + 1 != where.line && constants_of(lines[i]).contains(name))
-            constants.lines.push_back({"", where.file, static_cast<int>(i) + 1});
+      if (had_.insert({where.file, where.line}).second) lines.push_back(where);
+  }
+  std::vector<wire::Cause> more = {writers_in(lines), without_value_in(lines), named_in(lines)};
+  for (wire::Cause& cause : more)
+    if (!cause.lines.empty()) chain.push_back(std::move(cause));
+}
+
+void SourceText::add(wire::Cause& cause, const wire::SourceLine& where, std::size_t most) {
+  if (cause.lines.size() < most && had_.insert({where.file, where.line}).second) cause.lines.push_back(where);
+}
+
+/// Those that these lines wait for: the handlers that write what they read, and who has them called.
+wire::Cause SourceText::writers_in(const std::deque<wire::SourceLine>& chain) {
+  wire::Cause writers{0.0, "an interrupt handler writes", {}};
+  std::set<std::string> done;
+  for (const wire::SourceLine& where : chain)
+    for (const std::string& name : names_in(without_comment(line(where)))) {
+      const std::vector<std::string>& lines = lines_of(where.file);
+      const auto declares = [&](const std::string& text) {
+        return text.starts_with("volatile") && names(text, name);
+      };
+      if (!done.insert(where.file + '/' + name).second || std::none_of(lines.begin(), lines.end(), declares))
+        continue;
+      const std::size_t before = writers.lines.size();
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!declares(lines[i]) && writes(without_comment(lines[i]), name))
+          add_handler(writers, where.file, i, function_at(lines, i));
+      if (writers.lines.size() > before) writers.text += (before > 0 ? ", " : " ") + name;
+    }
+  return writers;
+}
+
+void SourceText::add_handler(wire::Cause& writers, const std::string& file, std::size_t at,
+                             const std::string& function) {
+  const std::vector<std::string>& lines = lines_of(file);
+  std::vector<int> attached;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (names(lines[k], "attachInterrupt") && names(without_comment(lines[k]), function))
+      attached.push_back(static_cast<int>(k) + 1);
+  if (attached.empty() && function != "ISR") return;
+  add(writers, {function, file, static_cast<int>(at) + 1}, kMostWriters);
+  for (const int number : attached) add(writers, {"", file, number}, kMostWriters);
+}
+
+wire::Cause SourceText::without_value_in(const std::deque<wire::SourceLine>& chain) {
+  wire::Cause found{0.0, "declared without a value", {}};
+  for (const wire::SourceLine& where : chain) {
+    const std::vector<std::string>& lines = lines_of(where.file);
+    const std::vector<std::string> used = names_in(without_comment(line(where)));
+    for (auto i = static_cast<std::size_t>(where.line) - 1; i-- > 0 && i < lines.size();) {
+      const std::string text = without_comment(lines[i]);
+      const std::set<std::string> declared = without_value(text);
+      if (std::any_of(used.begin(), used.end(),
+                      [&](const std::string& name) { return declared.contains(name); }))
+        add(found, {"", where.file, static_cast<int>(i) + 1}, kMostWithoutValue);
+      if (opens_function(text) || (!text.empty() && text[0] == '}')) break;
+    }
+  }
+  return found;
+}
+
+wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
+  wire::Cause named{0.0, "named in these lines", {}};
+  for (; !chain.empty(); chain.pop_front()) {
+    const wire::SourceLine where = chain.front();
+    const std::vector<std::string> used = names_in(without_comment(line(where)));
+    for (const std::string& name : used) {
+      const auto& declared = declarations_in(where.file);
+      for (auto [at, end] = declared.equal_range(name); at != end; ++at) {
+        const std::size_t before = named.lines.size();
+        add(named, {"", where.file, at->second}, kMostNamed);
+        if (named.lines.size() > before) chain.push_back(named.lines.back());
       }
-  return constants;
+    }
+  }
+  return named;
+}
+
+const std::multimap<std::string, int>& SourceText::declarations_in(const std::string& file) {
+  const auto [known, fresh] = declarations_.try_emplace(file);
+  if (!fresh) return known->second;
+  const std::vector<std::string>& lines = lines_of(file);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].empty() || std::isspace(static_cast<unsigned char>(lines[i][0]))) continue;
+    const std::string text = without_comment(lines[i]);
+    for (const std::string& name : constants_of(text)) known->second.emplace(name, static_cast<int>(i) + 1);
+    if (const auto object = object_of(text)) known->second.emplace(*object, static_cast<int>(i) + 1);
+  }
+  return known->second;
 }
 
 const std::vector<std::string>& SourceText::lines_of(const std::string& file) {

@@ -2,9 +2,12 @@
 // say.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/wire/run_result.h"
@@ -18,16 +21,30 @@ class SourceText {
 
   /// Without the blanks around it; empty where it is not known.
   std::string line(const wire::SourceLine& where);
-  /// The constants whose names stand in these lines, and that the compiler has put into them: those that the
-  /// same files declare. Without lines if there are none.
-  wire::Cause constants_in(const std::vector<wire::Cause>& chain);
+  /// Leaves out lines that say nothing, and adds what the instructions cannot tell, found in the same files:
+  /// - who writes the `volatile` variables that are read, and who names those functions (attachInterrupt());
+  /// - variables of functions that are declared without a value;
+  /// - constants and objects that the lines name, and those that their declarations name.
+  void explain(std::vector<wire::Cause>& chain);
 
  private:
   const std::vector<std::string>& lines_of(const std::string& file);
   std::vector<std::filesystem::path> paths_of(const std::filesystem::path& file) const;
+  /// Constants and objects outside functions, with their lines.
+  const std::multimap<std::string, int>& declarations_in(const std::string& file);
+  /// A brace, or a function's head, where only registers are saved.
+  bool says_nothing(const wire::SourceLine& where);
+  wire::Cause writers_in(const std::deque<wire::SourceLine>& chain);
+  void add_handler(wire::Cause& writers, const std::string& file, std::size_t at,
+                   const std::string& function);
+  wire::Cause without_value_in(const std::deque<wire::SourceLine>& chain);
+  wire::Cause named_in(std::deque<wire::SourceLine> chain);
+  void add(wire::Cause& cause, const wire::SourceLine& where, std::size_t most);
 
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::vector<std::string>> files_;
+  std::map<std::string, std::multimap<std::string, int>> declarations_;
+  std::set<std::pair<std::string, int>> had_;
 };
 
 }  // namespace robosim::cli

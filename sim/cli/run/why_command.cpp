@@ -49,8 +49,7 @@ int why_command(const WhyArguments& arguments) {
   std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};
   folders.insert(folders.end(), run.wanted.libraries.begin(), run.wanted.libraries.end());
   SourceText source(std::move(folders));
-  if (wire::Cause constants = source.constants_in(result.because); !constants.lines.empty())
-    result.because.push_back(std::move(constants));
+  source.explain(result.because);
   if (arguments.run.json)
     print(run_json(inputs_of(run, runner.hello().version), result, std::nullopt, std::nullopt));
   else

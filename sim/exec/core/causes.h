@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,18 @@ class CauseFinder {
   virtual std::vector<CauseStep> steps() const = 0;
   /// The line of the sketch that most of the time between was spent in, with what it called.
   virtual wire::SourceLine busiest(SimTime from, SimTime to) const = 0;
+
+  struct Share {
+    wire::SourceLine where;
+    double of_all = 0;  ///< 0 to 1
+  };
+  /// What part of the time between the sketch's interrupt handlers took, and the line that took most of it.
+  virtual Share handlers(SimTime from, SimTime to) const = 0;
+  /// Whether interrupts may come now.
+  virtual bool interrupts_on() const = 0;
+  /// The last that has switched interrupts off in what is noted: a line, or the handler that began. `on`:
+  /// whether they were on when it began.
+  virtual std::optional<CauseStep> switched_off(bool on) = 0;
 };
 
 }  // namespace robosim::exec

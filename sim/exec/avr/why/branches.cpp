@@ -9,6 +9,8 @@ namespace {
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
+constexpr std::size_t kMostLeftOut = 16;
+
 bool skips(Op op) {
   return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
 }
@@ -68,6 +70,20 @@ bool Branches::decides(std::uint32_t branch, std::uint32_t next, std::uint32_t p
   for (const std::uint32_t way : ways_on(branch))
     if (way != next && avoids(way, branch, pc)) known->second = true;
   return known->second;
+}
+
+const std::vector<std::uint32_t>& Branches::left_out(std::uint32_t branch, std::uint32_t next) {
+  const auto [known, fresh] = left_out_.try_emplace({branch, next});
+  std::vector<std::uint32_t>& places = known->second;
+  if (!fresh) return places;
+  for (const std::uint32_t way : ways_on(branch)) {
+    if (way == next) continue;
+    for (std::vector<std::uint32_t> on{way}; on.size() == 1 && places.size() < kMostLeftOut;) {
+      places.push_back(on[0]);
+      on = ways_on(on[0]);
+    }
+  }
+  return places;
 }
 
 }  // namespace robosim::exec::avr

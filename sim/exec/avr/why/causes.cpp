@@ -16,28 +16,7 @@ using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 using Touch = InstructionLog::Touch;
 
-// Lines further away are not looked for.
-constexpr int kFarthest = 14;
-constexpr std::uint32_t kAnywhere = ~0u;
-constexpr int kOfBranch = 2;  // how far a branch is from what it decides
-
 bool is_call(Op op) { return op == Op::call || op == Op::rcall || op == Op::icall || op == Op::eicall; }
-
-bool reads_flash(Op op) {
-  return op == Op::lpm_0 || op == Op::lpm || op == Op::lpm_inc || op == Op::elpm_0 || op == Op::elpm ||
-         op == Op::elpm_inc;
-}
-
-/// Registers and flags; the others of its effects are in the log.
-Effects effects_in(const Instruction& i, const robosim::avr::Cpu& cpu) {
-  Effects e = effects_of(i, cpu);
-  if (reads_flash(i.op)) {
-    e.reads = 3u << 30;
-    e.writes = 1u << (i.op == Op::lpm_0 || i.op == Op::elpm_0 ? 0 : i.a);
-    if (i.op == Op::elpm_inc) e.writes |= e.reads;
-  }
-  return e;
-}
 
 }  // namespace
 
@@ -174,7 +153,7 @@ void Causes::ask_place(SimTime t) {
   while (sketch_.at(pc()).lines.empty() && frames_[static_cast<std::size_t>(index)] != kNone &&
          frames_[static_cast<std::size_t>(index)] != index)
     index = frames_[static_cast<std::size_t>(index)];
-  pending_[frames_[static_cast<std::size_t>(index)]].push_back({kAnywhere, want});
+  pending_[frames_[static_cast<std::size_t>(index)]].push_back({kLast, want});
 }
 
 // --- back
@@ -195,7 +174,7 @@ std::optional<Causes::Want> Causes::take_wanted(Index index) {
   const Entry& e = log_->entries()[static_cast<std::size_t>(index)];
   const auto& cpu = machine_->chip().chip().cpu();
   const Instruction& i = cpu.instruction(e.pc);
-  const Effects effects = effects_in(i, cpu);
+  const Effects effects = effects_of_logged(i, cpu);
   std::optional<Want> best;
   const auto made = [&](std::optional<Want>& wanted) {
     if (wanted && (!best || wanted->far < best->far)) best = wanted;
@@ -231,27 +210,8 @@ void Causes::visit(Index index) {
     for (const Pending& one : waiting) want_branch(index, one.want);
   }
   visit_branch(index);
+  visit_left_out(index);
   if (const auto wanted = take_wanted(index)) take(index, *wanted, CauseStep::Kind::computes);
-}
-
-void Causes::visit_branch(Index index) {
-  const auto waiting = pending_.find(frames_[static_cast<std::size_t>(index)]);
-  if (waiting == pending_.end()) return;
-  const auto& entries = log_->entries();
-  const Entry& e = entries[static_cast<std::size_t>(index)];
-  if (!branches_->is_branch(e.pc) || sketch_.at(e.pc).is_pause ||
-      static_cast<std::size_t>(index) + 1 >= entries.size())
-    return;
-  const Entry& next = entries[static_cast<std::size_t>(index) + 1];
-  if (next.interrupts) return;
-  std::optional<Want> best;
-  std::erase_if(waiting->second, [&](const Pending& one) {
-    if (one.pc != kAnywhere && !branches_->decides(e.pc, next.pc, one.pc)) return false;
-    if (!best || one.want.far < best->far) best = one.want;
-    return true;
-  });
-  if (waiting->second.empty()) pending_.erase(waiting);
-  if (best) take(index, {best->far + kOfBranch, best->line}, CauseStep::Kind::decides);
 }
 
 void Causes::take(Index index, Want want, CauseStep::Kind kind) {
@@ -276,7 +236,7 @@ void Causes::take(Index index, Want want, CauseStep::Kind kind) {
 void Causes::want_operands(Index index, Want want) {
   const Entry& e = log_->entries()[static_cast<std::size_t>(index)];
   const auto& cpu = machine_->chip().chip().cpu();
-  const Effects effects = effects_in(cpu.instruction(e.pc), cpu);
+  const Effects effects = effects_of_logged(cpu.instruction(e.pc), cpu);
   const auto also = [&](std::optional<Want>& wanted) {
     if (!wanted || want.far < wanted->far) wanted = want;
   };
@@ -288,24 +248,6 @@ void Causes::want_operands(Index index, Want want) {
     const auto [known, fresh] = bytes_.try_emplace(static_cast<std::uint16_t>(at), want);
     if (!fresh && want.far < known->second.far) known->second = want;
   }
-}
-
-void Causes::want_branch(Index index, Want want) {
-  const auto& entries = log_->entries();
-  const auto at = [&](Index i) -> const Entry& { return entries[static_cast<std::size_t>(i)]; };
-  while (!sketch_.at(at(index).pc).is_described) {
-    if (at(index).interrupts) return;
-    index = frames_[static_cast<std::size_t>(index)];
-    if (index == kNone) return;
-  }
-  if (at(index).interrupts || want.far + kOfBranch > kFarthest) return;
-  std::vector<Pending>& waiting = pending_[frames_[static_cast<std::size_t>(index)]];
-  for (Pending& one : waiting)
-    if (one.pc == at(index).pc) {
-      if (want.far < one.want.far) one.want = want;
-      return;
-    }
-  waiting.push_back({at(index).pc, want});
 }
 
 bool Causes::comes_from_outside(Index index, Want want) {
@@ -374,21 +316,6 @@ std::vector<CauseStep> Causes::steps() const {
            std::tie(b.far, a.t, b.where.file, b.where.line);
   });
   return steps;
-}
-
-SourceLine Causes::busiest(SimTime from, SimTime to) const {
-  if (!log_ || frames_.empty()) return {};
-  std::map<Line, std::uint64_t> cycles;
-  const auto& entries = log_->entries();
-  for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
-    const SimTime t = time_of(static_cast<Index>(i));
-    if (t < from || t >= to) continue;
-    const std::vector<Line> lines = lines_of(static_cast<Index>(i));
-    if (!lines.empty()) cycles[lines[0]] += entries[i + 1].began - entries[i].began;
-  }
-  const auto most = std::max_element(cycles.begin(), cycles.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == cycles.end() ? SourceLine{} : *most->first;
 }
 
 }  // namespace robosim::exec::avr

@@ -47,6 +47,9 @@ class Causes final : public CauseFinder {
   void close() override;
   std::vector<CauseStep> steps() const override;
   SourceLine busiest(SimTime from, SimTime to) const override;
+  Share handlers(SimTime from, SimTime to) const override;
+  bool interrupts_on() const override;
+  std::optional<CauseStep> switched_off(bool on) override;
 
  private:
   using Index = std::int32_t;  ///< of an entry of the log
@@ -58,20 +61,27 @@ class Causes final : public CauseFinder {
   };
   /// An instruction whose branch is looked for.
   struct Pending {
-    std::uint32_t pc = 0;  ///< kAnywhere = the last branch of all
+    std::uint32_t pc = 0;  ///< kLast = the last branch of all
     Want want;
   };
+  static constexpr std::uint32_t kLast = ~0u;
+  static constexpr int kFarthest = 14;  ///< lines further away are not looked for
+
   void forget();
   void find_frames();
   void set_out(SimTime t);
   SimTime time_of(Index index) const;
   std::vector<Line> lines_of(Index index) const;
+  bool is_in_handler(Index index) const;
   void visit(Index index);
   void visit_branch(Index index);
+  void visit_left_out(Index index);
   std::optional<Want> take_wanted(Index index);
   void take(Index index, Want want, CauseStep::Kind kind);
   void want_operands(Index index, Want want);
   void want_branch(Index index, Want want);
+  void add_pending(Index index, Want want);
+  int far_of_branch(std::uint32_t pc) const;
   bool comes_from_outside(Index index, Want want);
   void note(Line line, int far, CauseStep::Kind kind, SimTime t, Pin pin = kNoPin);
   void note_variable(std::uint32_t address, Want want);

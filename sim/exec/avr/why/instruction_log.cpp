@@ -47,7 +47,22 @@ Entry entry_of(const Cpu& cpu, Cycle began) {
   return entry;
 }
 
+bool reads_flash(Op op) {
+  return op == Op::lpm_0 || op == Op::lpm || op == Op::lpm_inc || op == Op::elpm_0 || op == Op::elpm ||
+         op == Op::elpm_inc;
+}
+
 }  // namespace
+
+Effects effects_of_logged(const Instruction& i, const Cpu& cpu) {
+  Effects e = effects_of(i, cpu);
+  if (reads_flash(i.op)) {
+    e.reads = 3u << 30;
+    e.writes = 1u << (i.op == Op::lpm_0 || i.op == Op::elpm_0 ? 0 : i.a);
+    if (i.op == Op::elpm_inc) e.writes |= e.reads;
+  }
+  return e;
+}
 
 void InstructionLog::begin() {
   entries_.clear();
@@ -82,6 +97,7 @@ void InstructionLog::after() {
     next_.interrupts = true;
     next_.sp = cpu.sp();
   }
+  next_.enables = cpu.interrupts_enabled();
   if (next_.touch == Touch::store)
     next_.changed = static_cast<std::uint8_t>(byte_before_ ^ chip_.data(next_.address));
   if (next_.touch == Touch::load && next_.address < chip_.spec().ram_address)

@@ -6,10 +6,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/avr/effects.h"
 #include "sim/exec/avr/outside.h"
 #include "sim/exec/avr/watched_chip.h"
 
 namespace robosim::exec::avr {
+
+/// On registers and flags, those of reading flash, too; what it does to data memory is in the log.
+robosim::avr::Effects effects_of_logged(const robosim::avr::Instruction& instruction,
+                                        const robosim::avr::Cpu& cpu);
 
 class InstructionLog {
  public:
@@ -21,8 +26,9 @@ class InstructionLog {
     std::uint16_t sp = 0;       ///< before it
     std::uint8_t bytes = 0;
     Touch touch = Touch::nothing;
-    bool interrupts = false;   ///< it is the first of a handler, a jump; `pc` is 0
-    std::uint8_t changed = 0;  ///< bits of the byte at `address` that it has changed
+    bool interrupts : 1 = false;  ///< it is the first of a handler, a jump; `pc` is 0
+    bool enables : 1 = false;     ///< behind it, interrupts may come
+    std::uint8_t changed = 0;     ///< bits of the byte at `address` that it has changed
   };
   static_assert(sizeof(Entry) == 16);
 

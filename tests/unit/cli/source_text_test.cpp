@@ -1,0 +1,90 @@
+#include "sim/cli/run/source_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr const char* kSketch = R"(#include <Servo.h>
+const int FAST = 200, SLOW = FAST / 4;
+#define LED 13
+Encoders encoders(3, 2);
+Walker walker(encoders, LED);
+int speedFor(int off);
+volatile long ticks = 0;
+ISR(PCINT0_vect) { ticks++; }
+void onEdge() { ticks = ticks + 1; }
+void reset() { ticks = 0; }
+void setup() {
+  attachInterrupt(0, onEdge, RISING);
+}
+int speedFor(int off) {
+  int sum;
+  int found = 1;
+  {
+    sum += off;
+  }
+  return sum + found;
+}
+void loop() {
+  walker.drive(SLOW);
+  while (ticks < 5) {
+  }
+}
+)";
+
+class SourceTextTest : public ::testing::Test {
+ protected:
+  SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
+
+  /// What explain() adds to a chain of these lines: text, then lines.
+  std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
+    SourceText source({folder_.path()});
+    wire::Cause cause{0.0, "in loop()", {}};
+    for (const int line : lines) cause.lines.push_back({"", "My.ino", line});
+    std::vector<wire::Cause> chain = {cause};
+    source.explain(chain);
+    left_.clear();
+    for (const wire::SourceLine& line : chain[0].lines) left_.push_back(line.line);
+    std::vector<std::pair<std::string, std::vector<int>>> added;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      added.emplace_back(chain[i].text, std::vector<int>());
+      for (const wire::SourceLine& line : chain[i].lines) added.back().second.push_back(line.line);
+    }
+    return added;
+  }
+
+  test::TemporaryFolder folder_;
+  std::vector<int> left_;  ///< of the chain's own lines
+};
+
+using Link = std::pair<std::string, std::vector<int>>;
+
+TEST_F(SourceTextTest, NamesConstantsAndObjectsAndWhatTheseName) {
+  EXPECT_THAT(added_to({23}), ElementsAre(Link("named in these lines", {5, 2, 4, 3})));
+}
+
+TEST_F(SourceTextTest, TakesNoFunctionForAnObject) { EXPECT_THAT(added_to({14}), IsEmpty()); }
+
+TEST_F(SourceTextTest, NamesTheHandlersThatWriteAVariableAndWhereTheyAreAttached) {
+  EXPECT_THAT(added_to({24}), ElementsAre(Link("an interrupt handler writes ticks", {8, 9, 12})));
+}
+
+TEST_F(SourceTextTest, NamesAVariableOfTheFunctionThatBeginsWithoutAValue) {
+  EXPECT_THAT(added_to({20}), ElementsAre(Link("declared without a value", {15})));
+}
+
+TEST_F(SourceTextTest, LeavesOutLinesThatSayNothingButTheNearest) {
+  added_to({14, 22, 19, 18});
+  EXPECT_THAT(left_, ElementsAre(14, 18));
+}
+
+}  // namespace
+}  // namespace robosim::cli
