@@ -10,7 +10,7 @@ ElfSize elf_size(const ElfFile& file) {
   ElfSize size;
   for (const ElfSection& section : file.sections()) {
     if (!section.loaded) continue;
-    if (file.machine() == ElfFile::Machine::avr && section.address >= kAvrEeprom) continue;
+    if (file.is_for_avr() && section.address >= kAvrEeprom) continue;
     (section.writable ? size.data : size.text) += section.size;
     if (section.writable && section.has_content) size.initialised += section.size;
   }

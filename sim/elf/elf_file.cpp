@@ -11,17 +11,6 @@
 namespace robosim {
 namespace {
 
-ElfFile::Machine machine_of(const GElf_Ehdr& header) {
-  switch (header.e_machine) {
-    case EM_AVR:
-      return ElfFile::Machine::avr;
-    case EM_ARM:
-      return ElfFile::Machine::arm;
-    default:
-      return ElfFile::Machine::other;
-  }
-}
-
 ElfSymbol::Kind kind_of(const GElf_Sym& symbol) {
   switch (GELF_ST_TYPE(symbol.st_info)) {
     case STT_FUNC:
@@ -49,8 +38,7 @@ ElfFile::ElfFile(std::string content, std::string file)
   elf_.reset(::elf_memory(content_.data(), content_.size()));
   GElf_Ehdr header;
   if (!elf_ || !::gelf_getehdr(elf_.get(), &header)) damaged();
-  machine_ = machine_of(header);
-  bits_ = ::gelf_getclass(elf_.get()) == ELFCLASS64 ? 64 : 32;
+  is_for_avr_ = header.e_machine == EM_AVR;
   is_program_ = header.e_type == ET_EXEC;
   if (::elf_getshdrnum(elf_.get(), &section_count_) != 0 ||
       ::elf_getphdrnum(elf_.get(), &segment_count_) != 0)

@@ -39,8 +39,6 @@ struct ElfSymbol {
 
 class ElfFile {
  public:
-  enum class Machine { avr, arm, other };
-
   /// Whether it begins as an ELF file does, and is as long as its header.
   static bool is_one(std::string_view content);
 
@@ -51,8 +49,7 @@ class ElfFile {
   ElfFile& operator=(const ElfFile&) = delete;
 
   const std::string& file() const { return file_; }
-  Machine machine() const { return machine_; }
-  int bits() const { return bits_; }
+  bool is_for_avr() const { return is_for_avr_; }
   /// A finished program, no object file and no library.
   bool is_program() const { return is_program_; }
 
@@ -72,9 +69,7 @@ class ElfFile {
   std::string content_;
   std::string file_;
   std::unique_ptr<Elf, End> elf_;
-  Machine machine_ = Machine::other;
-  int bits_ = 0;
-  bool is_program_ = false;
+  bool is_for_avr_ = false, is_program_ = false;
   std::size_t section_count_ = 0, segment_count_ = 0;
 };
 

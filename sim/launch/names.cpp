@@ -15,6 +15,7 @@
 #include "sim/client/runner.h"
 #include "sim/elf/avr_device.h"
 #include "sim/elf/elf_file.h"
+#include "sim/elf/elf_target.h"
 
 namespace robosim::launch {
 namespace fs = std::filesystem;
@@ -64,17 +65,6 @@ bool is_linkers(const fs::path& map) {
 
 }  // namespace
 
-std::string target_of_elf(const fs::path& file) {
-  std::string content = read_file(file);
-  if (ElfFile::is_one(content)) {
-    const ElfFile elf(std::move(content), file.string());
-    if (elf.machine() == ElfFile::Machine::avr) return "avr";
-    if (elf.machine() == ElfFile::Machine::arm && elf.bits() == 32) return "stm32";
-  }
-  throw InputError({file.string(), 0, 0},
-                   "is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
-}
-
 bool is_path(const std::string& name) { return name.find_first_of("/.") != std::string::npos; }
 
 std::string path_from(const fs::path& folder, const std::string& word) {
@@ -114,10 +104,13 @@ fs::path image_in(const fs::path& folder) {
 bool is_project(const fs::path& folder) { return is_there(folder / "platformio.ini"); }
 
 void take_image(SketchChoice& choice) {
-  choice.elf_target = choice.path.extension() == ".hex" ? "avr" : target_of_elf(choice.path);
+  choice.elf_target = "avr";
   choice.project = project::project_of_image(choice.path);
-  if (choice.elf_target == "avr" && choice.path.extension() != ".hex")
-    project::find_stand_in(choice.project, avr_device(ElfFile(read_file(choice.path), choice.path.string())));
+  if (choice.path.extension() == ".hex") return;
+  std::string content = read_file(choice.path);
+  choice.elf_target = target_of_elf(content, choice.path.string());
+  if (choice.elf_target == "avr")
+    project::find_stand_in(choice.project, avr_device(ElfFile(std::move(content), choice.path.string())));
 }
 
 }  // namespace
@@ -268,8 +261,7 @@ std::string choose_target(const std::string& name, const SketchChoice& sketch) {
   const std::string target = !name.empty() ? name : is_elf ? sketch.elf_target : "host";
   check_target(target);
   if (is_elf && target != sketch.elf_target) {
-    throw InputError({sketch.name, 0, 0}, fmt::format("is for the target {}, and --target asks for {}",
-                                                      sketch.elf_target, target));
+    throw wrong_target(sketch.name, sketch.elf_target, target);
   }
   return target;
 }

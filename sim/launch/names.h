@@ -11,9 +11,6 @@
 
 namespace robosim::launch {
 
-/// The target whose chip an ELF file is for. Throws InputError for a file that is for none.
-std::string target_of_elf(const std::filesystem::path& file);
-
 /// A name with '/' or '.' is a path.
 bool is_path(const std::string& name);
 /// A path that begins at `folder`. It stays a path, "./Mine", where no folder is left before it.

@@ -9,6 +9,7 @@
 #include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/elf/elf_target.h"
 #include "sim/grid/map.h"
 #include "sim/launch/names.h"
 #include "sim/record/floor_shapes.h"
@@ -67,9 +68,7 @@ Offered read_offered(const std::string& text) {
 std::string keep(const fs::path& folder, const Offered& offered) {
   const fs::path root = fs::canonical(folder), place = place_of(root, offered.name);
   if (has_ending(offered.name, ".map")) grid::parse_map(offered.text, offered.name);
-  if (has_ending(offered.name, ".elf") && !offered.text.starts_with("\x7F"
-                                                                    "ELF"))
-    throw InputError(offered.name + ": is no ELF file");
+  if (has_ending(offered.name, ".elf")) target_of_elf(offered.text, offered.name);
   if (has_ending(offered.name, ".hex") && !offered.text.starts_with(":"))
     throw InputError(offered.name + ":1: is no line of an Intel HEX file");
   std::error_code error;

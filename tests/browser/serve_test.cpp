@@ -213,7 +213,8 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
   EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
   EXPECT_EQ(seen["map"], "./my.map");
   EXPECT_EQ(seen["own"], true) << "an image is for its own chip";
-  EXPECT_EQ(seen["wrong"], "Wrong.elf: is no ELF file\n");
+  EXPECT_EQ(seen["wrong"],
+            "Wrong.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");
   EXPECT_EQ(read_file(folder_ / "Image.hex"), ":00000001FF\n");
   EXPECT_THAT(seen["sketches"], Contains("./Dropped"));
   EXPECT_EQ(read_file(folder_ / "my.map"), seen["text"].get<std::string>());

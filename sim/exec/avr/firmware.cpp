@@ -103,8 +103,8 @@ void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware)
 }
 
 void load_elf(std::string content, const BoardSpec& board, Firmware& firmware) {
-  const ElfFile elf(std::move(content), firmware.file);
-  check_program(elf, ElfFile::Machine::avr, "an AVR chip");
+  const ElfFile elf(content_for("avr", std::move(content), firmware.file), firmware.file);
+  check_program(elf);
   load_symbols(elf, board, firmware);
   load_flash(elf, board, firmware);
   load_eeprom(elf, firmware);

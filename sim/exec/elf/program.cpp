@@ -5,12 +5,18 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
+#include "sim/elf/elf_target.h"
 
 namespace robosim::exec {
 
-void check_program(const ElfFile& elf, ElfFile::Machine machine, const std::string& chip) {
-  if (elf.bits() != 32 || elf.machine() != machine || !elf.is_program())
-    throw InputError({elf.file()}, "is an ELF file, but no program for " + chip);
+std::string content_for(std::string_view target, std::string content, const std::string& file) {
+  const std::string is = target_of_elf(content, file);
+  if (is != target) throw wrong_target(file, is, target);
+  return content;
+}
+
+void check_program(const ElfFile& elf) {
+  if (!elf.is_program()) throw InputError({elf.file()}, "is an ELF file, but no finished program");
 }
 
 FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,

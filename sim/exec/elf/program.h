@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/board/board_spec.h"
@@ -10,8 +11,11 @@
 
 namespace robosim::exec {
 
-/// Throws InputError unless it is a finished program for this machine. `chip` as in "an AVR chip".
-void check_program(const ElfFile& elf, ElfFile::Machine machine, const std::string& chip);
+/// The content of an ELF file, which is for this target; throws InputError, which names `file`, for all else.
+std::string content_for(std::string_view target, std::string content, const std::string& file);
+
+/// Throws InputError unless it is a finished program.
+void check_program(const ElfFile& elf);
 
 /// What is flashed.
 struct FlashContent {

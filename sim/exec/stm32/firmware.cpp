@@ -55,8 +55,8 @@ void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware
 }  // namespace
 
 Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& board) {
-  const ElfFile elf(read_file(file), file.string());
-  check_program(elf, ElfFile::Machine::arm, "an ARM microcontroller");
+  const ElfFile elf(content_for("stm32", read_file(file), file.string()), file.string());
+  check_program(elf);
   Firmware firmware;
   firmware.file = file.string();
   if (std::string_view(board.chip->name) != kStm32f103c8.name)

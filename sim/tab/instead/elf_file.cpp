@@ -1,5 +1,5 @@
-// Without libelf: little-endian programs of 32 bits are read, as those for an AVR are. Of others it is told
-// what they are, so that they can be refused.
+// Without libelf: little-endian files of 32 bits, as those for an AVR are. Others target_of_elf() has
+// refused.
 #include "sim/elf/elf_file.h"
 
 #include <elf.h>
@@ -76,12 +76,8 @@ ElfFile::ElfFile(std::string content, std::string file)
   if (!is_one(content_)) throw InputError({file_}, "is no ELF file");
   elf_.reset(new Elf{*record_at<Elf32_Ehdr>(content_, 0)});
   const Elf32_Ehdr& header = elf_->header;
-  bits_ = header.e_ident[EI_CLASS] == ELFCLASS32 ? 32 : 64;
+  is_for_avr_ = header.e_machine == EM_AVR;
   is_program_ = header.e_type == ET_EXEC;
-  if (bits_ != 32 || header.e_ident[EI_DATA] != ELFDATA2LSB) return;
-  machine_ = header.e_machine == EM_AVR   ? Machine::avr
-             : header.e_machine == EM_ARM ? Machine::arm
-                                          : Machine::other;
   section_count_ = header.e_shnum;
   segment_count_ = header.e_phnum;
   if (header.e_shnum > 0 && header.e_shentsize != sizeof(Elf32_Shdr)) damaged();

@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/elf/avr_device.h"
+#include "sim/elf/elf_target.h"
 
 namespace robosim {
 namespace {
@@ -77,8 +78,7 @@ std::string read_all(const std::string& bytes) {
 
 TEST(ElfFile, TellsForWhatItWasMade) {
   const ElfFile file(Program().bytes(), "x.elf");
-  EXPECT_EQ(file.machine(), ElfFile::Machine::avr);
-  EXPECT_EQ(file.bits(), 32);
+  EXPECT_TRUE(file.is_for_avr());
   EXPECT_TRUE(file.is_program());
 }
 
@@ -119,7 +119,6 @@ TEST(ElfFile, ReadsSymbolsThatAreDefined) {
 
 TEST(ElfFile, ReadsThisTestToo) {
   const ElfFile file(read_file("/proc/self/exe"), "test");
-  EXPECT_EQ(file.bits(), static_cast<int>(8 * sizeof(void*)));
   const auto symbols = file.symbols();
   EXPECT_TRUE(std::any_of(symbols.begin(), symbols.end(), [](const ElfSymbol& symbol) {
     return symbol.name == "main" && symbol.kind == ElfSymbol::Kind::function;
@@ -130,6 +129,31 @@ TEST(ElfFile, WhatIsNoneIsRefusedWithItsName) {
   EXPECT_EQ(read_all("hello"), "x.elf: is no ELF file");
   EXPECT_EQ(read_all(""), "x.elf: is no ELF file");
   EXPECT_EQ(read_all(Program().bytes().substr(0, sizeof(Elf32_Ehdr) - 1)), "x.elf: is no ELF file");
+}
+
+std::string target_of(std::string bytes) {
+  try {
+    return target_of_elf(bytes, "x.elf");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(ElfFile, TellsWhichTargetRunsItByItsHeaderAlone) {
+  const std::string
+      good = Program().bytes(),
+      none = "x.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)";
+  EXPECT_EQ(target_of(good.substr(0, sizeof(Elf32_Ehdr))), "avr");
+  for (const auto& [at, byte, target] : {std::tuple{18, char{EM_ARM}, std::string("stm32")},
+                                         {18, char{EM_386}, none},
+                                         {EI_CLASS, char{ELFCLASS64}, none},
+                                         {EI_DATA, char{ELFDATA2MSB}, none},
+                                         {EI_VERSION, char{2}, none}}) {
+    std::string changed = good;
+    changed[static_cast<std::size_t>(at)] = byte;
+    EXPECT_EQ(target_of(changed), target) << at;
+  }
+  for (const char* other : {"", "hello"}) EXPECT_EQ(target_of(other), none);
 }
 
 TEST(ElfFile, AFileThatEndsTooEarlyIsRefused) {

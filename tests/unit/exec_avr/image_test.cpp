@@ -25,12 +25,12 @@ class ImageTest : public AvrTest {
 };
 
 TEST_F(ImageTest, WhatIsNoAvrProgramIsRefusedWithItsName) {
-  EXPECT_THAT(refusal("hello"), testing::AllOf(HasSubstr("x.elf"), HasSubstr("no ELF file")));
+  EXPECT_THAT(refusal("hello"), testing::AllOf(HasSubstr("x.elf"), HasSubstr("is no program for a chip")));
   const std::string good = read_file(build("void setup() {}\nvoid loop() {}"));
   EXPECT_EQ(refusal(good), "accepted");
   std::string arm = good;
   arm[18] = 40;
-  EXPECT_THAT(refusal(arm), HasSubstr("no program for an AVR chip"));
+  EXPECT_THAT(refusal(arm), HasSubstr("is for the target stm32, and the target avr is asked for"));
 }
 
 TEST_F(ImageTest, ADamagedFileNeverReachesTheChip) {

@@ -258,7 +258,12 @@ TEST_F(Serving, KeepsAnImageAndRunsItOnItsOwnChip) {
     const std::string json = Json{{"name", name}, {"base64", base64(bytes)}}.dump();
     return http_->Post("/api/file", json, "application/json");
   };
-  const std::string hex = ":00000001FF\n", elf = std::string("\x7F") + "ELF" + std::string(400'000, '\0');
+  const std::string hex = ":00000001FF\n";
+  std::string elf =
+      "\x7F"
+      "ELF\1\1\1" +
+      std::string(400'000, '\0');
+  elf[18] = 83;  // an AVR
   EXPECT_EQ(Json::parse(keep("Mine.hex", hex)->body)["saved"], "./Mine.hex");
   EXPECT_EQ(keep("Mine.elf", elf)->status, 200);
   EXPECT_EQ(read_file(root() / "Mine.elf"), elf);

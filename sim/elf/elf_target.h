@@ -1,0 +1,18 @@
+// Which target runs an ELF file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/base/error.h"
+
+namespace robosim {
+
+/// "avr" or "stm32", by the file's header alone. Throws InputError, which names `file`, for what is no
+/// program for such a chip.
+std::string target_of_elf(std::string_view content, const std::string& file);
+
+/// For a file that is for the target `is`.
+InputError wrong_target(const std::string& file, std::string_view is, std::string_view wanted);
+
+}  // namespace robosim
