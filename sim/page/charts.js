@@ -1,7 +1,7 @@
 // Curves over time, all in one window of time, which wheels zoom and drags scrub.
 
 import { seen, series, style } from './colours.js';
-import { extent, indexAt } from './run.js';
+import { extent, indexAt, valueAt } from './run.js';
 import { envelope, niceStep, timeText } from './timeline.js';
 import { sized } from './view.js';
 
@@ -112,7 +112,6 @@ export class Track {
   axis(ctx, bottom) {
     const step = niceStep(this.span.seconds / Math.max(this.width / 80, 1));
     ctx.font = '11px system-ui, sans-serif';
-    ctx.textAlign = 'center';
     ctx.textBaseline = 'top';
     const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     for (let i = Math.ceil(this.span.from / step); i * step <= this.span.to; i++) {
@@ -120,6 +119,7 @@ export class Track {
       ctx.fillStyle = style('grid');
       ctx.fillRect(x - 0.5, 0, 1, bottom);
       ctx.fillStyle = style('dim');
+      ctx.textAlign = x < 12 ? 'left' : 'center';
       if (x < this.left + this.width - 12) ctx.fillText(timeText(i * step, digits), x, bottom + 3);
     }
   }
@@ -198,7 +198,7 @@ export class Chart {
   move() {
     this.track.moveHead();
     const { t } = this.span.player;
-    this.signals.forEach((signal, i) => { this.values[i].textContent = short(signal.values[indexAt(signal.t, t)]); });
+    this.signals.forEach((signal, i) => { this.values[i].textContent = short(valueAt(signal, t)); });
   }
 }
 

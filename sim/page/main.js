@@ -7,7 +7,7 @@ import { areaOf, FloorPicture } from './floor.js';
 import { TimedList } from './lists.js';
 import { LiveFeed, LivePlayer } from './live.js';
 import { Now } from './now.js';
-import { PinRow, Wiring } from './pins.js';
+import { PinAxis, PinRow, Wiring } from './pins.js';
 import { Player, SPEEDS } from './player.js';
 import { BadFile, bytesOfBase64, bytesOfPage, readRecording } from './recording.js';
 import { apart, runOfTable } from './run.js';
@@ -146,6 +146,7 @@ class Page {
     if (run.thinned) panel.append(make('p', { className: 'note', textContent: `This run was long: of each pin only the last change in every ${1000 * run.thinned} ms is kept.` }));
     if (!run.pins.length) panel.append(make('p', { className: 'empty', textContent: 'no pin was used' }));
     for (const pin of run.pins) this.pins.push(new PinRow(panel, span, pin, use(pin.name)));
+    if (run.pins.length) this.pins.push(new PinAxis(panel, span));
   }
 
   connect() {
@@ -285,7 +286,7 @@ class Page {
     box.hidden = !other;
     if (other) {
       const whose = others.length > 1 ? `${others.length} robots, ${other.name}: ` : '';
-      const what = other.result ? `${whose}${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.title;
+      const what = other.result ? `${whose}${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.what;
       box.replaceChildren(`over it: ${name} (${what})`, make('button', { textContent: 'away', onclick: () => this.compare(null) }));
     }
     this.view.area = areaOf(other ? [...this.runs, ...others] : this.runs);

@@ -24,7 +24,7 @@ export function sourceText(pin, t, sources) {
   return file ? `${file}:${line}${name ? ` in ${name}()` : ''}` : '';
 }
 
-const NEAR_PX = 5;
+const NEAR_PX = 5, PIN_LEFT = 4;
 
 export class PinRow {
   constructor(parent, span, pin, use) {
@@ -41,7 +41,7 @@ export class PinRow {
     this.now.dataset.pin = pin.name + (pin.isAnalog ? ' volts' : '');
     box.append(name);
     parent.append(box);
-    this.track = new Track(box, span, pin.isAnalog ? 40 : 26, `pin ${pin.name} over time`, 4);
+    this.track = new Track(box, span, pin.isAnalog ? 40 : 26, `pin ${pin.name} over time`, PIN_LEFT);
     this.track.snap = (t) => this.changeNear(t);
     this.source = Object.assign(document.createElement('div'), { className: 'pin-source' });
     if (pin.source) box.append(this.source);
@@ -72,6 +72,7 @@ export class PinRow {
     ctx.clip();
     ctx.fillStyle = style('track');
     ctx.fillRect(0, 0, this.track.canvas.clientWidth, height);
+    this.track.axis(ctx, height);
     ctx.lineWidth = 1.5;
     ctx.strokeStyle = series(0);
     const yOf = (share) => height - 4 - share * (height - 8);
@@ -123,6 +124,21 @@ export class PinRow {
     this.source.textContent = sourceText(this.pin, t, run.sources);
     this.source.title = this.source.textContent;
   }
+}
+
+/** What time it is, below the pins. */
+export class PinAxis {
+  constructor(parent, span) {
+    const box = Object.assign(document.createElement('section'), { className: 'pin axis' });
+    box.append(document.createElement('div'));
+    parent.append(box);
+    this.track = new Track(box, span, 18, 'time of the pins', PIN_LEFT);
+  }
+  draw() {
+    this.track.axis(sized(this.track.canvas), 0);
+    this.move();
+  }
+  move() { this.track.moveHead(); }
 }
 
 /** Which part is on which pin, as a table: what the robot's file says, and what the sketch did there. */

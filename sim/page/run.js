@@ -107,6 +107,13 @@ export class Run {
   sortEvents() { this.events.sort((a, b) => a.t - b.t); }
 }
 
+/** What a signal was then: as its curve is drawn. */
+export function valueAt({ t: times, values, steps }, t) {
+  const i = indexAt(times, t);
+  if (steps || i + 1 >= values.length || t <= times[i]) return values[i];
+  return values[i] + (t - times[i]) / (times[i + 1] - times[i]) * (values[i + 1] - values[i]);
+}
+
 /** The graph that the sketch has told, as ours do while they scan: "found station 2", "found junction 1". A node is where
  *  the robot was then; an edge is what it has driven between two of them. { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
 export function toldGraph(run) {
@@ -284,6 +291,7 @@ export function runOfTable(text, title) {
   all.x_mm = scale(x, PLACE);
   all.y_mm = scale(y, PLACE);
   const run = new Run(title, seconds(columns[time], TIME[names[time].toLowerCase()]), all);
+  run.what = `a log of ${(run.duration - run.t[0]).toFixed(2)} s${[x, y].every((k) => names[k].includes('_')) ? '' : ', x and y taken for mm'}`;
   for (let k = 0; k < names.length; k++)
     if (k !== time && k !== x && k !== y && !run.signal(names[k])) run.addSignal(names[k], '');
   return run;

@@ -137,7 +137,9 @@ Track track_of_table(std::string_view text, const std::string& file) {
     track.y_mm.push_back(*at_y * y->factor);
   }
   if (track.t_s.size() < 2) throw InputError({file}, "a log needs a line of names and at least two rows");
-  track.what = fmt::format("a log of {:.2f} s", track.t_s.back() - track.t_s.front());
+  const bool has_units = names[x->column].size() > 1 && names[y->column].size() > 1;
+  track.what = fmt::format("a log of {:.2f} s{}", track.t_s.back() - track.t_s.front(),
+                           has_units ? "" : ", x and y taken for mm");
   return track;
 }
 

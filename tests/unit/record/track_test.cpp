@@ -28,6 +28,10 @@ TEST(ATableOfARealRobot, MayHaveAnyUnitsSeparatorsAndColumns) {
   EXPECT_THAT(track.t_s, ElementsAre(0.1, 0.2));
   EXPECT_THAT(track.x_mm, ElementsAre(500, 600));
   EXPECT_THAT(track.y_mm, ElementsAre(20, 30));
+  EXPECT_EQ(track.what, "a log of 0.10 s");
+  const Track bare = track_of_table("t,x,y\n0,1,2\n1,2,3\n", "log.csv");
+  EXPECT_THAT(bare.x_mm, ElementsAre(1, 2));
+  EXPECT_EQ(bare.what, "a log of 1.00 s, x and y taken for mm");
 }
 
 TEST(ATableOfARealRobot, IsRefusedWithItsLine) {
